@@ -3,7 +3,7 @@ states to 30 digits.
 """
 
 from newton_euler import Model, cos, scenes, sin, sqrt
-from newton_euler.accuracy import work_precision as precision
+from newton_euler.accuracy.measurements import work_precision as precision
 from newton_euler.motion import second_order
 from newton_euler.scenes.catalogue import Scene
 from newton_euler.scenes.spatial.top import SPIN

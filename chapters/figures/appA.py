@@ -9,6 +9,8 @@ from newton_euler import Frame
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 
 
@@ -22,28 +24,24 @@ def _in_plane(length, angle):
     return length * math.cos(math.radians(angle)), length * math.sin(math.radians(angle)), 0
 
 
-def total():
+@with_sliders(
+    Slider("theta", 60, 10, 170, 5, label="θ", unit="°"),
+    alt="A parallelogram of the vectors P, 3 long, and Q, 4 long, with the angle theta between "
+    "them. From the common tail one reaches the opposite corner by P and then Q or by Q and "
+    "then P; the diagonal is their sum.",
+    size=(6.4, 4.2),
+)
+def total(ax, theta):
     """Figure A.1: P and Q head to tail in both orders, and their sum."""
-
-    def draw(ax, theta):
-        P, Q = _in_plane(3, 0), _in_plane(4, theta)
-        s = Sketch(ax, Frame("ground"), plane="xy")
-        s.arrow(O, P, r"$\mathbf{P}$", "velocity")
-        s.arrow(P, _add(P, Q), r"$\mathbf{Q}$", "acceleration")
-        s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
-        s.arrow(Q, _add(P, Q), r"$\mathbf{P}$", "velocity")
-        s.arrow(O, _add(P, Q), r"$\mathbf{P}+\mathbf{Q}$", "rate")
-        s.arc(O, P, Q, r"$\theta$")
-        ax.set_title(rf"$|\mathbf{{P}}+\mathbf{{Q}}|$ = {math.hypot(*_add(P, Q)):.2f}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("theta", 60, 10, 170, 5, label="θ", unit="°"),
-        alt="A parallelogram of the vectors P, 3 long, and Q, 4 long, with the angle theta between "
-        "them. From the common tail one reaches the opposite corner by P and then Q or by Q and "
-        "then P; the diagonal is their sum.",
-        size=(6.4, 4.2),
-    )
+    P, Q = _in_plane(3, 0), _in_plane(4, theta)
+    s = Sketch(ax, Frame("ground"), plane="xy")
+    s.arrow(O, P, r"$\mathbf{P}$", "velocity")
+    s.arrow(P, _add(P, Q), r"$\mathbf{Q}$", "acceleration")
+    s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
+    s.arrow(Q, _add(P, Q), r"$\mathbf{P}$", "velocity")
+    s.arrow(O, _add(P, Q), r"$\mathbf{P}+\mathbf{Q}$", "rate")
+    s.arc(O, P, Q, r"$\theta$")
+    ax.set_title(rf"$|\mathbf{{P}}+\mathbf{{Q}}|$ = {math.hypot(*_add(P, Q)):.2f}", fontsize=11)
 
 
 def components():
@@ -78,286 +76,248 @@ def components():
     )
 
 
-def projection():
+@with_sliders(
+    Slider("theta", 50, 5, 175, 5, label="θ", unit="°"),
+    alt="P, 3 long, and Q, 2 long, from one point. A dashed line at right angles to P from the "
+    "tip of Q marks the component of Q along P. It is negative where the angle is obtuse.",
+    size=(6.4, 3.6),
+)
+def projection(ax, theta):
     """Figure A.3: the dot product by the projection of Q on P."""
-
-    def draw(ax, theta):
-        P, Q = _in_plane(3, 0), _in_plane(2, theta)
-        foot = (Q[0], 0, 0)
-        s = Sketch(ax, Frame("ground"), plane="xy")
-        s.line((-2.2, 0, 0), (3.2, 0, 0), style="dotted")
-        s.arrow(O, P, r"$\mathbf{P}$", "velocity")
-        s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
-        s.line(Q, foot)
-        s.dimension(O, foot, r"$|\mathbf{Q}|\cos\theta$", offset=(0, -0.35, 0))
-        if theta:
-            s.arc(O, P, Q, r"$\theta$")
-        product = 3 * Q[0]
-        ax.set_title(
-            rf"$|\mathbf{{Q}}|\cos\theta = {Q[0] + 0.0:.2f},\quad"
-            rf"\mathbf{{P}}\cdot\mathbf{{Q}} = {product + 0.0:.2f}$",
-            fontsize=11,
-        )
-
-    interactive_figure(
-        draw,
-        Slider("theta", 50, 5, 175, 5, label="θ", unit="°"),
-        alt="P, 3 long, and Q, 2 long, from one point. A dashed line at right angles to P from the "
-        "tip of Q marks the component of Q along P. It is negative where the angle is obtuse.",
-        size=(6.4, 3.6),
+    P, Q = _in_plane(3, 0), _in_plane(2, theta)
+    foot = (Q[0], 0, 0)
+    s = Sketch(ax, Frame("ground"), plane="xy")
+    s.line((-2.2, 0, 0), (3.2, 0, 0), style="dotted")
+    s.arrow(O, P, r"$\mathbf{P}$", "velocity")
+    s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
+    s.line(Q, foot)
+    s.dimension(O, foot, r"$|\mathbf{Q}|\cos\theta$", offset=(0, -0.35, 0))
+    if theta:
+        s.arc(O, P, Q, r"$\theta$")
+    product = 3 * Q[0]
+    ax.set_title(
+        rf"$|\mathbf{{Q}}|\cos\theta = {Q[0] + 0.0:.2f},\quad"
+        rf"\mathbf{{P}}\cdot\mathbf{{Q}} = {product + 0.0:.2f}$",
+        fontsize=11,
     )
 
 
-def area():
+@with_sliders(
+    Slider("theta", 60, -180, 180, 10, label="from P to Q", unit="°"),
+    alt="P and Q in a level plane with their parallelogram. Their cross product stands upright "
+    "on it, as long as the area is large; it points downward once Q lies on the other side of P.",
+    size=(6.2, 4.4),
+)
+def area(ax, theta):
     """Figure A.4: the cross product and the parallelogram of P and Q."""
-
-    def draw(ax, theta):
-        ground = Frame("ground")
-        P, Q = _in_plane(1.2, 0), _in_plane(1.0, theta)
-        product = round(1.2 * math.sin(math.radians(theta)), 9)
-        s = Sketch(ax, ground, azimuth=-60, elevation=25)
-        s.axes((-1.1, -1.1, 0), ground, 0.5, [r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
-        if abs(product) > 0.01:
-            s.plate([O, P, _add(P, Q), Q], shade="light")
-            s.arrow(O, (0, 0, product), r"$\mathbf{P}\times\mathbf{Q}$", "rate")
-        s.arrow(O, P, r"$\mathbf{P}$", "velocity")
-        s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
-        if 5 < abs(theta) < 175:
-            s.arc(O, P, Q, r"$\theta$")
-        ax.set_title(
-            rf"$\mathbf{{P}}\times\mathbf{{Q}} = {product + 0.0:.2f}\,\hat k$", fontsize=11
-        )
-
-    interactive_figure(
-        draw,
-        Slider("theta", 60, -180, 180, 10, label="from P to Q", unit="°"),
-        alt="P and Q in a level plane with their parallelogram. Their cross product stands upright "
-        "on it, as long as the area is large; it points downward once Q lies on the other side of P.",
-        size=(6.2, 4.4),
-    )
+    ground = Frame("ground")
+    P, Q = _in_plane(1.2, 0), _in_plane(1.0, theta)
+    product = round(1.2 * math.sin(math.radians(theta)), 9)
+    s = Sketch(ax, ground, azimuth=-60, elevation=25)
+    s.axes((-1.1, -1.1, 0), ground, 0.5, [r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
+    if abs(product) > 0.01:
+        s.plate([O, P, _add(P, Q), Q], shade="light")
+        s.arrow(O, (0, 0, product), r"$\mathbf{P}\times\mathbf{Q}$", "rate")
+    s.arrow(O, P, r"$\mathbf{P}$", "velocity")
+    s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
+    if 5 < abs(theta) < 175:
+        s.arc(O, P, Q, r"$\theta$")
+    ax.set_title(rf"$\mathbf{{P}}\times\mathbf{{Q}} = {product + 0.0:.2f}\,\hat k$", fontsize=11)
 
 
-def block():
+@with_sliders(
+    Slider("height", 0.8, -0.8, 0.8, 0.1, label="height of the tip of R"),
+    alt="A slanted block with the edges P, Q and R from one corner. P and Q span its base. "
+    "While the tip of R is above the base the triad is right-handed and the triple product is "
+    "the volume; below it the product is minus the volume.",
+    size=(6.2, 4.4),
+)
+def block(ax, height):
     """Figure A.5: the triple scalar product as a volume with a sign."""
-
-    def draw(ax, height):
-        ground = Frame("ground")
-        P, Q, R = (1.2, 0.1, 0), (0.3, 1.0, 0), (0.25, 0.2, height)
-        base = [O, P, _add(P, Q), Q]
-        volume = float(np.dot(P, np.cross(Q, R)))
-        s = Sketch(ax, ground, azimuth=-65, elevation=22)
-        s.plate(base, shade="light")
-        for corner in base:
-            s.line(corner, _add(corner, R))
-        lid = [_add(corner, R) for corner in base]
-        for tail, tip in zip(lid, [*lid[1:], lid[0]], strict=True):
-            s.line(tail, tip)
-        s.arrow(O, P, r"$\mathbf{P}$", "velocity")
-        s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
-        s.arrow(O, R, r"$\mathbf{R}$", "rate")
-        hand = "right-handed" if volume > 0 else "left-handed" if volume < 0 else "in one plane"
-        ax.set_title(
-            rf"$\mathbf{{P}}\cdot\mathbf{{Q}}\times\mathbf{{R}} = {volume + 0.0:.2f}$: {hand}",
-            fontsize=11,
-        )
-
-    interactive_figure(
-        draw,
-        Slider("height", 0.8, -0.8, 0.8, 0.1, label="height of the tip of R"),
-        alt="A slanted block with the edges P, Q and R from one corner. P and Q span its base. "
-        "While the tip of R is above the base the triad is right-handed and the triple product is "
-        "the volume; below it the product is minus the volume.",
-        size=(6.2, 4.4),
+    ground = Frame("ground")
+    P, Q, R = (1.2, 0.1, 0), (0.3, 1.0, 0), (0.25, 0.2, height)
+    base = [O, P, _add(P, Q), Q]
+    volume = float(np.dot(P, np.cross(Q, R)))
+    s = Sketch(ax, ground, azimuth=-65, elevation=22)
+    s.plate(base, shade="light")
+    for corner in base:
+        s.line(corner, _add(corner, R))
+    lid = [_add(corner, R) for corner in base]
+    for tail, tip in zip(lid, [*lid[1:], lid[0]], strict=True):
+        s.line(tail, tip)
+    s.arrow(O, P, r"$\mathbf{P}$", "velocity")
+    s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
+    s.arrow(O, R, r"$\mathbf{R}$", "rate")
+    hand = "right-handed" if volume > 0 else "left-handed" if volume < 0 else "in one plane"
+    ax.set_title(
+        rf"$\mathbf{{P}}\cdot\mathbf{{Q}}\times\mathbf{{R}} = {volume + 0.0:.2f}$: {hand}",
+        fontsize=11,
     )
 
 
-def double_cross():
+@with_sliders(
+    Slider("around", 20, 0, 180, 10, label="R: direction in the plane", unit="°"),
+    Slider("up", 40, 0, 80, 10, label="R: elevation", unit="°"),
+    alt="P and Q in a plane, their cross product upright on it, and a vector R in any "
+    "direction. The double cross product (P x Q) x R lies in the plane of P and Q again, at "
+    "right angles to R.",
+    size=(6.4, 4.4),
+)
+def double_cross(ax, around, up):
     """Figure A.6: (P x Q) x R lies in the plane of P and Q."""
-
-    def draw(ax, around, up):
-        ground = Frame("ground")
-        P, Q = (1.1, 0, 0), (0.5, 0.9, 0)
-        a, b = math.radians(around), math.radians(up)
-        R = (math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b))
-        normal = tuple(np.cross(P, Q))
-        double = tuple(np.cross(normal, R))
-        s = Sketch(ax, ground, azimuth=-60, elevation=28)
-        s.plate([(-1.1, -1.1, 0), (1.3, -1.1, 0), (1.3, 1.2, 0), (-1.1, 1.2, 0)], shade="light")
-        s.arrow(O, P, r"$\mathbf{P}$", "velocity")
-        s.arrow(O, Q, r"$\mathbf{Q}$", "velocity")
-        s.arrow(O, R, r"$\mathbf{R}$", "acceleration")
-        s.arrow(O, normal, r"$\mathbf{P}\times\mathbf{Q}$")
-        s.arrow(O, double, r"$(\mathbf{P}\times\mathbf{Q})\times\mathbf{R}$", "rate")
-
-    interactive_figure(
-        draw,
-        Slider("around", 20, 0, 180, 10, label="R: direction in the plane", unit="°"),
-        Slider("up", 40, 0, 80, 10, label="R: elevation", unit="°"),
-        alt="P and Q in a plane, their cross product upright on it, and a vector R in any "
-        "direction. The double cross product (P x Q) x R lies in the plane of P and Q again, at "
-        "right angles to R.",
-        size=(6.4, 4.4),
-    )
+    ground = Frame("ground")
+    P, Q = (1.1, 0, 0), (0.5, 0.9, 0)
+    a, b = math.radians(around), math.radians(up)
+    R = (math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b))
+    normal = tuple(np.cross(P, Q))
+    double = tuple(np.cross(normal, R))
+    s = Sketch(ax, ground, azimuth=-60, elevation=28)
+    s.plate([(-1.1, -1.1, 0), (1.3, -1.1, 0), (1.3, 1.2, 0), (-1.1, 1.2, 0)], shade="light")
+    s.arrow(O, P, r"$\mathbf{P}$", "velocity")
+    s.arrow(O, Q, r"$\mathbf{Q}$", "velocity")
+    s.arrow(O, R, r"$\mathbf{R}$", "acceleration")
+    s.arrow(O, normal, r"$\mathbf{P}\times\mathbf{Q}$")
+    s.arrow(O, double, r"$(\mathbf{P}\times\mathbf{Q})\times\mathbf{R}$", "rate")
 
 
-def triangle(corners, normal):
+@with_sliders(
+    Slider("eye", 0, -45, 135, 5, label="seen from", unit="°"),
+    alt="A triangle with the corners A(1,1,1), B(4,5,6) and C(2,3,7) in space. P leads from A "
+    "to B, Q from A to C; an arrow at right angles to the triangle shows the direction of the "
+    "normal, three times its length.",
+    size=(6.2, 5.0),
+)
+def triangle(ax, corners, normal, eye):
     """Figure A.7: a triangle, two of its edges as vectors, and a normal, from a turning eye."""
     A, B, C = corners
     centre = tuple(sum(x) / 3 for x in zip(*corners, strict=True))
     e = tuple(x / math.hypot(*normal) for x in normal)
-
-    def draw(ax, eye):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, azimuth=eye, elevation=20)
-        s.axes(O, ground, length=2.0)
-        s.plate(corners, shade="light")
-        s.arrow(A, B, r"$\mathbf{P}$", "velocity")
-        s.arrow(A, C, r"$\mathbf{Q}$", "acceleration")
-        s.arrow(centre, _add(centre, e, 3), r"$\hat e$", "rate")
-        for place, name in zip(corners, "ABC", strict=True):
-            s.label(place, name)
-
-    interactive_figure(
-        draw,
-        Slider("eye", 0, -45, 135, 5, label="seen from", unit="°"),
-        alt="A triangle with the corners A(1,1,1), B(4,5,6) and C(2,3,7) in space. P leads from A "
-        "to B, Q from A to C; an arrow at right angles to the triangle shows the direction of the "
-        "normal, three times its length.",
-        size=(6.2, 5.0),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=eye, elevation=20)
+    s.axes(O, ground, length=2.0)
+    s.plate(corners, shade="light")
+    s.arrow(A, B, r"$\mathbf{P}$", "velocity")
+    s.arrow(A, C, r"$\mathbf{Q}$", "acceleration")
+    s.arrow(centre, _add(centre, e, 3), r"$\hat e$", "rate")
+    for place, name in zip(corners, "ABC", strict=True):
+        s.label(place, name)
 
 
-def plane(corners, normal):
+@with_sliders(
+    Slider("off", 0, -2.5, 2.5, 0.5, label="X off the plane"),
+    alt="A piece of the plane through A, B and C with the normal N at A. The arrow AX to a "
+    "point X lies in the plane, and is at right angles to N, only while X is on the plane; "
+    "its product with N has one sign on each side.",
+    size=(6.2, 4.8),
+)
+def plane(ax, corners, normal, off):
     """Figure A.8: a plane, its normal N at A, and a point X on it or off it."""
     A, B, C = corners
     e = tuple(x / math.hypot(*normal) for x in normal)
     along = tuple(x / math.dist(A, B) for x in _add(B, A, -1))
     across = tuple(np.cross(e, along))
-
-    def draw(ax, off):
-        ground = Frame("ground")
-        corner = [
-            _add(_add(A, along, u), across, v) for u, v in ((-1, -1), (8.5, -1), (8.5, 5), (-1, 5))
-        ]
-        foot = _add(_add(A, along, 4.5), across, 2)
-        X = _add(foot, e, off)
-        s = Sketch(ax, ground, azimuth=10, elevation=25)
-        s.axes(O, ground, length=2.0)
-        s.plate(corner, shade="light")
-        s.arrow(A, _add(A, e, 3), r"$\mathbf{N}$", "rate")
-        s.arrow(A, X, "", "velocity")
-        s.line(foot, X)
-        for place in (A, B, C, X):
-            s.dot(place)
-        for place, name in ((A, "A"), (B, "B"), (C, "C"), (X, "X")):
-            s.label(place, name)
-        product = off * math.hypot(*normal)
-        ax.set_title(
-            rf"$\overrightarrow{{AX}}\cdot\mathbf{{N}} = {product + 0.0:.1f}$; "
-            rf"X is off the plane by ${off + 0.0:.1f}$",
-            fontsize=11,
-        )
-
-    interactive_figure(
-        draw,
-        Slider("off", 0, -2.5, 2.5, 0.5, label="X off the plane"),
-        alt="A piece of the plane through A, B and C with the normal N at A. The arrow AX to a "
-        "point X lies in the plane, and is at right angles to N, only while X is on the plane; "
-        "its product with N has one sign on each side.",
-        size=(6.2, 4.8),
+    ground = Frame("ground")
+    corner = [
+        _add(_add(A, along, u), across, v) for u, v in ((-1, -1), (8.5, -1), (8.5, 5), (-1, 5))
+    ]
+    foot = _add(_add(A, along, 4.5), across, 2)
+    X = _add(foot, e, off)
+    s = Sketch(ax, ground, azimuth=10, elevation=25)
+    s.axes(O, ground, length=2.0)
+    s.plate(corner, shade="light")
+    s.arrow(A, _add(A, e, 3), r"$\mathbf{N}$", "rate")
+    s.arrow(A, X, "", "velocity")
+    s.line(foot, X)
+    for place in (A, B, C, X):
+        s.dot(place)
+    for place, name in ((A, "A"), (B, "B"), (C, "C"), (X, "X")):
+        s.label(place, name)
+    product = off * math.hypot(*normal)
+    ax.set_title(
+        rf"$\overrightarrow{{AX}}\cdot\mathbf{{N}} = {product + 0.0:.1f}$; "
+        rf"X is off the plane by ${off + 0.0:.1f}$",
+        fontsize=11,
     )
 
 
-def difference(vector, rate, now):
+@with_sliders(
+    Slider("step", 0.8, 0.1, 1.2, 0.1, label="Δt"),
+    alt="The tip of a vector P moves along a curve. Two arrows start where it is now: the "
+    "difference quotient, along the chord to a later tip, and the derivative, along the "
+    "tangent. The first turns into the second as the step shrinks.",
+    size=(6.4, 4.4),
+)
+def difference(ax, vector, rate, now, step):
     """Figure A.9: the difference quotient of ``vector(t)`` and its limit ``rate`` at ``now``."""
-
-    def draw(ax, step):
-        start, later = vector(now), vector(now + step)
-        quotient = tuple((b - a) / step for a, b in zip(start, later, strict=True))
-        miss = math.dist(quotient, rate)
-        s = Sketch(ax, Frame("ground"), plane="xy")
-        s.path([vector(n / 30) for n in range(70)])
-        s.arrow(O, start, r"$\mathbf{P}(t)$")
-        s.arrow(O, later, r"$\mathbf{P}(t+\Delta t)$")
-        s.arrow(start, _add(start, quotient), r"$\Delta\mathbf{P}/\Delta t$", "acceleration")
-        s.arrow(start, _add(start, rate), r"$d\mathbf{P}/dt$", "velocity")
-        s.line(start, later)
-        ax.set_title(rf"$\Delta t$ = {step:.1f}: the two differ by {miss:.3f}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("step", 0.8, 0.1, 1.2, 0.1, label="Δt"),
-        alt="The tip of a vector P moves along a curve. Two arrows start where it is now: the "
-        "difference quotient, along the chord to a later tip, and the derivative, along the "
-        "tangent. The first turns into the second as the step shrinks.",
-        size=(6.4, 4.4),
-    )
+    start, later = vector(now), vector(now + step)
+    quotient = tuple((b - a) / step for a, b in zip(start, later, strict=True))
+    miss = math.dist(quotient, rate)
+    s = Sketch(ax, Frame("ground"), plane="xy")
+    s.path([vector(n / 30) for n in range(70)])
+    s.arrow(O, start, r"$\mathbf{P}(t)$")
+    s.arrow(O, later, r"$\mathbf{P}(t+\Delta t)$")
+    s.arrow(start, _add(start, quotient), r"$\Delta\mathbf{P}/\Delta t$", "acceleration")
+    s.arrow(start, _add(start, rate), r"$d\mathbf{P}/dt$", "velocity")
+    s.line(start, later)
+    ax.set_title(rf"$\Delta t$ = {step:.1f}: the two differ by {miss:.3f}", fontsize=11)
 
 
-def turning():
+@with_sliders(
+    Slider("theta", 35, 0, 175, 5, label="θ", unit="°"),
+    Slider("rate", 0.6, -1, 1, 0.1, label="rate of θ", unit="rad/s"),
+    alt="A unit vector e at the angle theta from i, with its tip on a circle. Its rate is an "
+    "arrow along the tangent at the tip, as long as the rate of theta, and backward where that "
+    "is negative.",
+    size=(5.6, 4.6),
+)
+def turning(ax, theta, rate):
     """Figure A.10: a turning unit vector and its rate."""
-
-    def draw(ax, theta, rate):
-        ground = Frame("ground")
-        e, across = _in_plane(1, theta), _in_plane(1, theta + 90)
-        s = Sketch(ax, ground, plane="xy")
-        s.axes(O, ground, length=0.5, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
-        s.ring(O, ground.k, 1)
-        s.arrow(O, e, r"$\hat e$")
-        if rate:
-            s.arrow(e, _add(e, across, rate), r"$\dot{\hat e}$", "velocity")
-        if theta:
-            s.arc(O, (1, 0, 0), e, r"$\theta$")
-        ax.set_title(rf"$|\dot{{\hat e}}|$ = {abs(rate):.2f}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("theta", 35, 0, 175, 5, label="θ", unit="°"),
-        Slider("rate", 0.6, -1, 1, 0.1, label="rate of θ", unit="rad/s"),
-        alt="A unit vector e at the angle theta from i, with its tip on a circle. Its rate is an "
-        "arrow along the tangent at the tip, as long as the rate of theta, and backward where that "
-        "is negative.",
-        size=(5.6, 4.6),
-    )
+    ground = Frame("ground")
+    e, across = _in_plane(1, theta), _in_plane(1, theta + 90)
+    s = Sketch(ax, ground, plane="xy")
+    s.axes(O, ground, length=0.5, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
+    s.ring(O, ground.k, 1)
+    s.arrow(O, e, r"$\hat e$")
+    if rate:
+        s.arrow(e, _add(e, across, rate), r"$\dot{\hat e}$", "velocity")
+    if theta:
+        s.arc(O, (1, 0, 0), e, r"$\theta$")
+    ax.set_title(rf"$|\dot{{\hat e}}|$ = {abs(rate):.2f}", fontsize=11)
 
 
-def two_observers():
+@with_sliders(
+    Slider("turn", 30, 0, 180, 5, label="disk has turned by", unit="°"),
+    alt="Left: from the ground, an arrow Q painted on a turning disk turns with the axes x, y of "
+    "the disk, and its rate is at right angles to it. Right: from the disk, Q stays where it "
+    "is, its rate is zero, and the axes X, Y of the ground turn backward.",
+    size=(8.0, 4.2),
+    panels=(1, 2),
+)
+def two_observers(axes, turn):
     """Figure A.11: a vector fixed in a turning frame, by two observers."""
-
-    def draw(axes, turn):
-        ground = Frame("ground")
-        disk = ground.rotate("disk", "z", math.radians(turn))
-        back = ground.rotate("ground from the disk", "z", -math.radians(turn))
-        for ax, Q, title, other in zip(
-            axes.flat,
-            (disk.vector(0.8, 0.4, 0), ground.vector(0.8, 0.4, 0)),
-            ("seen from the ground", "seen from the disk"),
-            (disk, back),
-            strict=True,
-        ):
-            s = Sketch(ax, ground, plane="xy")
-            s.ring(O, ground.k, 1.1)
-            own, moved = (["X", "Y", ""], ["x", "y", ""])
-            if other is back:
-                own, moved = moved, own
-            s.axes(O, ground, length=0.5, labels=own)
-            s.axes(O, other, length=0.5, labels=moved)
-            tip = Q.components(ground)
-            s.arrow(O, tip, r"$\mathbf{Q}$")
-            if other is disk:
-                s.arrow(tip, _add(tip, ground.k.cross(Q).components(ground), 0.6),
-                        r"$d\mathbf{Q}/dt$", "velocity")  # fmt: skip
-            ax.set_title(title, fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("turn", 30, 0, 180, 5, label="disk has turned by", unit="°"),
-        alt="Left: from the ground, an arrow Q painted on a turning disk turns with the axes x, y of "
-        "the disk, and its rate is at right angles to it. Right: from the disk, Q stays where it "
-        "is, its rate is zero, and the axes X, Y of the ground turn backward.",
-        size=(8.0, 4.2),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    disk = ground.rotate("disk", "z", math.radians(turn))
+    back = ground.rotate("ground from the disk", "z", -math.radians(turn))
+    for ax, Q, title, other in zip(
+        axes.flat,
+        (disk.vector(0.8, 0.4, 0), ground.vector(0.8, 0.4, 0)),
+        ("seen from the ground", "seen from the disk"),
+        (disk, back),
+        strict=True,
+    ):
+        s = Sketch(ax, ground, plane="xy")
+        s.ring(O, ground.k, 1.1)
+        own, moved = (["X", "Y", ""], ["x", "y", ""])
+        if other is back:
+            own, moved = moved, own
+        s.axes(O, ground, length=0.5, labels=own)
+        s.axes(O, other, length=0.5, labels=moved)
+        tip = Q.components(ground)
+        s.arrow(O, tip, r"$\mathbf{Q}$")
+        if other is disk:
+            s.arrow(tip, _add(tip, ground.k.cross(Q).components(ground), 0.6),
+                    r"$d\mathbf{Q}/dt$", "velocity")  # fmt: skip
+        ax.set_title(title, fontsize=11)
 
 
 def hill(height, slope):

@@ -6,38 +6,36 @@ import matplotlib.pyplot as plt
 
 from newton_euler import Frame
 from newton_euler.bodies.solids import box, cone, cylinder
-from newton_euler.classroom import Slider, interactive_figure, show_figure
+from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch
+
+from .sliding import with_sliders
 
 O = (0, 0, 0)
 SCALE = 6  # height of a bar, in metres of the sketch, for 1 kg m^2
 
 
-def element():
+@with_sliders(
+    Slider("x", 0.7, 0.2, 1.0, 0.1, unit="m"),
+    Slider("y", 0.8, 0.2, 1.0, 0.1, unit="m"),
+    Slider("z", 0.6, 0.2, 1.0, 0.1, unit="m"),
+    alt="Axes x, y, z and an element of mass dm. An arrow of length l_x leads from the x axis "
+    "straight to the element; its square is y squared plus z squared and does not contain x.",
+    size=(6.0, 4.4),
+)
+def element(ax, x, y, z):
     """Figure B.1: an element of mass and its distance from the x axis."""
-
-    def draw(ax, x, y, z):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, azimuth=30, elevation=22)
-        s.axes(O, ground, length=1.2)
-        s.sphere((x, y, z), 0.05)
-        s.label((x, y, z), "dm")
-        s.arrow((x, 0, 0), (x, y, z), r"$\ell_x$", "acceleration")
-        s.line((x, 0, 0), (x, y, 0))
-        s.line((x, y, 0), (x, y, z))
-        s.dimension((x, 0, 0), (x, y, 0), "y", offset=(0, 0, -0.12))
-        s.label((x, y, z / 2), "z", bold=False)
-        ax.set_title(rf"$\ell_x^2 = y^2 + z^2$ = {y**2 + z**2:.2f} m²", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("x", 0.7, 0.2, 1.0, 0.1, unit="m"),
-        Slider("y", 0.8, 0.2, 1.0, 0.1, unit="m"),
-        Slider("z", 0.6, 0.2, 1.0, 0.1, unit="m"),
-        alt="Axes x, y, z and an element of mass dm. An arrow of length l_x leads from the x axis "
-        "straight to the element; its square is y squared plus z squared and does not contain x.",
-        size=(6.0, 4.4),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=30, elevation=22)
+    s.axes(O, ground, length=1.2)
+    s.sphere((x, y, z), 0.05)
+    s.label((x, y, z), "dm")
+    s.arrow((x, 0, 0), (x, y, z), r"$\ell_x$", "acceleration")
+    s.line((x, 0, 0), (x, y, 0))
+    s.line((x, y, 0), (x, y, z))
+    s.dimension((x, 0, 0), (x, y, 0), "y", offset=(0, 0, -0.12))
+    s.label((x, y, z / 2), "z", bold=False)
+    ax.set_title(rf"$\ell_x^2 = y^2 + z^2$ = {y**2 + z**2:.2f} m²", fontsize=11)
 
 
 def _rod(s, ground):
@@ -98,30 +96,26 @@ def table():
     )
 
 
-def particles():
+@with_sliders(
+    Slider("n", 4, 1, 24, 1, label="particles"),
+    alt="A rod drawn as a row of equal particles, each in the middle of its share of the length, "
+    "and the axis across the middle. With more particles the sum of mass times distance "
+    "squared approaches one twelfth of mass times length squared, from below.",
+    size=(6.4, 2.6),
+)
+def particles(ax, n):
     """Figure B.3: a rod as a row of equal particles."""
-
-    def draw(ax, n):
-        n = round(n)
-        places = [-0.5 + (k + 0.5) / n for k in range(n)]
-        total = sum(x**2 for x in places) / n
-        s = Sketch(ax, Frame("ground"), plane="xz")
-        s.line((-0.5, 0, 0), (0.5, 0, 0), style="solid")
-        s.line((0, 0, -0.15), (0, 0, 0.2), style="centre")
-        for x in places:
-            s.sphere((x, 0, 0), 0.02)
-        s.dimension((-0.5, 0, 0), (0.5, 0, 0), "L", offset=-0.12)
-        ax.set_title(
-            f"{n} particle{'s' * (n > 1)}: {total:.5f} $mL^2$; 1/12 = {1 / 12:.5f}", fontsize=11
-        )
-
-    interactive_figure(
-        draw,
-        Slider("n", 4, 1, 24, 1, label="particles"),
-        alt="A rod drawn as a row of equal particles, each in the middle of its share of the length, "
-        "and the axis across the middle. With more particles the sum of mass times distance "
-        "squared approaches one twelfth of mass times length squared, from below.",
-        size=(6.4, 2.6),
+    n = round(n)
+    places = [-0.5 + (k + 0.5) / n for k in range(n)]
+    total = sum(x**2 for x in places) / n
+    s = Sketch(ax, Frame("ground"), plane="xz")
+    s.line((-0.5, 0, 0), (0.5, 0, 0), style="solid")
+    s.line((0, 0, -0.15), (0, 0, 0.2), style="centre")
+    for x in places:
+        s.sphere((x, 0, 0), 0.02)
+    s.dimension((-0.5, 0, 0), (0.5, 0, 0), "L", offset=-0.12)
+    ax.set_title(
+        f"{n} particle{'s' * (n > 1)}: {total:.5f} $mL^2$; 1/12 = {1 / 12:.5f}", fontsize=11
     )
 
 
@@ -138,115 +132,99 @@ def _bars(ax, moments):
     ax.set_title("moments about G in kg m², mass 1 kg", fontsize=10)
 
 
-def flat():
+@with_sliders(
+    Slider("y", 0.7, -0.9, 0.9, 0.1, unit="m"),
+    Slider("z", 0.4, -0.6, 0.6, 0.1, unit="m"),
+    alt="A flat plate in the plane of y and z, seen along x, and an element dm of it. Its "
+    "distance from the y axis is z, from the z axis y, and from the x axis, which points at "
+    "the reader, the root of the sum of their squares.",
+    size=(6.0, 4.2),
+)
+def flat(ax, y, z):
     """Figure B.4: an element of a flat body and its distances from three axes."""
-
-    def draw(ax, y, z):
-        s = Sketch(ax, Frame("ground"), plane="yz")
-        s.plate([(0, -1, -0.7), (0, 1, -0.7), (0, 1, 0.7), (0, -1, 0.7)], shade="light")
-        s.axes(O, s.frame, 1.2, ["", "y", "z"])
-        s.dot((0, y, z))
-        s.label((0, y, z), "dm")
-        s.line(O, (0, y, z), style="solid")
-        s.line((0, y, 0), (0, y, z))
-        s.line((0, 0, z), (0, y, z))
-        ax.set_title(
-            rf"$y^2$ = {y**2:.2f}, $z^2$ = {z**2:.2f}, $\ell_x^2$ = {y**2 + z**2:.2f} m²",
-            fontsize=11,
-        )
-
-    interactive_figure(
-        draw,
-        Slider("y", 0.7, -0.9, 0.9, 0.1, unit="m"),
-        Slider("z", 0.4, -0.6, 0.6, 0.1, unit="m"),
-        alt="A flat plate in the plane of y and z, seen along x, and an element dm of it. Its "
-        "distance from the y axis is z, from the z axis y, and from the x axis, which points at "
-        "the reader, the root of the sum of their squares.",
-        size=(6.0, 4.2),
+    s = Sketch(ax, Frame("ground"), plane="yz")
+    s.plate([(0, -1, -0.7), (0, 1, -0.7), (0, 1, 0.7), (0, -1, 0.7)], shade="light")
+    s.axes(O, s.frame, 1.2, ["", "y", "z"])
+    s.dot((0, y, z))
+    s.label((0, y, z), "dm")
+    s.line(O, (0, y, z), style="solid")
+    s.line((0, y, 0), (0, y, z))
+    s.line((0, 0, z), (0, y, z))
+    ax.set_title(
+        rf"$y^2$ = {y**2:.2f}, $z^2$ = {z**2:.2f}, $\ell_x^2$ = {y**2 + z**2:.2f} m²",
+        fontsize=11,
     )
 
 
-def prism():
+@with_sliders(
+    Slider("a", 0.9, 0.02, 1.0, 0.02, unit="m"),
+    Slider("b", 0.6, 0.02, 1.0, 0.02, unit="m"),
+    Slider("c", 0.4, 0.02, 1.0, 0.02, unit="m"),
+    alt="Left: a rectangular prism with the edges a, b, c along x, y, z. Right: its three "
+    "moments of inertia as bars. The edge along an axis does not change the moment about that "
+    "axis.",
+    size=(8.4, 4.4),
+    panels=(1, 2),
+)
+def prism(axes, a, b, c):
     """Figure B.5: a prism of 1 kg and its moments."""
-
-    def draw(axes, a, b, c):
-        ground = Frame("ground")
-        s = Sketch(axes[0], ground, azimuth=35, elevation=22)
-        s.box(O, ground, (a, b, c))
-        s.axes(O, ground, length=0.8)
-        _bars(axes[1], box(a, b, c, ground, mass=1.0).inertia.moments)
-
-    interactive_figure(
-        draw,
-        Slider("a", 0.9, 0.02, 1.0, 0.02, unit="m"),
-        Slider("b", 0.6, 0.02, 1.0, 0.02, unit="m"),
-        Slider("c", 0.4, 0.02, 1.0, 0.02, unit="m"),
-        alt="Left: a rectangular prism with the edges a, b, c along x, y, z. Right: its three "
-        "moments of inertia as bars. The edge along an axis does not change the moment about that "
-        "axis.",
-        size=(8.4, 4.4),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    s = Sketch(axes[0], ground, azimuth=35, elevation=22)
+    s.box(O, ground, (a, b, c))
+    s.axes(O, ground, length=0.8)
+    _bars(axes[1], box(a, b, c, ground, mass=1.0).inertia.moments)
 
 
-def round_bar():
+@with_sliders(
+    Slider("a", 0.3, 0.02, 0.6, 0.02, unit="m"),
+    Slider("L", 0.8, 0.02, 1.2, 0.02, unit="m"),
+    alt="Left: a circular cylinder along x. Right: its moments of inertia as bars. When it is "
+    "short it is a disk, with I_xx twice the others; when it is slender, a rod with I_xx "
+    "nearly zero.",
+    size=(8.4, 4.4),
+    panels=(1, 2),
+)
+def round_bar(axes, a, L):
     """Figure B.6: a cylinder of 1 kg and its moments."""
-
-    def draw(axes, a, L):
-        ground = Frame("ground")
-        s = Sketch(axes[0], ground, azimuth=35, elevation=22)
-        s.cylinder((-L / 2, 0, 0), (L / 2, 0, 0), a)
-        s.axes(O, ground, length=0.9)
-        _bars(axes[1], cylinder(a, L, ground, mass=1.0).inertia.moments)
-
-    interactive_figure(
-        draw,
-        Slider("a", 0.3, 0.02, 0.6, 0.02, unit="m"),
-        Slider("L", 0.8, 0.02, 1.2, 0.02, unit="m"),
-        alt="Left: a circular cylinder along x. Right: its moments of inertia as bars. When it is "
-        "short it is a disk, with I_xx twice the others; when it is slender, a rod with I_xx "
-        "nearly zero.",
-        size=(8.4, 4.4),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    s = Sketch(axes[0], ground, azimuth=35, elevation=22)
+    s.cylinder((-L / 2, 0, 0), (L / 2, 0, 0), a)
+    s.axes(O, ground, length=0.9)
+    _bars(axes[1], cylinder(a, L, ground, mass=1.0).inertia.moments)
 
 
-def cone_axes():
+@with_sliders(
+    Slider("d", 0.3, 0.0, 1.0, 0.05, unit="m"),
+    alt="Left: a cone along x and a transverse axis at the distance d from its apex. Right: the "
+    "moment about that axis against d, a parabola with its lowest point where the axis "
+    "passes through the centre of mass, three quarters of the height from the apex.",
+    size=(8.4, 4.2),
+    panels=(1, 2),
+)
+def cone_axes(axes, d):
     """Figure B.7: the transverse moment of a cone about an axis that is moved along it."""
     a, h = 0.4, 1.0
+    d = round(d, 9) + 0.0  # no -0.00 in the title
+    ground = Frame("ground")
+    body = cone(a, h, ground, mass=1.0)
+    s = Sketch(axes[0], ground, azimuth=-65, elevation=20)
+    s.cone(O, ground.i, h, a)
+    s.line((d, -0.7, 0), (d, 0.7, 0), style="centre")
+    s.dot((3 * h / 4, 0, 0))
+    s.label((3 * h / 4, 0, 0), "G")
+    s.axes(O, ground, 1.2)
+    s = Sketch(axes[1], ground, plane="xz")
 
-    def draw(axes, d):
-        d = round(d, 9) + 0.0  # no -0.00 in the title
-        ground = Frame("ground")
-        body = cone(a, h, ground, mass=1.0)
-        s = Sketch(axes[0], ground, azimuth=-65, elevation=20)
-        s.cone(O, ground.i, h, a)
-        s.line((d, -0.7, 0), (d, 0.7, 0), style="centre")
-        s.dot((3 * h / 4, 0, 0))
-        s.label((3 * h / 4, 0, 0), "G")
-        s.axes(O, ground, 1.2)
-        s = Sketch(axes[1], ground, plane="xz")
+    def I_yy(x):
+        return float(body.about(ground.point("P", x, 0, 0)).moments[1])
 
-        def I_yy(x):
-            return float(body.about(ground.point("P", x, 0, 0)).moments[1])
-
-        s.path([(n / 40, 0, I_yy(n / 40)) for n in range(41)])
-        s.axes(O, ground, 1.1, ["$d$", "", "$I$"])
-        for x, name in ((0.0, "apex"), (3 * h / 4, "G"), (h, "base")):
-            s.line((x, 0, 0), (x, 0, I_yy(x)), style="dotted")
-            s.label((x, 0, 0), name, offset=(0, -10), bold=False)
-        s.dot((d, 0, I_yy(d)))
-        axes[1].set_title(f"axis at d = {d:.2f} m: I = {I_yy(d):.4f} kg m²", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("d", 0.3, 0.0, 1.0, 0.05, unit="m"),
-        alt="Left: a cone along x and a transverse axis at the distance d from its apex. Right: the "
-        "moment about that axis against d, a parabola with its lowest point where the axis "
-        "passes through the centre of mass, three quarters of the height from the apex.",
-        size=(8.4, 4.2),
-        panels=(1, 2),
-    )
+    s.path([(n / 40, 0, I_yy(n / 40)) for n in range(41)])
+    s.axes(O, ground, 1.1, ["$d$", "", "$I$"])
+    for x, name in ((0.0, "apex"), (3 * h / 4, "G"), (h, "base")):
+        s.line((x, 0, 0), (x, 0, I_yy(x)), style="dotted")
+        s.label((x, 0, 0), name, offset=(0, -10), bold=False)
+    s.dot((d, 0, I_yy(d)))
+    axes[1].set_title(f"axis at d = {d:.2f} m: I = {I_yy(d):.4f} kg m²", fontsize=11)
 
 
 def exact_cone(a, h):

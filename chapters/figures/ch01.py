@@ -6,6 +6,8 @@ from newton_euler import Frame
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 
 
@@ -14,34 +16,28 @@ def curve(t):
     return 0.5 + 0.35 * t, 0.6 + 0.9 * math.sin(0.8 * t), 0.5 + 0.25 * t - 0.06 * t * t
 
 
-def position_and_velocity():
+@with_sliders(
+    Slider("dt", 1.6, 0.1, 2.4, 0.1, label="Δt", unit="s"),
+    alt="A curve C in space and the axes x, y, z of an observer at O. Vectors r lead from O to "
+    "the point P at two instants; the displacement between them turns towards the dotted "
+    "tangent of the curve at P as the time between the instants gets shorter.",
+    size=(6.8, 4.6),
+)
+def position_and_velocity(ax, dt):
     """Figure 1.1: position at two instants, displacement and tangent."""
-
-    def draw(ax, dt):
-        ground = Frame("ground")
-        P, later = curve(1.0), curve(1.0 + dt)
-        rate = [(b - a) / 1e-6 for a, b in zip(P, curve(1.0 + 1e-6), strict=True)]
-        s = Sketch(ax, ground, azimuth=35, elevation=22)
-        s.axes(O, ground, length=0.5, labels=["x", "y", "z"])
-        s.path([curve(0.1 * n) for n in range(41)])
-        s.arrow(O, P, r"$\mathbf{r}(t)$")
-        s.arrow(O, later, r"$\mathbf{r}(t+\Delta t)$")
-        s.arrow(P, later, r"$\Delta\mathbf{r}$", kind="velocity")
-        s.line(
-            *(tuple(p + f * v for p, v in zip(P, rate, strict=True)) for f in (-0.4, 1.2)), "dotted"
-        )
-        s.label(O, "O")
-        s.label(P, "P")
-        s.label(curve(4.0), "C", bold=False)
-
-    interactive_figure(
-        draw,
-        Slider("dt", 1.6, 0.1, 2.4, 0.1, label="Δt", unit="s"),
-        alt="A curve C in space and the axes x, y, z of an observer at O. Vectors r lead from O to "
-        "the point P at two instants; the displacement between them turns towards the dotted "
-        "tangent of the curve at P as the time between the instants gets shorter.",
-        size=(6.8, 4.6),
-    )
+    ground = Frame("ground")
+    P, later = curve(1.0), curve(1.0 + dt)
+    rate = [(b - a) / 1e-6 for a, b in zip(P, curve(1.0 + 1e-6), strict=True)]
+    s = Sketch(ax, ground, azimuth=35, elevation=22)
+    s.axes(O, ground, length=0.5, labels=["x", "y", "z"])
+    s.path([curve(0.1 * n) for n in range(41)])
+    s.arrow(O, P, r"$\mathbf{r}(t)$")
+    s.arrow(O, later, r"$\mathbf{r}(t+\Delta t)$")
+    s.arrow(P, later, r"$\Delta\mathbf{r}$", kind="velocity")
+    s.line(*(tuple(p + f * v for p, v in zip(P, rate, strict=True)) for f in (-0.4, 1.2)), "dotted")
+    s.label(O, "O")
+    s.label(P, "P")
+    s.label(curve(4.0), "C", bold=False)
 
 
 def places(build, observer, times):

@@ -7,6 +7,8 @@ from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics.paths import along
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 FEET = math.radians(35), 25.0, 32.2  # the jet of sections 2.2 and 2.4
 
@@ -29,66 +31,58 @@ def shifted(P, v, factor=1.0):
     return tuple(p + factor * x for p, x in zip(P, v, strict=True))
 
 
-def point_on_path():
+@with_sliders(
+    Slider("t", 0.7, 0.1, 4.0, 0.1, unit="s"),
+    alt="A wavy path through O with a point P on it. The position r leads from O to P, the "
+    "velocity v is tangent to the path, and the acceleration a points to the side toward which "
+    "the path bends, down on a crest and up in a trough.",
+    size=(7.4, 4),
+)
+def point_on_path(ax, t):
     """Figure 2.1: position, velocity and acceleration of a point on its path."""
-
-    def draw(ax, t):
-        ground = Frame("ground")
-        P = ground.point("P", *along(wave, t))
-        s = Sketch(ax, ground, plane="xy")
-        s.axes(O, ground, length=0.6, labels=["x", "y", ""])
-        s.path(wave_path())
-        s.dot(P)
-        s.arrow(O, P, r"$\mathbf{r}$")
-        s.vector(P, P.velocity(ground), r"$\mathbf{v}$", size="m/s")
-        s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
-        s.label(O, "O", offset=(-9, -9))
-        s.label(P, "P")
-
-    interactive_figure(
-        draw,
-        Slider("t", 0.7, 0.1, 4.0, 0.1, unit="s"),
-        alt="A wavy path through O with a point P on it. The position r leads from O to P, the "
-        "velocity v is tangent to the path, and the acceleration a points to the side toward which "
-        "the path bends, down on a crest and up in a trough.",
-        size=(7.4, 4),
-    )
+    ground = Frame("ground")
+    P = ground.point("P", *along(wave, t))
+    s = Sketch(ax, ground, plane="xy")
+    s.axes(O, ground, length=0.6, labels=["x", "y", ""])
+    s.path(wave_path())
+    s.dot(P)
+    s.arrow(O, P, r"$\mathbf{r}$")
+    s.vector(P, P.velocity(ground), r"$\mathbf{v}$", size="m/s")
+    s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
+    s.label(O, "O", offset=(-9, -9))
+    s.label(P, "P")
 
 
-def two_limits():
+@with_sliders(
+    Slider("dt", 0.8, 0.05, 1.0, 0.05, label="Δt", unit="s"),
+    alt="Left: two positions on the wave and the displacement between them; as the time shrinks "
+    "it turns into the dotted tangent. Right: the two velocities drawn from one point and their "
+    "difference, which tends to the dotted direction of the acceleration, straight down.",
+    size=(8.6, 4),
+    panels=(1, 2),
+)
+def two_limits(axes, dt):
     """Figure 2.2: displacement and change of velocity in a time that shrinks."""
-
-    def draw(axes, dt):
-        ground = Frame("ground")
-        t = 0.7
-        now, then = (ground.point("", *along(wave, time)) for time in (t, t + dt))
-        P, Q = (parts(X.position(ground)) for X in (now, then))
-        v, w = (parts(X.velocity(ground)) for X in (now, then))
-        left, right = (Sketch(ax, ground, plane="xy") for ax in axes)
-        left.path(wave_path()[:44])
-        left.arrow(O, P, r"$\mathbf{r}(t)$")
-        left.arrow(O, Q, r"$\mathbf{r}(t+\Delta t)$")
-        left.arrow(P, Q, r"$\Delta\mathbf{r}$", kind="velocity")
-        left.line(shifted(P, v, -0.3), shifted(P, v, 0.8), style="dotted")
-        left.label(O, "O")
-        start = (0.6, 0.3, 0)
-        tip, later = shifted(start, v), shifted(start, w)
-        right.arrow(start, tip, r"$\mathbf{v}(t)$", kind="velocity")
-        right.arrow(start, later, r"$\mathbf{v}(t+\Delta t)$", kind="velocity")
-        right.arrow(tip, later, r"$\Delta\mathbf{v}$", kind="acceleration")
-        right.line(tip, shifted(tip, parts(now.acceleration(ground)), 0.6), style="dotted")
-        axes[0].set_title("positions", fontsize=11)
-        axes[1].set_title("velocities", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("dt", 0.8, 0.05, 1.0, 0.05, label="Δt", unit="s"),
-        alt="Left: two positions on the wave and the displacement between them; as the time shrinks "
-        "it turns into the dotted tangent. Right: the two velocities drawn from one point and their "
-        "difference, which tends to the dotted direction of the acceleration, straight down.",
-        size=(8.6, 4),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    t = 0.7
+    now, then = (ground.point("", *along(wave, time)) for time in (t, t + dt))
+    P, Q = (parts(X.position(ground)) for X in (now, then))
+    v, w = (parts(X.velocity(ground)) for X in (now, then))
+    left, right = (Sketch(ax, ground, plane="xy") for ax in axes)
+    left.path(wave_path()[:44])
+    left.arrow(O, P, r"$\mathbf{r}(t)$")
+    left.arrow(O, Q, r"$\mathbf{r}(t+\Delta t)$")
+    left.arrow(P, Q, r"$\Delta\mathbf{r}$", kind="velocity")
+    left.line(shifted(P, v, -0.3), shifted(P, v, 0.8), style="dotted")
+    left.label(O, "O")
+    start = (0.6, 0.3, 0)
+    tip, later = shifted(start, v), shifted(start, w)
+    right.arrow(start, tip, r"$\mathbf{v}(t)$", kind="velocity")
+    right.arrow(start, later, r"$\mathbf{v}(t+\Delta t)$", kind="velocity")
+    right.arrow(tip, later, r"$\Delta\mathbf{v}$", kind="acceleration")
+    right.line(tip, shifted(tip, parts(now.acceleration(ground)), 0.6), style="dotted")
+    axes[0].set_title("positions", fontsize=11)
+    axes[1].set_title("velocities", fontsize=11)
 
 
 def flight(jet, elevation):
@@ -98,98 +92,86 @@ def flight(jet, elevation):
     return time, [parts(jet(time * n / 40, speed, elevation, g)) for n in range(41)]
 
 
-def jet(build):
+@with_sliders(
+    Slider("elevation", 35, 10, 80, 5, label="γ₀", unit="°"),
+    Slider("gone", 25, 0, 100, 5, label="of the flight", unit="%"),
+    alt="A jet of water leaves a nozzle at the ground, up to the right at the angle gamma_0, and "
+    "comes down on a parabola. The velocity of a particle is tangent to it; the acceleration "
+    "has the same length and points straight down at every place.",
+    size=(7.4, 4.4),
+)
+def jet(ax, build, elevation, gone):
     """Figure 2.3: the jet, from ``build(t, speed, elevation, g)``, its path."""
     _, speed, g = FEET
-
-    def draw(ax, elevation, gone):
-        ground, up = Frame("ground"), math.radians(elevation)
-        time, places = flight(build, up)
-        t = time * gone / 100
-        P = ground.point("P", *along(lambda t: build(t, speed, up, g), t))
-        s = Sketch(ax, ground, plane="xy")
-        s.road([(-1.5, 0, 0), (21, 0, 0)])
-        s.axes(O, ground, length=3, labels=["x", "y", ""])
-        s.rod((-1.4 * math.cos(up), -1.4 * math.sin(up), 0), O)
-        s.path(places)
-        s.dot(P)
-        s.vector(P, P.velocity(ground), r"$\mathbf{v}$", size="ft/s")
-        s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="ft/s²")
-        s.arc(O, (1, 0, 0), (math.cos(up), math.sin(up), 0), r"$\gamma_0$", radius=2)
-        ax.set_title(f"range {places[-1][0]:.2f} ft, flight {time:.2f} s", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("elevation", 35, 10, 80, 5, label="γ₀", unit="°"),
-        Slider("gone", 25, 0, 100, 5, label="of the flight", unit="%"),
-        alt="A jet of water leaves a nozzle at the ground, up to the right at the angle gamma_0, and "
-        "comes down on a parabola. The velocity of a particle is tangent to it; the acceleration "
-        "has the same length and points straight down at every place.",
-        size=(7.4, 4.4),
-    )
+    ground, up = Frame("ground"), math.radians(elevation)
+    time, places = flight(build, up)
+    t = time * gone / 100
+    P = ground.point("P", *along(lambda t: build(t, speed, up, g), t))
+    s = Sketch(ax, ground, plane="xy")
+    s.road([(-1.5, 0, 0), (21, 0, 0)])
+    s.axes(O, ground, length=3, labels=["x", "y", ""])
+    s.rod((-1.4 * math.cos(up), -1.4 * math.sin(up), 0), O)
+    s.path(places)
+    s.dot(P)
+    s.vector(P, P.velocity(ground), r"$\mathbf{v}$", size="ft/s")
+    s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="ft/s²")
+    s.arc(O, (1, 0, 0), (math.cos(up), math.sin(up), 0), r"$\gamma_0$", radius=2)
+    ax.set_title(f"range {places[-1][0]:.2f} ft, flight {time:.2f} s", fontsize=11)
 
 
-def turning_tangent():
+@with_sliders(
+    Slider("turn", 35, -45, 45, 2, label="Δγ", unit="°"),
+    alt="The unit tangent e_t at the angle gamma from i, and again after a turn by Delta gamma. "
+    "Its change points along the unit normal e_n, to the left for a turn to the left and to the "
+    "right for a turn to the right, and is nearly as long as the angle.",
+    size=(5.6, 4.6),
+)
+def turning_tangent(ax, turn):
     """Figure 2.4: the unit tangent before and after a small turn, to the left or the right."""
-
-    def draw(ax, turn):
-        ground = Frame("ground")
-        gamma, angle = math.radians(25), math.radians(turn)
-        e_t, after = ((math.cos(x), math.sin(x), 0) for x in (gamma, gamma + angle))
-        side = math.copysign(1.0, angle)
-        e_n = (-side * e_t[1], side * e_t[0], 0)
-        s = Sketch(ax, ground, plane="xy")
-        s.line(O, (1.1, 0, 0), style="solid")
-        s.label((1.1, 0, 0), r"$\hat\imath$", offset=(-4, -13), bold=False)
-        s.arrow(O, e_t, r"$\hat{e}_t$")
-        s.arrow(O, after, r"$\hat{e}_t$ later")
-        s.arrow(O, e_n, r"$\hat{e}_n$")
-        s.arrow(e_t, after, r"$\Delta\hat{e}_t$", kind="velocity")
-        s.arc(O, (1, 0, 0), e_t, r"$\gamma$", radius=0.35)
-        s.arc(O, e_t, after, r"$\Delta\gamma$", radius=0.6)
-        length = 2 * math.sin(abs(angle) / 2)
-        ax.set_title(rf"$|\Delta\hat{{e}}_t|$ = {length:.3f}, |Δγ| = {abs(angle):.3f}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("turn", 35, -45, 45, 2, label="Δγ", unit="°"),
-        alt="The unit tangent e_t at the angle gamma from i, and again after a turn by Delta gamma. "
-        "Its change points along the unit normal e_n, to the left for a turn to the left and to the "
-        "right for a turn to the right, and is nearly as long as the angle.",
-        size=(5.6, 4.6),
-    )
+    ground = Frame("ground")
+    gamma, angle = math.radians(25), math.radians(turn)
+    e_t, after = ((math.cos(x), math.sin(x), 0) for x in (gamma, gamma + angle))
+    side = math.copysign(1.0, angle)
+    e_n = (-side * e_t[1], side * e_t[0], 0)
+    s = Sketch(ax, ground, plane="xy")
+    s.line(O, (1.1, 0, 0), style="solid")
+    s.label((1.1, 0, 0), r"$\hat\imath$", offset=(-4, -13), bold=False)
+    s.arrow(O, e_t, r"$\hat{e}_t$")
+    s.arrow(O, after, r"$\hat{e}_t$ later")
+    s.arrow(O, e_n, r"$\hat{e}_n$")
+    s.arrow(e_t, after, r"$\Delta\hat{e}_t$", kind="velocity")
+    s.arc(O, (1, 0, 0), e_t, r"$\gamma$", radius=0.35)
+    s.arc(O, e_t, after, r"$\Delta\gamma$", radius=0.6)
+    length = 2 * math.sin(abs(angle) / 2)
+    ax.set_title(rf"$|\Delta\hat{{e}}_t|$ = {length:.3f}, |Δγ| = {abs(angle):.3f}", fontsize=11)
 
 
-def curvature_of_the_jet(build):
+@with_sliders(
+    Slider("gone", 0, 0, 100, 5, label="of the flight", unit="%"),
+    alt="The parabola of the jet with a particle on it. A dashed arc of the circle of curvature "
+    "follows the jet closely near the particle; its centre lies below. The circle is smallest "
+    "when the particle is at the top. Tangential and normal acceleration are drawn.",
+    size=(6.4, 6),
+)
+def curvature_of_the_jet(ax, build, gone):
     """Figure 2.5: the jet and its circle of curvature, from ``build(t, speed, elevation, g)``."""
     up, speed, g = FEET
-
-    def draw(ax, gone):
-        ground = Frame("ground")
-        time, places = flight(build, up)
-        P = ground.point("P", *along(lambda t: build(t, speed, up, g), time * gone / 100))
-        here = frenet(P.velocity(ground), P.acceleration(ground))
-        place, out = parts(P.position(ground)), parts(here.to_center.components(ground))
-        centre = shifted(place, out)
-        s = Sketch(ax, ground, plane="xy", arrows=90)
-        s.path(places)
-        start = shifted(centre, turned(out, math.pi + 0.5))
-        s.path(s.around(centre, start, (0, 0, -1), 1.0), style="dashed")
-        s.line(place, centre)
-        s.dot(centre)
-        s.dot(P)
-        s.sum(P, here.acceleration, r"$\mathbf{a}$", size="ft/s²")
-        s.label(centre, "centre", bold=False)
-        ax.set_title(f"ρ = {here.radius:.2f} ft, v = {here.speed:.2f} ft/s", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("gone", 0, 0, 100, 5, label="of the flight", unit="%"),
-        alt="The parabola of the jet with a particle on it. A dashed arc of the circle of curvature "
-        "follows the jet closely near the particle; its centre lies below. The circle is smallest "
-        "when the particle is at the top. Tangential and normal acceleration are drawn.",
-        size=(6.4, 6),
-    )
+    ground = Frame("ground")
+    time, places = flight(build, up)
+    P = ground.point("P", *along(lambda t: build(t, speed, up, g), time * gone / 100))
+    here = frenet(P.velocity(ground), P.acceleration(ground))
+    place, out = parts(P.position(ground)), parts(here.to_center.components(ground))
+    centre = shifted(place, out)
+    s = Sketch(ax, ground, plane="xy", arrows=90)
+    s.path(places)
+    start = shifted(centre, turned(out, math.pi + 0.5))
+    s.path(s.around(centre, start, (0, 0, -1), 1.0), style="dashed")
+    s.line(place, centre)
+    s.dot(centre)
+    s.dot(P)
+    s.sum(P, here.acceleration, r"$\mathbf{a}$", size="ft/s²")
+    s.label(centre, "centre", bold=False)
+    ax.set_title(f"ρ = {here.radius:.2f} ft, v = {here.speed:.2f} ft/s", fontsize=11)
 
 
 def turned(v, angle):
@@ -198,57 +180,49 @@ def turned(v, angle):
     return c * v[0] - s * v[1], s * v[0] + c * v[1], 0
 
 
-def car_in_a_curve():
+@with_sliders(
+    Slider("v", 18, 6, 30, 0.5, unit="m/s"),
+    alt="A car on a circular road seen from above. Its acceleration of 2 m/s² along the road and "
+    "the normal acceleration toward the centre, which grows with the square of the speed, make "
+    "the total acceleration, obliquely forward and inward.",
+    size=(6.8, 4.8),
+)
+def car_in_a_curve(ax, v):
     """Figure 2.6: a car in a curve and the two components of its acceleration."""
     rho, rate = 250.0, 2.0
-
-    def draw(ax, v):
-        ground = Frame("ground")
-        car = ground.rotate("car", "z", 0.9)  # its y axis points forward
-        here = (rho * math.cos(0.9), rho * math.sin(0.9), 0)
-        inward = frenet(car.j * v, car.j * rate - car.i * (v**2 / rho)).acceleration
-        s = Sketch(ax, ground, plane="xy", arrows=110)
-        for r in (rho - 12, rho + 12):
-            s.path(s.around(O, (r * math.cos(0.5), r * math.sin(0.5), 0), ground.k, 0.9))
-        s.line(tuple(0.6 * x for x in here), here)
-        s.label(tuple(0.6 * x for x in here), "to the centre", bold=False)
-        s.box(here, car, (10, 26, 1))
-        s.sum(here, inward, r"$\mathbf{a}$", size="m/s²")
-        ax.set_title(f"v = {v:.1f} m/s = {3.6 * v:.0f} km/h", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("v", 18, 6, 30, 0.5, unit="m/s"),
-        alt="A car on a circular road seen from above. Its acceleration of 2 m/s² along the road and "
-        "the normal acceleration toward the centre, which grows with the square of the speed, make "
-        "the total acceleration, obliquely forward and inward.",
-        size=(6.8, 4.8),
-    )
+    ground = Frame("ground")
+    car = ground.rotate("car", "z", 0.9)  # its y axis points forward
+    here = (rho * math.cos(0.9), rho * math.sin(0.9), 0)
+    inward = frenet(car.j * v, car.j * rate - car.i * (v**2 / rho)).acceleration
+    s = Sketch(ax, ground, plane="xy", arrows=110)
+    for r in (rho - 12, rho + 12):
+        s.path(s.around(O, (r * math.cos(0.5), r * math.sin(0.5), 0), ground.k, 0.9))
+    s.line(tuple(0.6 * x for x in here), here)
+    s.label(tuple(0.6 * x for x in here), "to the centre", bold=False)
+    s.box(here, car, (10, 26, 1))
+    s.sum(here, inward, r"$\mathbf{a}$", size="m/s²")
+    ax.set_title(f"v = {v:.1f} m/s = {3.6 * v:.0f} km/h", fontsize=11)
 
 
-def polar_axes():
+@with_sliders(
+    Slider("t", 1.2, 0.3, 1.9, 0.1, unit="s"),
+    Slider("turn", 30, 2, 45, 1, label="Δθ", unit="°"),
+    alt="Left: a point of the wave at the distance r and the angle theta, with the unit vectors "
+    "e_r away from O and e_theta at right angles; the parts of the velocity along them add up "
+    "to v. Right: e_r turned by Delta theta changes along e_theta, e_theta against e_r.",
+    size=(8.8, 4.2),
+    panels=(1, 2),
+)
+def polar_axes(axes, t, turn):
     """Figure 2.7: polar components of a velocity; the turning of their unit vectors."""
-
-    def draw(axes, t, turn):
-        ground = Frame("ground")
-        P = ground.point("P", *along(wave, t))
-        place = parts(P.position(ground))
-        theta = math.atan2(place[1], place[0])
-        _velocity_in_polar_axes(Sketch(axes[0], ground, plane="xy"), ground, P, theta)
-        _turning_pair(Sketch(axes[1], ground, plane="xy"), theta, math.radians(turn))
-        axes[0].set_title("the velocity and its two parts", fontsize=11)
-        axes[1].set_title("the unit vectors turn by Δθ", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("t", 1.2, 0.3, 1.9, 0.1, unit="s"),
-        Slider("turn", 30, 2, 45, 1, label="Δθ", unit="°"),
-        alt="Left: a point of the wave at the distance r and the angle theta, with the unit vectors "
-        "e_r away from O and e_theta at right angles; the parts of the velocity along them add up "
-        "to v. Right: e_r turned by Delta theta changes along e_theta, e_theta against e_r.",
-        size=(8.8, 4.2),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    P = ground.point("P", *along(wave, t))
+    place = parts(P.position(ground))
+    theta = math.atan2(place[1], place[0])
+    _velocity_in_polar_axes(Sketch(axes[0], ground, plane="xy"), ground, P, theta)
+    _turning_pair(Sketch(axes[1], ground, plane="xy"), theta, math.radians(turn))
+    axes[0].set_title("the velocity and its two parts", fontsize=11)
+    axes[1].set_title("the unit vectors turn by Δθ", fontsize=11)
 
 
 def _velocity_in_polar_axes(s, ground, P, theta):
@@ -343,36 +317,32 @@ def _boom_figure(draw, alt):
     )
 
 
-def two_turns():
+@with_sliders(
+    Slider("first", 50, 0, 90, 5, label="arm 1", unit="°"),
+    Slider("second", 40, -60, 90, 5, label="arm 2", unit="°"),
+    alt="Two arms, the second hinged to the end of the first, before and after both have been "
+    "turned. In the left picture the first arm was turned first, in the right one the second. "
+    "The final positions are the same.",
+    size=(8.6, 4.4),
+    panels=(1, 2),
+)
+def two_turns(axes, first, second):
     """Figure 2.9: two turns in the plane, made in both orders."""
-
-    def draw(axes, first, second):
-        a, b = math.radians(first), math.radians(second)
-        for ax, middle in zip(axes, ((a, 0.0), (0.0, b)), strict=True):
-            ground = Frame("ground")
-            s = Sketch(ax, ground, plane="xy")
-            s.line((-0.2, 0, 0), (1.9, 0, 0))
-            for angles, made in ((middle, s.line), ((a, b), s.rod)):
-                one = ground.rotate("1", "z", angles[0])
-                end = one.point("", 1.0, 0, 0)
-                two = one.rotate("2", "z", angles[1], origin=end)
-                made(O, end)
-                made(end, two.point("", 0.8, 0, 0))
-                s.hinge(end)
-            s.hinge(O)
-        axes[0].set_title("arm 1 first (dashed: in between)", fontsize=11)
-        axes[1].set_title("arm 2 first (dashed: in between)", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("first", 50, 0, 90, 5, label="arm 1", unit="°"),
-        Slider("second", 40, -60, 90, 5, label="arm 2", unit="°"),
-        alt="Two arms, the second hinged to the end of the first, before and after both have been "
-        "turned. In the left picture the first arm was turned first, in the right one the second. "
-        "The final positions are the same.",
-        size=(8.6, 4.4),
-        panels=(1, 2),
-    )
+    a, b = math.radians(first), math.radians(second)
+    for ax, middle in zip(axes, ((a, 0.0), (0.0, b)), strict=True):
+        ground = Frame("ground")
+        s = Sketch(ax, ground, plane="xy")
+        s.line((-0.2, 0, 0), (1.9, 0, 0))
+        for angles, made in ((middle, s.line), ((a, b), s.rod)):
+            one = ground.rotate("1", "z", angles[0])
+            end = one.point("", 1.0, 0, 0)
+            two = one.rotate("2", "z", angles[1], origin=end)
+            made(O, end)
+            made(end, two.point("", 0.8, 0, 0))
+            s.hinge(end)
+        s.hinge(O)
+    axes[0].set_title("arm 1 first (dashed: in between)", fontsize=11)
+    axes[1].set_title("arm 2 first (dashed: in between)", fontsize=11)
 
 
 def ferris_wheel():
@@ -404,82 +374,70 @@ def ferris_wheel():
     )
 
 
-def seen_from_two_frames():
+@with_sliders(
+    Slider("direction", 30, 0, 90, 5, label="Q from î", unit="°"),
+    Slider("turn", 35, 2, 50, 1, label="Δθ", unit="°"),
+    alt="Fixed axes I, J and the axes i, j of a frame that has turned by Delta theta, with a "
+    "vector Q that is fixed in it, before and after. Its change Delta Q is a chord, nearly the "
+    "same as the arrow Delta theta k cross Q along the tangent.",
+    size=(6, 4.8),
+)
+def seen_from_two_frames(ax, direction, turn):
     """Figure 2.10: a vector fixed in a turning frame."""
-
-    def draw(ax, direction, turn):
-        ground = Frame("ground")
-        angle = math.radians(turn)
-        before, after = (ground.rotate("", "z", 0.3 + x) for x in (0.0, angle))
-        c, d = math.cos(math.radians(direction)), math.sin(math.radians(direction))
-        Q, later = (parts(f.vector(c, d, 0).components(ground)) for f in (before, after))
-        s = Sketch(ax, ground, plane="xy")
-        s.axes(O, ground, length=0.7, labels=[r"$\hat I$", r"$\hat J$", ""])
-        s.axes(O, after, length=0.7, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
-        s.arrow(O, Q, r"$\mathbf{Q}$")
-        s.arrow(O, later, r"$\mathbf{Q}$ later")
-        s.arrow(Q, later, r"$\Delta\mathbf{Q}$", kind="velocity")
-        s.arrow(Q, (Q[0] - angle * Q[1], Q[1] + angle * Q[0], 0), kind="rate")
-        s.label((Q[0] - angle * Q[1], Q[1] + angle * Q[0], 0), r"$\Delta\theta\,\hat k\times$Q")
-
-    interactive_figure(
-        draw,
-        Slider("direction", 30, 0, 90, 5, label="Q from î", unit="°"),
-        Slider("turn", 35, 2, 50, 1, label="Δθ", unit="°"),
-        alt="Fixed axes I, J and the axes i, j of a frame that has turned by Delta theta, with a "
-        "vector Q that is fixed in it, before and after. Its change Delta Q is a chord, nearly the "
-        "same as the arrow Delta theta k cross Q along the tangent.",
-        size=(6, 4.8),
-    )
+    ground = Frame("ground")
+    angle = math.radians(turn)
+    before, after = (ground.rotate("", "z", 0.3 + x) for x in (0.0, angle))
+    c, d = math.cos(math.radians(direction)), math.sin(math.radians(direction))
+    Q, later = (parts(f.vector(c, d, 0).components(ground)) for f in (before, after))
+    s = Sketch(ax, ground, plane="xy")
+    s.axes(O, ground, length=0.7, labels=[r"$\hat I$", r"$\hat J$", ""])
+    s.axes(O, after, length=0.7, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
+    s.arrow(O, Q, r"$\mathbf{Q}$")
+    s.arrow(O, later, r"$\mathbf{Q}$ later")
+    s.arrow(Q, later, r"$\Delta\mathbf{Q}$", kind="velocity")
+    s.arrow(Q, (Q[0] - angle * Q[1], Q[1] + angle * Q[0], 0), kind="rate")
+    s.label((Q[0] - angle * Q[1], Q[1] + angle * Q[0], 0), r"$\Delta\theta\,\hat k\times$Q")
 
 
-def relative_position(build):
+@with_sliders(
+    Slider("angle", 35, 0, 180, 5, label="table turned", unit="°"),
+    Slider("out", 1.2, -1.2, 1.4, 0.1, label="car on track", unit="m"),
+    alt="A truck seen from above carries a turntable with the centre B; a car A runs on a "
+    "straight track of the turntable. Vectors r_B, r and r_A form a triangle. The relative "
+    "velocity lies along the track; the velocity of the place under A points elsewhere.",
+    size=(7.4, 4.8),
+)
+def relative_position(ax, build, angle, out):
     """Figure 2.11: the truck with its turntable, from ``build(angle=…, out=…)``."""
-
-    def draw(ax, angle, out):
-        ground, table, A = build(angle=math.radians(angle), out=out)
-        B = table.origin
-        s = Sketch(ax, ground, plane="xy", arrows=120)
-        _truck_and_table(s, ground, table)
-        s.axes(O, ground, length=0.7, labels="XY ")
-        s.axes(B, table, length=0.7, labels="xy ")
-        s.arrow(O, B, r"$\mathbf{r}_B$")
-        s.arrow(B, A, r"$\mathbf{r}$")
-        s.arrow(O, A, r"$\mathbf{r}_A$")
-        terms = A.velocity(ground).terms
-        s.vector(A, terms["relative"], r"$\mathbf{v}_r$", size="m/s")
-        s.vector(A, terms["origin"] + terms["rotation"], r"$\mathbf{v}_B+\omega\times\mathbf{r}$")
-        for point, name in ((O, "O"), (B, "B"), (A, "A")):
-            s.label(point, name)
-
-    interactive_figure(
-        draw,
-        Slider("angle", 35, 0, 180, 5, label="table turned", unit="°"),
-        Slider("out", 1.2, -1.2, 1.4, 0.1, label="car on track", unit="m"),
-        alt="A truck seen from above carries a turntable with the centre B; a car A runs on a "
-        "straight track of the turntable. Vectors r_B, r and r_A form a triangle. The relative "
-        "velocity lies along the track; the velocity of the place under A points elsewhere.",
-        size=(7.4, 4.8),
-    )
+    ground, table, A = build(angle=math.radians(angle), out=out)
+    B = table.origin
+    s = Sketch(ax, ground, plane="xy", arrows=120)
+    _truck_and_table(s, ground, table)
+    s.axes(O, ground, length=0.7, labels="XY ")
+    s.axes(B, table, length=0.7, labels="xy ")
+    s.arrow(O, B, r"$\mathbf{r}_B$")
+    s.arrow(B, A, r"$\mathbf{r}$")
+    s.arrow(O, A, r"$\mathbf{r}_A$")
+    terms = A.velocity(ground).terms
+    s.vector(A, terms["relative"], r"$\mathbf{v}_r$", size="m/s")
+    s.vector(A, terms["origin"] + terms["rotation"], r"$\mathbf{v}_B+\omega\times\mathbf{r}$")
+    for point, name in ((O, "O"), (B, "B"), (A, "A")):
+        s.label(point, name)
 
 
-def five_terms(build):
+@with_sliders(
+    Slider("rate", 1.0, -1.2, 1.2, 0.1, label="ω", unit="rad/s"),
+    Slider("out_rate", 0.8, -1, 1, 0.1, label="along the track", unit="m/s"),
+    alt="The five terms of the acceleration of the car as arrows laid head to tail from A, each "
+    "with its name, and the sum as the broad arrow that closes the chain.",
+    size=(7.4, 5.2),
+)
+def five_terms(ax, build, rate, out_rate):
     """Figure 2.12: the terms of the acceleration of the car, head to tail."""
-
-    def draw(ax, rate, out_rate):
-        ground, table, A = build(rate=rate, out_rate=out_rate)
-        s = Sketch(ax, ground, plane="xy", arrows=190)
-        _truck_and_table(s, ground, table)
-        s.sum(A, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
-
-    interactive_figure(
-        draw,
-        Slider("rate", 1.0, -1.2, 1.2, 0.1, label="ω", unit="rad/s"),
-        Slider("out_rate", 0.8, -1, 1, 0.1, label="along the track", unit="m/s"),
-        alt="The five terms of the acceleration of the car as arrows laid head to tail from A, each "
-        "with its name, and the sum as the broad arrow that closes the chain.",
-        size=(7.4, 5.2),
-    )
+    ground, table, A = build(rate=rate, out_rate=out_rate)
+    s = Sketch(ax, ground, plane="xy", arrows=190)
+    _truck_and_table(s, ground, table)
+    s.sum(A, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
 
 def _truck_and_table(s, ground, table):

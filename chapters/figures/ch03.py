@@ -6,10 +6,12 @@ import mpmath
 
 from newton_euler import Frame, at, cos, cylindrical, sin, spherical
 from newton_euler.chapters.examples.ch03 import Spring, screw_jack_ball, screw_jack_time
-from newton_euler.classroom import Slider, interactive_figure
+from newton_euler.classroom import Slider
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics import frenet_along
 from newton_euler.kinematics.paths import along
+
+from .sliding import with_sliders
 
 O = (0, 0, 0)
 
@@ -19,149 +21,129 @@ def _curve(path, low, high, count=60):
     return [path(low + (high - low) * n / count) for n in range(count + 1)]
 
 
-def space_curve(path):
+@with_sliders(
+    Slider("q", 0.3, -0.9, 0.9, 0.1),
+    alt="A curve in space with fixed axes X, Y, Z. At the point P the position vector r from "
+    "the origin, the velocity along the tangent and the acceleration, which points to the "
+    "inside of the bend.",
+    size=(6.4, 4.6),
+)
+def space_curve(ax, path, q):
     """Figure 3.1: a point on a space curve, from ``path(q)``, at constant speed in q."""
-
-    def draw(ax, q):
-        ground = Frame("ground")
-        P = ground.point("P", *along(path, at(lambda t: q + t, 0.0)))
-        s = Sketch(ax, ground, azimuth=-60, elevation=25)
-        s.axes(O, ground, length=0.8, labels="XYZ")
-        s.path(_curve(path, -1.0, 1.0))
-        s.arrow(O, P, r"$\mathbf{r}$")
-        s.vector(P, P.velocity(ground), r"$\mathbf{v}$", size="")
-        s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration")
-        s.label(P, "P")
-
-    interactive_figure(
-        draw,
-        Slider("q", 0.3, -0.9, 0.9, 0.1),
-        alt="A curve in space with fixed axes X, Y, Z. At the point P the position vector r from "
-        "the origin, the velocity along the tangent and the acceleration, which points to the "
-        "inside of the bend.",
-        size=(6.4, 4.6),
-    )
+    ground = Frame("ground")
+    P = ground.point("P", *along(path, at(lambda t: q + t, 0.0)))
+    s = Sketch(ax, ground, azimuth=-60, elevation=25)
+    s.axes(O, ground, length=0.8, labels="XYZ")
+    s.path(_curve(path, -1.0, 1.0))
+    s.arrow(O, P, r"$\mathbf{r}$")
+    s.vector(P, P.velocity(ground), r"$\mathbf{v}$", size="")
+    s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration")
+    s.label(P, "P")
 
 
-def triad(path):
+@with_sliders(
+    Slider("q", 0.0, -0.4, 0.4, 0.1),
+    alt="The unit vectors e_t, e_n, e_b at a point of a space curve, and the circle that fits "
+    "the curve best there. It lies in the plane of e_t and e_n; its centre is at the distance "
+    "rho along e_n.",
+    size=(6.4, 4.8),
+)
+def triad(ax, path, q):
     """Figure 3.2: the triad e_t, e_n, e_b and the circle of curvature at a point of ``path``."""
-
-    def draw(ax, q):
-        ground = Frame("ground")
-        here = frenet_along(path, at(lambda t: q + t, 0.0), ground)
-        P, rho = path(q), here.radius
-        e_t, e_n = (e.components(ground) for e in (here.e_t, here.e_n))
-        centre = tuple(p + rho * n for p, n in zip(P, e_n, strict=True))
-        s = Sketch(ax, ground, azimuth=-60, elevation=25)
-        s.path(_curve(path, -1.0, 1.0))
-        circle = [
-            tuple(
-                c + rho * (math.sin(a) * t - math.cos(a) * n)
-                for c, t, n in zip(centre, e_t, e_n, strict=True)
-            )
-            for a in (2 * math.pi * k / 60 for k in range(61))
-        ]
-        s.path(circle)
-        s.dot(centre)
-        s.line(P, centre)
-        s.axes(P, here.frame, length=0.7, labels=["$e_t$", "$e_n$", "$e_b$"])
-        s.label(P, "P")
-        ax.set_title(rf"$\rho$ = {rho:.2f}, $\tau$ = {here.torsion:.2f}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("q", 0.0, -0.4, 0.4, 0.1),
-        alt="The unit vectors e_t, e_n, e_b at a point of a space curve, and the circle that fits "
-        "the curve best there. It lies in the plane of e_t and e_n; its centre is at the distance "
-        "rho along e_n.",
-        size=(6.4, 4.8),
-    )
+    ground = Frame("ground")
+    here = frenet_along(path, at(lambda t: q + t, 0.0), ground)
+    P, rho = path(q), here.radius
+    e_t, e_n = (e.components(ground) for e in (here.e_t, here.e_n))
+    centre = tuple(p + rho * n for p, n in zip(P, e_n, strict=True))
+    s = Sketch(ax, ground, azimuth=-60, elevation=25)
+    s.path(_curve(path, -1.0, 1.0))
+    circle = [
+        tuple(
+            c + rho * (math.sin(a) * t - math.cos(a) * n)
+            for c, t, n in zip(centre, e_t, e_n, strict=True)
+        )
+        for a in (2 * math.pi * k / 60 for k in range(61))
+    ]
+    s.path(circle)
+    s.dot(centre)
+    s.line(P, centre)
+    s.axes(P, here.frame, length=0.7, labels=["$e_t$", "$e_n$", "$e_b$"])
+    s.label(P, "P")
+    ax.set_title(rf"$\rho$ = {rho:.2f}, $\tau$ = {here.torsion:.2f}", fontsize=11)
 
 
-def spring():
+@with_sliders(
+    Slider("slope", 15, 0, 85, 5, label="slope of the wire", unit="°"),
+    alt="A coil spring whose wire keeps its length. The steeper the wire, the smaller the "
+    "radius of the coil: the flexure falls towards zero and the torsion grows to a finite limit.",
+    size=(5.6, 5.2),
+)
+def spring(ax, slope):
     """Figure 3.3: a spring that is drawn out, from flat to nearly straight."""
-
-    def draw(ax, slope):
-        ground = Frame("ground")
-        wire = Spring.drawn_out(0.2, math.radians(slope))
-        s = Sketch(ax, ground, azimuth=-60, elevation=15)
-        turns = 1.5 * 2 * math.pi
-        s.path(_curve(wire.path, 0.0, turns, 160))
-        here = wire.intrinsic(at(lambda t: 1.0 + t, 0.0), ground)
-        s.axes(wire.path(1.0), here.frame, length=0.28, labels=["$e_t$", "$e_n$", "$e_b$"])
-        ax.set_title(
-            rf"$f$ = {wire.flexure:.2f}, $\tau$ = {wire.torsion + 0.0:.2f} per metre", fontsize=11
-        )
-
-    interactive_figure(
-        draw,
-        Slider("slope", 15, 0, 85, 5, label="slope of the wire", unit="°"),
-        alt="A coil spring whose wire keeps its length. The steeper the wire, the smaller the "
-        "radius of the coil: the flexure falls towards zero and the torsion grows to a finite limit.",
-        size=(5.6, 5.2),
+    ground = Frame("ground")
+    wire = Spring.drawn_out(0.2, math.radians(slope))
+    s = Sketch(ax, ground, azimuth=-60, elevation=15)
+    turns = 1.5 * 2 * math.pi
+    s.path(_curve(wire.path, 0.0, turns, 160))
+    here = wire.intrinsic(at(lambda t: 1.0 + t, 0.0), ground)
+    s.axes(wire.path(1.0), here.frame, length=0.28, labels=["$e_t$", "$e_n$", "$e_b$"])
+    ax.set_title(
+        rf"$f$ = {wire.flexure:.2f}, $\tau$ = {wire.torsion + 0.0:.2f} per metre", fontsize=11
     )
 
 
-def cable_element():
+@with_sliders(
+    Slider("angle", 40, 5, 60, 5, label="f ds", unit="°"),
+    alt="A short piece of cable that bends downward. Its ends are pulled along their tangents "
+    "by T and T + dT; since the two pulls are not parallel, they have a resultant along e_n, "
+    "which the load R ds balances.",
+    size=(6.4, 3.6),
+)
+def cable_element(ax, angle):
     """Figure 3.4: an element of a cable with the tensions at its ends."""
-
-    def draw(ax, angle):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, plane="xy")
-        half = math.radians(angle) / 2
-        ends = [(math.sin(a), math.cos(a) - 1, 0) for a in (-half, half)]
-        s.wire([(math.sin(-half + angle_), math.cos(-half + angle_) - 1, 0) for angle_ in
-                (2 * half * n / 30 for n in range(31))])  # fmt: skip
-        for end, a, sign, label in (
-            (ends[0], -half, -1, r"$-T\,\hat{e}_t$"),
-            (ends[1], half, 1, r"$(T+dT)(\hat{e}_t+d\hat{e}_t)$"),
-        ):
-            t = (sign * math.cos(a), -sign * math.sin(a), 0)
-            s.vector(end, t, label, kind="force")
-        s.vector(O, (0, 2 * math.sin(half), 0), r"$\mathbf{R}\,ds$", kind="force")
-        sag = 2 * math.sin(half)
-        ax.set_title(rf"$T f ds$ = {2 * half:.3f} $T$; exactly {sag:.3f} $T$", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("angle", 40, 5, 60, 5, label="f ds", unit="°"),
-        alt="A short piece of cable that bends downward. Its ends are pulled along their tangents "
-        "by T and T + dT; since the two pulls are not parallel, they have a resultant along e_n, "
-        "which the load R ds balances.",
-        size=(6.4, 3.6),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    half = math.radians(angle) / 2
+    ends = [(math.sin(a), math.cos(a) - 1, 0) for a in (-half, half)]
+    s.wire([(math.sin(-half + angle_), math.cos(-half + angle_) - 1, 0) for angle_ in
+            (2 * half * n / 30 for n in range(31))])  # fmt: skip
+    for end, a, sign, label in (
+        (ends[0], -half, -1, r"$-T\,\hat{e}_t$"),
+        (ends[1], half, 1, r"$(T+dT)(\hat{e}_t+d\hat{e}_t)$"),
+    ):
+        t = (sign * math.cos(a), -sign * math.sin(a), 0)
+        s.vector(end, t, label, kind="force")
+    s.vector(O, (0, 2 * math.sin(half), 0), r"$\mathbf{R}\,ds$", kind="force")
+    sag = 2 * math.sin(half)
+    ax.set_title(rf"$T f ds$ = {2 * half:.3f} $T$; exactly {sag:.3f} $T$", fontsize=11)
 
 
-def cylindrical_axes():
+@with_sliders(
+    Slider("theta", 50, 0, 180, 5, label="θ", unit="°"),
+    Slider("z", 0.7, 0.2, 1.0, 0.1, unit="m"),
+    alt="Cylindrical coordinates of a point P: r along the ground, the angle theta from X, the "
+    "height z. At P the unit vectors e_r outward, e_theta at right angles to it, and k upward; "
+    "the first two turn with theta.",
+    size=(6.2, 4.6),
+)
+def cylindrical_axes(ax, theta, z):
     """Figure 3.5: cylindrical coordinates and axes."""
-
-    def draw(ax, theta, z):
-        ground = Frame("ground")
-        P = cylindrical(ground, "P", 0.9, math.radians(theta), z)
-        foot = ground.point("Q", *(P.position(ground).components(ground)[:2]), 0)
-        s = Sketch(ax, ground, azimuth=25, elevation=25)
-        s.axes(O, ground, length=0.6, labels="XYZ")
-        s.arrow(O, P, r"$\mathbf{r}$")
-        s.line(O, foot, style="solid")
-        s.line(foot, P)
-        s.label(
-            ground.point("", 0.5 * foot.position(ground).x, 0.5 * foot.position(ground).y, 0), "$r$"
-        )
-        s.label(ground.point("", foot.position(ground).x, foot.position(ground).y, z / 2), "$z$")
-        s.arc(O, ground.i, foot, label=r"$\theta$")
-        axes = P.velocity(ground).frame
-        s.axes(P, axes, length=0.4, labels=["$e_r$", r"$e_\theta$", "$k$"])
-        s.label(P, "P")
-
-    interactive_figure(
-        draw,
-        Slider("theta", 50, 0, 180, 5, label="θ", unit="°"),
-        Slider("z", 0.7, 0.2, 1.0, 0.1, unit="m"),
-        alt="Cylindrical coordinates of a point P: r along the ground, the angle theta from X, the "
-        "height z. At P the unit vectors e_r outward, e_theta at right angles to it, and k upward; "
-        "the first two turn with theta.",
-        size=(6.2, 4.6),
+    ground = Frame("ground")
+    P = cylindrical(ground, "P", 0.9, math.radians(theta), z)
+    foot = ground.point("Q", *(P.position(ground).components(ground)[:2]), 0)
+    s = Sketch(ax, ground, azimuth=25, elevation=25)
+    s.axes(O, ground, length=0.6, labels="XYZ")
+    s.arrow(O, P, r"$\mathbf{r}$")
+    s.line(O, foot, style="solid")
+    s.line(foot, P)
+    s.label(
+        ground.point("", 0.5 * foot.position(ground).x, 0.5 * foot.position(ground).y, 0), "$r$"
     )
+    s.label(ground.point("", foot.position(ground).x, foot.position(ground).y, z / 2), "$z$")
+    s.arc(O, ground.i, foot, label=r"$\theta$")
+    axes = P.velocity(ground).frame
+    s.axes(P, axes, length=0.4, labels=["$e_r$", r"$e_\theta$", "$k$"])
+    s.label(P, "P")
 
 
 def screw_jack_path(t, a, K, lead):
@@ -170,96 +152,82 @@ def screw_jack_path(t, a, K, lead):
     return a * cos(theta), a * sin(theta), lead * theta / (2 * math.pi)
 
 
-def screw_jack():
+@with_sliders(
+    Slider("turns", 1.0, 0.1, 2.0, 0.1, label="turns from rest"),
+    alt="An arm with a ball turns about a vertical screw and rises with it. The velocity runs "
+    "along the helix; the acceleration soon points to the axis, almost.",
+    size=(6.2, 5.0),
+)
+def screw_jack(ax, turns):
     """Figure 3.6: the ball of a screw-jack."""
     a, K, lead = 0.3, 2.0, 0.15
-
-    def draw(ax, turns):
-        ground = Frame("ground")
-        A = screw_jack_ball(ground, a, K, lead, screw_jack_time(turns, K))
-        height = A.position(ground).components(ground)[2]
-        s = Sketch(ax, ground, azimuth=35, elevation=22)
-        s.ground((0, 0, -0.1), ground.k, size=0.5)
-        s.shaft((0, 0, -0.1), (0, 0, 0.45))
-        s.rod((0, 0, height), A)
-        s.sphere(A, 0.03)
-        s.path(_curve(lambda t: screw_jack_path(t, a, K, lead), 0.0, screw_jack_time(2, K), 90))
-        s.vector(A, A.velocity(ground), r"$\mathbf{v}$", size="m/s")
-        s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
-        s.axes(O, ground, length=0.4, labels="XYZ")
-        s.label(A, "A")
-
-    interactive_figure(
-        draw,
-        Slider("turns", 1.0, 0.1, 2.0, 0.1, label="turns from rest"),
-        alt="An arm with a ball turns about a vertical screw and rises with it. The velocity runs "
-        "along the helix; the acceleration soon points to the axis, almost.",
-        size=(6.2, 5.0),
-    )
+    ground = Frame("ground")
+    A = screw_jack_ball(ground, a, K, lead, screw_jack_time(turns, K))
+    height = A.position(ground).components(ground)[2]
+    s = Sketch(ax, ground, azimuth=35, elevation=22)
+    s.ground((0, 0, -0.1), ground.k, size=0.5)
+    s.shaft((0, 0, -0.1), (0, 0, 0.45))
+    s.rod((0, 0, height), A)
+    s.sphere(A, 0.03)
+    s.path(_curve(lambda t: screw_jack_path(t, a, K, lead), 0.0, screw_jack_time(2, K), 90))
+    s.vector(A, A.velocity(ground), r"$\mathbf{v}$", size="m/s")
+    s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
+    s.axes(O, ground, length=0.4, labels="XYZ")
+    s.label(A, "A")
 
 
-def spherical_axes():
+@with_sliders(
+    Slider("theta", 50, 10, 170, 5, label="θ", unit="°"),
+    Slider("phi", 40, 0, 80, 5, label="φ", unit="°"),
+    alt="Spherical coordinates of a point P: the distance R, the azimuth theta from X to the "
+    "foot Q, the elevation phi from Q up to P. At P the unit vectors e_R outward, e_theta "
+    "along the circle of latitude, e_phi upward along the meridian.",
+    size=(6.2, 4.8),
+)
+def spherical_axes(ax, theta, phi):
     """Figure 3.7: spherical coordinates and axes."""
-
-    def draw(ax, theta, phi):
-        ground = Frame("ground")
-        P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
-        x, y, _ = P.position(ground).components(ground)
-        s = Sketch(ax, ground, azimuth=25, elevation=25)
-        s.axes(O, ground, length=0.6, labels="XYZ")
-        s.arrow(O, P, "$R$")
-        s.line(O, (x, y, 0), style="solid")
-        s.line((x, y, 0), P)
-        s.arc(O, ground.i, (x, y, 0), label=r"$\theta$")
-        if phi:
-            s.arc(O, (x, y, 0), P, label=r"$\phi$")
-        axes = P.velocity(ground).frame
-        s.axes(P, axes, length=0.4, labels=["$e_R$", r"$e_\theta$", r"$e_\phi$"])
-        s.label(P, "P")
-        s.label((x, y, 0), "Q")
-
-    interactive_figure(
-        draw,
-        Slider("theta", 50, 10, 170, 5, label="θ", unit="°"),
-        Slider("phi", 40, 0, 80, 5, label="φ", unit="°"),
-        alt="Spherical coordinates of a point P: the distance R, the azimuth theta from X to the "
-        "foot Q, the elevation phi from Q up to P. At P the unit vectors e_R outward, e_theta "
-        "along the circle of latitude, e_phi upward along the meridian.",
-        size=(6.2, 4.8),
-    )
+    ground = Frame("ground")
+    P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
+    x, y, _ = P.position(ground).components(ground)
+    s = Sketch(ax, ground, azimuth=25, elevation=25)
+    s.axes(O, ground, length=0.6, labels="XYZ")
+    s.arrow(O, P, "$R$")
+    s.line(O, (x, y, 0), style="solid")
+    s.line((x, y, 0), P)
+    s.arc(O, ground.i, (x, y, 0), label=r"$\theta$")
+    if phi:
+        s.arc(O, (x, y, 0), P, label=r"$\phi$")
+    axes = P.velocity(ground).frame
+    s.axes(P, axes, length=0.4, labels=["$e_R$", r"$e_\theta$", r"$e_\phi$"])
+    s.label(P, "P")
+    s.label((x, y, 0), "Q")
 
 
-def one_vector():
+@with_sliders(
+    Slider("theta", 50, 0, 120, 5, label="θ", unit="°"),
+    Slider("phi", 40, 0, 80, 5, label="φ", unit="°"),
+    alt="A vector Q of fixed length along X at a point P, and its three components along the "
+    "spherical axes of P laid head to tail. As P moves, the components change and Q does not.",
+    size=(6.4, 4.8),
+)
+def one_vector(ax, theta, phi):
     """Figure 3.8: one vector and its components along spherical axes."""
-
-    def draw(ax, theta, phi):
-        ground = Frame("ground")
-        P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
-        axes = P.velocity(ground).frame
-        Q = ground.vector(0.8, 0, 0)
-        parts = Q.components(axes)
-        s = Sketch(ax, ground, azimuth=-50, elevation=25)
-        s.axes(O, ground, length=0.6, labels="XYZ")
-        s.line(O, P)
-        tip = P
-        for e, x, name in zip(
-            (axes.i, axes.j, axes.k), parts, ("R", r"\theta", r"\phi"), strict=True
-        ):
-            start, tip = tip, tip_of(ground, tip, e * x)
-            if abs(x) > 1e-9:
-                s.arrow(start, tip, rf"$Q_{name}$", kind="acceleration")
-        s.arrow(P, tip, r"$\mathbf{Q}$", kind="velocity")
-        told = ", ".join(f"{round(x, 2) + 0.0:.2f}" for x in parts)
-        ax.set_title(rf"$(Q_R,Q_\theta,Q_\phi)$ = ({told}); $|Q|$ = {Q.norm():.2f}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("theta", 50, 0, 120, 5, label="θ", unit="°"),
-        Slider("phi", 40, 0, 80, 5, label="φ", unit="°"),
-        alt="A vector Q of fixed length along X at a point P, and its three components along the "
-        "spherical axes of P laid head to tail. As P moves, the components change and Q does not.",
-        size=(6.4, 4.8),
-    )
+    ground = Frame("ground")
+    P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
+    axes = P.velocity(ground).frame
+    Q = ground.vector(0.8, 0, 0)
+    parts = Q.components(axes)
+    s = Sketch(ax, ground, azimuth=-50, elevation=25)
+    s.axes(O, ground, length=0.6, labels="XYZ")
+    s.line(O, P)
+    tip = P
+    for e, x, name in zip((axes.i, axes.j, axes.k), parts, ("R", r"\theta", r"\phi"), strict=True):
+        start, tip = tip, tip_of(ground, tip, e * x)
+        if abs(x) > 1e-9:
+            s.arrow(start, tip, rf"$Q_{name}$", kind="acceleration")
+    s.arrow(P, tip, r"$\mathbf{Q}$", kind="velocity")
+    told = ", ".join(f"{round(x, 2) + 0.0:.2f}" for x in parts)
+    ax.set_title(rf"$(Q_R,Q_\theta,Q_\phi)$ = ({told}); $|Q|$ = {Q.norm():.2f}", fontsize=11)
 
 
 def tip_of(ground, place, v):

@@ -7,113 +7,103 @@ import mpmath
 import numpy as np
 
 from newton_euler import Frame, axis_angle, euler_frame, rotation_matrix
-from newton_euler.classroom import Slider, interactive_figure, show_figure
+from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics.rotations import apply, in_sequence, product, transpose
+
+from .sliding import with_sliders
 
 O = (0, 0, 0)
 
 
-def moving_frame():
+@with_sliders(
+    Slider("theta", 50, 0, 120, 5, label="θ", unit="°"),
+    alt="A rod turns about its end B in a horizontal plane; a bead A slides outward along it. "
+    "Drawn: the fixed axes X, Y, Z at O, the moving axes x, y, z at B, the vector r from B to "
+    "A, the relative velocity v_r along the rod, and the angular velocity omega.",
+    size=(6.4, 4.2),
+)
+def moving_frame(ax, theta):
     """Figure 4.1: a bead on a turning rod, with B, r, v_r and omega."""
-
-    def draw(ax, theta):
-        ground = Frame("ground")
-        B = ground.point("B", 0.25, 0.15, 0)
-        rod = ground.rotate("rod", "z", angle=math.radians(theta), origin=B)
-        A = rod.point("A", 0.8, 0, 0)
-        s = Sketch(ax, ground, azimuth=25, elevation=30)
-        s.axes(O, ground, length=0.45, labels="XYZ")
-        s.axes(B, rod, length=0.35)
-        s.rod(B, rod.point("", 1.2, 0, 0))
-        s.sphere(A, 0.045)
-        s.arrow(B, A, r"$\mathbf{r}$")
-        s.vector(A, rod.i, r"$\mathbf{v}_r$")
-        s.turn(B, ground.k, r"$\omega$", radius=0.2)
-        for point, name in ((O, "O"), (B, "B"), (A, "A")):
-            s.label(point, name)
-
-    interactive_figure(
-        draw,
-        Slider("theta", 50, 0, 120, 5, label="θ", unit="°"),
-        alt="A rod turns about its end B in a horizontal plane; a bead A slides outward along it. "
-        "Drawn: the fixed axes X, Y, Z at O, the moving axes x, y, z at B, the vector r from B to "
-        "A, the relative velocity v_r along the rod, and the angular velocity omega.",
-        size=(6.4, 4.2),
-    )
+    ground = Frame("ground")
+    B = ground.point("B", 0.25, 0.15, 0)
+    rod = ground.rotate("rod", "z", angle=math.radians(theta), origin=B)
+    A = rod.point("A", 0.8, 0, 0)
+    s = Sketch(ax, ground, azimuth=25, elevation=30)
+    s.axes(O, ground, length=0.45, labels="XYZ")
+    s.axes(B, rod, length=0.35)
+    s.rod(B, rod.point("", 1.2, 0, 0))
+    s.sphere(A, 0.045)
+    s.arrow(B, A, r"$\mathbf{r}$")
+    s.vector(A, rod.i, r"$\mathbf{v}_r$")
+    s.turn(B, ground.k, r"$\omega$", radius=0.2)
+    for point, name in ((O, "O"), (B, "B"), (A, "A")):
+        s.label(point, name)
 
 
-def eulers_theorem():
+@with_sliders(
+    Slider("psi", 40, -180, 180, 5, label="ψ", unit="°"),
+    Slider("theta", 60, 0, 180, 5, label="θ", unit="°"),
+    Slider("phi", 30, -180, 180, 5, label="φ", unit="°"),
+    alt="Fixed axes X, Y, Z and turned axes x, y, z with one origin. Three arcs lead from X to "
+    "x, Y to y and Z to z, all on circles about one dash-dotted line, the axis of the single "
+    "turn that replaces the three.",
+    size=(6.6, 4.8),
+)
+def eulers_theorem(ax, psi, theta, phi):
     """Figure 4.2: three turns and the one turn that does the same."""
-
-    def draw(ax, psi, theta, phi):
-        ground = Frame("ground")
-        body = euler_frame(ground, "body", *map(math.radians, (psi, theta, phi)))
-        axis, angle = axis_angle(body.rotation(ground))
-        s = Sketch(ax, ground, azimuth=35, elevation=25)
-        s.axes(O, ground, length=1.0, labels="XYZ")
-        s.axes(O, body, length=1.0)
-        for start in (ground.i, ground.j, ground.k):
-            s.path([apply(rotation_matrix(axis, angle * n / 40), start) for n in range(41)])
-        end = tuple(1.3 * x for x in axis)
-        s.line(tuple(-x for x in end), end, style="centre")
-        s.turn(end, axis, label=r"$\theta_e$")
-        about = ", ".join(f"{round(float(x), 2) + 0.0:.2f}" for x in axis)
-        ax.set_title(f"one turn: {math.degrees(angle):.0f}° about ({about})", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("psi", 40, -180, 180, 5, label="ψ", unit="°"),
-        Slider("theta", 60, 0, 180, 5, label="θ", unit="°"),
-        Slider("phi", 30, -180, 180, 5, label="φ", unit="°"),
-        alt="Fixed axes X, Y, Z and turned axes x, y, z with one origin. Three arcs lead from X to "
-        "x, Y to y and Z to z, all on circles about one dash-dotted line, the axis of the single "
-        "turn that replaces the three.",
-        size=(6.6, 4.8),
-    )
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", *map(math.radians, (psi, theta, phi)))
+    axis, angle = axis_angle(body.rotation(ground))
+    s = Sketch(ax, ground, azimuth=35, elevation=25)
+    s.axes(O, ground, length=1.0, labels="XYZ")
+    s.axes(O, body, length=1.0)
+    for start in (ground.i, ground.j, ground.k):
+        s.path([apply(rotation_matrix(axis, angle * n / 40), start) for n in range(41)])
+    end = tuple(1.3 * x for x in axis)
+    s.line(tuple(-x for x in end), end, style="centre")
+    s.turn(end, axis, label=r"$\theta_e$")
+    about = ", ".join(f"{round(float(x), 2) + 0.0:.2f}" for x in axis)
+    ax.set_title(f"one turn: {math.degrees(angle):.0f}° about ({about})", fontsize=11)
 
 
-def two_orders():
+@with_sliders(
+    Slider("a", 90, 0, 180, 5, label="about X", unit="°"),
+    Slider("b", 90, 0, 180, 5, label="about Y", unit="°"),
+    alt="Six pictures of a brick with its axes x, y, z. Upper row: at the start, turned about "
+    "the fixed axis X, then about the fixed axis Y. Lower row: at the start, turned about Y, "
+    "then about X. The two bricks at the right lie differently.",
+    size=(8.4, 5.2),
+    panels=(2, 3),
+)
+def two_orders(axes, a, b):
     """Figure 4.3: a brick turned about X and Y in both orders."""
-
-    def draw(axes, a, b):
-        ground = Frame("ground")
-        a, b = math.radians(a), math.radians(b)
-        # of turns about fixed axes, the later one stands nearer to the ground in the chain
-        x_first = [
-            ground,
-            ground.rotate("1", "x", a),
-            ground.rotate("2", "y", b).rotate("3", "x", a),
-        ]
-        y_first = [
-            ground,
-            ground.rotate("1", "y", b),
-            ground.rotate("2", "x", a).rotate("3", "y", b),
-        ]
-        titles = (
-            "start",
-            "turned about X",
-            "then about Y",
-            "start",
-            "turned about Y",
-            "then about X",
-        )
-        for ax, frame, title in zip(axes.flat, x_first + y_first, titles, strict=True):
-            s = Sketch(ax, ground, azimuth=35, elevation=22)
-            s.box(O, frame, (1.6, 0.9, 0.35))
-            s.axes(O, frame, length=1.25)
-            ax.set_title(title, fontsize=10)
-
-    interactive_figure(
-        draw,
-        Slider("a", 90, 0, 180, 5, label="about X", unit="°"),
-        Slider("b", 90, 0, 180, 5, label="about Y", unit="°"),
-        alt="Six pictures of a brick with its axes x, y, z. Upper row: at the start, turned about "
-        "the fixed axis X, then about the fixed axis Y. Lower row: at the start, turned about Y, "
-        "then about X. The two bricks at the right lie differently.",
-        size=(8.4, 5.2),
-        panels=(2, 3),
+    ground = Frame("ground")
+    a, b = math.radians(a), math.radians(b)
+    # of turns about fixed axes, the later one stands nearer to the ground in the chain
+    x_first = [
+        ground,
+        ground.rotate("1", "x", a),
+        ground.rotate("2", "y", b).rotate("3", "x", a),
+    ]
+    y_first = [
+        ground,
+        ground.rotate("1", "y", b),
+        ground.rotate("2", "x", a).rotate("3", "y", b),
+    ]
+    titles = (
+        "start",
+        "turned about X",
+        "then about Y",
+        "start",
+        "turned about Y",
+        "then about X",
     )
+    for ax, frame, title in zip(axes.flat, x_first + y_first, titles, strict=True):
+        s = Sketch(ax, ground, azimuth=35, elevation=22)
+        s.box(O, frame, (1.6, 0.9, 0.35))
+        s.axes(O, frame, length=1.25)
+        ax.set_title(title, fontsize=10)
 
 
 def gap(angle):
@@ -141,71 +131,63 @@ def shrinking_gap():
     )
 
 
-def small_turn():
+@with_sliders(
+    Slider("turn", 40, 2, 60, 2, label="Δθ", unit="°"),
+    alt="The vector r at the angle beta from the axis e is turned by Delta theta: its tip "
+    "moves along a circle of radius r sin beta. The chord Delta r and the tangent, Delta theta times "
+    "e cross r, differ less and less as the angle shrinks.",
+    size=(6.4, 4.4),
+)
+def small_turn(ax, turn):
     """Figure 4.5: a small turn moves the tip of r by the cross product."""
-
-    def draw(ax, turn):
-        ground = Frame("ground")
-        r, angle = (0.75, 0, 0.8), math.radians(turn)
-        moved = apply(rotation_matrix((0, 0, 1), angle), r)
-        s = Sketch(ax, ground, azimuth=-70, elevation=25)
-        s.line((0, 0, -0.1), (0, 0, 1.02), style="centre")
-        s.ring((0, 0, 0.8), ground.k, 0.75)
-        s.arrow(O, r, r"$\mathbf{r}$")
-        s.arrow(O, moved, r"$\mathbf{r}+\Delta\mathbf{r}$")
-        s.line((0, 0, 0.8), r)
-        s.line((0, 0, 0.8), moved)
-        s.arrow(r, moved, r"$\Delta\mathbf{r}$", kind="velocity")
-        s.arrow(
-            r, (r[0], r[1] + 0.75 * angle, r[2]), r"$\Delta\theta\,\hat{e}\times\mathbf{r}$", "rate"
-        )
-        s.arc(O, (0, 0, 1), r, label=r"$\beta$")
-        s.arc((0, 0, 0.8), r, moved, label=r"$\Delta\theta$")
-        s.label((0, 0, 1.02), r"$\hat{e}$")
-        miss = math.dist(moved, (r[0], r[1] + 0.75 * angle, r[2]))
-        ax.set_title(f"the two differ by {miss / (0.75 * angle):.1%} of their length", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("turn", 40, 2, 60, 2, label="Δθ", unit="°"),
-        alt="The vector r at the angle beta from the axis e is turned by Delta theta: its tip "
-        "moves along a circle of radius r sin beta. The chord Delta r and the tangent, Delta theta times "
-        "e cross r, differ less and less as the angle shrinks.",
-        size=(6.4, 4.4),
+    ground = Frame("ground")
+    r, angle = (0.75, 0, 0.8), math.radians(turn)
+    moved = apply(rotation_matrix((0, 0, 1), angle), r)
+    s = Sketch(ax, ground, azimuth=-70, elevation=25)
+    s.line((0, 0, -0.1), (0, 0, 1.02), style="centre")
+    s.ring((0, 0, 0.8), ground.k, 0.75)
+    s.arrow(O, r, r"$\mathbf{r}$")
+    s.arrow(O, moved, r"$\mathbf{r}+\Delta\mathbf{r}$")
+    s.line((0, 0, 0.8), r)
+    s.line((0, 0, 0.8), moved)
+    s.arrow(r, moved, r"$\Delta\mathbf{r}$", kind="velocity")
+    s.arrow(
+        r, (r[0], r[1] + 0.75 * angle, r[2]), r"$\Delta\theta\,\hat{e}\times\mathbf{r}$", "rate"
     )
+    s.arc(O, (0, 0, 1), r, label=r"$\beta$")
+    s.arc((0, 0, 0.8), r, moved, label=r"$\Delta\theta$")
+    s.label((0, 0, 1.02), r"$\hat{e}$")
+    miss = math.dist(moved, (r[0], r[1] + 0.75 * angle, r[2]))
+    ax.set_title(f"the two differ by {miss / (0.75 * angle):.1%} of their length", fontsize=11)
 
 
-def rolling_cone(build):
+@with_sliders(
+    Slider("r", 0.3, 0.1, 0.6, 0.05, unit="m"),
+    Slider("gone", 0, 0, 360, 5, label="gone round", unit="°"),
+    alt="A cone lies on a plane with its apex at O and rolls round the vertical axis Z. The "
+    "velocity of the highest point P is twice that of the centre B, in the same direction; "
+    "omega lies along the line of contact OC, alpha lies in the plane at right angles to it.",
+)
+def rolling_cone(ax, build, r, gone):
     """Figure 4.6: the cone, from ``build(h, r, nu, gone)``, its frames."""
     h, nu = 0.4, 0.6
-
-    def draw(ax, r, gone):
-        ground, carriage, axle, cone = build(h, r, nu, math.radians(gone))
-        round_Z = float(-carriage.angular_velocity(ground).z)
-        spun = math.radians(gone) * float(cone.angular_velocity(axle).x) / round_Z
-        B, C, P = (axle.point(name, h, 0, z) for name, z in (("B", 0), ("C", -r), ("P", r)))
-        v_P = cone.point("P", h, 0, r).velocity(ground)
-        s = Sketch(ax, ground, azimuth=-65, elevation=25)
-        s.ground(axle.point("", h / 2, 0, -r / 2), ground.k, size=1.15 * math.hypot(h, r))
-        s.cone(O, cone.i, length=h, radius=r)
-        s.line(B, axle.point("", h, r * math.sin(spun), -r * math.cos(spun)), style="solid")
-        s.axes(O, ground, length=0.75, labels="XYZ")
-        s.vector(P, v_P, label=r"$\mathbf{v}_P$", size="m/s")
-        s.vector(B, B.velocity(ground), label=r"$\mathbf{v}_B$", size="m/s")
-        s.vector(O, cone.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
-        alpha = cone.angular_acceleration(ground)
-        s.vector(O, alpha, r"$\alpha$", kind="acceleration", size="rad/s²")
-        for place, name in ((O, "O"), (B, "B"), (C, "C"), (P, "P")):
-            s.label(place, name)
-
-    interactive_figure(
-        draw,
-        Slider("r", 0.3, 0.1, 0.6, 0.05, unit="m"),
-        Slider("gone", 0, 0, 360, 5, label="gone round", unit="°"),
-        alt="A cone lies on a plane with its apex at O and rolls round the vertical axis Z. The "
-        "velocity of the highest point P is twice that of the centre B, in the same direction; "
-        "omega lies along the line of contact OC, alpha lies in the plane at right angles to it.",
-    )
+    ground, carriage, axle, cone = build(h, r, nu, math.radians(gone))
+    round_Z = float(-carriage.angular_velocity(ground).z)
+    spun = math.radians(gone) * float(cone.angular_velocity(axle).x) / round_Z
+    B, C, P = (axle.point(name, h, 0, z) for name, z in (("B", 0), ("C", -r), ("P", r)))
+    v_P = cone.point("P", h, 0, r).velocity(ground)
+    s = Sketch(ax, ground, azimuth=-65, elevation=25)
+    s.ground(axle.point("", h / 2, 0, -r / 2), ground.k, size=1.15 * math.hypot(h, r))
+    s.cone(O, cone.i, length=h, radius=r)
+    s.line(B, axle.point("", h, r * math.sin(spun), -r * math.cos(spun)), style="solid")
+    s.axes(O, ground, length=0.75, labels="XYZ")
+    s.vector(P, v_P, label=r"$\mathbf{v}_P$", size="m/s")
+    s.vector(B, B.velocity(ground), label=r"$\mathbf{v}_B$", size="m/s")
+    s.vector(O, cone.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
+    alpha = cone.angular_acceleration(ground)
+    s.vector(O, alpha, r"$\alpha$", kind="acceleration", size="rad/s²")
+    for place, name in ((O, "O"), (B, "B"), (C, "C"), (P, "P")):
+        s.label(place, name)
 
 
 def cone_film(build):
@@ -235,66 +217,56 @@ def cone_film(build):
     )
 
 
-def turning_unit_vector():
+@with_sliders(
+    Slider("turn", 30, 1, 45, 1, label="Δθ", unit="°"),
+    alt="Two unit vectors at right angles, before and after a small turn about the third. The "
+    "change of the first points along the second, and that of the second against the first; "
+    "each is as long as the angle in radians, nearly.",
+    size=(5.6, 4.6),
+)
+def turning_unit_vector(ax, turn):
     """Figure 4.7: two unit vectors of a frame that turns about the third."""
-
-    def draw(ax, turn):
-        ground = Frame("ground")
-        angle = math.radians(turn)
-        after = ground.rotate("after", "z", angle)
-        s = Sketch(ax, ground, plane="xy")
-        for e, new, name, change in (
-            (ground.i, after.i, r"\imath", r"\Delta\theta\,\hat\jmath"),
-            (ground.j, after.j, r"\jmath", r"-\Delta\theta\,\hat\imath"),
-        ):
-            s.arrow(O, e, rf"$\hat{name}$")
-            s.arrow(O, new, rf"$\hat{name}'$")
-            s.arrow(e, new, rf"$\approx {change}$", kind="velocity")
-        s.arc(O, ground.i, after.i, label=r"$\Delta\theta$")
-        s.path(s.around(O, ground.i, ground.k, math.pi / 2 + angle))
-        chord = 2 * math.sin(angle / 2)
-        ax.set_title(
-            rf"$|\Delta\hat\imath|$ = {chord:.3f}, $\Delta\theta$ = {angle:.3f}", fontsize=11
-        )
-
-    interactive_figure(
-        draw,
-        Slider("turn", 30, 1, 45, 1, label="Δθ", unit="°"),
-        alt="Two unit vectors at right angles, before and after a small turn about the third. The "
-        "change of the first points along the second, and that of the second against the first; "
-        "each is as long as the angle in radians, nearly.",
-        size=(5.6, 4.6),
-    )
+    ground = Frame("ground")
+    angle = math.radians(turn)
+    after = ground.rotate("after", "z", angle)
+    s = Sketch(ax, ground, plane="xy")
+    for e, new, name, change in (
+        (ground.i, after.i, r"\imath", r"\Delta\theta\,\hat\jmath"),
+        (ground.j, after.j, r"\jmath", r"-\Delta\theta\,\hat\imath"),
+    ):
+        s.arrow(O, e, rf"$\hat{name}$")
+        s.arrow(O, new, rf"$\hat{name}'$")
+        s.arrow(e, new, rf"$\approx {change}$", kind="velocity")
+    s.arc(O, ground.i, after.i, label=r"$\Delta\theta$")
+    s.path(s.around(O, ground.i, ground.k, math.pi / 2 + angle))
+    chord = 2 * math.sin(angle / 2)
+    ax.set_title(rf"$|\Delta\hat\imath|$ = {chord:.3f}, $\Delta\theta$ = {angle:.3f}", fontsize=11)
 
 
-def crane(build):
+@with_sliders(
+    Slider("tilt", 30, -10, 70, 5, label="boom raised", unit="°"),
+    Slider("speed", 0.8, -1.2, 1.2, 0.1, label="speed outward", unit="m/s"),
+    alt="A crane: a vertical column turns about Z and carries a boom on a hinge B; a trolley A "
+    "runs out along the boom. Velocity and acceleration of A, seen from the ground, are drawn "
+    "as arrows with their magnitudes.",
+)
+def crane(ax, build, tilt, speed):
     """Figure 4.8: the crane, from ``build(tilt=…)``: ground, column, boom, A."""
-
-    def draw(ax, tilt, speed):
-        ground, column, boom, A = build(tilt=tilt, speed=speed)
-        B, foot = boom.origin, column.point("", 0, 0, 0)
-        s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=80)
-        s.ground(foot, ground.k, size=2.4)
-        s.shaft(foot, column.point("", 0, 0, 1.0))
-        s.rod(column.point("", 0, 0, 1.0), B)
-        s.rod(B, A)
-        s.hinge(B, ground.i)
-        s.axes(foot, ground, length=1.1, labels="XYZ")
-        s.axes(B, boom, length=0.8)
-        s.vector(A, A.velocity(ground), label=r"$\mathbf{v}_A$", size="m/s")
-        s.vector(A, A.acceleration(ground), r"$\mathbf{a}_A$", kind="acceleration", size="m/s²")
-        s.turn(column.point("", 0, 0, 0.55), ground.k, label=r"$\omega$")
-        s.label(B, "B")
-        s.label(A, "A")
-
-    interactive_figure(
-        draw,
-        Slider("tilt", 30, -10, 70, 5, label="boom raised", unit="°"),
-        Slider("speed", 0.8, -1.2, 1.2, 0.1, label="speed outward", unit="m/s"),
-        alt="A crane: a vertical column turns about Z and carries a boom on a hinge B; a trolley A "
-        "runs out along the boom. Velocity and acceleration of A, seen from the ground, are drawn "
-        "as arrows with their magnitudes.",
-    )
+    ground, column, boom, A = build(tilt=tilt, speed=speed)
+    B, foot = boom.origin, column.point("", 0, 0, 0)
+    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=80)
+    s.ground(foot, ground.k, size=2.4)
+    s.shaft(foot, column.point("", 0, 0, 1.0))
+    s.rod(column.point("", 0, 0, 1.0), B)
+    s.rod(B, A)
+    s.hinge(B, ground.i)
+    s.axes(foot, ground, length=1.1, labels="XYZ")
+    s.axes(B, boom, length=0.8)
+    s.vector(A, A.velocity(ground), label=r"$\mathbf{v}_A$", size="m/s")
+    s.vector(A, A.acceleration(ground), r"$\mathbf{a}_A$", kind="acceleration", size="m/s²")
+    s.turn(column.point("", 0, 0, 0.55), ground.k, label=r"$\omega$")
+    s.label(B, "B")
+    s.label(A, "A")
 
 
 def two_sources():
@@ -344,79 +316,67 @@ def two_sources():
     )
 
 
-def acceleration_terms(build):
+@with_sliders(
+    Slider("tilt", 30, -10, 70, 5, label="boom raised", unit="°"),
+    Slider("speed", 0.8, -1.2, 1.2, 0.1, label="speed outward", unit="m/s"),
+    alt="The five terms of the acceleration of A as arrows laid head to tail, with their names, "
+    "and the sum as the arrow that closes the chain.",
+    size=(7, 5),
+)
+def acceleration_terms(ax, build, tilt, speed):
     """Figure 4.10: the terms of the crane's acceleration, head to tail."""
-
-    def draw(ax, tilt, speed):
-        ground, *_, A = build(tilt=tilt, speed=speed)
-        s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=250)
-        s.sum(O, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
-
-    interactive_figure(
-        draw,
-        Slider("tilt", 30, -10, 70, 5, label="boom raised", unit="°"),
-        Slider("speed", 0.8, -1.2, 1.2, 0.1, label="speed outward", unit="m/s"),
-        alt="The five terms of the acceleration of A as arrows laid head to tail, with their names, "
-        "and the sum as the arrow that closes the chain.",
-        size=(7, 5),
-    )
+    ground, *_, A = build(tilt=tilt, speed=speed)
+    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=250)
+    s.sum(O, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
 
-def carried_round():
+@with_sliders(
+    Slider("turn", 25, 1, 60, 1, label="turn of frame 2", unit="°"),
+    alt="The angular velocity of frame 3 in frame 2 lies in a plane that turns with frame 2. "
+    "Its tip moves along a circle, in the direction of omega 2/1 cross omega 3/2.",
+    size=(6.4, 4.2),
+)
+def carried_round(ax, turn):
     """Figure 4.11: omega_3/2 is carried round by frame 2; its change is the cross product."""
-
-    def draw(ax, turn):
-        ground = Frame("ground")
-        w21, w32 = 0.8, 1.0
-        before = ground.rotate("2", "z", 0.0)
-        after = ground.rotate("2'", "z", math.radians(turn))
-        one, two = (tuple(w32 * x for x in frame.i.components(ground)) for frame in (before, after))
-        s = Sketch(ax, ground, azimuth=-50, elevation=30)
-        s.arrow(O, (0, 0, w21), r"$\omega_{2/1}$", kind="rate")
-        s.arrow(O, one, r"$\omega_{3/2}$", kind="rate")
-        s.arrow(O, two, r"$\omega_{3/2}$ later", kind="rate")
-        s.arrow(one, two, r"$\approx\omega_{2/1}\times\omega_{3/2}\,\Delta t$", kind="acceleration")
-        s.ring(O, ground.k, w32)
-        s.arc(O, one, two, label=r"$\omega_{2/1}\Delta t$")
-
-    interactive_figure(
-        draw,
-        Slider("turn", 25, 1, 60, 1, label="turn of frame 2", unit="°"),
-        alt="The angular velocity of frame 3 in frame 2 lies in a plane that turns with frame 2. "
-        "Its tip moves along a circle, in the direction of omega 2/1 cross omega 3/2.",
-        size=(6.4, 4.2),
-    )
+    ground = Frame("ground")
+    w21, w32 = 0.8, 1.0
+    before = ground.rotate("2", "z", 0.0)
+    after = ground.rotate("2'", "z", math.radians(turn))
+    one, two = (tuple(w32 * x for x in frame.i.components(ground)) for frame in (before, after))
+    s = Sketch(ax, ground, azimuth=-50, elevation=30)
+    s.arrow(O, (0, 0, w21), r"$\omega_{2/1}$", kind="rate")
+    s.arrow(O, one, r"$\omega_{3/2}$", kind="rate")
+    s.arrow(O, two, r"$\omega_{3/2}$ later", kind="rate")
+    s.arrow(one, two, r"$\approx\omega_{2/1}\times\omega_{3/2}\,\Delta t$", kind="acceleration")
+    s.ring(O, ground.k, w32)
+    s.arc(O, one, two, label=r"$\omega_{2/1}\Delta t$")
 
 
-def disk_on_shaft(build):
+@with_sliders(
+    Slider("phi", 30, 0, 90, 5, label="φ", unit="°"),
+    Slider("p", 4.0, -6, 6, 0.5, unit="rad/s"),
+    alt="A shaft OB is fixed to a vertical shaft at the angle phi above the horizontal. A disk "
+    "at B turns about OB at the rate p while everything turns about Z at omega. The velocity "
+    "and the acceleration of the rim point A are drawn with their magnitudes.",
+    size=(7, 4.8),
+)
+def disk_on_shaft(ax, build, phi, p):
     """Figure 4.12: the disk on the inclined shaft, from ``build(phi, R, r, omega, p, …)``."""
-
-    def draw(ax, phi, p):
-        ground, _, spindle, disk, A = build(math.radians(phi), 0.5, 0.2, 1.2, p, 0.5, 1.0)
-        B, foot = disk.origin, ground.point("", 0, 0, -0.3)
-        s = Sketch(ax, ground, azimuth=35, elevation=15)
-        s.ground(foot, ground.k, size=0.35)
-        s.shaft(foot, ground.point("", 0, 0, 0.15))
-        s.rod(O, B)
-        s.disk(B, normal=disk.j, radius=0.2, spoke=A)
-        s.axes(O, ground, length=0.42, labels="XYZ")
-        s.turn(ground.point("", 0, 0, -0.16), ground.k, label=r"$\omega$")
-        s.turn(spindle.point("", 0, 0.32, 0), disk.j, label="$p$")
-        s.arc(O, ground.point("", 0, 0.5, 0), B, label=r"$\phi$")
-        s.vector(A, A.velocity(ground), label=r"$\mathbf{v}_A$", size="m/s")
-        s.vector(A, A.acceleration(ground), r"$\mathbf{a}_A$", kind="acceleration", size="m/s²")
-        for place, name in ((O, "O"), (B, "B"), (A, "A")):
-            s.label(place, name)
-
-    interactive_figure(
-        draw,
-        Slider("phi", 30, 0, 90, 5, label="φ", unit="°"),
-        Slider("p", 4.0, -6, 6, 0.5, unit="rad/s"),
-        alt="A shaft OB is fixed to a vertical shaft at the angle phi above the horizontal. A disk "
-        "at B turns about OB at the rate p while everything turns about Z at omega. The velocity "
-        "and the acceleration of the rim point A are drawn with their magnitudes.",
-        size=(7, 4.8),
-    )
+    ground, _, spindle, disk, A = build(math.radians(phi), 0.5, 0.2, 1.2, p, 0.5, 1.0)
+    B, foot = disk.origin, ground.point("", 0, 0, -0.3)
+    s = Sketch(ax, ground, azimuth=35, elevation=15)
+    s.ground(foot, ground.k, size=0.35)
+    s.shaft(foot, ground.point("", 0, 0, 0.15))
+    s.rod(O, B)
+    s.disk(B, normal=disk.j, radius=0.2, spoke=A)
+    s.axes(O, ground, length=0.42, labels="XYZ")
+    s.turn(ground.point("", 0, 0, -0.16), ground.k, label=r"$\omega$")
+    s.turn(spindle.point("", 0, 0.32, 0), disk.j, label="$p$")
+    s.arc(O, ground.point("", 0, 0.5, 0), B, label=r"$\phi$")
+    s.vector(A, A.velocity(ground), label=r"$\mathbf{v}_A$", size="m/s")
+    s.vector(A, A.acceleration(ground), r"$\mathbf{a}_A$", kind="acceleration", size="m/s²")
+    for place, name in ((O, "O"), (B, "B"), (A, "A")):
+        s.label(place, name)
 
 
 def step_sizes(steps, errors, floor):

@@ -10,34 +10,32 @@ from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics import gravity_at_height
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 EARTH = 6.371e6  # m
 
 
-def two_skaters():
+@with_sliders(
+    Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="light one has gone", unit="m"),
+    Slider("ratio", 2, 1, 4, 1, label="heavy : light"),
+    alt="Two skaters push each other off with a pole. The forces on them are equal, opposite and along the "
+    "line that joins them. The heavy one moves less; the centre of mass G stays.",
+    size=(7, 2.6),
+)
+def two_skaters(ax, pushed, ratio):
     """Figure 5.1: action and reaction, and the centre of mass that does not move."""
-
-    def draw(ax, pushed, ratio):
-        ground = Frame("ground")
-        light, heavy = 0.3 + pushed, -(0.3 + pushed) / ratio
-        s = Sketch(ax, ground, plane="xz")
-        s.ground((0, 0, -0.25), ground.k, size=4.2)
-        for x, size in ((light, 0.13), (heavy, 0.13 * ratio ** (1 / 3))):
-            s.sphere((x, 0, 0), size)
-        s.line((heavy, 0, 0), (light, 0, 0), style="solid")
-        s.vector((light, 0, 0), (1, 0, 0), r"$\mathbf{F}_{21}$", kind="force")
-        s.vector((heavy, 0, 0), (-1, 0, 0), r"$\mathbf{F}_{12}$", kind="force")
-        s.line((0, 0, -0.25), (0, 0, 0.35), style="centre")
-        s.label((0, 0, 0.35), "G")
-
-    interactive_figure(
-        draw,
-        Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="light one has gone", unit="m"),
-        Slider("ratio", 2, 1, 4, 1, label="heavy : light"),
-        alt="Two skaters push each other off with a pole. The forces on them are equal, opposite and along the "
-        "line that joins them. The heavy one moves less; the centre of mass G stays.",
-        size=(7, 2.6),
-    )
+    ground = Frame("ground")
+    light, heavy = 0.3 + pushed, -(0.3 + pushed) / ratio
+    s = Sketch(ax, ground, plane="xz")
+    s.ground((0, 0, -0.25), ground.k, size=4.2)
+    for x, size in ((light, 0.13), (heavy, 0.13 * ratio ** (1 / 3))):
+        s.sphere((x, 0, 0), size)
+    s.line((heavy, 0, 0), (light, 0, 0), style="solid")
+    s.vector((light, 0, 0), (1, 0, 0), r"$\mathbf{F}_{21}$", kind="force")
+    s.vector((heavy, 0, 0), (-1, 0, 0), r"$\mathbf{F}_{12}$", kind="force")
+    s.line((0, 0, -0.25), (0, 0, 0.35), style="centre")
+    s.label((0, 0, 0.35), "G")
 
 
 def thrown_hammer():
@@ -108,109 +106,93 @@ def burst(shell):
     )
 
 
-def three_rods(body, rods):
+@with_sliders(
+    Slider("azimuth", 35, 15, 75, 5, label="seen from", unit="°"),
+    alt="Three equal rods at right angles: one along x through the origin, one upward from its "
+    "one end, one along y from its other end. The centre of mass G lies near the origin, "
+    "outside of the rods.",
+    size=(5.6, 4.6),
+)
+def three_rods(ax, body, rods, azimuth):
     """Figure 5.3: three rods and their centre of mass; ``rods``: pairs of ends."""
-
-    def draw(ax, azimuth):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, azimuth=azimuth, elevation=22)
-        s.axes(O, ground, length=0.9, labels="xyz")
-        for a, b in rods:
-            s.rod(a, b)
-        G = tuple(body.centre.position(body.frame).components(body.frame))
-        s.dot(G)
-        s.label(G, "G")
-
-    interactive_figure(
-        draw,
-        Slider("azimuth", 35, 15, 75, 5, label="seen from", unit="°"),
-        alt="Three equal rods at right angles: one along x through the origin, one upward from its "
-        "one end, one along y from its other end. The centre of mass G lies near the origin, "
-        "outside of the rods.",
-        size=(5.6, 4.6),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=azimuth, elevation=22)
+    s.axes(O, ground, length=0.9, labels="xyz")
+    for a, b in rods:
+        s.rod(a, b)
+    G = tuple(body.centre.position(body.frame).components(body.frame))
+    s.dot(G)
+    s.label(G, "G")
 
 
-def machine_part(build):
+@with_sliders(
+    Slider("h", 0.4, 0.2, 0.6, 0.05, unit="m"),
+    Slider("hole", 0.08, 0.02, 0.09, 0.01, label="s", unit="m"),
+    alt="A flat machine part: a rectangle with a half disk on one side and a round hole in the "
+    "rectangle. Its centre of mass G lies on the axis of symmetry and moves away from the "
+    "hole as the hole grows.",
+    size=(5.6, 4.4),
+)
+def machine_part(ax, build, h, hole):
     """Figure 5.4: a sheet with a round end and a hole, from ``build(r, h, s)``; its centre."""
-
-    def draw(ax, h, hole):
-        part = build(0.3, h, hole)
-        ground = Frame("ground")
-        G = part.centre.position(part.frame).components(part.frame)
-        s = Sketch(ax, ground, plane="yz")
-        outline = [*s.around(O, (0, 0, 0.3), (-1, 0, 0), math.pi), (0, -h, -0.3), (0, -h, 0.3)]
-        s.plate(outline, [s.around((0, -h / 2, 0), (0, -h / 2, hole), (1, 0, 0))])
-        s.axes(O, ground, length=0.5, labels=["", "y", "z"])
-        s.dot(G)
-        s.label(G, "G")
-        ax.set_title(f"G at y = {G[1]:.3f} m", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("h", 0.4, 0.2, 0.6, 0.05, unit="m"),
-        Slider("hole", 0.08, 0.02, 0.09, 0.01, label="s", unit="m"),
-        alt="A flat machine part: a rectangle with a half disk on one side and a round hole in the "
-        "rectangle. Its centre of mass G lies on the axis of symmetry and moves away from the "
-        "hole as the hole grows.",
-        size=(5.6, 4.4),
-    )
+    part = build(0.3, h, hole)
+    ground = Frame("ground")
+    G = part.centre.position(part.frame).components(part.frame)
+    s = Sketch(ax, ground, plane="yz")
+    outline = [*s.around(O, (0, 0, 0.3), (-1, 0, 0), math.pi), (0, -h, -0.3), (0, -h, 0.3)]
+    s.plate(outline, [s.around((0, -h / 2, 0), (0, -h / 2, hole), (1, 0, 0))])
+    s.axes(O, ground, length=0.5, labels=["", "y", "z"])
+    s.dot(G)
+    s.label(G, "G")
+    ax.set_title(f"G at y = {G[1]:.3f} m", fontsize=11)
 
 
-def body_frame():
+@with_sliders(
+    Slider("angle", 20, 0, 120, 5, label="turned by", unit="°"),
+    Slider("shift", 0.2, 0.0, 0.8, 0.1, label="B shifted by", unit="m"),
+    alt="A box with a frame x, y, z fixed in it at B, and the fixed axes X, Y, Z. The position "
+    "of a particle from O is the sum of that of B and of d, which keeps its components on the "
+    "moving axes.",
+    size=(6.4, 4.8),
+)
+def body_frame(ax, angle, shift):
     """Figure 5.5: a body with a frame fixed in it; a particle at r_B + d."""
-
-    def draw(ax, angle, shift):
-        ground = Frame("ground")
-        B = ground.point("B", 0.2, 0.9 + shift, 0.1)
-        body = ground.rotate("body", axis=(0.3, 0.2, 1.0), angle=math.radians(angle), origin=B)
-        P = body.point("P", 0.45, 0.25, 0.3)
-        s = Sketch(ax, ground, azimuth=25, elevation=25)
-        s.axes(O, ground, length=0.6, labels="XYZ")
-        s.box(body.point("", 0.3, 0.15, 0.2), body, (0.6, 0.3, 0.4))
-        s.axes(B, body, length=0.5)
-        s.arrow(O, B, r"$\mathbf{r}_B$")
-        s.arrow(B, P, r"$\mathbf{d}_i$")
-        s.arrow(O, P, r"$\mathbf{r}_i$")
-        s.label(B, "B")
-
-    interactive_figure(
-        draw,
-        Slider("angle", 20, 0, 120, 5, label="turned by", unit="°"),
-        Slider("shift", 0.2, 0.0, 0.8, 0.1, label="B shifted by", unit="m"),
-        alt="A box with a frame x, y, z fixed in it at B, and the fixed axes X, Y, Z. The position "
-        "of a particle from O is the sum of that of B and of d, which keeps its components on the "
-        "moving axes.",
-        size=(6.4, 4.8),
-    )
+    ground = Frame("ground")
+    B = ground.point("B", 0.2, 0.9 + shift, 0.1)
+    body = ground.rotate("body", axis=(0.3, 0.2, 1.0), angle=math.radians(angle), origin=B)
+    P = body.point("P", 0.45, 0.25, 0.3)
+    s = Sketch(ax, ground, azimuth=25, elevation=25)
+    s.axes(O, ground, length=0.6, labels="XYZ")
+    s.box(body.point("", 0.3, 0.15, 0.2), body, (0.6, 0.3, 0.4))
+    s.axes(B, body, length=0.5)
+    s.arrow(O, B, r"$\mathbf{r}_B$")
+    s.arrow(B, P, r"$\mathbf{d}_i$")
+    s.arrow(O, P, r"$\mathbf{r}_i$")
+    s.label(B, "B")
 
 
-def two_body_frames():
+@with_sliders(
+    Slider("angle", 25, 5, 60, 5, label="turned by", unit="°"),
+    alt="A plate in two positions, with two frames drawn on it at different places and in "
+    "different directions. From the first position to the second both have turned by the same "
+    "angle.",
+    size=(6.4, 4.4),
+)
+def two_body_frames(ax, angle):
     """Figure 5.6: two frames fixed in one body turn by the same angle."""
-
-    def draw(ax, angle):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, plane="xy")
-        for turned in (0.0, math.radians(angle)):
-            at_1 = ground.point("O1", 0.3, 0.2, 0) if turned else ground.point("O1", 0, 0, 0)
-            one = ground.rotate("1", "z", angle=turned, origin=at_1)
-            at_2 = one.point("O2", 0.9, 0.3, 0)
-            two = one.rotate("2", "z", angle=0.7, origin=at_2)
-            s.plate(
-                [one.point("", *c, 0) for c in ((-0.2, -0.2), (1.3, -0.2), (1.3, 0.7), (-0.2, 0.7))]
-            )
-            s.axes(at_1, one, length=0.35, labels=["$x_1$", "$y_1$", ""])
-            s.axes(at_2, two, length=0.35, labels=["$x_2$", "$y_2$", ""])
-        ax.set_title(f"both frames have turned by {angle:.0f}°", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("angle", 25, 5, 60, 5, label="turned by", unit="°"),
-        alt="A plate in two positions, with two frames drawn on it at different places and in "
-        "different directions. From the first position to the second both have turned by the same "
-        "angle.",
-        size=(6.4, 4.4),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    for turned in (0.0, math.radians(angle)):
+        at_1 = ground.point("O1", 0.3, 0.2, 0) if turned else ground.point("O1", 0, 0, 0)
+        one = ground.rotate("1", "z", angle=turned, origin=at_1)
+        at_2 = one.point("O2", 0.9, 0.3, 0)
+        two = one.rotate("2", "z", angle=0.7, origin=at_2)
+        s.plate(
+            [one.point("", *c, 0) for c in ((-0.2, -0.2), (1.3, -0.2), (1.3, 0.7), (-0.2, 0.7))]
+        )
+        s.axes(at_1, one, length=0.35, labels=["$x_1$", "$y_1$", ""])
+        s.axes(at_2, two, length=0.35, labels=["$x_2$", "$y_2$", ""])
+    ax.set_title(f"both frames have turned by {angle:.0f}°", fontsize=11)
 
 
 def gravity_and_height():
@@ -231,34 +213,30 @@ def gravity_and_height():
     )
 
 
-def pendulum_on_cart():
+@with_sliders(
+    Slider("x", 0.5, -0.8, 0.8, 0.1, unit="m"),
+    Slider("theta", 30, -60, 60, 5, label="θ", unit="°"),
+    alt="A cart on a rail carries a pendulum. Two numbers, the place x of the cart and the angle "
+    "theta of the pendulum, tell where everything is, and each can be changed alone.",
+    size=(6.4, 4.0),
+)
+def pendulum_on_cart(ax, x, theta):
     """Figure 5.8: a cart with a pendulum has two degrees of freedom."""
-
-    def draw(ax, x, theta):
-        ground = Frame("ground")
-        cart = ground.point("C", x, 0, 0)
-        a = math.radians(theta)
-        bob = (x + 0.8 * math.sin(a), 0, -0.8 * math.cos(a))
-        s = Sketch(ax, ground, plane="xz")
-        s.line((-1.2, 0, 0), (1.2, 0, 0), style="solid")
-        s.box(cart, ground, (0.4, 0.2, 0.2))
-        s.rod(cart, bob)
-        s.sphere(bob, 0.08)
-        s.line(cart, (x, 0, -0.9), style="centre")
-        if theta:
-            s.arc(
-                cart,
-                (x, 0, -0.9) if theta > 0 else bob,
-                bob if theta > 0 else (x, 0, -0.9),
-                r"$\theta$",
-            )
-        s.dimension((0, 0, 0.3), (x, 0, 0.3), "$x$") if x else None
-
-    interactive_figure(
-        draw,
-        Slider("x", 0.5, -0.8, 0.8, 0.1, unit="m"),
-        Slider("theta", 30, -60, 60, 5, label="θ", unit="°"),
-        alt="A cart on a rail carries a pendulum. Two numbers, the place x of the cart and the angle "
-        "theta of the pendulum, tell where everything is, and each can be changed alone.",
-        size=(6.4, 4.0),
-    )
+    ground = Frame("ground")
+    cart = ground.point("C", x, 0, 0)
+    a = math.radians(theta)
+    bob = (x + 0.8 * math.sin(a), 0, -0.8 * math.cos(a))
+    s = Sketch(ax, ground, plane="xz")
+    s.line((-1.2, 0, 0), (1.2, 0, 0), style="solid")
+    s.box(cart, ground, (0.4, 0.2, 0.2))
+    s.rod(cart, bob)
+    s.sphere(bob, 0.08)
+    s.line(cart, (x, 0, -0.9), style="centre")
+    if theta:
+        s.arc(
+            cart,
+            (x, 0, -0.9) if theta > 0 else bob,
+            bob if theta > 0 else (x, 0, -0.9),
+            r"$\theta$",
+        )
+    s.dimension((0, 0, 0.3), (x, 0, 0.3), "$x$") if x else None

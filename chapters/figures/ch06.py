@@ -21,46 +21,44 @@ from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 G = 9.81
 OMEGA_E = 0.727e-4
 BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#555555"
 
 
-def sled():
+@with_sliders(
+    Slider("pull", 120, 60, 240, 10, label="pull", unit="N"),
+    alt="Left: a sled on snow, with a rope that pulls forward and up, its weight, the support "
+    "of the snow and friction. Right: the four forces head to tail; the arrow that closes the "
+    "chain points forward along the snow.",
+    size=(8.4, 4.2),
+    panels=(1, 2),
+)
+def sled(axes, pull):
     """Figure 6.1: a sled, the forces on it, and their sum."""
     m, rope, friction = 20.0, math.radians(30), 0.3
-
-    def draw(axes, pull):
-        ground = Frame("ground")
-        support = m * G - pull * math.sin(rope)
-        forces = {
-            "pull": ground.vector(pull * math.cos(rope), 0, pull * math.sin(rope)),
-            "friction": ground.vector(-friction * support, 0, 0),
-            "support": ground.vector(0, 0, support),
-            "weight": ground.vector(0, 0, -m * G),
-        }
-        places = {"pull": (0.6, 0, 0.3), "support": (-0.25, 0, 0), "friction": (-0.6, 0, 0)}
-        s = Sketch(axes[0], ground, plane="xz", arrows=105)
-        s.ground(O, ground.k, size=1.7)
-        s.box((0, 0, 0.25), ground, (1.2, 0.5, 0.5))
-        for name, force in forces.items():
-            s.vector(places.get(name, (0, 0, 0.25)), force, name, kind="force", size="N")
-        s.label((0, 0, 0.25), "G")
-        s = Sketch(axes[1], ground, plane="xz", arrows=150)
-        total = m * acceleration_by(m, **forces)
-        s.sum(O, total, r"$\mathbf{F}^e$", kind="force", size="N")
-        axes[1].set_title(f"a = {total.x / m:.2f} m/s²", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("pull", 120, 60, 240, 10, label="pull", unit="N"),
-        alt="Left: a sled on snow, with a rope that pulls forward and up, its weight, the support "
-        "of the snow and friction. Right: the four forces head to tail; the arrow that closes the "
-        "chain points forward along the snow.",
-        size=(8.4, 4.2),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    support = m * G - pull * math.sin(rope)
+    forces = {
+        "pull": ground.vector(pull * math.cos(rope), 0, pull * math.sin(rope)),
+        "friction": ground.vector(-friction * support, 0, 0),
+        "support": ground.vector(0, 0, support),
+        "weight": ground.vector(0, 0, -m * G),
+    }
+    places = {"pull": (0.6, 0, 0.3), "support": (-0.25, 0, 0), "friction": (-0.6, 0, 0)}
+    s = Sketch(axes[0], ground, plane="xz", arrows=105)
+    s.ground(O, ground.k, size=1.7)
+    s.box((0, 0, 0.25), ground, (1.2, 0.5, 0.5))
+    for name, force in forces.items():
+        s.vector(places.get(name, (0, 0, 0.25)), force, name, kind="force", size="N")
+    s.label((0, 0, 0.25), "G")
+    s = Sketch(axes[1], ground, plane="xz", arrows=150)
+    total = m * acceleration_by(m, **forces)
+    s.sum(O, total, r"$\mathbf{F}^e$", kind="force", size="N")
+    axes[1].set_title(f"a = {total.x / m:.2f} m/s²", fontsize=11)
 
 
 def hammer_film():
@@ -98,43 +96,39 @@ def hammer_film():
     )
 
 
-def three_components():
+@with_sliders(
+    Slider("t", 0.8, 0, 1.8, 0.1, unit="s"),
+    alt="Three pictures of a point on a path that winds outward, with the same force F on it. "
+    "F is resolved along x and y, along the path and across it, and along the line from the "
+    "origin and across it.",
+    size=(9.6, 4.0),
+    panels=(1, 3),
+)
+def three_components(axes, t):
     """Figure 6.2: one force, resolved in three ways."""
-
-    def draw(axes, t):
-        ground = Frame("ground")
-        r, theta = at(lambda q: 0.6 + 0.5 * q, t), at(lambda q: 0.2 + 0.7 * q + 0.1 * q * q, t)
-        P = polar(ground, "P", r, theta)
-        F = resultant_force(1.0, P.acceleration(ground)).expressed_in(ground)
-        e_t = P.velocity(ground).expressed_in(ground).direction()
-        across = ground.k.cross(e_t)
-        e_r = math.cos(theta.value) * ground.i + math.sin(theta.value) * ground.j
-        pairs = (
-            ("x", ground.i, "y", ground.j),
-            ("t", e_t, "n", across),
-            ("r", e_r, r"\theta", ground.k.cross(e_r)),
-        )
-        titles = ("fixed axes, (6.4)", "along the path, (6.5)", "polar, (6.6)")
-        for ax, (first, e, second, n), title in zip(axes, pairs, titles, strict=True):
-            parts = {f"$F_{{{first}}}$": F.dot(e) * e, f"$F_{{{second}}}$": F.dot(n) * n}
-            s = Sketch(ax, ground, plane="xy", arrows=100)
-            s.axes(O, ground, length=0.5, labels=["x", "y", ""])
-            s.path([_spiral(1.8 * q / 40) for q in range(41)], style="dashed")
-            if first == "r":
-                s.line(O, P)
-            s.sum(P, acceleration_by(1.0, **parts), kind="force", label="F")
-            s.dot(P)
-            ax.set_title(title, fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("t", 0.8, 0, 1.8, 0.1, unit="s"),
-        alt="Three pictures of a point on a path that winds outward, with the same force F on it. "
-        "F is resolved along x and y, along the path and across it, and along the line from the "
-        "origin and across it.",
-        size=(9.6, 4.0),
-        panels=(1, 3),
+    ground = Frame("ground")
+    r, theta = at(lambda q: 0.6 + 0.5 * q, t), at(lambda q: 0.2 + 0.7 * q + 0.1 * q * q, t)
+    P = polar(ground, "P", r, theta)
+    F = resultant_force(1.0, P.acceleration(ground)).expressed_in(ground)
+    e_t = P.velocity(ground).expressed_in(ground).direction()
+    across = ground.k.cross(e_t)
+    e_r = math.cos(theta.value) * ground.i + math.sin(theta.value) * ground.j
+    pairs = (
+        ("x", ground.i, "y", ground.j),
+        ("t", e_t, "n", across),
+        ("r", e_r, r"\theta", ground.k.cross(e_r)),
     )
+    titles = ("fixed axes, (6.4)", "along the path, (6.5)", "polar, (6.6)")
+    for ax, (first, e, second, n), title in zip(axes, pairs, titles, strict=True):
+        parts = {f"$F_{{{first}}}$": F.dot(e) * e, f"$F_{{{second}}}$": F.dot(n) * n}
+        s = Sketch(ax, ground, plane="xy", arrows=100)
+        s.axes(O, ground, length=0.5, labels=["x", "y", ""])
+        s.path([_spiral(1.8 * q / 40) for q in range(41)], style="dashed")
+        if first == "r":
+            s.line(O, P)
+        s.sum(P, acceleration_by(1.0, **parts), kind="force", label="F")
+        s.dot(P)
+        ax.set_title(title, fontsize=11)
 
 
 def _spiral(t):
@@ -142,41 +136,33 @@ def _spiral(t):
     return r * math.cos(theta), r * math.sin(theta), 0
 
 
-def guide():
+@with_sliders(
+    Slider("v", 4.8, 0, 6, 0.1, unit="m/s"),
+    alt="A mass at the top of a curved guide whose centre of curvature lies below it. Its "
+    "weight W points down. The force N of the guide points up at low speed, vanishes at 2.2 "
+    "m/s and points down beyond.",
+    size=(6.4, 4.4),
+)
+def guide(ax, v):
     """Figure 6.3: the mass at the top of a guide."""
     m, rho = 2.0, 0.5
-
-    def draw(ax, v):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, plane="xz", arrows=120)
-        for radius in (rho - 0.035, rho + 0.035):
-            s.wire(
-                [
-                    (radius * math.sin(q / 20), 0, radius * math.cos(q / 20) - rho)
-                    for q in range(-20, 21)
-                ]
-            )
-        s.line((0, 0, -rho), O, style="centre")
-        s.dimension(
-            (0, 0, -rho), (rho * math.sin(-0.8), 0, rho * math.cos(0.8) - rho), r"$\rho$", 0
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz", arrows=120)
+    for radius in (rho - 0.035, rho + 0.035):
+        s.wire(
+            [
+                (radius * math.sin(q / 20), 0, radius * math.cos(q / 20) - rho)
+                for q in range(-20, 21)
+            ]
         )
-        s.sphere(O, 0.03)
-        s.arrow((0.06, 0, 0), (0.24, 0, 0), r"$\hat e_t$")
-        s.vector(
-            (-0.02, 0, 0), ground.vector(0, 0, -m * G), r"$\mathbf{W}$", kind="force", size="N"
-        )
-        N = m * (G - v * v / rho)
-        s.vector((0.02, 0, 0), ground.vector(0, 0, N), r"$\mathbf{N}$", kind="force", size="N")
-        ax.set_title(f"v²/ρ = {v * v / rho:.1f} m/s², g = {G} m/s²", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("v", 4.8, 0, 6, 0.1, unit="m/s"),
-        alt="A mass at the top of a curved guide whose centre of curvature lies below it. Its "
-        "weight W points down. The force N of the guide points up at low speed, vanishes at 2.2 "
-        "m/s and points down beyond.",
-        size=(6.4, 4.4),
-    )
+    s.line((0, 0, -rho), O, style="centre")
+    s.dimension((0, 0, -rho), (rho * math.sin(-0.8), 0, rho * math.cos(0.8) - rho), r"$\rho$", 0)
+    s.sphere(O, 0.03)
+    s.arrow((0.06, 0, 0), (0.24, 0, 0), r"$\hat e_t$")
+    s.vector((-0.02, 0, 0), ground.vector(0, 0, -m * G), r"$\mathbf{W}$", kind="force", size="N")
+    N = m * (G - v * v / rho)
+    s.vector((0.02, 0, 0), ground.vector(0, 0, N), r"$\mathbf{N}$", kind="force", size="N")
+    ax.set_title(f"v²/ρ = {v * v / rho:.1f} m/s², g = {G} m/s²", fontsize=11)
 
 
 def _aeroplane(s, frame, size=1.0):
@@ -186,33 +172,29 @@ def _aeroplane(s, frame, size=1.0):
     s.plate([frame.point("", size * x, 0, size * z) for x, z in body])
 
 
-def aircraft_forces():
+@with_sliders(
+    Slider("gamma", 0, 0, 80, 5, label="γ", unit="°"),
+    alt="An aircraft on a straight path at the angle gamma above the horizontal. The lift L is at "
+    "right angles to the path, the thrust T points along it, the drag D against it and the "
+    "weight W down.",
+    size=(6.4, 4.8),
+)
+def aircraft_forces(ax, gamma):
     """Figure 6.4: the forces on an aircraft that climbs steadily."""
-
-    def draw(ax, gamma):
-        ground, angle = Frame("ground"), math.radians(gamma)
-        path = ground.rotate("path", "-y", angle)
-        lift = math.cos(angle)
-        s = Sketch(ax, ground, plane="xz", arrows=95)
-        _aeroplane(s, path)
-        s.line(O, (2.2, 0, 0))
-        s.line(path.point("", 1, 0, 0), path.point("", 2.2, 0, 0), style="centre")
-        if gamma:
-            s.arc(O, (2, 0, 0), path.point("", 2, 0, 0), label=r"$\gamma$", radius=1.6)
-        s.vector(O, lift * path.k, "L", kind="force", size="W")
-        s.vector(path.point("", -1, 0, 0), -0.1 * lift * path.i, "D", kind="force", size="W")
-        thrust = 0.1 * lift + math.sin(angle)
-        s.vector(path.point("", 0.85, 0, 0), thrust * path.i, "T", kind="force", size="W")
-        s.vector(O, -ground.k, "W", kind="force")
-
-    interactive_figure(
-        draw,
-        Slider("gamma", 0, 0, 80, 5, label="γ", unit="°"),
-        alt="An aircraft on a straight path at the angle gamma above the horizontal. The lift L is at "
-        "right angles to the path, the thrust T points along it, the drag D against it and the "
-        "weight W down.",
-        size=(6.4, 4.8),
-    )
+    ground, angle = Frame("ground"), math.radians(gamma)
+    path = ground.rotate("path", "-y", angle)
+    lift = math.cos(angle)
+    s = Sketch(ax, ground, plane="xz", arrows=95)
+    _aeroplane(s, path)
+    s.line(O, (2.2, 0, 0))
+    s.line(path.point("", 1, 0, 0), path.point("", 2.2, 0, 0), style="centre")
+    if gamma:
+        s.arc(O, (2, 0, 0), path.point("", 2, 0, 0), label=r"$\gamma$", radius=1.6)
+    s.vector(O, lift * path.k, "L", kind="force", size="W")
+    s.vector(path.point("", -1, 0, 0), -0.1 * lift * path.i, "D", kind="force", size="W")
+    thrust = 0.1 * lift + math.sin(angle)
+    s.vector(path.point("", 0.85, 0, 0), thrust * path.i, "T", kind="force", size="W")
+    s.vector(O, -ground.k, "W", kind="force")
 
 
 def phugoid(vertical_flight, lift, trim):
@@ -240,46 +222,42 @@ def phugoid(vertical_flight, lift, trim):
     )
 
 
-def coordinates_in_space():
+@with_sliders(
+    Slider("theta", 75, 0, 120, 5, label="θ", unit="°"),
+    Slider("phi", 35, -20, 70, 5, label="φ", unit="°"),
+    alt="One point over the horizontal plane, twice. Left with the unit vectors e_r, e_theta "
+    "and k, e_r horizontal; right with e_R along the line from the origin, e_theta horizontal "
+    "and e_phi upward along the meridian.",
+    size=(9, 4.6),
+    panels=(1, 2),
+)
+def coordinates_in_space(axes, theta, phi):
     """Figure 6.6: cylindrical and spherical unit vectors at one point."""
-
-    def draw(axes, theta, phi):
-        ground = Frame("ground")
-        th, ph = math.radians(theta), math.radians(phi)
-        r, z = math.cos(ph), math.sin(ph)
-        points = cylindrical(ground, "P", r, th, z), spherical(ground, "P", 1.0, th, ph)
-        names = [r"$\hat e_r$", r"$\hat e_\theta$", r"$\hat k$"], [
-            r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$",
-        ]  # fmt: skip
-        for ax, P, labels, title in zip(
-            axes, points, names, ("cylindrical, (6.8)", "spherical, (6.9)"), strict=True
-        ):
-            s = Sketch(ax, ground, azimuth=25, elevation=22)
-            foot = (r * math.cos(th), r * math.sin(th), 0)
-            s.axes(O, ground, length=1.15)
-            s.ring(O, ground.k, 1.0)
-            s.line(O, foot)
-            s.line(foot, P)
-            if title[0] == "s":
-                s.line(O, P, style="solid")
-            s.axes(P, P.local, length=0.5, labels=labels)
-            if theta:
-                s.arc(O, ground.i, foot, label=r"$\theta$")
-            if phi and title[0] == "s":
-                s.arc(O, foot, P, label=r"$\phi$")
-            s.dot(P)
-            ax.set_title(title, fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("theta", 75, 0, 120, 5, label="θ", unit="°"),
-        Slider("phi", 35, -20, 70, 5, label="φ", unit="°"),
-        alt="One point over the horizontal plane, twice. Left with the unit vectors e_r, e_theta "
-        "and k, e_r horizontal; right with e_R along the line from the origin, e_theta horizontal "
-        "and e_phi upward along the meridian.",
-        size=(9, 4.6),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    th, ph = math.radians(theta), math.radians(phi)
+    r, z = math.cos(ph), math.sin(ph)
+    points = cylindrical(ground, "P", r, th, z), spherical(ground, "P", 1.0, th, ph)
+    names = [r"$\hat e_r$", r"$\hat e_\theta$", r"$\hat k$"], [
+        r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$",
+    ]  # fmt: skip
+    for ax, P, labels, title in zip(
+        axes, points, names, ("cylindrical, (6.8)", "spherical, (6.9)"), strict=True
+    ):
+        s = Sketch(ax, ground, azimuth=25, elevation=22)
+        foot = (r * math.cos(th), r * math.sin(th), 0)
+        s.axes(O, ground, length=1.15)
+        s.ring(O, ground.k, 1.0)
+        s.line(O, foot)
+        s.line(foot, P)
+        if title[0] == "s":
+            s.line(O, P, style="solid")
+        s.axes(P, P.local, length=0.5, labels=labels)
+        if theta:
+            s.arc(O, ground.i, foot, label=r"$\theta$")
+        if phi and title[0] == "s":
+            s.arc(O, foot, P, label=r"$\phi$")
+        s.dot(P)
+        ax.set_title(title, fontsize=11)
 
 
 def screw_jack():
@@ -327,38 +305,34 @@ def _helix(a, lead, theta):
     return a * math.cos(theta), a * math.sin(theta), lead * theta / (2 * math.pi)
 
 
-def wagon():
+@with_sliders(
+    Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
+    alt="A lamp on a cord leans back in a wagon that speeds up to the right. Left: tension and "
+    "weight act on it and do not balance, it accelerates to the right. Right: a third arrow, "
+    "minus m times the wagon's acceleration, closes the balance.",
+    size=(9, 4.2),
+    panels=(1, 2),
+)
+def wagon(axes, a):
     """Figure 6.8: a lamp in a wagon that speeds up, seen by two observers."""
     m, length = 2.0, 1.1
-
-    def draw(axes, a):
-        ground = Frame("ground")
-        tension = m * math.hypot(a, G)
-        e = ground.vector(a / math.hypot(a, G), 0, G / math.hypot(a, G))
-        lamp = tuple(c - length * x for c, x in zip((0, 0, 2.1), e.components(), strict=True))
-        for ax, title in zip(axes, ("seen from the ground", "seen from the wagon"), strict=True):
-            s = Sketch(ax, ground, plane="xz", arrows=65)
-            _wagon_body(s, ground)
-            s.line((0, 0, 2.1), lamp, style="solid")
-            s.line((0, 0, 2.1), (0, 0, 0.6))
-            s.sphere(lamp, 0.09)
-            s.vector(lamp, tension * e, "S", kind="force", size="N")
-            s.vector(lamp, -m * G * ground.k, "mg", kind="force", size="N")
-            if ax is axes[0]:
-                s.vector((1.0, 0, 2.5), a * ground.i, r"$\mathbf{a}$", "acceleration", size="m/s²")
-            else:
-                s.vector(lamp, -m * a * ground.i, r"$-m\mathbf{a}_{O_2}$", kind="plain", size="N")
-            ax.set_title(title, fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
-        alt="A lamp on a cord leans back in a wagon that speeds up to the right. Left: tension and "
-        "weight act on it and do not balance, it accelerates to the right. Right: a third arrow, "
-        "minus m times the wagon's acceleration, closes the balance.",
-        size=(9, 4.2),
-        panels=(1, 2),
-    )
+    ground = Frame("ground")
+    tension = m * math.hypot(a, G)
+    e = ground.vector(a / math.hypot(a, G), 0, G / math.hypot(a, G))
+    lamp = tuple(c - length * x for c, x in zip((0, 0, 2.1), e.components(), strict=True))
+    for ax, title in zip(axes, ("seen from the ground", "seen from the wagon"), strict=True):
+        s = Sketch(ax, ground, plane="xz", arrows=65)
+        _wagon_body(s, ground)
+        s.line((0, 0, 2.1), lamp, style="solid")
+        s.line((0, 0, 2.1), (0, 0, 0.6))
+        s.sphere(lamp, 0.09)
+        s.vector(lamp, tension * e, "S", kind="force", size="N")
+        s.vector(lamp, -m * G * ground.k, "mg", kind="force", size="N")
+        if ax is axes[0]:
+            s.vector((1.0, 0, 2.5), a * ground.i, r"$\mathbf{a}$", "acceleration", size="m/s²")
+        else:
+            s.vector(lamp, -m * a * ground.i, r"$-m\mathbf{a}_{O_2}$", kind="plain", size="N")
+        ax.set_title(title, fontsize=11)
 
 
 def _wagon_body(s, ground):
@@ -369,30 +343,26 @@ def _wagon_body(s, ground):
         s.disk((x, 0, 0.18), ground.j, 0.18)
 
 
-def station():
+@with_sliders(
+    Slider("r", 100, 40, 140, 10, label="radius", unit="m"),
+    alt="A ring that turns clockwise about its centre. At the point A on the right its velocity "
+    "points down along the rim, and its acceleration to the centre. A larger ring has a "
+    "faster rim; the acceleration stays 9.81 m/s².",
+    size=(5.6, 5.2),
+)
+def station(ax, r):
     """Figure 6.9: velocity and acceleration at the rim of a station that turns clockwise."""
-
-    def draw(ax, r):
-        ground, omega = Frame("ground"), math.sqrt(G / r)
-        s = Sketch(ax, ground, plane="xy", arrows=85)
-        _rim(s, O, r, 0.0)
-        A = (r, 0, 0)
-        s.turn(O, -ground.k, r"$\omega$")
-        s.vector(A, -omega * r * ground.j, r"$\mathbf{v}_A$", size="m/s")
-        s.vector(A, -omega * omega * r * ground.i, r"$\mathbf{a}_A$", "acceleration", size="m/s²")
-        s.dot(A)
-        s.label(A, "A")
-        turns = omega * 30 / math.pi
-        ax.set_title(f"r = {r} m: ω = {omega:.3f} rad/s, {turns:.1f} turns a minute", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("r", 100, 40, 140, 10, label="radius", unit="m"),
-        alt="A ring that turns clockwise about its centre. At the point A on the right its velocity "
-        "points down along the rim, and its acceleration to the centre. A larger ring has a "
-        "faster rim; the acceleration stays 9.81 m/s².",
-        size=(5.6, 5.2),
-    )
+    ground, omega = Frame("ground"), math.sqrt(G / r)
+    s = Sketch(ax, ground, plane="xy", arrows=85)
+    _rim(s, O, r, 0.0)
+    A = (r, 0, 0)
+    s.turn(O, -ground.k, r"$\omega$")
+    s.vector(A, -omega * r * ground.j, r"$\mathbf{v}_A$", size="m/s")
+    s.vector(A, -omega * omega * r * ground.i, r"$\mathbf{a}_A$", "acceleration", size="m/s²")
+    s.dot(A)
+    s.label(A, "A")
+    turns = omega * 30 / math.pi
+    ax.set_title(f"r = {r} m: ω = {omega:.3f} rad/s, {turns:.1f} turns a minute", fontsize=11)
 
 
 def _rim(s, C, r, turned):
@@ -440,8 +410,9 @@ def _throw_scene(s, C, r, u, t, inside):
     s.sphere(_ball(C, r, u, t, omega * t if inside else 0.0), 0.05 * r)
 
 
-def throw_film(r=100.0, u=60.0):
+def throw_film():
     """A film: a throw through the axis, from the stars and from the station."""
+    r, u = 100.0, 60.0
     _, time = _flight(r, u)
 
     def draw(t, ax):
@@ -465,162 +436,147 @@ def throw_film(r=100.0, u=60.0):
     )
 
 
-def throw(r=100.0):
+@with_sliders(
+    Slider("u", 60, 10, 400, 10, label="throw", unit="m/s"),
+    Slider("part", 100, 0, 100, 5, label="time", unit="% of the flight"),
+    alt="A ball thrown across a station that turns clockwise. Left, seen from the stars: a "
+    "straight line to the rim, and the friend has been carried away from its end. Right, seen "
+    "from inside: a curve that ends behind the friend.",
+    size=(8.6, 4.6),
+    panels=(1, 2),
+)
+def throw(axes, u, part):
     """Figure 6.10: the throw with its speed and the time on sliders."""
-
-    def draw(axes, u, part):
-        ground, (_, time) = Frame("ground"), _flight(r, u)
-        t = time * part / 100
-        for ax, inside, name in zip(
-            axes, (False, True), ("from the stars", "from inside"), strict=True
-        ):
-            s = Sketch(ax, ground, plane="xy")
-            _throw_scene(s, O, r, u, t, inside)
-            ax.set_title(f"{name}, t = {t:.2f} s of {time:.2f} s", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("u", 60, 10, 400, 10, label="throw", unit="m/s"),
-        Slider("part", 100, 0, 100, 5, label="time", unit="% of the flight"),
-        alt="A ball thrown across a station that turns clockwise. Left, seen from the stars: a "
-        "straight line to the rim, and the friend has been carried away from its end. Right, seen "
-        "from inside: a curve that ends behind the friend.",
-        size=(8.6, 4.6),
-        panels=(1, 2),
-    )
+    r = 100.0
+    ground, (_, time) = Frame("ground"), _flight(r, u)
+    t = time * part / 100
+    for ax, inside, name in zip(
+        axes, (False, True), ("from the stars", "from inside"), strict=True
+    ):
+        s = Sketch(ax, ground, plane="xy")
+        _throw_scene(s, O, r, u, t, inside)
+        ax.set_title(f"{name}, t = {t:.2f} s of {time:.2f} s", fontsize=11)
 
 
-def plumb_line():
+@with_sliders(
+    Slider("latitude", 45, -85, 85, 5, label="λ", unit="°"),
+    alt="A circle, the Earth cut along its axis, with a body at B on it. The attraction mg "
+    "points to the centre. The support N is the opposite arrow with m a_B added, which points "
+    "to the axis: N is shorter and leans from the radius towards the axis.",
+    size=(6.2, 5.2),
+)
+def plumb_line(ax, latitude):
     """Figure 6.11: why the support does not point away from the centre; drawn too large."""
     share, long = 50 * 0.00344, 0.75
+    ground, lam = Frame("ground"), math.radians(latitude)
+    up, north = np.array([math.cos(lam), math.sin(lam)]), (-math.sin(lam), math.cos(lam))
+    a = np.array([-share * math.cos(lam), 0])
 
-    def draw(ax, latitude):
-        ground, lam = Frame("ground"), math.radians(latitude)
-        up, north = np.array([math.cos(lam), math.sin(lam)]), (-math.sin(lam), math.cos(lam))
-        a = np.array([-share * math.cos(lam), 0])
+    def to(step):  # from B, in the plane of the page
+        x, z = up + np.array(step)
+        return x, 0, z
 
-        def to(step):  # from B, in the plane of the page
-            x, z = up + np.array(step)
-            return x, 0, z
-
-        s, B = Sketch(ax, ground, plane="xz"), to((0, 0))
-        s.ring(O, ground.j, 1.0)
-        s.line((0, 0, -1.25), (0, 0, 1.25), style="centre")
-        s.line((-1, 0, 0), (1, 0, 0), style="dotted")
-        s.line(O, to(0.95 * up))
-        if latitude:
-            s.arc(O, (1, 0, 0), B, label=r"$\lambda$")
-        s.arrow(B, to(-long * up), "$mg$", kind="force")
-        s.arrow(B, to(long * (up + a)), r"$\mathbf{N}$", kind="force")
-        s.arrow(to(long * up), to(long * (up + a)), r"$m\mathbf{a}_B$", kind="acceleration")
-        s.arrow(B, to(0.35 * np.array(north)), "north")
-        s.dot(B)
-        s.label((0, 0, 1.25), "axis", offset=(-18, 0), bold=False)
-
-    interactive_figure(
-        draw,
-        Slider("latitude", 45, -85, 85, 5, label="λ", unit="°"),
-        alt="A circle, the Earth cut along its axis, with a body at B on it. The attraction mg "
-        "points to the centre. The support N is the opposite arrow with m a_B added, which points "
-        "to the axis: N is shorter and leans from the radius towards the axis.",
-        size=(6.2, 5.2),
-    )
+    s, B = Sketch(ax, ground, plane="xz"), to((0, 0))
+    s.ring(O, ground.j, 1.0)
+    s.line((0, 0, -1.25), (0, 0, 1.25), style="centre")
+    s.line((-1, 0, 0), (1, 0, 0), style="dotted")
+    s.line(O, to(0.95 * up))
+    if latitude:
+        s.arc(O, (1, 0, 0), B, label=r"$\lambda$")
+    s.arrow(B, to(-long * up), "$mg$", kind="force")
+    s.arrow(B, to(long * (up + a)), r"$\mathbf{N}$", kind="force")
+    s.arrow(to(long * up), to(long * (up + a)), r"$m\mathbf{a}_B$", kind="acceleration")
+    s.arrow(B, to(0.35 * np.array(north)), "north")
+    s.dot(B)
+    s.label((0, 0, 1.25), "axis", offset=(-18, 0), bold=False)
 
 
 def _site(latitude):
     return ground_frame(earth_frame(Frame("stars"), OMEGA_E), math.radians(latitude))
 
 
-def coriolis_on_the_ground():
+@with_sliders(
+    Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
+    Slider("azimuth", 90, 0, 360, 10, label="velocity, from east to north", unit="°"),
+    alt="A horizontal plate with the axes east, north and up. The Earth's angular velocity "
+    "leans from north towards up by the latitude. A horizontal velocity and, at right angles "
+    "to both, the Coriolis acceleration, to the right of the velocity in the north.",
+    size=(6.8, 4.8),
+)
+def coriolis_on_the_ground(ax, latitude, azimuth):
     """Figure 6.12: the Coriolis acceleration of a horizontal velocity."""
-
-    def draw(ax, latitude, azimuth):
-        omega, th = earth_rate(_site(latitude)).components(), math.radians(azimuth)
-        ground = Frame("ground")
-        omega_e = ground.vector(*(x / OMEGA_E for x in omega))
-        v = math.cos(th) * ground.i + math.sin(th) * ground.j
-        s = Sketch(ax, ground, azimuth=-65, elevation=28, arrows=95)
-        s.plate([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
-        s.axes(O, ground, length=0.8, labels=["east", "north", "up"])
-        s.vector(O, omega_e, r"$\omega_e$", kind="rate")
-        s.vector(O, v, r"$\mathbf{v}_r$")
-        a = coriolis_acceleration(omega_e, v)
-        s.vector(O, a, r"$-2\omega_e\times\mathbf{v}_r$", kind="acceleration")
-        right = a.dot(v.cross(ground.k))
-        ax.set_title(
-            f"to the {'right' if right >= 0 else 'left'}: {abs(right):.2f}, "
-            f"up: {a.z:+.2f}, in units of $\\omega_e v_r$",
-            fontsize=11,
-        )
-
-    interactive_figure(
-        draw,
-        Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
-        Slider("azimuth", 90, 0, 360, 10, label="velocity, from east to north", unit="°"),
-        alt="A horizontal plate with the axes east, north and up. The Earth's angular velocity "
-        "leans from north towards up by the latitude. A horizontal velocity and, at right angles "
-        "to both, the Coriolis acceleration, to the right of the velocity in the north.",
-        size=(6.8, 4.8),
+    omega, th = earth_rate(_site(latitude)).components(), math.radians(azimuth)
+    ground = Frame("ground")
+    omega_e = ground.vector(*(x / OMEGA_E for x in omega))
+    v = math.cos(th) * ground.i + math.sin(th) * ground.j
+    s = Sketch(ax, ground, azimuth=-65, elevation=28, arrows=95)
+    s.plate([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
+    s.axes(O, ground, length=0.8, labels=["east", "north", "up"])
+    s.vector(O, omega_e, r"$\omega_e$", kind="rate")
+    s.vector(O, v, r"$\mathbf{v}_r$")
+    a = coriolis_acceleration(omega_e, v)
+    s.vector(O, a, r"$-2\omega_e\times\mathbf{v}_r$", kind="acceleration")
+    right = a.dot(v.cross(ground.k))
+    ax.set_title(
+        f"to the {'right' if right >= 0 else 'left'}: {abs(right):.2f}, "
+        f"up: {a.z:+.2f}, in units of $\\omega_e v_r$",
+        fontsize=11,
     )
 
 
-def shot(v0=300.0, elevation=math.pi / 4, magnified=100):
+@with_sliders(
+    Slider("azimuth", 90, 0, 360, 10, label="azimuth", unit="°"),
+    Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
+    alt="A shot seen from above: a dashed straight line for an Earth at rest, and a solid "
+    "curve for the turning Earth, its displacement magnified. In the north the curve bends to "
+    "the right, in the south to the left.",
+    size=(5.8, 5.6),
+)
+def shot(ax, azimuth, latitude):
     """Figure 6.13: a shot from above, what the rotation does to it magnified."""
-
-    def draw(ax, azimuth, latitude):
-        lam, th = math.radians(latitude), math.radians(azimuth)
-        time = flight_time(v0, th, elevation, lam, G, OMEGA_E)
-        t = np.linspace(0, 1, 60)
-        still = np.array(projectile(t * flight_time(v0, th, elevation, lam, G, 0.0), v0, th,
-                                    elevation, lam, G, 0.0)[:2])  # fmt: skip
-        there = np.array(projectile(t * time, v0, th, elevation, lam, G, OMEGA_E)[:2])
-        drawn = (still + magnified * (there - still)) / 1000
-        ax.plot(*(still / 1000), color=GREY, ls="--", label="Earth at rest")
-        ax.plot(*drawn, color=BLUE, label="Earth turning, magnified")
-        ax.plot(*drawn[:, -1], "o", color=BLUE)
-        ax.plot(*(still[:, -1] / 1000), "o", mfc="none", color=GREY)
-        ax.plot(0, 0, "ks")
-        ax.set(xlim=(-12.5, 12.5), ylim=(-12.5, 12.5), xlabel="east (km)", ylabel="north (km)")
-        ax.set_aspect("equal")
-        ax.legend(frameon=False, fontsize=9, loc="lower left")
-        off = there[:, -1] - still[:, -1]
-        right = float(off[0] * math.sin(th) - off[1] * math.cos(th))
-        ahead = float(off[0] * math.cos(th) + off[1] * math.sin(th))
-        side, way = "right" if right >= 0 else "left", "farther" if ahead >= 0 else "shorter"
-        ax.set_title(f"{abs(right):.1f} m to the {side}, {abs(ahead):.1f} m {way}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("azimuth", 90, 0, 360, 10, label="azimuth", unit="°"),
-        Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
-        alt="A shot seen from above: a dashed straight line for an Earth at rest, and a solid "
-        "curve for the turning Earth, its displacement magnified. In the north the curve bends to "
-        "the right, in the south to the left.",
-        size=(5.8, 5.6),
-    )
+    v0, elevation, magnified = 300.0, math.pi / 4, 100
+    lam, th = math.radians(latitude), math.radians(azimuth)
+    time = flight_time(v0, th, elevation, lam, G, OMEGA_E)
+    t = np.linspace(0, 1, 60)
+    still = np.array(projectile(t * flight_time(v0, th, elevation, lam, G, 0.0), v0, th,
+                                elevation, lam, G, 0.0)[:2])  # fmt: skip
+    there = np.array(projectile(t * time, v0, th, elevation, lam, G, OMEGA_E)[:2])
+    drawn = (still + magnified * (there - still)) / 1000
+    ax.plot(*(still / 1000), color=GREY, ls="--", label="Earth at rest")
+    ax.plot(*drawn, color=BLUE, label="Earth turning, magnified")
+    ax.plot(*drawn[:, -1], "o", color=BLUE)
+    ax.plot(*(still[:, -1] / 1000), "o", mfc="none", color=GREY)
+    ax.plot(0, 0, "ks")
+    ax.set(xlim=(-12.5, 12.5), ylim=(-12.5, 12.5), xlabel="east (km)", ylabel="north (km)")
+    ax.set_aspect("equal")
+    ax.legend(frameon=False, fontsize=9, loc="lower left")
+    off = there[:, -1] - still[:, -1]
+    right = float(off[0] * math.sin(th) - off[1] * math.cos(th))
+    ahead = float(off[0] * math.cos(th) + off[1] * math.sin(th))
+    side, way = "right" if right >= 0 else "left", "farther" if ahead >= 0 else "shorter"
+    ax.set_title(f"{abs(right):.1f} m to the {side}, {abs(ahead):.1f} m {way}", fontsize=11)
 
 
-def range_errors():
+@with_sliders(
+    Slider("v0", 1000, 100, 2000, 100, label="speed of the shot", unit="m/s"),
+    alt="The error of the range without rotation against the elevation. To the east it is "
+    "negative at low elevations, zero at 60 degrees, and grows steeply beyond; to the west it "
+    "has the opposite sign.",
+    size=(6.6, 4.0),
+)
+def range_errors(ax, v0):
     """Figure 6.14: the error of the range without rotation, against the elevation."""
     elevations = np.linspace(2, 84, 120)
+    east = 100 * range_error(v0, np.radians(elevations), G, OMEGA_E)
+    ax.plot(elevations, east, color=BLUE, label="to the east")
+    ax.plot(elevations, -east, color=ORANGE, ls="--", label="to the west")
+    ax.axhline(0, color="black", lw=0.8)
+    ax.axvline(60, color=GREY, ls=":")
+    ax.set(xlim=(0, 90), ylim=(-4, 4), xlabel="elevation (°)", ylabel="error of the range (%)")
+    ax.legend(frameon=False, loc="upper center")
 
-    def draw(ax, v0):
-        east = 100 * range_error(v0, np.radians(elevations), G, OMEGA_E)
-        ax.plot(elevations, east, color=BLUE, label="to the east")
-        ax.plot(elevations, -east, color=ORANGE, ls="--", label="to the west")
-        ax.axhline(0, color="black", lw=0.8)
-        ax.axvline(60, color=GREY, ls=":")
-        ax.set(xlim=(0, 90), ylim=(-4, 4), xlabel="elevation (°)", ylabel="error of the range (%)")
-        ax.legend(frameon=False, loc="upper center")
 
-    interactive_figure(
-        draw,
-        Slider("v0", 1000, 100, 2000, 100, label="speed of the shot", unit="m/s"),
-        alt="The error of the range without rotation against the elevation. To the east it is "
-        "negative at low elevations, zero at 60 degrees, and grows steeply beyond; to the west it "
-        "has the opposite sign.",
-        size=(6.6, 4.0),
-    )
+PARCELS = 8  # of air on a ring round a low
 
 
 def _air(latitude, friction, days=2.0, gradient=1e-8):
@@ -635,7 +591,7 @@ def _turned(xy, angle):
     return c * xy[0] - s * xy[1], s * xy[0] + c * xy[1]
 
 
-def low_film(count=8):
+def low_film():
     """A film: a ring of air round a low at 45 degrees north."""
     place = _air(45, 4e-5)
 
@@ -645,8 +601,8 @@ def low_film(count=8):
         s.ring(O, ground.k, 3.0)
         s.label(O, "low", offset=(0, 0))
         trail = place(np.linspace(max(0.0, t - 6 * 3600), t, 10))
-        for n in range(count):
-            x, y = _turned(trail, 2 * math.pi * n / count)
+        for n in range(PARCELS):
+            x, y = _turned(trail, 2 * math.pi * n / PARCELS)
             if t:
                 s.path([(a, b, 0) for a, b in zip(x, y, strict=True)])
             s.dot((x[-1], y[-1], 0))
@@ -659,73 +615,61 @@ def low_film(count=8):
     )
 
 
-def low(count=8):
+@with_sliders(
+    Slider("latitude", 45, -75, 75, 5, label="latitude", unit="°"),
+    alt="Eight paths of air that starts at rest on a ring round a low. In the north they keep "
+    "it on their left and go round it counterclockwise, in the south clockwise, at the equator "
+    "they run straight through the middle. With friction they wind inward.",
+    size=(9, 4.8),
+    panels=(1, 2),
+)
+def low(axes, latitude):
     """Figure 6.15: the paths of air near a low, without and with friction."""
-
-    def draw(axes, latitude):
-        for ax, friction in zip(axes, (0.0, 4e-5), strict=True):
-            path = _air(latitude, friction)(np.linspace(0, 2 * 86400, 400))
-            around = [_turned(path, 2 * math.pi * n / count) for n in range(count)]
-            x, y = np.array(around).swapaxes(0, 1)
-            ax.plot(x[1:].T, y[1:].T, color=BLUE, lw=0.6)
-            ax.plot(x[0], y[0], color=ORANGE, lw=2)
-            ax.plot(x[:, 0], y[:, 0], "o", ms=4, color=BLUE)
-            step = np.array([x[:, 34] - x[:, 32], y[:, 34] - y[:, 32]])
-            ax.quiver(
-                x[:, 33], y[:, 33], *(step / np.hypot(*step)), scale=18, width=0.009, zorder=3
-            )
-            ax.plot(0, 0, "k+", ms=10)
-            ax.set(xlim=(-3.3, 3.3), ylim=(-3.3, 3.3), xlabel="east (100 km)")
-            ax.set_title("with friction" if friction else "without friction", fontsize=11)
-            ax.set_aspect("equal")
-        axes[0].set_ylabel("north (100 km)")
-
-    interactive_figure(
-        draw,
-        Slider("latitude", 45, -75, 75, 5, label="latitude", unit="°"),
-        alt="Eight paths of air that starts at rest on a ring round a low. In the north they keep "
-        "it on their left and go round it counterclockwise, in the south clockwise, at the equator "
-        "they run straight through the middle. With friction they wind inward.",
-        size=(9, 4.8),
-        panels=(1, 2),
-    )
+    for ax, friction in zip(axes, (0.0, 4e-5), strict=True):
+        path = _air(latitude, friction)(np.linspace(0, 2 * 86400, 400))
+        around = [_turned(path, 2 * math.pi * n / PARCELS) for n in range(PARCELS)]
+        x, y = np.array(around).swapaxes(0, 1)
+        ax.plot(x[1:].T, y[1:].T, color=BLUE, lw=0.6)
+        ax.plot(x[0], y[0], color=ORANGE, lw=2)
+        ax.plot(x[:, 0], y[:, 0], "o", ms=4, color=BLUE)
+        step = np.array([x[:, 34] - x[:, 32], y[:, 34] - y[:, 32]])
+        ax.quiver(x[:, 33], y[:, 33], *(step / np.hypot(*step)), scale=18, width=0.009, zorder=3)
+        ax.plot(0, 0, "k+", ms=10)
+        ax.set(xlim=(-3.3, 3.3), ylim=(-3.3, 3.3), xlabel="east (100 km)")
+        ax.set_title("with friction" if friction else "without friction", fontsize=11)
+        ax.set_aspect("equal")
+    axes[0].set_ylabel("north (100 km)")
 
 
-def banked():
+@with_sliders(
+    Slider("bank", 30, 10, 60, 5, label="σ", unit="°"),
+    alt="Left: an aircraft from behind, banked to the right by sigma. Its lift is tilted: the "
+    "vertical part carries the weight, the horizontal part pulls to the right. Right: its path "
+    "from above, a circle to the right, tighter for a larger bank.",
+    size=(9, 4.8),
+    panels=(1, 2),
+)
+def banked(axes, bank):
     """Figure 6.16: a banked aircraft from behind, and its path from above."""
     v = 60.0
-
-    def draw(axes, bank):
-        ground, angle = Frame("ground"), math.radians(bank)
-        plane = ground.rotate("plane", "y", angle)
-        lift = plane.k / math.cos(angle)
-        s = Sketch(axes[0], ground, plane="xz", arrows=85)
-        s.rod(plane.point("", -1, 0, 0), plane.point("", 1, 0, 0))
-        s.rod(O, plane.point("", 0, 0, 0.42))
-        s.sphere(O, 0.16)
-        s.vector(O, lift, "L", kind="force", size="W")
-        s.vector(O, math.tan(angle) * ground.i, r"$L\sin\sigma$", kind="force", size="W")
-        s.arc(O, (0, 0, 1), plane.point("", 0, 0, 1), label=r"$\sigma$")
-        s.vector(O, ground.k, r"$L\cos\sigma$", kind="force", size="W")
-        s.vector(O, -ground.k, "W", kind="force")
-        axes[0].set_title("seen from behind", fontsize=11)
-        t = np.linspace(0, 60, 241)
-        rate = G * math.tan(angle) / v
-        east, north = v / rate * (1 - np.cos(rate * t)), v / rate * np.sin(rate * t)
-        axes[1].plot(east / 1000, north / 1000, color=BLUE)
-        axes[1].plot(east[::40] / 1000, north[::40] / 1000, "o", ms=4, color=BLUE)
-        axes[1].set(
-            xlim=(-0.2, 2.6), ylim=(-1.0, 2.4), xlabel="x, east (km)", ylabel="y, north (km)"
-        )
-        axes[1].set_aspect("equal")
-        axes[1].set_title(f"from above, radius {v / rate:.0f} m", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("bank", 30, 10, 60, 5, label="σ", unit="°"),
-        alt="Left: an aircraft from behind, banked to the right by sigma. Its lift is tilted: the "
-        "vertical part carries the weight, the horizontal part pulls to the right. Right: its path "
-        "from above, a circle to the right, tighter for a larger bank.",
-        size=(9, 4.8),
-        panels=(1, 2),
-    )
+    ground, angle = Frame("ground"), math.radians(bank)
+    plane = ground.rotate("plane", "y", angle)
+    lift = plane.k / math.cos(angle)
+    s = Sketch(axes[0], ground, plane="xz", arrows=85)
+    s.rod(plane.point("", -1, 0, 0), plane.point("", 1, 0, 0))
+    s.rod(O, plane.point("", 0, 0, 0.42))
+    s.sphere(O, 0.16)
+    s.vector(O, lift, "L", kind="force", size="W")
+    s.vector(O, math.tan(angle) * ground.i, r"$L\sin\sigma$", kind="force", size="W")
+    s.arc(O, (0, 0, 1), plane.point("", 0, 0, 1), label=r"$\sigma$")
+    s.vector(O, ground.k, r"$L\cos\sigma$", kind="force", size="W")
+    s.vector(O, -ground.k, "W", kind="force")
+    axes[0].set_title("seen from behind", fontsize=11)
+    t = np.linspace(0, 60, 241)
+    rate = G * math.tan(angle) / v
+    east, north = v / rate * (1 - np.cos(rate * t)), v / rate * np.sin(rate * t)
+    axes[1].plot(east / 1000, north / 1000, color=BLUE)
+    axes[1].plot(east[::40] / 1000, north[::40] / 1000, "o", ms=4, color=BLUE)
+    axes[1].set(xlim=(-0.2, 2.6), ylim=(-1.0, 2.4), xlabel="x, east (km)", ylabel="y, north (km)")
+    axes[1].set_aspect("equal")
+    axes[1].set_title(f"from above, radius {v / rate:.0f} m", fontsize=11)

@@ -10,6 +10,8 @@ from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
 RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
@@ -37,26 +39,22 @@ def _dumbbell(s, ground, axle, body):
     s.label(O, "O")
 
 
-def turning_dumbbell(build):
+@with_sliders(
+    Slider("tilt", 35, 5, 90, 5, label="β", unit="°"),
+    Slider("turn", 0, 0, 360, 10, label="turned", unit="°"),
+    alt="Two balls at the ends of a light rod that is fixed at a slant to a vertical shaft. "
+    "The angular velocity omega points along the shaft; the angular momentum H is at right "
+    "angles to the rod, and goes round with it.",
+    size=(6.4, 4.8),
+)
+def turning_dumbbell(ax, build, tilt, turn):
     """Figure 7.1: omega and H of a dumbbell, from ``build(tilt, turn)``."""
-
-    def draw(ax, tilt, turn):
-        ground, axle, body = build(math.radians(tilt), math.radians(turn))
-        s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
-        _dumbbell(s, ground, axle, body)
-        s.arc(O, (0, 0, 1), body.parts[0].centre, r"$\beta$")
-        omega, H = axle.angular_velocity(ground), body.angular_momentum(ground)
-        ax.set_title(f"angle between ω and H: {angle_between(omega, H):.0f}°", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("tilt", 35, 5, 90, 5, label="β", unit="°"),
-        Slider("turn", 0, 0, 360, 10, label="turned", unit="°"),
-        alt="Two balls at the ends of a light rod that is fixed at a slant to a vertical shaft. "
-        "The angular velocity omega points along the shaft; the angular momentum H is at right "
-        "angles to the rod, and goes round with it.",
-        size=(6.4, 4.8),
-    )
+    ground, axle, body = build(math.radians(tilt), math.radians(turn))
+    s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
+    _dumbbell(s, ground, axle, body)
+    s.arc(O, (0, 0, 1), body.parts[0].centre, r"$\beta$")
+    omega, H = axle.angular_velocity(ground), body.angular_momentum(ground)
+    ax.set_title(f"angle between ω and H: {angle_between(omega, H):.0f}°", fontsize=11)
 
 
 def dumbbell_film(build):
@@ -116,57 +114,49 @@ def two_balls():
     )
 
 
-def rod_and_point():
+@with_sliders(
+    Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
+    alt="Left: a thin rod of length l with the point B on it and the axes x and z. Right: x "
+    "squared over the length of the rod, with x measured from B; the shaded area under it is "
+    "the moment of inertia, least when B is at the middle.",
+    size=(8.4, 3.4),
+    panels=(1, 2),
+)
+def rod_and_point(axes, b):
     """Figure 7.3: the thin rod, the point B on its line, and the integrand of I_yy."""
-
-    def draw(axes, b):
-        _apart(axes)
-        ground = Frame("ground")
-        B = (b, 0, 0)
-        s = Sketch(axes[0], ground, plane="xz")
-        s.rod(O, (1, 0, 0))
-        s.axes(B, ground, length=0.3, labels=["x", "", "z"])
-        s.dot(B)
-        s.label(B, "B")
-        s.dimension(O, (1, 0, 0), r"$\ell$", offset=-0.15)
-        x = np.linspace(0, 1, 101)
-        axes[1].fill_between(x - b, (x - b) ** 2, color=BLUE, alpha=0.35)
-        axes[1].plot(x - b, (x - b) ** 2, color=BLUE)
-        moment = ((1 - b) ** 3 + b**3) / 3
-        axes[1].set(xlim=(-1.05, 1.05), ylim=(0, 1.1), xlabel="x/ℓ, from B", ylabel="x²/ℓ²")
-        axes[1].set_title(rf"area under the curve: $I_{{yy}}/m\ell^2$ = {moment:.4f}", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
-        alt="Left: a thin rod of length l with the point B on it and the axes x and z. Right: x "
-        "squared over the length of the rod, with x measured from B; the shaded area under it is "
-        "the moment of inertia, least when B is at the middle.",
-        size=(8.4, 3.4),
-        panels=(1, 2),
-    )
+    _apart(axes)
+    ground = Frame("ground")
+    B = (b, 0, 0)
+    s = Sketch(axes[0], ground, plane="xz")
+    s.rod(O, (1, 0, 0))
+    s.axes(B, ground, length=0.3, labels=["x", "", "z"])
+    s.dot(B)
+    s.label(B, "B")
+    s.dimension(O, (1, 0, 0), r"$\ell$", offset=-0.15)
+    x = np.linspace(0, 1, 101)
+    axes[1].fill_between(x - b, (x - b) ** 2, color=BLUE, alpha=0.35)
+    axes[1].plot(x - b, (x - b) ** 2, color=BLUE)
+    moment = ((1 - b) ** 3 + b**3) / 3
+    axes[1].set(xlim=(-1.05, 1.05), ylim=(0, 1.1), xlabel="x/ℓ, from B", ylabel="x²/ℓ²")
+    axes[1].set_title(rf"area under the curve: $I_{{yy}}/m\ell^2$ = {moment:.4f}", fontsize=11)
 
 
-def three_rods_view():
+@with_sliders(
+    Slider("view", 30, 15, 75, 5, label="seen from", unit="°"),
+    alt="Three equal rods joined at right angles. Rod 2 lies on the x axis with its middle at "
+    "the origin B; rod 1 goes up along z from its end at negative x, rod 3 goes along y from "
+    "its end at positive x.",
+    size=(6, 4.4),
+)
+def three_rods_view(ax, view):
     """Figure 7.4: the three rods, from all sides."""
-
-    def draw(ax, view):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, azimuth=view, elevation=22)
-        _rods(s)
-        s.axes(O, ground, length=0.75)
-        for place, name in (((-0.5, 0, 0.6), "1"), ((-0.25, 0, 0), "2"), ((0.5, 0.6, 0), "3")):
-            s.label(place, name, bold=False)
-        s.label(O, "B")
-
-    interactive_figure(
-        draw,
-        Slider("view", 30, 15, 75, 5, label="seen from", unit="°"),
-        alt="Three equal rods joined at right angles. Rod 2 lies on the x axis with its middle at "
-        "the origin B; rod 1 goes up along z from its end at negative x, rod 3 goes along y from "
-        "its end at positive x.",
-        size=(6, 4.4),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=view, elevation=22)
+    _rods(s)
+    s.axes(O, ground, length=0.75)
+    for place, name in (((-0.5, 0, 0.6), "1"), ((-0.25, 0, 0), "2"), ((0.5, 0.6, 0), "3")):
+        s.label(place, name, bold=False)
+    s.label(O, "B")
 
 
 def _rods(s):
@@ -174,43 +164,37 @@ def _rods(s):
         s.rod(A, B)
 
 
-def plate_and_ellipse():
+@with_sliders(
+    Slider("turn", 40, 0, 180, 5, label="axis at", unit="°"),
+    Slider("b", 0.6, 0.6, 1.2, 0.3, label="b", unit="m"),
+    alt="Left: a rectangular plate with its inertia ellipse and an axis through its centre "
+    "that carries omega. H is at right angles to the tangent of the ellipse where the axis "
+    "meets it. Right: the moment about the axis and the product of inertia against its angle; "
+    "the product is zero where the moment is largest or least.",
+    size=(8.8, 4.2),
+    panels=(1, 2),
+)
+def plate_and_ellipse(axes, turn, b):
     """Figure 7.5: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
     angles = np.radians(np.arange(0, 181, 2))
-
-    def draw(axes, turn, b):
-        _apart(axes)
-        ground, a = Frame("ground"), 1.2
-        I = plate(a, b, ground, "z", mass=12.0).about(ground)
-        n = ground.vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)), 0)
-        H = I.times(n)
-        s = Sketch(axes[0], ground, plane="xy", arrows=80)
-        s.plate([(x * a / 2, y * b / 2, 0) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))])
-        s.path(_ellipse(I, 0.9))
-        s.axes(O, ground, length=1.15, labels=["x", "y", ""])
-        s.vector(O, n, r"$\omega$", kind="rate")
-        s.vector(O, H, "$H$", kind="plain")
-        P = tuple(0.9 * math.sqrt(b * b / I.moment(n)) * x for x in n.components())
-        along = ground.k.cross(H) * (0.4 / float(H.norm()))
-        t = along.components()
-        s.line(
-            tuple(p - x for p, x in zip(P, t, strict=True)), tuple(map(sum, zip(P, t, strict=True)))
-        )
-        s.dot(P)
-        axes[0].set_title(f"angle between ω and H: {angle_between(n, H):.0f}°", fontsize=11, pad=14)
-        _moments_over_angle(axes[1], I, angles, math.radians(turn))
-
-    interactive_figure(
-        draw,
-        Slider("turn", 40, 0, 180, 5, label="axis at", unit="°"),
-        Slider("b", 0.6, 0.6, 1.2, 0.3, label="b", unit="m"),
-        alt="Left: a rectangular plate with its inertia ellipse and an axis through its centre "
-        "that carries omega. H is at right angles to the tangent of the ellipse where the axis "
-        "meets it. Right: the moment about the axis and the product of inertia against its angle; "
-        "the product is zero where the moment is largest or least.",
-        size=(8.8, 4.2),
-        panels=(1, 2),
-    )
+    _apart(axes)
+    ground, a = Frame("ground"), 1.2
+    I = plate(a, b, ground, "z", mass=12.0).about(ground)
+    n = ground.vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)), 0)
+    H = I.times(n)
+    s = Sketch(axes[0], ground, plane="xy", arrows=80)
+    s.plate([(x * a / 2, y * b / 2, 0) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))])
+    s.path(_ellipse(I, 0.9))
+    s.axes(O, ground, length=1.15, labels=["x", "y", ""])
+    s.vector(O, n, r"$\omega$", kind="rate")
+    s.vector(O, H, "$H$", kind="plain")
+    P = tuple(0.9 * math.sqrt(b * b / I.moment(n)) * x for x in n.components())
+    along = ground.k.cross(H) * (0.4 / float(H.norm()))
+    t = along.components()
+    s.line(tuple(p - x for p, x in zip(P, t, strict=True)), tuple(map(sum, zip(P, t, strict=True))))
+    s.dot(P)
+    axes[0].set_title(f"angle between ω and H: {angle_between(n, H):.0f}°", fontsize=11, pad=14)
+    _moments_over_angle(axes[1], I, angles, math.radians(turn))
 
 
 def _ellipse(I, scale):
@@ -328,35 +312,31 @@ def propeller():
     )
 
 
-def vectors_to_particle():
+@with_sliders(
+    Slider("place", 75, 0, 360, 15, label="particle", unit="°"),
+    alt="The outline of a body with a body-fixed point B, the mass centre G and a particle i. "
+    "The vector d_i from B to the particle is the sum of d from B to G and rho_i from G to "
+    "the particle.",
+    size=(6, 3.8),
+)
+def vectors_to_particle(ax, place):
     """Figure 7.8: B, G and a particle, with d, rho_i and d_i."""
-
-    def draw(ax, place):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, plane="xy")
-        G = (1.3, 0.55, 0)
-        outline = [
-            (1.05 + 1.5 * math.cos(a), 0.45 + 0.95 * math.sin(a), 0)
-            for a in np.linspace(0, 2 * math.pi, 61)
-        ]
-        a = math.radians(place)
-        P = (G[0] + 0.95 * math.cos(a), G[1] + 0.6 * math.sin(a), 0)
-        s.path(outline)
-        s.arrow(O, G, r"$\mathbf{d}$", kind="force")
-        s.arrow(G, P, r"$\mathbf{\rho}_i$", kind="velocity")
-        s.arrow(O, P, r"$\mathbf{d}_i$")
-        for point, name in ((O, "B"), (G, "G"), (P, "i")):
-            s.dot(point)
-            s.label(point, name)
-
-    interactive_figure(
-        draw,
-        Slider("place", 75, 0, 360, 15, label="particle", unit="°"),
-        alt="The outline of a body with a body-fixed point B, the mass centre G and a particle i. "
-        "The vector d_i from B to the particle is the sum of d from B to G and rho_i from G to "
-        "the particle.",
-        size=(6, 3.8),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    G = (1.3, 0.55, 0)
+    outline = [
+        (1.05 + 1.5 * math.cos(a), 0.45 + 0.95 * math.sin(a), 0)
+        for a in np.linspace(0, 2 * math.pi, 61)
+    ]
+    a = math.radians(place)
+    P = (G[0] + 0.95 * math.cos(a), G[1] + 0.6 * math.sin(a), 0)
+    s.path(outline)
+    s.arrow(O, G, r"$\mathbf{d}$", kind="force")
+    s.arrow(G, P, r"$\mathbf{\rho}_i$", kind="velocity")
+    s.arrow(O, P, r"$\mathbf{d}_i$")
+    for point, name in ((O, "B"), (G, "G"), (P, "i")):
+        s.dot(point)
+        s.label(point, name)
 
 
 def shifted_axis(build):
@@ -399,66 +379,58 @@ def shifted_axis(build):
     )
 
 
-def ring_of_gyration():
+@with_sliders(
+    Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
+    alt="A rod, an axis at right angles to it through a point B of the rod, and a circle about "
+    "B whose radius is the radius of gyration; the mass centre of the rod is always inside.",
+    size=(5.6, 4.6),
+)
+def ring_of_gyration(ax, b):
     """Figure 7.10: a rod about an axis across it, and the ring of the same mass and moment."""
-
-    def draw(ax, b):
-        ground, k = Frame("ground"), math.sqrt(1 / 12 + (b - 0.5) ** 2)
-        s = Sketch(ax, ground, plane="xy")
-        s.rod((-b, 0, 0), (1 - b, 0, 0))
-        s.ring(O, ground.k, k)
-        s.dot(O)
-        s.dot((0.5 - b, 0, 0))
-        s.label((0.5 - b, 0, 0), "G")
-        s.label(O, "B")
-        s.arrow(O, (0.6 * k, 0.8 * k, 0), "$k$")
-        ax.set_title(f"k = {k:.3f} ℓ, G at {abs(b - 0.5):.2f} ℓ", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
-        alt="A rod, an axis at right angles to it through a point B of the rod, and a circle about "
-        "B whose radius is the radius of gyration; the mass centre of the rod is always inside.",
-        size=(5.6, 4.6),
-    )
+    ground, k = Frame("ground"), math.sqrt(1 / 12 + (b - 0.5) ** 2)
+    s = Sketch(ax, ground, plane="xy")
+    s.rod((-b, 0, 0), (1 - b, 0, 0))
+    s.ring(O, ground.k, k)
+    s.dot(O)
+    s.dot((0.5 - b, 0, 0))
+    s.label((0.5 - b, 0, 0), "G")
+    s.label(O, "B")
+    s.arrow(O, (0.6 * k, 0.8 * k, 0), "$k$")
+    ax.set_title(f"k = {k:.3f} ℓ, G at {abs(b - 0.5):.2f} ℓ", fontsize=11)
 
 
-def machine_part(build):
+@with_sliders(
+    Slider("h", 0.2, 0.1, 0.3, 0.01, unit="m"),
+    Slider("s", 0.03, 0.01, 0.045, 0.005, unit="m"),
+    alt="A flat machine part in the plane of y and z: a rectangle of width 2 r and height h "
+    "above the y axis, with a round hole of radius s in its middle, and half a disk of radius "
+    "r below. The mass centre G lies on the z axis.",
+    size=(5.6, 5),
+)
+def machine_part(ax, build, h, s):
     """Figure 7.11: the machine part, from ``build(r, h, s)``."""
-
-    def draw(ax, h, s):
-        r = 0.1
-        body = build(r, h, s)
-        frame = body.frame
-        sketch = Sketch(ax, frame, plane="yz")
-        outline = [
-            (0, r, 0),
-            (0, r, h),
-            (0, -r, h),
-            (0, -r, 0),
-            *sketch.around(O, (0, -r, 0), frame.i, math.pi),
-        ]
-        hole = sketch.around((0, 0, h / 2), (0, s, h / 2), frame.i)
-        sketch.plate(outline, [hole])
-        sketch.axes(O, frame, length=0.16, labels=["", "y", "z"])
-        sketch.dot(body.centre)
-        sketch.label(body.centre, "G")
-        sketch.dimension((0, -r, 0), (0, -r, h), "h", offset=0.02)
-        sketch.dimension((0, -r, h), (0, 0, h), "r", offset=0.02)
-        xx, yy, zz = (1e3 * float(x) for x in body.about(frame).moments)
-        ax.set_title(
-            rf"$I_{{xx}}$ = {xx:.2f}, $I_{{yy}}$ = {yy:.2f}, $I_{{zz}}$ = {zz:.2f} g m²",
-            fontsize=11,
-        )
-
-    interactive_figure(
-        draw,
-        Slider("h", 0.2, 0.1, 0.3, 0.01, unit="m"),
-        Slider("s", 0.03, 0.01, 0.045, 0.005, unit="m"),
-        alt="A flat machine part in the plane of y and z: a rectangle of width 2 r and height h "
-        "above the y axis, with a round hole of radius s in its middle, and half a disk of radius "
-        "r below. The mass centre G lies on the z axis.",
-        size=(5.6, 5),
+    r = 0.1
+    body = build(r, h, s)
+    frame = body.frame
+    sketch = Sketch(ax, frame, plane="yz")
+    outline = [
+        (0, r, 0),
+        (0, r, h),
+        (0, -r, h),
+        (0, -r, 0),
+        *sketch.around(O, (0, -r, 0), frame.i, math.pi),
+    ]
+    hole = sketch.around((0, 0, h / 2), (0, s, h / 2), frame.i)
+    sketch.plate(outline, [hole])
+    sketch.axes(O, frame, length=0.16, labels=["", "y", "z"])
+    sketch.dot(body.centre)
+    sketch.label(body.centre, "G")
+    sketch.dimension((0, -r, 0), (0, -r, h), "h", offset=0.02)
+    sketch.dimension((0, -r, h), (0, 0, h), "r", offset=0.02)
+    xx, yy, zz = (1e3 * float(x) for x in body.about(frame).moments)
+    ax.set_title(
+        rf"$I_{{xx}}$ = {xx:.2f}, $I_{{yy}}$ = {yy:.2f}, $I_{{zz}}$ = {zz:.2f} g m²",
+        fontsize=11,
     )
 
 

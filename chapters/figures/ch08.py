@@ -11,100 +11,90 @@ from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics import angular_momentum, resultant_moment
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
 RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
 
 
-def dumbbell(build):
+@with_sliders(
+    Slider("tilt", 35, 10, 90, 10, label="β", unit="°"),
+    Slider("rate", 2.0, 0, 3, 0.5, label="ω", unit="rad/s"),
+    Slider("acceleration", 0.0, 0, 6, 3, label="rate of ω", unit="rad/s²"),
+    alt="The slanted dumbbell on its vertical shaft, with omega along the shaft, the angular "
+    "momentum H at right angles to the rod, and the moment M: at a constant rate it is at "
+    "right angles to the plane of shaft and rod, the way the tip of H moves.",
+    size=(6.4, 4.6),
+)
+def dumbbell(ax, build, tilt, rate, acceleration):
     """Figure 8.1: omega, H and M of a dumbbell, from ``build(tilt, rate, acceleration)``."""
-
-    def draw(ax, tilt, rate, acceleration):
-        ground, axle, body = build(math.radians(tilt), rate, acceleration)
-        places = [part.centre for part in body.parts]
-        s = Sketch(ax, ground, azimuth=-28, elevation=22, arrows=115)
-        s.shaft((0, 0, -0.55), (0, 0, 0.55))
-        s.rod(*places)
-        for place in places:
-            s.sphere(place, 0.06)
-        s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate")
-        s.vector(O, body.angular_momentum(ground), "$H$", kind="plain")
-        s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
-
-    interactive_figure(
-        draw,
-        Slider("tilt", 35, 10, 90, 10, label="β", unit="°"),
-        Slider("rate", 2.0, 0, 3, 0.5, label="ω", unit="rad/s"),
-        Slider("acceleration", 0.0, 0, 6, 3, label="rate of ω", unit="rad/s²"),
-        alt="The slanted dumbbell on its vertical shaft, with omega along the shaft, the angular "
-        "momentum H at right angles to the rod, and the moment M: at a constant rate it is at "
-        "right angles to the plane of shaft and rod, the way the tip of H moves.",
-        size=(6.4, 4.6),
-    )
+    ground, axle, body = build(math.radians(tilt), rate, acceleration)
+    places = [part.centre for part in body.parts]
+    s = Sketch(ax, ground, azimuth=-28, elevation=22, arrows=115)
+    s.shaft((0, 0, -0.55), (0, 0, 0.55))
+    s.rod(*places)
+    for place in places:
+        s.sphere(place, 0.06)
+    s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate")
+    s.vector(O, body.angular_momentum(ground), "$H$", kind="plain")
+    s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
 
 
-def internal_forces():
+@with_sliders(
+    Slider("off", 0, -60, 60, 5, label="off the line by", unit="°"),
+    alt="Two particles i and j with opposite forces on each other, and the vectors from B to "
+    "them. If the forces lie on the line that joins the particles their moments about B "
+    "cancel; if they are turned away from it a couple is left.",
+    size=(6, 4),
+)
+def internal_forces(ax, off):
     """Figure 8.2: two particles that pull at each other, along their line or not."""
-
-    def draw(ax, off):
-        ground = Frame("ground")
-        P, Q, F = (1.1, 0.35, 0), (2.0, 1.25, 0), 0.6
-        a = math.radians(45 + off)
-        push = (F * math.cos(a), F * math.sin(a), 0)
-        s = Sketch(ax, ground, plane="xy")
-        s.line(P, Q)
-        s.arrow(O, P, r"$\mathbf{d}_i$")
-        s.arrow(O, Q, r"$\mathbf{d}_j$")
-        s.arrow(P, tuple(map(sum, zip(P, push, strict=True))), r"$\mathbf{F}_{ij}$", kind="force")
-        back = tuple(q - f for q, f in zip(Q, push, strict=True))
-        s.arrow(Q, back, r"$\mathbf{F}_{ji}$", kind="force")
-        for place, name in ((O, "B"), (P, "i"), (Q, "j")):
-            s.dot(place)
-            s.label(place, name)
-        moment = (P[0] - Q[0]) * push[1] - (P[1] - Q[1]) * push[0]
-        ax.set_title(f"sum of both moments about B: {moment:.2f} N m", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("off", 0, -60, 60, 5, label="off the line by", unit="°"),
-        alt="Two particles i and j with opposite forces on each other, and the vectors from B to "
-        "them. If the forces lie on the line that joins the particles their moments about B "
-        "cancel; if they are turned away from it a couple is left.",
-        size=(6, 4),
-    )
+    ground = Frame("ground")
+    P, Q, F = (1.1, 0.35, 0), (2.0, 1.25, 0), 0.6
+    a = math.radians(45 + off)
+    push = (F * math.cos(a), F * math.sin(a), 0)
+    s = Sketch(ax, ground, plane="xy")
+    s.line(P, Q)
+    s.arrow(O, P, r"$\mathbf{d}_i$")
+    s.arrow(O, Q, r"$\mathbf{d}_j$")
+    s.arrow(P, tuple(map(sum, zip(P, push, strict=True))), r"$\mathbf{F}_{ij}$", kind="force")
+    back = tuple(q - f for q, f in zip(Q, push, strict=True))
+    s.arrow(Q, back, r"$\mathbf{F}_{ji}$", kind="force")
+    for place, name in ((O, "B"), (P, "i"), (Q, "j")):
+        s.dot(place)
+        s.label(place, name)
+    moment = (P[0] - Q[0]) * push[1] - (P[1] - Q[1]) * push[0]
+    ax.set_title(f"sum of both moments about B: {moment:.2f} N m", fontsize=11)
 
 
-def pole_on_truck(build):
+@with_sliders(
+    Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
+    Slider("tilt", 0, 0, 40, 1, label="leaning forward", unit="°"),
+    alt="A pole stands on the foot B on a truck that accelerates to the right. Upright, the "
+    "foot must give a moment; leaning forward at the angle whose tangent is a over g it needs "
+    "none.",
+    size=(6.4, 4.2),
+)
+def pole_on_truck(ax, build, a, tilt):
     """Figure 8.3: a pole on a truck, from ``build(a, tilt)``: ground, pole, foot."""
-
-    def draw(ax, a, tilt):
-        ground, pole, foot = build(a, math.radians(tilt))
-        mass, up = float(pole.mass), ground.vector(0, 0, 9.81)
-        tip = tuple(2 * x for x in (pole.centre - foot).components(ground))
-        d = (pole.centre - foot).expressed_in(ground)
-        needed = resultant_moment(pole, ground, foot).expressed_in(ground)
-        hinge = needed - d.cross(up * -mass)
-        s = Sketch(ax, ground, plane="xz")
-        s.box((0, 0, -0.25), ground, (2.6, 0.5, 0.3))
-        for x in (-0.9, 0.9):
-            s.disk((x, 0, -0.5), ground.j, 0.2)
-        s.road([(-1.8, 0, -0.7), (1.9, 0, -0.7)])
-        s.rod(O, tip)
-        s.vector(d.components(ground), up * -mass, "weight", kind="force")
-        s.vector((1.35, 0, -0.25), ground.i * a, "$a_B$", kind="acceleration", size="m/s²")
-        s.label(O, "B")
-        s.label(d.components(ground), "G")
-        ax.set_title(f"moment that the foot must give: {float(hinge.y):.1f} N m", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
-        Slider("tilt", 0, 0, 40, 1, label="leaning forward", unit="°"),
-        alt="A pole stands on the foot B on a truck that accelerates to the right. Upright, the "
-        "foot must give a moment; leaning forward at the angle whose tangent is a over g it needs "
-        "none.",
-        size=(6.4, 4.2),
-    )
+    ground, pole, foot = build(a, math.radians(tilt))
+    mass, up = float(pole.mass), ground.vector(0, 0, 9.81)
+    tip = tuple(2 * x for x in (pole.centre - foot).components(ground))
+    d = (pole.centre - foot).expressed_in(ground)
+    needed = resultant_moment(pole, ground, foot).expressed_in(ground)
+    hinge = needed - d.cross(up * -mass)
+    s = Sketch(ax, ground, plane="xz")
+    s.box((0, 0, -0.25), ground, (2.6, 0.5, 0.3))
+    for x in (-0.9, 0.9):
+        s.disk((x, 0, -0.5), ground.j, 0.2)
+    s.road([(-1.8, 0, -0.7), (1.9, 0, -0.7)])
+    s.rod(O, tip)
+    s.vector(d.components(ground), up * -mass, "weight", kind="force")
+    s.vector((1.35, 0, -0.25), ground.i * a, "$a_B$", kind="acceleration", size="m/s²")
+    s.label(O, "B")
+    s.label(d.components(ground), "G")
+    ax.set_title(f"moment that the foot must give: {float(hinge.y):.1f} N m", fontsize=11)
 
 
 def three_spins(times, runs):
@@ -159,101 +149,89 @@ def turning_rods(build, words, azimuth=-60):
     )
 
 
-def unbalanced_wheel(build):
+@with_sliders(
+    Slider("apart", 180, 0, 180, 15, label="weights apart by", unit="°"),
+    Slider("rate", 100, 0, 150, 25, label="ω", unit="rad/s"),
+    alt="The hub, spokes and rim of a wheel with two small weights at the rim, one before and one behind the "
+    "middle plane. Half a turn apart they balance as to force, but leave a moment across the "
+    "shaft that grows with the square of the rate.",
+    size=(6.2, 4.4),
+)
+def unbalanced_wheel(ax, build, apart, rate):
     """Figure 8.8: a wheel with two small weights, from ``build(apart, rate)``: ground, body."""
-
-    def draw(ax, apart, rate):
-        ground, body = build(math.radians(apart), rate)
-        s = Sketch(ax, ground, azimuth=-60, elevation=16, arrows=90)
-        s.shaft((0, 0, -0.22), (0, 0, 0.22))
-        for z in (-0.07, 0, 0.07):
-            s.ring((0, 0, z), ground.k, 0.18)
-        for end in s.around(O, (0.18, 0, 0), ground.k)[::10]:
-            s.rod(O, end)
-        for part in body.parts[1:]:
-            s.sphere(part.centre, 0.018)
-        s.dot(body.centre)
-        s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
-        a = body.centre.acceleration(ground) * float(body.mass)
-        ax.set_title(f"resultant force: {float(a.norm()):.1f} N", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("apart", 180, 0, 180, 15, label="weights apart by", unit="°"),
-        Slider("rate", 100, 0, 150, 25, label="ω", unit="rad/s"),
-        alt="The hub, spokes and rim of a wheel with two small weights at the rim, one before and one behind the "
-        "middle plane. Half a turn apart they balance as to force, but leave a moment across the "
-        "shaft that grows with the square of the rate.",
-        size=(6.2, 4.4),
-    )
+    ground, body = build(math.radians(apart), rate)
+    s = Sketch(ax, ground, azimuth=-60, elevation=16, arrows=90)
+    s.shaft((0, 0, -0.22), (0, 0, 0.22))
+    for z in (-0.07, 0, 0.07):
+        s.ring((0, 0, z), ground.k, 0.18)
+    for end in s.around(O, (0.18, 0, 0), ground.k)[::10]:
+        s.rod(O, end)
+    for part in body.parts[1:]:
+        s.sphere(part.centre, 0.018)
+    s.dot(body.centre)
+    s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
+    a = body.centre.acceleration(ground) * float(body.mass)
+    ax.set_title(f"resultant force: {float(a.norm()):.1f} N", fontsize=11)
 
 
-def drum_and_load(solve):
+@with_sliders(
+    Slider("drum", 20, 0, 80, 5, label="mass of the drum", unit="kg"),
+    alt="A load of 10 kg hangs on a rope that is wound on a drum. The tension T is smaller "
+    "than the weight mg while the load falls; the heavier the drum, the larger T and the "
+    "smaller the acceleration.",
+    size=(5, 4.6),
+)
+def drum_and_load(ax, solve, drum):
     """Figure 8.9: a drum lowers a load on a rope, from ``solve(drum)``: a and T for its mass."""
-
-    def draw(ax, drum):
-        found = solve(drum)
-        ground, C, r = Frame("ground"), (0, 0, 1.0), 0.3
-        s = Sketch(ax, ground, plane="xz")
-        s.ground((0, 0, 1.55), -ground.k, size=1.2)
-        s.rod((0, 0, 1.55), C)
-        wheel = s.pulley(C, ground.j, r)
-        s.hinge(C)
-        s.cable(wheel, (r, 0, 0.25))
-        s.box((r, 0, 0.12), ground, (0.26, 0.26, 0.26))
-        s.vector((r, 0, 0.25), ground.k * float(found.T), "$T$", kind="force", size="N")
-        s.vector((r, 0, 0.0), ground.k * -98.1, "$mg$", kind="force", size="N")
-        s.label(C, "G", offset=(-14, 4))
-        ax.set_title(f"acceleration of the load: {float(found.a):.2f} m/s²", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("drum", 20, 0, 80, 5, label="mass of the drum", unit="kg"),
-        alt="A load of 10 kg hangs on a rope that is wound on a drum. The tension T is smaller "
-        "than the weight mg while the load falls; the heavier the drum, the larger T and the "
-        "smaller the acceleration.",
-        size=(5, 4.6),
-    )
+    found = solve(drum)
+    ground, C, r = Frame("ground"), (0, 0, 1.0), 0.3
+    s = Sketch(ax, ground, plane="xz")
+    s.ground((0, 0, 1.55), -ground.k, size=1.2)
+    s.rod((0, 0, 1.55), C)
+    wheel = s.pulley(C, ground.j, r)
+    s.hinge(C)
+    s.cable(wheel, (r, 0, 0.25))
+    s.box((r, 0, 0.12), ground, (0.26, 0.26, 0.26))
+    s.vector((r, 0, 0.25), ground.k * float(found.T), "$T$", kind="force", size="N")
+    s.vector((r, 0, 0.0), ground.k * -98.1, "$mg$", kind="force", size="N")
+    s.label(C, "G", offset=(-14, 4))
+    ax.set_title(f"acceleration of the load: {float(found.a):.2f} m/s²", fontsize=11)
 
 
-def sphere(v0, mu, g, radius):
+@with_sliders(
+    Slider("t", 0.4, 0, 2, 0.1, label="time", unit="s"),
+    Slider("spin", 0.0, -50, 100, 50, label="spin at the start", unit="rad/s"),
+    alt="Left: a sphere on level ground with its velocity v and the friction F at its lowest "
+    "point. Right: v and minus omega r over time; they approach each other on straight lines "
+    "while the sphere slides, and are equal and constant when it rolls.",
+    size=(8.8, 3.8),
+    panels=(1, 2),
+)
+def sphere(axes, v0, mu, g, radius, t, spin):
     """Figure 8.10: the sphere at a time, and its speeds over time."""
     times = np.linspace(0, 2, 201)
-
-    def draw(axes, t, spin):
-        axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.25)
-        slip0 = v0 + spin * radius
-        given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
-        x, v, omega = (float(q) for q in sphere_at(t, *given))
-        slip = v + omega * radius
-        ground, C = Frame("ground"), (0, radius, 0)
-        s = Sketch(axes[0], ground, plane="xy")
-        s.road([(-1.6, 0, 0), (1.6, 0, 0)])
-        turned = _turned(t, given)
-        end = (radius * math.cos(turned), radius + radius * math.sin(turned), 0)
-        s.disk(C, ground.k, radius, spoke=end)
-        s.vector(C, ground.i * v, "$v$", size="m/s")
-        slips = abs(slip) > 1e-9
-        s.vector(O, ground.i * (-math.copysign(2.0, slip) if slips else 0.0), "$F$", kind="force")
-        axes[0].set_title(f"{'slides' if slips else 'rolls'}; x = {x:.2f} m", fontsize=11)
-        _, speeds, rates = sphere_at(times, *given)
-        axes[1].plot(times, speeds, color=BLUE, label="$v$")
-        axes[1].plot(times, -rates * radius, "--", color=RED, label=r"$-\omega r$")
-        axes[1].axvline(t, color="black", lw=0.8)
-        axes[1].axhline(0, color="black", lw=0.5)
-        axes[1].set(xlabel="time (s)", ylabel="m/s", xlim=(0, 2), ylim=(-21, 11))
-        axes[1].legend(frameon=False, loc="lower right")
-
-    interactive_figure(
-        draw,
-        Slider("t", 0.4, 0, 2, 0.1, label="time", unit="s"),
-        Slider("spin", 0.0, -50, 100, 50, label="spin at the start", unit="rad/s"),
-        alt="Left: a sphere on level ground with its velocity v and the friction F at its lowest "
-        "point. Right: v and minus omega r over time; they approach each other on straight lines "
-        "while the sphere slides, and are equal and constant when it rolls.",
-        size=(8.8, 3.8),
-        panels=(1, 2),
-    )
+    axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.25)
+    slip0 = v0 + spin * radius
+    given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
+    x, v, omega = (float(q) for q in sphere_at(t, *given))
+    slip = v + omega * radius
+    ground, C = Frame("ground"), (0, radius, 0)
+    s = Sketch(axes[0], ground, plane="xy")
+    s.road([(-1.6, 0, 0), (1.6, 0, 0)])
+    turned = _turned(t, given)
+    end = (radius * math.cos(turned), radius + radius * math.sin(turned), 0)
+    s.disk(C, ground.k, radius, spoke=end)
+    s.vector(C, ground.i * v, "$v$", size="m/s")
+    slips = abs(slip) > 1e-9
+    s.vector(O, ground.i * (-math.copysign(2.0, slip) if slips else 0.0), "$F$", kind="force")
+    axes[0].set_title(f"{'slides' if slips else 'rolls'}; x = {x:.2f} m", fontsize=11)
+    _, speeds, rates = sphere_at(times, *given)
+    axes[1].plot(times, speeds, color=BLUE, label="$v$")
+    axes[1].plot(times, -rates * radius, "--", color=RED, label=r"$-\omega r$")
+    axes[1].axvline(t, color="black", lw=0.8)
+    axes[1].axhline(0, color="black", lw=0.5)
+    axes[1].set(xlabel="time (s)", ylabel="m/s", xlim=(0, 2), ylim=(-21, 11))
+    axes[1].legend(frameon=False, loc="lower right")
 
 
 def _turned(t, given):
@@ -264,30 +242,26 @@ def _turned(t, given):
     return sliding + float(begin.omega) * (t - until)
 
 
-def pushed_rod():
+@with_sliders(
+    Slider("b", 0.5, -0.5, 0.5, 0.05, label="pushed at x", unit="m"),
+    alt="A rod on ice seen from above, pushed across by a force F. The accelerations of its "
+    "points vary linearly along the rod; that of the mass centre G is the same wherever the "
+    "rod is pushed.",
+    size=(6.4, 3.6),
+)
+def pushed_rod(ax, b):
     """Figure 8.11: a rod on ice that is pushed, and the accelerations of its points."""
-
-    def draw(ax, b):
-        ground, m, length, F = Frame("ground"), 2.0, 1.0, 10.0
-        a, alpha = F / m, F * b / (m * length**2 / 12)
-        s = Sketch(ax, ground, plane="xy", arrows=90)
-        s.rod((-0.5, 0, 0), (0.5, 0, 0))
-        for x in np.linspace(-0.5, 0.5, 9):
-            s.vector((x, 0, 0), ground.j * float(a + alpha * x), kind="acceleration")
-        s.vector((b, -0.25, 0), ground.j * F, "$F$", kind="force")
-        s.dot(O)
-        s.label(O, "G", offset=(0, -14))
-        rest = "none" if abs(b) < 1e-9 else f"x = {-1 / (12 * b):.3f} m"
-        ax.set_title(f"no acceleration at {rest}; at G {a:.1f} m/s²", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("b", 0.5, -0.5, 0.5, 0.05, label="pushed at x", unit="m"),
-        alt="A rod on ice seen from above, pushed across by a force F. The accelerations of its "
-        "points vary linearly along the rod; that of the mass centre G is the same wherever the "
-        "rod is pushed.",
-        size=(6.4, 3.6),
-    )
+    ground, m, length, F = Frame("ground"), 2.0, 1.0, 10.0
+    a, alpha = F / m, F * b / (m * length**2 / 12)
+    s = Sketch(ax, ground, plane="xy", arrows=90)
+    s.rod((-0.5, 0, 0), (0.5, 0, 0))
+    for x in np.linspace(-0.5, 0.5, 9):
+        s.vector((x, 0, 0), ground.j * float(a + alpha * x), kind="acceleration")
+    s.vector((b, -0.25, 0), ground.j * F, "$F$", kind="force")
+    s.dot(O)
+    s.label(O, "G", offset=(0, -14))
+    rest = "none" if abs(b) < 1e-9 else f"x = {-1 / (12 * b):.3f} m"
+    ax.set_title(f"no acceleration at {rest}; at G {a:.1f} m/s²", fontsize=11)
 
 
 def chatter(times, slips, exact):

@@ -12,8 +12,10 @@ import numpy as np
 
 from newton_euler import Frame, composite, particle
 from newton_euler.applications.rotors import balancing_masses, reactions
-from newton_euler.classroom import Slider, interactive_figure, show_figure
+from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
+
+from .sliding import with_sliders
 
 O = (0, 0, 0)
 PSI = Slider("psi", 40, 0, 360, 10, label="ψ", unit="°")
@@ -43,30 +45,26 @@ def wheel(s, ground, shaft, G, normal, radius=0.1):
     s.disk(G, normal, radius, spoke=G.position(ground) + shaft.k * radius)
 
 
-def symbols_of_a_rotor(build):
+@with_sliders(
+    PSI,
+    alt="A level shaft in the bearings A, on the left, and B, on the right, carries a disk "
+    "whose centre G is off the axis. Drawn: the fixed axes Y and Z, the axes x, y, z that turn "
+    "with the shaft, the angle psi from Y to y, and the distances a and b of the bearings.",
+)
+def symbols_of_a_rotor(ax, build, psi):
     """Figure 9.1: the frames, the bearings, the angle psi and the distance of G."""
-
-    def draw(ax, psi):
-        ground, shaft, A, B, body = build(psi=math.radians(psi))
-        s = in_bearings(ax, ground, shaft, A, B)
-        s.disk(body.centre, shaft.i, 0.1)
-        s.axes(O, ground, length=0.16, labels=["", "Y", "Z"])
-        s.axes(O, shaft, length=0.14, labels=["x", "y", "z"])
-        s.arc(O, ground.j * 0.1, shaft.j * 0.1, r"$\psi$", radius=0.07)
-        s.dot(body.centre)
-        s.label(body.centre, "G")
-        s.dot(O)
-        s.label(O, "O", offset=(-10, -10))
-        s.dimension(A, O, "a", offset=-0.17)
-        s.dimension(O, B, "b", offset=-0.17)
-
-    interactive_figure(
-        draw,
-        PSI,
-        alt="A level shaft in the bearings A, on the left, and B, on the right, carries a disk "
-        "whose centre G is off the axis. Drawn: the fixed axes Y and Z, the axes x, y, z that turn "
-        "with the shaft, the angle psi from Y to y, and the distances a and b of the bearings.",
-    )
+    ground, shaft, A, B, body = build(psi=math.radians(psi))
+    s = in_bearings(ax, ground, shaft, A, B)
+    s.disk(body.centre, shaft.i, 0.1)
+    s.axes(O, ground, length=0.16, labels=["", "Y", "Z"])
+    s.axes(O, shaft, length=0.14, labels=["x", "y", "z"])
+    s.arc(O, ground.j * 0.1, shaft.j * 0.1, r"$\psi$", radius=0.07)
+    s.dot(body.centre)
+    s.label(body.centre, "G")
+    s.dot(O)
+    s.label(O, "O", offset=(-10, -10))
+    s.dimension(A, O, "a", offset=-0.17)
+    s.dimension(O, B, "b", offset=-0.17)
 
 
 def lever():
@@ -95,25 +93,21 @@ def lever():
     )
 
 
-def turning_forces(build):
+@with_sliders(
+    Slider("psi", 0, 0, 360, 10, label="ψ", unit="°"),
+    Slider("omega", 20, 0, 30, 2, label="ω", unit="rad/s"),
+    alt="The shaft with a disk whose centre G is off the axis. The force of each bearing on the "
+    "shaft points from the axis away from G. Both forces are parallel, turn with the shaft, and the one at the "
+    "nearer bearing A is larger.",
+)
+def turning_forces(ax, build, psi, omega):
     """Figure 9.3: the forces on the shaft of an off-centre disk."""
-
-    def draw(ax, psi, omega):
-        ground, shaft, A, B, body = build(psi=math.radians(psi), omega=omega)
-        s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, shaft.i)
-        s.line(O, body.centre, style="solid")
-        s.label(body.centre, "G")
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
-
-    interactive_figure(
-        draw,
-        Slider("psi", 0, 0, 360, 10, label="ψ", unit="°"),
-        Slider("omega", 20, 0, 30, 2, label="ω", unit="rad/s"),
-        alt="The shaft with a disk whose centre G is off the axis. The force of each bearing on the "
-        "shaft points from the axis away from G. Both forces are parallel, turn with the shaft, and the one at the "
-        "nearer bearing A is larger.",
-    )
+    ground, shaft, A, B, body = build(psi=math.radians(psi), omega=omega)
+    s = in_bearings(ax, ground, shaft, A, B)
+    wheel(s, ground, shaft, body.centre, shaft.i)
+    s.line(O, body.centre, style="solid")
+    s.label(body.centre, "G")
+    bearing_forces(s, A, B, reactions(body, A, B, ground))
 
 
 def off_centre_film(build):
@@ -133,28 +127,24 @@ def off_centre_film(build):
     )
 
 
-def bent_disk(build):
+@with_sliders(
+    Slider("beta", 30, 0, 90, 5, label="β", unit="°"),
+    Slider("psi", 0, 0, 360, 10, label="ψ", unit="°"),
+    alt="A disk sits askew on its shaft, with its centre on the axis. The angular momentum H lies between "
+    "the shaft and the normal of the disk; its rate is at right angles to both. The bearing "
+    "forces are opposite and equal, a couple that turns with the shaft.",
+)
+def bent_disk(ax, build, beta, psi):
     """Figure 9.4: the bent disk with omega, H, dH/dt and the bearing forces."""
-
-    def draw(ax, beta, psi):
-        ground, shaft, A, B, body = build(beta=math.radians(beta), psi=math.radians(psi))
-        s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
-        H = body.angular_momentum(ground)
-        s.vector(O, H, r"$\mathbf{H}$", kind="velocity")
-        rate = H.rate(ground)
-        if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a little over
-            s.vector(O, rate, r"$\dot{\mathbf{H}}$", kind="rate")
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
-
-    interactive_figure(
-        draw,
-        Slider("beta", 30, 0, 90, 5, label="β", unit="°"),
-        Slider("psi", 0, 0, 360, 10, label="ψ", unit="°"),
-        alt="A disk sits askew on its shaft, with its centre on the axis. The angular momentum H lies between "
-        "the shaft and the normal of the disk; its rate is at right angles to both. The bearing "
-        "forces are opposite and equal, a couple that turns with the shaft.",
-    )
+    ground, shaft, A, B, body = build(beta=math.radians(beta), psi=math.radians(psi))
+    s = in_bearings(ax, ground, shaft, A, B)
+    wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
+    H = body.angular_momentum(ground)
+    s.vector(O, H, r"$\mathbf{H}$", kind="velocity")
+    rate = H.rate(ground)
+    if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a little over
+        s.vector(O, rate, r"$\dot{\mathbf{H}}$", kind="rate")
+    bearing_forces(s, A, B, reactions(body, A, B, ground))
 
 
 def bent_disk_film(build):
@@ -175,31 +165,27 @@ def bent_disk_film(build):
     )
 
 
-def balance_by_hand(build):
+@with_sliders(
+    Slider("m1", 0, 0, 600, 20, label="m₁", unit="g"),
+    Slider("angle1", 0, 0, 360, 10, label="angle of m₁", unit="°"),
+    Slider("m2", 0, 0, 600, 20, label="m₂", unit="g"),
+    Slider("angle2", 0, 0, 360, 10, label="angle of m₂", unit="°"),
+    alt="A rotor with two heavy spots and two light rings, on each of which a weight can be placed. "
+    "The bearing forces are drawn with their sizes; they vanish when both weights have the right "
+    "mass and angle.",
+)
+def balance_by_hand(ax, build, m1, angle1, m2, angle2):
     """Figure 9.5: two weights on a rotor, moved by the reader until the forces vanish."""
-
-    def draw(ax, m1, angle1, m2, angle2):
-        ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
-        weights = [
-            particle(m / 1000, spot(shaft, x, angle), f"weight {n}")
-            for n, m, angle, x in ((1, m1, angle1, -0.1), (2, m2, angle2, 0.2))
-            if m
-        ]
-        s = in_bearings(ax, ground, shaft, A, B)
-        draw_masses(s, shaft, body.parts, (-0.1, 0.2), weights)
-        found = reactions(composite("all", [body, *weights]), A, B, ground)
-        bearing_forces(s, A, B, found)
-
-    interactive_figure(
-        draw,
-        Slider("m1", 0, 0, 600, 20, label="m₁", unit="g"),
-        Slider("angle1", 0, 0, 360, 10, label="angle of m₁", unit="°"),
-        Slider("m2", 0, 0, 600, 20, label="m₂", unit="g"),
-        Slider("angle2", 0, 0, 360, 10, label="angle of m₂", unit="°"),
-        alt="A rotor with two heavy spots and two light rings, on each of which a weight can be placed. "
-        "The bearing forces are drawn with their sizes; they vanish when both weights have the right "
-        "mass and angle.",
-    )
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    weights = [
+        particle(m / 1000, spot(shaft, x, angle), f"weight {n}")
+        for n, m, angle, x in ((1, m1, angle1, -0.1), (2, m2, angle2, 0.2))
+        if m
+    ]
+    s = in_bearings(ax, ground, shaft, A, B)
+    draw_masses(s, shaft, body.parts, (-0.1, 0.2), weights)
+    found = reactions(composite("all", [body, *weights]), A, B, ground)
+    bearing_forces(s, A, B, found)
 
 
 def spot(shaft, x, degrees):
@@ -220,96 +206,84 @@ def draw_masses(s, shaft, spots, planes, weights):
         s.label(body.centre, name)
 
 
-def balancing(build):
+@with_sliders(
+    Slider("x1", -10, -18, -6, 1, label="plane 1 at x", unit="cm"),
+    Slider("x2", 20, 10, 28, 1, label="plane 2 at x", unit="cm"),
+    alt="The rotor with its two heavy spots and the two balancing weights, one in each plane, "
+    "drawn larger the heavier they are. The weight of a plane that is moved away becomes smaller.",
+)
+def balancing(ax, build, x1, x2):
     """Figure 9.6: where the balancing masses go, for two planes that the reader moves."""
-
-    def draw(ax, x1, x2):
-        ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
-        planes = [(x - 100 * A.position(shaft).x) / 100 for x in (x1, x2)]
-        weights = balancing_masses(body, A, B, planes, radius=0.1)
-        s = in_bearings(ax, ground, shaft, A, B)
-        draw_masses(s, shaft, body.parts, (x1 / 100, x2 / 100), weights)
-        told = ", ".join(f"{w.name}: {1000 * w.mass:.0f} g" for w in weights)
-        ax.set_title(told, fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("x1", -10, -18, -6, 1, label="plane 1 at x", unit="cm"),
-        Slider("x2", 20, 10, 28, 1, label="plane 2 at x", unit="cm"),
-        alt="The rotor with its two heavy spots and the two balancing weights, one in each plane, "
-        "drawn larger the heavier they are. The weight of a plane that is moved away becomes smaller.",
-    )
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    planes = [(x - 100 * A.position(shaft).x) / 100 for x in (x1, x2)]
+    weights = balancing_masses(body, A, B, planes, radius=0.1)
+    s = in_bearings(ax, ground, shaft, A, B)
+    draw_masses(s, shaft, body.parts, (x1 / 100, x2 / 100), weights)
+    told = ", ".join(f"{w.name}: {1000 * w.mass:.0f} g" for w in weights)
+    ax.set_title(told, fontsize=11)
 
 
-def general_rotor(build):
+@with_sliders(
+    Slider("psi", 50, 0, 360, 10, label="ψ", unit="°"),
+    alt="A level shaft seen from its end and from the side: X points vertically down, the angle "
+    "psi leads from X to the x axis of the body, and the weight acts at the mass centre G, "
+    "which is off the axis.",
+    size=(8.4, 4),
+    panels=(1, 2),
+)
+def general_rotor(axes, build, psi):
     """Figure 9.7: an end view of any body on a level shaft, X downward, and a side view."""
-
-    def draw(axes, psi):
-        ground, shaft, A, B, body = build(psi=math.radians(psi))
-        page = ground.rotate("page", "y", -math.pi / 2)  # its z points up, its x along the shaft
-        end, side = (
-            Sketch(axes[0], page, plane="yz"),
-            Sketch(axes[1], page, azimuth=-60, elevation=18),
-        )
-        G = body.centre
-        for s in (end, side):
-            s.axes(O, ground, length=0.2, labels=["X", "Y", ""], moved=False)
-            s.axes(O, shaft, length=0.17, labels=["x", "y", ""], moved=True)
-            s.box(G, shaft, (0.16, 0.1, 0.2))
-            s.dot(G)
-            s.label(G, "G")
-            s.vector(G, ground.i, r"$m\mathbf{g}$", kind="force")
-            s.line(shaft.point("", 0, 0, G.position(shaft).z), G)
-        end.arc(O, ground.i * 0.1, shaft.i * 0.1, r"$\psi$")
-        end.turn(O, ground.k, r"$\omega$")
-        side.shaft(A, shaft.point("", 0, 0, 0.4))
-        for P in (A, B):
-            side.hinge(P, axis=ground.k)
-            side.label(P, P.name)
-        for x in axes:
-            x.set_title("seen from B along the shaft" if x is axes[0] else "", fontsize=10)
-
-    interactive_figure(
-        draw,
-        Slider("psi", 50, 0, 360, 10, label="ψ", unit="°"),
-        alt="A level shaft seen from its end and from the side: X points vertically down, the angle "
-        "psi leads from X to the x axis of the body, and the weight acts at the mass centre G, "
-        "which is off the axis.",
-        size=(8.4, 4),
-        panels=(1, 2),
+    ground, shaft, A, B, body = build(psi=math.radians(psi))
+    page = ground.rotate("page", "y", -math.pi / 2)  # its z points up, its x along the shaft
+    end, side = (
+        Sketch(axes[0], page, plane="yz"),
+        Sketch(axes[1], page, azimuth=-60, elevation=18),
     )
+    G = body.centre
+    for s in (end, side):
+        s.axes(O, ground, length=0.2, labels=["X", "Y", ""], moved=False)
+        s.axes(O, shaft, length=0.17, labels=["x", "y", ""], moved=True)
+        s.box(G, shaft, (0.16, 0.1, 0.2))
+        s.dot(G)
+        s.label(G, "G")
+        s.vector(G, ground.i, r"$m\mathbf{g}$", kind="force")
+        s.line(shaft.point("", 0, 0, G.position(shaft).z), G)
+    end.arc(O, ground.i * 0.1, shaft.i * 0.1, r"$\psi$")
+    end.turn(O, ground.k, r"$\omega$")
+    side.shaft(A, shaft.point("", 0, 0, 0.4))
+    for P in (A, B):
+        side.hinge(P, axis=ground.k)
+        side.label(P, P.name)
+    for x in axes:
+        x.set_title("seen from B along the shaft" if x is axes[0] else "", fontsize=10)
 
 
-def force_over_a_turn(build):
+@with_sliders(
+    Slider("omega", 12, 0, 20, 0.5, label="ω", unit="rad/s"),
+    alt="The tip of the force of bearing A during one turn is a circle about the share of the "
+    "weight, which points upward. Its radius grows with the square of the rate; when it "
+    "exceeds the share of the weight, the force points downward for a part of the turn.",
+    size=(5.6, 5.2),
+)
+def force_over_a_turn(ax, build, omega):
     """Figure 9.8: the tip of the force of bearing A during one turn."""
     turns = np.radians(np.arange(0, 361, 10))
-
-    def draw(ax, omega):
-        tips = np.array([force_at_A(build, psi, omega) for psi in turns])
-        weight = force_at_A(build, 0.0, 0.0)
-        ax.plot(tips[:, 1], -tips[:, 0], color="#0072B2", label="tip of the force during one turn")
-        ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
-        ax.plot(0, 0, "k+", markersize=12, label="no force")
-        ax.annotate(
-            "", (tips[4, 1], -tips[4, 0]), (0, 0), arrowprops={"arrowstyle": "->", "color": "k"}
-        )
-        ax.set(
-            xlim=(-17, 17),
-            ylim=(-9, 25),
-            aspect="equal",
-            xlabel="along Y, level (N)",
-            ylabel="upward, −X (N)",
-        )
-        ax.legend(frameon=False, fontsize=9, loc="upper right")
-
-    interactive_figure(
-        draw,
-        Slider("omega", 12, 0, 20, 0.5, label="ω", unit="rad/s"),
-        alt="The tip of the force of bearing A during one turn is a circle about the share of the "
-        "weight, which points upward. Its radius grows with the square of the rate; when it "
-        "exceeds the share of the weight, the force points downward for a part of the turn.",
-        size=(5.6, 5.2),
+    tips = np.array([force_at_A(build, psi, omega) for psi in turns])
+    weight = force_at_A(build, 0.0, 0.0)
+    ax.plot(tips[:, 1], -tips[:, 0], color="#0072B2", label="tip of the force during one turn")
+    ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
+    ax.plot(0, 0, "k+", markersize=12, label="no force")
+    ax.annotate(
+        "", (tips[4, 1], -tips[4, 0]), (0, 0), arrowprops={"arrowstyle": "->", "color": "k"}
     )
+    ax.set(
+        xlim=(-17, 17),
+        ylim=(-9, 25),
+        aspect="equal",
+        xlabel="along Y, level (N)",
+        ylabel="upward, −X (N)",
+    )
+    ax.legend(frameon=False, fontsize=9, loc="upper right")
 
 
 def force_at_A(build, psi, omega):

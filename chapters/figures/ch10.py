@@ -18,10 +18,12 @@ from newton_euler.applications.gyroscopes import (
     steady_precession,
 )
 from newton_euler.applications.nutation import nutation
-from newton_euler.classroom import Slider, interactive_figure, show_figure
+from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.top import euler
+
+from .sliding import with_sliders
 
 O = (0, 0, 0)
 BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
@@ -39,61 +41,53 @@ def draw_top(s, body, length=0.75, radius=0.32):
     s.rod(middle, body.point("", 0, 0, length + 0.25))
 
 
-def points_at_rest(build):
+@with_sliders(
+    Slider("spin", 6, -8, 8, 1, label="spin", unit="rad/s"),
+    Slider("precession", 4, 0.5, 6, 0.5, label="precession", unit="rad/s"),
+    alt="A top stands on its fixed point B. A dash-dotted line through B along the angular "
+    "velocity omega lies between the vertical and the axis of the top; the velocities of two "
+    "points of the rim are drawn, at right angles to the plane of these lines.",
+)
+def points_at_rest(ax, build, spin, precession):
     """Figure 10.1: the velocities of some points of a top, and the line of those at rest."""
-
-    def draw(ax, spin, precession):
-        ground, body = build(precession=precession, spin=spin)
-        omega = body.angular_velocity(ground)
-        line = omega.expressed_in(ground) * (1 / omega.norm())
-        s = sketch(ax, ground)
-        draw_top(s, body)
-        s.line(line * -0.2, line * 1.1, style="centre")
-        s.vector(O, omega, r"$\omega$", kind="rate", size="rad/s")
-        for x in (-0.32, 0.32):
-            P = body.point("P", 0, x, 0.75)
-            s.vector(P, P.velocity(ground), size="m/s")
-        s.dot(O)
-        s.label(O, "B")
-        s.axes(O, ground, length=0.5, labels=["", "", "Z"])
-
-    interactive_figure(
-        draw,
-        Slider("spin", 6, -8, 8, 1, label="spin", unit="rad/s"),
-        Slider("precession", 4, 0.5, 6, 0.5, label="precession", unit="rad/s"),
-        alt="A top stands on its fixed point B. A dash-dotted line through B along the angular "
-        "velocity omega lies between the vertical and the axis of the top; the velocities of two "
-        "points of the rim are drawn, at right angles to the plane of these lines.",
-    )
+    ground, body = build(precession=precession, spin=spin)
+    omega = body.angular_velocity(ground)
+    line = omega.expressed_in(ground) * (1 / omega.norm())
+    s = sketch(ax, ground)
+    draw_top(s, body)
+    s.line(line * -0.2, line * 1.1, style="centre")
+    s.vector(O, omega, r"$\omega$", kind="rate", size="rad/s")
+    for x in (-0.32, 0.32):
+        P = body.point("P", 0, x, 0.75)
+        s.vector(P, P.velocity(ground), size="m/s")
+    s.dot(O)
+    s.label(O, "B")
+    s.axes(O, ground, length=0.5, labels=["", "", "Z"])
 
 
-def eulers_angles():
+@with_sliders(
+    Slider("psi", 40, 0, 170, 5, label="ψ", unit="°"),
+    Slider("theta", 50, 0, 170, 5, label="θ", unit="°"),
+    Slider("phi", 35, 0, 170, 5, label="φ", unit="°"),
+    alt="Fixed axes X, Y, Z, the axes x, y, z that precess and nutate, and the axes x', y' of the body, all with "
+    "one origin. The angle psi leads in the level plane from X to the line of nodes x, theta "
+    "from Z to z, and phi in the plane of the disk from x to x'.",
+    size=(7, 5),
+)
+def eulers_angles(ax, psi, theta, phi):
     """Figure 10.2: the three angles, with the axes of all frames."""
-
-    def draw(ax, psi, theta, phi):
-        ground = Frame("ground")
-        body = euler_frame(ground, "body", *map(math.radians, (psi, theta, phi)))
-        between = body.parent
-        s = sketch(ax, ground)
-        s.disk(O, body.k, 0.6)
-        s.axes(O, ground, length=1, labels="XYZ")
-        s.axes(O, between, length=0.9, labels="xyz")
-        s.axes(O, body, length=0.75, labels=["x'", "y'", ""])
-        s.line(between.i * -1, between.i * 1.2, style="centre")
-        s.arc(O, ground.i, between.i, r"$\psi$", radius=0.5)
-        s.arc(O, ground.k, between.k, r"$\theta$", radius=0.5)
-        s.arc(O, between.i, body.i, r"$\phi$", radius=0.6)
-
-    interactive_figure(
-        draw,
-        Slider("psi", 40, 0, 170, 5, label="ψ", unit="°"),
-        Slider("theta", 50, 0, 170, 5, label="θ", unit="°"),
-        Slider("phi", 35, 0, 170, 5, label="φ", unit="°"),
-        alt="Fixed axes X, Y, Z, the axes x, y, z that precess and nutate, and the axes x', y' of the body, all with "
-        "one origin. The angle psi leads in the level plane from X to the line of nodes x, theta "
-        "from Z to z, and phi in the plane of the disk from x to x'.",
-        size=(7, 5),
-    )
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", *map(math.radians, (psi, theta, phi)))
+    between = body.parent
+    s = sketch(ax, ground)
+    s.disk(O, body.k, 0.6)
+    s.axes(O, ground, length=1, labels="XYZ")
+    s.axes(O, between, length=0.9, labels="xyz")
+    s.axes(O, body, length=0.75, labels=["x'", "y'", ""])
+    s.line(between.i * -1, between.i * 1.2, style="centre")
+    s.arc(O, ground.i, between.i, r"$\psi$", radius=0.5)
+    s.arc(O, ground.k, between.k, r"$\theta$", radius=0.5)
+    s.arc(O, between.i, body.i, r"$\phi$", radius=0.6)
 
 
 def angles_film():
@@ -118,53 +112,45 @@ def angles_film():
     )
 
 
-def pendulum(momentum):
+@with_sliders(
+    Slider("theta", 120, 20, 160, 10, label="θ", unit="°"),
+    Slider("phi", 0, 0, 360, 30, label="φ", unit="°"),
+    Slider("spin", 0, -4, 4, 1, label="spin", unit="rad/s"),
+    alt="A thin bar hangs from a ball joint B. Its angular velocity omega has a component along "
+    "the bar, its angular momentum H has none: H is at right angles to the bar, however the "
+    "bar is turned about itself.",
+)
+def pendulum(ax, momentum, theta, phi, spin):
     """Figure 10.3: the bar on a ball joint with omega and H, from ``momentum(theta, phi, …)``."""
-
-    def draw(ax, theta, phi, spin):
-        ground, bar, H = momentum(math.radians(theta), math.radians(phi), spin)
-        s = sketch(ax, ground)
-        tip = bar.point("", 0, 0, 1)
-        s.rod(O, tip)
-        s.ball_joint(O)
-        s.label(O, "B")
-        s.axes(O, ground, length=0.5, labels=["", "", "Z"])
-        s.axes(O, bar, length=0.4, labels=["x'", "y'", "z'"])
-        s.vector(O, bar.angular_velocity(ground), r"$\omega$", kind="rate")
-        s.vector(O, H, r"$\mathbf{H}_B$", size="kg m²/s")
-
-    interactive_figure(
-        draw,
-        Slider("theta", 120, 20, 160, 10, label="θ", unit="°"),
-        Slider("phi", 0, 0, 360, 30, label="φ", unit="°"),
-        Slider("spin", 0, -4, 4, 1, label="spin", unit="rad/s"),
-        alt="A thin bar hangs from a ball joint B. Its angular velocity omega has a component along "
-        "the bar, its angular momentum H has none: H is at right angles to the bar, however the "
-        "bar is turned about itself.",
-    )
+    ground, bar, H = momentum(math.radians(theta), math.radians(phi), spin)
+    s = sketch(ax, ground)
+    tip = bar.point("", 0, 0, 1)
+    s.rod(O, tip)
+    s.ball_joint(O)
+    s.label(O, "B")
+    s.axes(O, ground, length=0.5, labels=["", "", "Z"])
+    s.axes(O, bar, length=0.4, labels=["x'", "y'", "z'"])
+    s.vector(O, bar.angular_velocity(ground), r"$\omega$", kind="rate")
+    s.vector(O, H, r"$\mathbf{H}_B$", size="kg m²/s")
 
 
-def spinning_top(build, I0, I):
+@with_sliders(
+    Slider("spin", 6, -12, 12, 1, label="spin", unit="rad/s"),
+    Slider("precession", 4, 0, 8, 0.5, label="precession", unit="rad/s"),
+    alt="A top with the axes x, y, z that do not spin: x level, z along the axis of the top. "
+    "Drawn: the angular velocity Omega of these axes along Z, omega of the body, which has the "
+    "spin in addition, and the angular momentum H, all in the plane of y and z.",
+)
+def spinning_top(ax, build, I0, I, spin, precession):
     """Figure 10.4: a top with Omega, omega and H."""
-
-    def draw(ax, spin, precession):
-        ground, body = build(precession=precession, spin=spin)
-        s = sketch(ax, ground)
-        draw_top(s, body)
-        s.axes(O, ground, length=0.6, labels=["", "", "Z"])
-        s.axes(O, body.parent, length=0.55)
-        s.vector(O, body.parent.angular_velocity(ground), r"$\Omega$", kind="rate", size="rad/s")
-        s.vector(O, body.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
-        s.vector(O, gyro_momentum(body, ground, I0, I), r"$\mathbf{H}_B$")
-
-    interactive_figure(
-        draw,
-        Slider("spin", 6, -12, 12, 1, label="spin", unit="rad/s"),
-        Slider("precession", 4, 0, 8, 0.5, label="precession", unit="rad/s"),
-        alt="A top with the axes x, y, z that do not spin: x level, z along the axis of the top. "
-        "Drawn: the angular velocity Omega of these axes along Z, omega of the body, which has the "
-        "spin in addition, and the angular momentum H, all in the plane of y and z.",
-    )
+    ground, body = build(precession=precession, spin=spin)
+    s = sketch(ax, ground)
+    draw_top(s, body)
+    s.axes(O, ground, length=0.6, labels=["", "", "Z"])
+    s.axes(O, body.parent, length=0.55)
+    s.vector(O, body.parent.angular_velocity(ground), r"$\Omega$", kind="rate", size="rad/s")
+    s.vector(O, body.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
+    s.vector(O, gyro_momentum(body, ground, I0, I), r"$\mathbf{H}_B$")
 
 
 TOP = {"I0": 0.02, "I": 0.01, "mgr": 0.5, "omega_z": 30.0}
@@ -189,25 +175,21 @@ def path_of_axis(precession, time, pictures):
     return [tip(*angles) for angles in zip(found["psi"], found["theta"], strict=True)]
 
 
-def nutation_paths():
+@with_sliders(
+    Slider("precession", 0, -2, 4, 0.25, label="precession at the start", unit="rad/s"),
+    alt="The path of a top's axis on a sphere about the fixed point. Let go without "
+    "precession it has cusps at the top of each nod; with a start against the precession it has "
+    "loops, with a slow start along it waves.",
+    size=(6.4, 4.8),
+)
+def nutation_paths(ax, precession):
     """Figure 10.5: the path of the axis on a sphere, for each start."""
-
-    def draw(ax, precession):
-        s = sketch(ax, Frame("ground"), azimuth=-60, elevation=50)
-        s.sphere(O, 1)
-        s.path(path_of_axis(precession, 3.0, 200), on=O)
-        limits = nutation(**TOP, theta=0.6, theta_rate=0.0, precession=precession)
-        low, high = math.degrees(limits.theta_min), math.degrees(limits.theta_max)
-        ax.set_title(f"{limits.kind}: θ from {low:.1f}° to {high:.1f}°", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("precession", 0, -2, 4, 0.25, label="precession at the start", unit="rad/s"),
-        alt="The path of a top's axis on a sphere about the fixed point. Let go without "
-        "precession it has cusps at the top of each nod; with a start against the precession it has "
-        "loops, with a slow start along it waves.",
-        size=(6.4, 4.8),
-    )
+    s = sketch(ax, Frame("ground"), azimuth=-60, elevation=50)
+    s.sphere(O, 1)
+    s.path(path_of_axis(precession, 3.0, 200), on=O)
+    limits = nutation(**TOP, theta=0.6, theta_rate=0.0, precession=precession)
+    low, high = math.degrees(limits.theta_min), math.degrees(limits.theta_max)
+    ax.set_title(f"{limits.kind}: θ from {low:.1f}° to {high:.1f}°", fontsize=11)
 
 
 def top_film():
@@ -236,30 +218,26 @@ def top_film():
     )
 
 
-def steady_top(build, I0, I):
+@with_sliders(
+    Slider("theta", 50, 10, 120, 10, label="θ", unit="°"),
+    Slider("spin", 60, 20, 100, 10, label="spin", unit="rad/s"),
+    alt="A top that precesses steadily. The angular momentum H lies near its axis; the moment "
+    "of the weight is level and at right angles to it, and so the tip of H moves sideways, "
+    "round the vertical, and not down.",
+)
+def steady_top(ax, build, I0, I, theta, spin):
     """Figure 10.6: H, its rate and the moment in a steady precession."""
-
-    def draw(ax, theta, spin):
-        theta = math.radians(theta)
-        rate = steady_precession(I0, I, theta, spin=spin, mgr=0.5).slow
-        ground, body = build(theta=theta, precession=rate, spin=spin)
-        H = gyro_momentum(body, ground, I0, I)
-        s = sketch(ax, ground)
-        draw_top(s, body)
-        s.vector(O, H, r"$\mathbf{H}_B$")
-        s.vector(O, H.rate(ground), r"$\mathbf{M}_B=\dot{\mathbf{H}}_B$", "force", size="N m")
-        s.vector(body.point("G", 0, 0, 0.55), ground.k * -1, r"$m\mathbf{g}$", kind="acceleration")
-        s.turn(ground.k * 0.9, ground.k * rate, rf"$\dot\psi$ = {rate:.2f} rad/s")
-        s.line(O, ground.k, style="centre")
-
-    interactive_figure(
-        draw,
-        Slider("theta", 50, 10, 120, 10, label="θ", unit="°"),
-        Slider("spin", 60, 20, 100, 10, label="spin", unit="rad/s"),
-        alt="A top that precesses steadily. The angular momentum H lies near its axis; the moment "
-        "of the weight is level and at right angles to it, and so the tip of H moves sideways, "
-        "round the vertical, and not down.",
-    )
+    theta = math.radians(theta)
+    rate = steady_precession(I0, I, theta, spin=spin, mgr=0.5).slow
+    ground, body = build(theta=theta, precession=rate, spin=spin)
+    H = gyro_momentum(body, ground, I0, I)
+    s = sketch(ax, ground)
+    draw_top(s, body)
+    s.vector(O, H, r"$\mathbf{H}_B$")
+    s.vector(O, H.rate(ground), r"$\mathbf{M}_B=\dot{\mathbf{H}}_B$", "force", size="N m")
+    s.vector(body.point("G", 0, 0, 0.55), ground.k * -1, r"$m\mathbf{g}$", kind="acceleration")
+    s.turn(ground.k * 0.9, ground.k * rate, rf"$\dot\psi$ = {rate:.2f} rad/s")
+    s.line(O, ground.k, style="centre")
 
 
 def both_rates(I0, I, theta, mgr):
@@ -283,37 +261,33 @@ def both_rates(I0, I, theta, mgr):
     )
 
 
-def hanging_rod(angle):
+@with_sliders(
+    Slider("omega", 5.0, 0, 7, 0.25, label="ω", unit="rad/s"),
+    alt="Left, a rod hinged to a vertical shaft, swung out by the angle theta. Right, the "
+    "effective potential against theta: one valley at zero below the critical rate, two "
+    "valleys beside a hill above it; a dot marks the angle of the rod.",
+    size=(8.4, 4),
+    panels=(1, 2),
+)
+def hanging_rod(axes, angle, omega):
     """Figure 10.8: the rod on its shaft at ``angle(omega)``, and its effective potential."""
     thetas = np.radians(np.linspace(-90, 90, 181))
     w0 = math.sqrt(1.5 * 9.81)
-
-    def draw(axes, omega):
-        left, right = axes
-        ground = Frame("ground")
-        s = Sketch(left, ground, plane="xz")
-        s.shaft((0, 0, 0.35), (0, 0, -1.1))
-        theta = angle(omega)
-        end = (math.sin(theta), 0, -math.cos(theta))
-        s.rod(O, end)
-        s.hinge(O)
-        s.turn((0, 0, 0.25), ground.k, r"$\omega$")
-        s.arc(O, (0, 0, -1), end, r"$\theta$", radius=0.5)
-        potential = -np.cos(thetas) - (omega / w0) ** 2 * np.sin(thetas) ** 2 / 2
-        right.plot(np.degrees(thetas), potential, color=BLUE)
-        right.plot(math.degrees(theta), np.interp(theta, thetas, potential), "o", color=ORANGE)
-        right.set(
-            xlim=(-90, 90), ylim=(-1.9, 0.1), xlabel="θ (°)", ylabel="effective potential / (mgL/2)"
-        )
-
-    interactive_figure(
-        draw,
-        Slider("omega", 5.0, 0, 7, 0.25, label="ω", unit="rad/s"),
-        alt="Left, a rod hinged to a vertical shaft, swung out by the angle theta. Right, the "
-        "effective potential against theta: one valley at zero below the critical rate, two "
-        "valleys beside a hill above it; a dot marks the angle of the rod.",
-        size=(8.4, 4),
-        panels=(1, 2),
+    left, right = axes
+    ground = Frame("ground")
+    s = Sketch(left, ground, plane="xz")
+    s.shaft((0, 0, 0.35), (0, 0, -1.1))
+    theta = angle(omega)
+    end = (math.sin(theta), 0, -math.cos(theta))
+    s.rod(O, end)
+    s.hinge(O)
+    s.turn((0, 0, 0.25), ground.k, r"$\omega$")
+    s.arc(O, (0, 0, -1), end, r"$\theta$", radius=0.5)
+    potential = -np.cos(thetas) - (omega / w0) ** 2 * np.sin(thetas) ** 2 / 2
+    right.plot(np.degrees(thetas), potential, color=BLUE)
+    right.plot(math.degrees(theta), np.interp(theta, thetas, potential), "o", color=ORANGE)
+    right.set(
+        xlim=(-90, 90), ylim=(-1.9, 0.1), xlabel="θ (°)", ylabel="effective potential / (mgL/2)"
     )
 
 
@@ -336,26 +310,22 @@ def draw_cones(s, ground, ratio, theta, psi, phi):
     s.label(body.k * 1.35, "z", bold=False)
 
 
-def cones():
+@with_sliders(
+    Slider("ratio", 0.4, 0.2, 1.9, 0.1, label="I/I₀"),
+    Slider("theta", 35, 10, 60, 5, label="θ", unit="°"),
+    Slider("gone", 60, 0, 360, 10, label="gone round", unit="°"),
+    alt="Two cones with one apex: the space cone about the fixed angular momentum H, the body "
+    "cone about the axis z of the body. They touch along the angular velocity omega. For a "
+    "slender body the body cone rolls on the outside of the space cone.",
+    size=(6.4, 4.8),
+)
+def cones(ax, ratio, theta, gone):
     """Figure 10.9: the body cone rolls on the space cone."""
-
-    def draw(ax, ratio, theta, gone):
-        ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(gone)
-        phi = psi * (1 - ratio) * math.cos(theta) / ratio
-        draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
-        sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "no spin"
-        ax.set_title(sense, fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("ratio", 0.4, 0.2, 1.9, 0.1, label="I/I₀"),
-        Slider("theta", 35, 10, 60, 5, label="θ", unit="°"),
-        Slider("gone", 60, 0, 360, 10, label="gone round", unit="°"),
-        alt="Two cones with one apex: the space cone about the fixed angular momentum H, the body "
-        "cone about the axis z of the body. They touch along the angular velocity omega. For a "
-        "slender body the body cone rolls on the outside of the space cone.",
-        size=(6.4, 4.8),
-    )
+    ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(gone)
+    phi = psi * (1 - ratio) * math.cos(theta) / ratio
+    draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
+    sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "no spin"
+    ax.set_title(sense, fontsize=11)
 
 
 def cones_film(ratio, theta):
@@ -374,69 +344,57 @@ def cones_film(ratio, theta):
     )
 
 
-def three_at_right_angles(build):
+@with_sliders(
+    Slider("spin", 100, -100, 100, 20, label="spin", unit="rad/s"),
+    Slider("precession", 2, -4, 4, 0.5, label="precession", unit="rad/s"),
+    alt="A wheel with a level axle. The spin points along the axle, the precession upward, and "
+    "the moment that the wheel needs along the third, level direction: precession cross spin.",
+)
+def three_at_right_angles(ax, build, spin, precession):
     """Figure 10.10: spin, precession and moment for theta = 90 degrees."""
-
-    def draw(ax, spin, precession):
-        ground, body = build(theta=math.pi / 2, precession=precession, spin=spin)
-        between = body.parent
-        s = sketch(ax, ground, azimuth=70)
-        s.disk(O, body.k, 0.5, spoke=body.point("", 0.5, 0, 0))
-        s.rod(between.point("", 0, 0, -0.4), between.point("", 0, 0, 0.5))
-        s.vector(O, between.k * spin, r"$\dot\phi\,\hat k$", kind="rate")
-        s.vector(O, between.j * precession * 20, r"$\dot\psi\,\hat\jmath$", kind="rate")
-        s.vector(O, between.i * (0.01 * spin * precession), r"$\mathbf{M}$", "force", size="N m")
-
-    interactive_figure(
-        draw,
-        Slider("spin", 100, -100, 100, 20, label="spin", unit="rad/s"),
-        Slider("precession", 2, -4, 4, 0.5, label="precession", unit="rad/s"),
-        alt="A wheel with a level axle. The spin points along the axle, the precession upward, and "
-        "the moment that the wheel needs along the third, level direction: precession cross spin.",
-    )
+    ground, body = build(theta=math.pi / 2, precession=precession, spin=spin)
+    between = body.parent
+    s = sketch(ax, ground, azimuth=70)
+    s.disk(O, body.k, 0.5, spoke=body.point("", 0.5, 0, 0))
+    s.rod(between.point("", 0, 0, -0.4), between.point("", 0, 0, 0.5))
+    s.vector(O, between.k * spin, r"$\dot\phi\,\hat k$", kind="rate")
+    s.vector(O, between.j * precession * 20, r"$\dot\psi\,\hat\jmath$", kind="rate")
+    s.vector(O, between.i * (0.01 * spin * precession), r"$\mathbf{M}$", "force", size="N m")
 
 
-def car(loads):
+@with_sliders(
+    Slider("rotor", 0, 0, 1200, 100, label="rotor", unit="rad/s"),
+    alt="A car from behind in a turn to the left. Without the rotor nearly the whole weight is "
+    "on the outer wheels, on the right; with the rotor at 1000 rad/s both sides carry half.",
+    size=(6.2, 4.4),
+)
+def car(ax, loads, rotor):
     """Figure 10.11: a car in a left turn from behind, with the loads of its wheels."""
-
-    def draw(ax, rotor):
-        ground = Frame("ground")
-        s = Sketch(ax, ground, plane="yz", arrows=90)
-        inner, outer = loads(rotor)
-        s.box((0, 0, 3.7), ground, (8, 5.8, 3.4))
-        for y, load, name in ((2.5, outer, "outer"), (-2.5, inner, "inner")):
-            s.plate(
-                [(0, y + w, z) for w, z in ((-0.4, 0), (0.4, 0), (0.4, 2), (-0.4, 2))], shade="dark"
-            )
-            s.vector((0, y, 0), ground.k * load, f"{name} {load:.0f} lb", kind="force")
-        s.dot((0, 0, 4))
-        s.label((0, 0, 4), "G")
-        s.road([(0, -4.5, 0), (0, 4.5, 0)])
-
-    interactive_figure(
-        draw,
-        Slider("rotor", 0, 0, 1200, 100, label="rotor", unit="rad/s"),
-        alt="A car from behind in a turn to the left. Without the rotor nearly the whole weight is "
-        "on the outer wheels, on the right; with the rotor at 1000 rad/s both sides carry half.",
-        size=(6.2, 4.4),
-    )
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="yz", arrows=90)
+    inner, outer = loads(rotor)
+    s.box((0, 0, 3.7), ground, (8, 5.8, 3.4))
+    for y, load, name in ((2.5, outer, "outer"), (-2.5, inner, "inner")):
+        s.plate(
+            [(0, y + w, z) for w, z in ((-0.4, 0), (0.4, 0), (0.4, 2), (-0.4, 2))], shade="dark"
+        )
+        s.vector((0, y, 0), ground.k * load, f"{name} {load:.0f} lb", kind="force")
+    s.dot((0, 0, 4))
+    s.label((0, 0, 4), "G")
+    s.road([(0, -4.5, 0), (0, 4.5, 0)])
 
 
-def compass_swings(I0, I, omega_z, earth_rate):
+@with_sliders(
+    Slider("latitude", 45, 0, 85, 5, label="latitude", unit="°"),
+    alt="The azimuth of a gyrocompass against time swings to and fro about north like a "
+    "pendulum, with a period of about twenty seconds; nearer to the pole it swings more slowly.",
+    size=(6.4, 3.6),
+)
+def compass_swings(ax, I0, I, omega_z, earth_rate, latitude):
     """Figure 10.12: azimuth of a gyrocompass against time, for a latitude."""
     times = np.linspace(0, 120, 400)
-
-    def draw(ax, latitude):
-        model = gyrocompass(I0, I, omega_z, earth_rate, math.radians(latitude))
-        found = integrate(model, 120.0, (1.0, 0.0)).at(times)
-        ax.plot(times, np.degrees(found["azimuth"]), color=BLUE)
-        ax.axhline(0, color="#777777", lw=0.8)
-        ax.set(xlim=(0, 120), ylim=(-70, 70), xlabel="time (s)", ylabel="axis east of north (°)")
-
-    interactive_figure(
-        draw,
-        Slider("latitude", 45, 0, 85, 5, label="latitude", unit="°"),
-        alt="The azimuth of a gyrocompass against time swings to and fro about north like a "
-        "pendulum, with a period of about twenty seconds; nearer to the pole it swings more slowly.",
-        size=(6.4, 3.6),
-    )
+    model = gyrocompass(I0, I, omega_z, earth_rate, math.radians(latitude))
+    found = integrate(model, 120.0, (1.0, 0.0)).at(times)
+    ax.plot(times, np.degrees(found["azimuth"]), color=BLUE)
+    ax.axhline(0, color="#777777", lw=0.8)
+    ax.set(xlim=(0, 120), ylim=(-70, 70), xlabel="time (s)", ylabel="axis east of north (°)")

@@ -12,6 +12,8 @@ from newton_euler.dynamics.energy import gyroscope_energy
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
 
+from .sliding import with_sliders
+
 O = (0, 0, 0)
 G_SI = 9.81
 COLOURS = "#0072B2", "#D55E00", "#009E73", "#555555"
@@ -93,36 +95,32 @@ def _area(ax, s, F_t, n):
     _name_scale(ax, "$F_t$ (N)")
 
 
-def couple():
+@with_sliders(
+    Slider("angle", 60, 0, 180, 10, label="angle from r to F", unit="°"),
+    alt="A plate turns at omega. A force F acts at its point D and the opposite force at C; r "
+    "leads from C to D, and D moves relative to C with the velocity omega cross r, at right "
+    "angles to r.",
+    size=(6.4, 4.2),
+)
+def couple(ax, angle):
     """Figure 11.2: the two forces of a couple, and the velocities of the points they act on."""
-
-    def draw(ax, angle):
-        ground = Frame("ground")
-        C = ground.point("C", 0.2, 0, 0)
-        body = ground.rotate("body", "z", angle=math.radians(25), rate=1.0, origin=C)
-        D = body.point("D", 1.0, 0, 0)
-        force = math.cos(math.radians(angle)) * body.i + math.sin(math.radians(angle)) * body.j
-        sketch = Sketch(ax, ground, plane="xy")
-        corners = ((-0.25, -0.3), (1.25, -0.3), (1.25, 0.3), (-0.25, 0.3))
-        sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
-        sketch.arrow(C, D, r"$\mathbf{r}$")
-        sketch.vector(D, force, r"$\mathbf{F}$", kind="force")
-        sketch.vector(C, -1.0 * force, r"$-\mathbf{F}$", kind="force")
-        sketch.vector(D, 0.6 * body.j, r"$\omega\times\mathbf{r}$")
-        sketch.turn(C, ground.k, r"$\omega$", radius=0.16)
-        for place, name in ((C, "C"), (D, "D")):
-            sketch.label(place, name)
-        moment = math.sin(math.radians(angle))
-        ax.set_title(f"moment and power: {moment:.2f} of the greatest possible", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("angle", 60, 0, 180, 10, label="angle from r to F", unit="°"),
-        alt="A plate turns at omega. A force F acts at its point D and the opposite force at C; r "
-        "leads from C to D, and D moves relative to C with the velocity omega cross r, at right "
-        "angles to r.",
-        size=(6.4, 4.2),
-    )
+    ground = Frame("ground")
+    C = ground.point("C", 0.2, 0, 0)
+    body = ground.rotate("body", "z", angle=math.radians(25), rate=1.0, origin=C)
+    D = body.point("D", 1.0, 0, 0)
+    force = math.cos(math.radians(angle)) * body.i + math.sin(math.radians(angle)) * body.j
+    sketch = Sketch(ax, ground, plane="xy")
+    corners = ((-0.25, -0.3), (1.25, -0.3), (1.25, 0.3), (-0.25, 0.3))
+    sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
+    sketch.arrow(C, D, r"$\mathbf{r}$")
+    sketch.vector(D, force, r"$\mathbf{F}$", kind="force")
+    sketch.vector(C, -1.0 * force, r"$-\mathbf{F}$", kind="force")
+    sketch.vector(D, 0.6 * body.j, r"$\omega\times\mathbf{r}$")
+    sketch.turn(C, ground.k, r"$\omega$", radius=0.16)
+    for place, name in ((C, "C"), (D, "D")):
+        sketch.label(place, name)
+    moment = math.sin(math.radians(angle))
+    ax.set_title(f"moment and power: {moment:.2f} of the greatest possible", fontsize=11)
 
 
 # -- a particle
@@ -169,40 +167,36 @@ def pendulum_with_pin(speed, cord, pin, angle):
     )
 
 
-def two_works(forces):
+@with_sliders(
+    Slider("bulge", 0.6, -1, 1, 0.1, label="bulge of the path", unit="m"),
+    alt="Left: a path from A to B that bulges up or down in a field of arrows that go round "
+    "the origin. Right: two bars. The work of the weight is the same for every bulge; that of "
+    "the swirling force changes with it, even its sign.",
+    size=(9, 3.9),
+    panels=(1, 2),
+)
+def two_works(axes, forces, bulge):
     """Figure 11.4: the work of each of two forces on paths from A to B that bulge differently."""
     grid = [n / 3 for n in range(-4, 11)]
-
-    def draw(axes, bulge):
-        works = {
-            name: work_along(F, lambda q: _bulging(q, bulge), 0.0, 1.0).value
-            for name, F in forces.items()
-        }
-        q = np.linspace(0, 1, 61)
-        ax = axes[0]
-        X, Y = np.meshgrid(grid, grid)
-        around = list(forces.values())[1]
-        swirl = np.array([[around(x, y, 0)[:2] for x in grid] for y in grid])
-        ax.quiver(
-            X, Y, *np.moveaxis(swirl, 2, 0), color=COLOURS[1], width=0.007, scale=300, pivot="mid"
-        )
-        ax.plot(2 * q, q + bulge * np.sin(math.pi * q), color="black", lw=2)
-        for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
-            ax.plot(x, y, "ko")
-            ax.annotate(name, (x, y), (6, -12), textcoords="offset points", weight="bold")
-        ax.set(xlim=(-0.7, 2.7), ylim=(-1.2, 2.2), aspect="equal", xlabel="x (m)", ylabel="y (m)")
-        bars(axes[1], works, -32, 32)
-        axes[1].set_title("work from A to B", fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("bulge", 0.6, -1, 1, 0.1, label="bulge of the path", unit="m"),
-        alt="Left: a path from A to B that bulges up or down in a field of arrows that go round "
-        "the origin. Right: two bars. The work of the weight is the same for every bulge; that of "
-        "the swirling force changes with it, even its sign.",
-        size=(9, 3.9),
-        panels=(1, 2),
+    works = {
+        name: work_along(F, lambda q: _bulging(q, bulge), 0.0, 1.0).value
+        for name, F in forces.items()
+    }
+    q = np.linspace(0, 1, 61)
+    ax = axes[0]
+    X, Y = np.meshgrid(grid, grid)
+    around = list(forces.values())[1]
+    swirl = np.array([[around(x, y, 0)[:2] for x in grid] for y in grid])
+    ax.quiver(
+        X, Y, *np.moveaxis(swirl, 2, 0), color=COLOURS[1], width=0.007, scale=300, pivot="mid"
     )
+    ax.plot(2 * q, q + bulge * np.sin(math.pi * q), color="black", lw=2)
+    for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
+        ax.plot(x, y, "ko")
+        ax.annotate(name, (x, y), (6, -12), textcoords="offset points", weight="bold")
+    ax.set(xlim=(-0.7, 2.7), ylim=(-1.2, 2.2), aspect="equal", xlabel="x (m)", ylabel="y (m)")
+    bars(axes[1], works, -32, 32)
+    axes[1].set_title("work from A to B", fontsize=11)
 
 
 def _bulging(q, bulge):
@@ -324,68 +318,60 @@ def weight_on_spring(m, stiffness):
 # -- rigid bodies
 
 
-def pair_in_a_body():
+@with_sliders(
+    Slider("turn", 20, 0, 180, 5, label="angle of the body", unit="°"),
+    alt="A rigid plate moves and turns. The velocities of its points i and j differ, but their "
+    "components along the line from i to j, drawn as shorter arrows, are equal.",
+    size=(6.4, 4.4),
+)
+def pair_in_a_body(ax, turn):
     """Figure 11.8: the velocities of two points of a rigid body and their parts along the line."""
-
-    def draw(ax, turn):
-        ground = Frame("ground")
-        body = ground.rotate("body", "z", angle=math.radians(turn), rate=1.0)
-        ends = {"i": body.point("i", -0.7, 0, 0), "j": body.point("j", 0.7, 0.2, 0)}
-        line = (ends["j"] - ends["i"]).direction()
-        drift = ground.vector(0.8, 0.3, 0)
-        sketch = Sketch(ax, ground, plane="xy")
-        corners = ((-1, -0.5), (1, -0.5), (1, 0.55), (-1, 0.55))
-        sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
-        sketch.line(*ends.values())
-        for name, P in ends.items():
-            v = P.velocity(ground) + drift
-            along = v.dot(line)
-            sketch.vector(P, v, rf"$\mathbf{{v}}_{name}$", size="m/s")
-            sketch.vector(P, along * line, "")
-            sketch.label(P, name)
-        ax.set_title(
-            f"component from i to j: {along:.3f} m/s for both".replace("-", "\N{MINUS SIGN}"),
-            fontsize=11,
-        )
-
-    interactive_figure(
-        draw,
-        Slider("turn", 20, 0, 180, 5, label="angle of the body", unit="°"),
-        alt="A rigid plate moves and turns. The velocities of its points i and j differ, but their "
-        "components along the line from i to j, drawn as shorter arrows, are equal.",
-        size=(6.4, 4.4),
+    ground = Frame("ground")
+    body = ground.rotate("body", "z", angle=math.radians(turn), rate=1.0)
+    ends = {"i": body.point("i", -0.7, 0, 0), "j": body.point("j", 0.7, 0.2, 0)}
+    line = (ends["j"] - ends["i"]).direction()
+    drift = ground.vector(0.8, 0.3, 0)
+    sketch = Sketch(ax, ground, plane="xy")
+    corners = ((-1, -0.5), (1, -0.5), (1, 0.55), (-1, 0.55))
+    sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
+    sketch.line(*ends.values())
+    for name, P in ends.items():
+        v = P.velocity(ground) + drift
+        along = v.dot(line)
+        sketch.vector(P, v, rf"$\mathbf{{v}}_{name}$", size="m/s")
+        sketch.vector(P, along * line, "")
+        sketch.label(P, name)
+    ax.set_title(
+        f"component from i to j: {along:.3f} m/s for both".replace("-", "\N{MINUS SIGN}"),
+        fontsize=11,
     )
 
 
-def particle_of_a_body():
+@with_sliders(
+    Slider("turn", 330, 0, 360, 10, label="place of the particle", unit="°"),
+    alt="A round body with its centre of mass G. A particle i lies at rho from G and at r from "
+    "the origin O; its velocity is that of G plus omega cross rho, which turns with the "
+    "particle and cancels over the whole body.",
+    size=(6.6, 4.2),
+)
+def particle_of_a_body(ax, turn):
     """Figure 11.9: a particle of a rigid body from the centre of mass, and its velocity."""
-
-    def draw(ax, turn):
-        ground = Frame("ground")
-        G = (1.2, 0.7, 0)
-        body = ground.rotate("body", "z", angle=math.radians(turn), origin=ground.point("G", *G))
-        P = body.point("i", 0.55, 0, 0)
-        v_G = ground.vector(0.7, 0, 0)
-        sketch = Sketch(ax, ground, plane="xy")
-        sketch.disk(G, ground.k, 0.7)
-        sketch.arrow(O, G, r"$\bar{\mathbf{r}}$")
-        sketch.arrow(G, P, r"$\rho_i$")
-        sketch.arrow(O, P, r"$\mathbf{r}_i$")
-        sketch.vector(G, v_G, r"$\bar{\mathbf{v}}$")
-        turning = 0.55 * body.j.expressed_in(ground)
-        sketch.vector(P, v_G + turning, r"$\mathbf{v}_i$")
-        sketch.vector(P, turning, r"$\omega\times\rho_i$")
-        for place, name in ((O, "O"), (G, "G")):
-            sketch.label(place, name)
-
-    interactive_figure(
-        draw,
-        Slider("turn", 330, 0, 360, 10, label="place of the particle", unit="°"),
-        alt="A round body with its centre of mass G. A particle i lies at rho from G and at r from "
-        "the origin O; its velocity is that of G plus omega cross rho, which turns with the "
-        "particle and cancels over the whole body.",
-        size=(6.6, 4.2),
-    )
+    ground = Frame("ground")
+    G = (1.2, 0.7, 0)
+    body = ground.rotate("body", "z", angle=math.radians(turn), origin=ground.point("G", *G))
+    P = body.point("i", 0.55, 0, 0)
+    v_G = ground.vector(0.7, 0, 0)
+    sketch = Sketch(ax, ground, plane="xy")
+    sketch.disk(G, ground.k, 0.7)
+    sketch.arrow(O, G, r"$\bar{\mathbf{r}}$")
+    sketch.arrow(G, P, r"$\rho_i$")
+    sketch.arrow(O, P, r"$\mathbf{r}_i$")
+    sketch.vector(G, v_G, r"$\bar{\mathbf{v}}$")
+    turning = 0.55 * body.j.expressed_in(ground)
+    sketch.vector(P, v_G + turning, r"$\mathbf{v}_i$")
+    sketch.vector(P, turning, r"$\omega\times\rho_i$")
+    for place, name in ((O, "O"), (G, "G")):
+        sketch.label(place, name)
 
 
 def rolling_sphere(energy, speed, m, R, slope):
@@ -528,54 +514,46 @@ def pendulum_levels(m, I, l):
 # -- systems
 
 
-def two_carts(carts, period):
+@with_sliders(
+    Slider("t", 20, 0, 100, 5, label="time", unit="% of the film"),
+    alt="Left: two carts on a rail, pushed apart by a spring that is fixed to the left one. "
+    "Right: bars of the kinetic energies of both and of the spring. The spring's energy goes "
+    "to both, three times as much to the light cart as to the heavy one.",
+    size=(9, 3.6),
+    panels=(1, 2),
+)
+def two_carts(axes, carts, period, t):
     """Figure 11.13: two carts pushed apart by a spring; ``carts(t)`` gives x1, x2 and energies."""
-
-    def draw(axes, t):
-        x1, x2, energies = carts(0.01 * t * period)
-        ground = Frame("ground")
-        sketch = Sketch(axes[0], ground, plane="xy")
-        sketch.road([(-0.9, 0, 0), (0.8, 0, 0)])
-        left, right = -0.2 + x1, 0.2 + x2
-        free = min(right - left, 0.5)
-        sketch.box((left - 0.12, 0.12, 0), ground, (0.24, 0.2, 0.2))
-        sketch.box((right + 0.18, 0.12, 0), ground, (0.36, 0.2, 0.2))
-        sketch.spring((left, 0.12, 0), (left + free, 0.12, 0))
-        sketch.label((left - 0.12, 0.12, 0), "1", offset=(0, 0))
-        sketch.label((right + 0.18, 0.12, 0), "2", offset=(0, 0))
-        bars(axes[1], energies, 0, 1.25)
-
-    interactive_figure(
-        draw,
-        Slider("t", 20, 0, 100, 5, label="time", unit="% of the film"),
-        alt="Left: two carts on a rail, pushed apart by a spring that is fixed to the left one. "
-        "Right: bars of the kinetic energies of both and of the spring. The spring's energy goes "
-        "to both, three times as much to the light cart as to the heavy one.",
-        size=(9, 3.6),
-        panels=(1, 2),
-    )
+    x1, x2, energies = carts(0.01 * t * period)
+    ground = Frame("ground")
+    sketch = Sketch(axes[0], ground, plane="xy")
+    sketch.road([(-0.9, 0, 0), (0.8, 0, 0)])
+    left, right = -0.2 + x1, 0.2 + x2
+    free = min(right - left, 0.5)
+    sketch.box((left - 0.12, 0.12, 0), ground, (0.24, 0.2, 0.2))
+    sketch.box((right + 0.18, 0.12, 0), ground, (0.36, 0.2, 0.2))
+    sketch.spring((left, 0.12, 0), (left + free, 0.12, 0))
+    sketch.label((left - 0.12, 0.12, 0), "1", offset=(0, 0))
+    sketch.label((right + 0.18, 0.12, 0), "2", offset=(0, 0))
+    bars(axes[1], energies, 0, 1.25)
 
 
-def powers_of_a_car(powers, a):
+@with_sliders(
+    Slider("slope", 3, -6, 10, 1, label="slope", unit="%"),
+    alt="The power at the wheels of a car against its speed: accelerating, spinning up the "
+    "wheels and climbing grow in proportion to the speed, the air with its cube; the sum is "
+    "the heavy line.",
+    size=(7, 4.2),
+)
+def powers_of_a_car(ax, powers, a, slope):
     """Figure 11.14: the power at the wheels against the speed, from ``powers(v, a, slope)``."""
     v = np.linspace(0.5, 40, 80)
-
-    def draw(ax, slope):
-        found = powers(v, a, math.atan(slope / 100))
-        for (name, P), colour, style in zip(
-            found.terms.items(), COLOURS, STYLES[1:] + STYLES[:1], strict=True
-        ):
-            ax.plot(v, 1e-3 * P, color=colour, ls=style, label=name)
-        ax.plot(v, 1e-3 * found.value, color="black", lw=2.5, label="sum")
-        ax.axhline(0, color="black", lw=0.8)
-        ax.set(xlabel="v (m/s)", ylabel="kW", xlim=(0, 40), ylim=(-30, 110))
-        ax.legend(frameon=False, loc="upper left", ncols=2, fontsize=9)
-
-    interactive_figure(
-        draw,
-        Slider("slope", 3, -6, 10, 1, label="slope", unit="%"),
-        alt="The power at the wheels of a car against its speed: accelerating, spinning up the "
-        "wheels and climbing grow in proportion to the speed, the air with its cube; the sum is "
-        "the heavy line.",
-        size=(7, 4.2),
-    )
+    found = powers(v, a, math.atan(slope / 100))
+    for (name, P), colour, style in zip(
+        found.terms.items(), COLOURS, STYLES[1:] + STYLES[:1], strict=True
+    ):
+        ax.plot(v, 1e-3 * P, color=colour, ls=style, label=name)
+    ax.plot(v, 1e-3 * found.value, color="black", lw=2.5, label="sum")
+    ax.axhline(0, color="black", lw=0.8)
+    ax.set(xlabel="v (m/s)", ylabel="kW", xlim=(0, 40), ylim=(-30, 110))
+    ax.legend(frameon=False, loc="upper left", ncols=2, fontsize=9)

@@ -1,9 +1,7 @@
 """A/1: position vectors of two points, and of one with respect to the other."""
 
-from exercises.catalogue.proofs import plus, rate, scaled
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, plus, rate, scaled
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 
@@ -27,9 +25,7 @@ follows = {"r_BA": lambda g, r_A, r_B: r_B - r_A}
 
 
 def prove(g):
-    """By a point that goes uniformly from A to B in the unit of time: its places, and its
-    velocity.
-    """
+    """From the places of a point that moves uniformly from A to B in unit time."""
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
 
     def place(t):

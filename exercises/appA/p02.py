@@ -1,9 +1,7 @@
 """A/2: a vector of given length and direction."""
 
-from exercises.catalogue.proofs import root, scaled, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, root, scaled, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def to_P(g):

@@ -1,11 +1,7 @@
 """A/3: the sum of two vectors and its direction, in a plane."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import integral, minus, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, integral, minus, mp, size
 from newton_euler import Frame, radians
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 

@@ -1,7 +1,6 @@
 """A/4: sum, difference and dot products, without a figure."""
 
-from exercises.catalogue.proofs import minus, plus, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, minus, plus, size
 from newton_euler import Frame
 
 

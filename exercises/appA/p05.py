@@ -1,9 +1,7 @@
 """A/5: the component of a vector along a directed line."""
 
-from exercises.catalogue.proofs import minus, plus, rate, root, scaled, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, plus, rate, root, scaled, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 
@@ -44,10 +42,7 @@ def prove(g):
         return plus(scaled(1 - t, A), scaled(t, B))
 
     def nearest(C):
-        def approach(t):
-            return rate(lambda u: size(minus(on_line(u), C)) ** 2, t)
-
-        return root(approach, -100, 100)
+        return root(lambda t: rate(lambda u: size(minus(on_line(u), C)) ** 2, t), -100, 100)
 
     AB = rate(on_line)
     return {

@@ -1,8 +1,6 @@
 """A/6: the components of a cross product, without numbers and figure."""
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp
 from newton_euler import Frame
 
 AXES = Frame("axes")

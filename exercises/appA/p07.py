@@ -1,9 +1,7 @@
 """A/7: double cross products of unit vectors. It gives no numbers: g.one is the 1 of their kind."""
 
-from exercises.catalogue.proofs import cross
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def triad(g):

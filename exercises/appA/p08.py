@@ -1,12 +1,7 @@
 """A/8: the derivatives of a unit vector that turns: velocity and acceleration of its tip."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, mp, rate, second_rate
 from newton_euler import Frame, cos, moving, sin
-from newton_euler.drawing import Sketch
 
 
 def turning(g):

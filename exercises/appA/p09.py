@@ -1,9 +1,6 @@
-"""A/9: the derivative of a vector function. It has numbers that vary beside the symbol t, and no
-figure.
-"""
+"""A/9: the derivative of a vector function; numbers that vary beside the symbol t, no figure."""
 
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, rate
 from newton_euler import Frame, moving
 
 

@@ -1,9 +1,6 @@
 """A/10: the product rules, by moving components that the engine multiplies and differentiates."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp, rate
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")

@@ -1,7 +1,6 @@
 """A/11: gradients, by the engine's exact derivatives; formulas and a vector of numbers."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, proofs
 from newton_euler import Frame
 from newton_euler.kinematics.curvilinear_systems import gradient
 

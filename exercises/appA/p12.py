@@ -1,7 +1,6 @@
 """A/12: the gradient of a dot product at a point."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, proofs
 from newton_euler import Frame
 from newton_euler.kinematics.curvilinear_systems import gradient
 

@@ -1,10 +1,7 @@
 """A/13: the projection of a vector on another, and the foot of a perpendicular."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import minus, plus, scaled
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, plus, proofs, scaled
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 

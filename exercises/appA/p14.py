@@ -1,11 +1,7 @@
 """A/14: the magnitude of the difference of two vectors."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import cross, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, mp, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 

@@ -2,11 +2,8 @@
 numbers, and may compare them.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def vectors(g):

@@ -1,8 +1,6 @@
 """A/16: components for which three vectors are orthogonal, one condition after the other."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import cross
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, cross, proofs
 from newton_euler import Frame, solve_linear
 
 AXES = Frame("axes")

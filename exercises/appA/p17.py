@@ -1,7 +1,6 @@
 """A/17: the derivative of a cross product, of vectors whose components are moving numbers."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, proofs
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")

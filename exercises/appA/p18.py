@@ -1,8 +1,6 @@
 """A/18: the derivative of R x R', by a point that moves."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import cross
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, cross, proofs
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")

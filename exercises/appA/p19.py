@@ -1,11 +1,7 @@
 """A/19: the unit vector at right angles to two vectors."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, scaled, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, scaled, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 

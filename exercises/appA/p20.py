@@ -2,8 +2,7 @@
 all vectors that have these dot products; the engine resolves it for some that are easily written.
 """
 
-from exercises.catalogue.proofs import plus
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, plus
 from newton_euler import Frame, solve_linear
 
 COEFFICIENTS = Frame("A, B, C")

@@ -1,9 +1,6 @@
 """A/21: triple products of three vectors."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, scaled
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, minus, mp, scaled
 from newton_euler import Frame
 
 AXES = Frame("axes")

@@ -2,10 +2,7 @@
 products; the engine multiplies four that are easily written.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import cross
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, cross, mp
 from newton_euler import Frame
 
 

@@ -1,9 +1,6 @@
 """A/23: the derivatives of a dot and a cross product, with numbers that vary beside the symbol."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp, rate
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")

@@ -2,8 +2,7 @@
 dimensions; numbers that vary beside a symbol; no figure.
 """
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, proofs
 from newton_euler import Frame, integral
 
 AXES = Frame("axes")

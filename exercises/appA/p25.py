@@ -1,7 +1,6 @@
 """A/25: the integral of a vector function, without a figure."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, proofs
 from newton_euler import Frame, integral
 
 AXES = Frame("axes")

@@ -1,9 +1,7 @@
 """A/26: the points of a line, as a point that has moved from Q by s R."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def line(g):

@@ -1,10 +1,7 @@
 """A/27: the equation of a plane from its normal."""
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 

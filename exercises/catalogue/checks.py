@@ -12,8 +12,8 @@ from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
-from . import CatalogueError
 from .following import earlier_answers, follow
+from .model import CatalogueError
 from .proofs import DIGITS
 from .steps import faults as step_faults
 from .steps import in_unit, steps
@@ -80,9 +80,7 @@ def _same(a, b):
 
 
 def _different(p, seeds):
-    """The seeds below ``seeds`` that have numbers of their own: only the first where nothing
-    varies.
-    """
+    """The seeds below ``seeds`` with different numbers: only the first where nothing varies."""
     varies = p.symbols or any(g.vary for g in p.givens.values())
     return range(seeds if varies else min(seeds, 1))
 

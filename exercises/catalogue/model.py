@@ -167,9 +167,7 @@ class Problem:
 
     @cached_property
     def code(self):
-        """The module ``pNN`` with ``solve``, ``prove``, ``mistakes``, and ``draw`` where there is a
-        figure.
-        """
+        """The module ``pNN``: ``solve``, ``prove``, ``mistakes``, and ``draw`` for a figure."""
         name = f"exercises.{self.chapter}.{self.name}"
         try:
             module = importlib.import_module(name)

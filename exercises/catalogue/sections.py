@@ -15,9 +15,7 @@ FOLDER = "../chapters"
 
 
 def section_line(p):
-    """The line of a statement: "*Section* [4.10 Summary of the method](...)", of an appendix
-    "*Appendix* A".
-    """
+    """The line of a statement: "*Section* [4.10 Summary of the method](...)", or "*Appendix* A"."""
     if not p.section:
         return ""
     what = "Appendix" if p.section[0].isalpha() else "Section"

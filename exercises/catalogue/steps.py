@@ -19,7 +19,7 @@ from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
-from . import CatalogueError
+from .model import CatalogueError
 from .variants import flat
 from .wording import term_text
 from .words import word
@@ -139,9 +139,7 @@ def _check_names(p, found):
 
 
 def faults(p, values):
-    """What is wrong with the steps of ``p``, as sentences: names, and units by running them on
-    dimensions.
-    """
+    """What is wrong with the steps of ``p``, as sentences: their names, and their dimensions."""
     try:
         steps(p, values)
     except CatalogueError as error:

@@ -15,7 +15,8 @@ from newton_euler import compiled
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.tolerance import MAJORITY, SEPARATION, distance
 
-from . import CatalogueError, problem
+from .model import CatalogueError
+from .reading import problem
 
 DRAWS = 300  # attempts before a range is called impossible
 POINTS = 8  # number of points at which formulas are compared
@@ -31,9 +32,7 @@ def seed(secret, assignment, student, problem_id):
 
 
 def draw(p, seed_bytes):
-    """Values for every given of problem ``p``, in its units; the same for the same seed on every
-    machine.
-    """
+    """Values for every given of ``p``, in its units: for a seed the same on every machine."""
     if not any(g.vary for g in p.givens.values()):
         return p.book_values
     for attempt in range(DRAWS):

@@ -1,13 +1,8 @@
 """2/1: constant speed down an exponential."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import scaled, size
-from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed
+from exercises.tools import Sketch, Step, in_frame, mp, scaled, size
 from newton_euler import Frame, exp, moving
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed, frenet_along
 
 
@@ -42,10 +37,7 @@ def steps(g):
 
 
 def prove(g):
-    def place(x):
-        return [x, g.y_0 * mp.exp(-g.k * x), 0]
-
-    a = at_constant_speed(place, g.x_1, g.v)[1]
+    a = at_constant_speed(lambda x: [x, g.y_0 * mp.exp(-g.k * x), 0], g.x_1, g.v)[1]
     return {"a": a, "rho": g.v**2 / size(a), "e_n": scaled(1 / size(a), a)}
 
 

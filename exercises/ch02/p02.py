@@ -1,12 +1,8 @@
 """2/2: constant speed along a spiral."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import cross, size
-from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed as proved_motion
+from exercises.tools import Sketch, Step, cross, mp, size
 from newton_euler import Frame, cos, moving, polar, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import flexure, speed_rate
 
 

@@ -1,12 +1,7 @@
 """2/3: a parabola with steady horizontal motion."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate, root, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, mp, rate, root, second_rate
 from newton_euler import Frame, moving
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed, frenet_along
 
 

@@ -1,9 +1,7 @@
 """2/4: grain that falls into a chute."""
 
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, root
 from newton_euler import Frame, sqrt
-from newton_euler.drawing import Sketch
 
 
 def fall_time(g):

@@ -1,11 +1,7 @@
 """2/5: a jet of water that comes down into a trench."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import Frame, cos, pi, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import from_time
 
 
@@ -34,9 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The height from which the jet comes down at an edge: the time to the ground by the root of
-    a quadratic equation.
-    """
+    """The height of the jet at an edge: the time to the ground is the root of a quadratic."""
     v, u = g.v_0 * mp.cos(g.phi), g.v_0 * mp.sin(g.phi)
 
     def range_from(h):

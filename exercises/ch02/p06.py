@@ -1,19 +1,13 @@
 """2/6: a sprinkler on a sloping lawn."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import Frame, cos, pi, sin
-from newton_euler.drawing import Sketch
 
 SIDES = {"d_C": -1, "d_B": 1}  # downhill and uphill: along -x and x
 
 
 def scene(g, side):
-    """The ground with z up, the lawn that rises along x, and the velocity and the acceleration of
-    the water on one side.
-    """
+    """The ground with z up, the lawn, rising along x, and the water's velocity and acceleration."""
     ground = Frame("ground")
     lawn = ground.rotate("lawn", "-y", angle=g.alpha)
     start = ground.vector(side * g.v_0 * sin(g.phi), 0, g.v_0 * cos(g.phi))
@@ -21,9 +15,7 @@ def scene(g, side):
 
 
 def time(g, side):
-    """Until the distance from the lawn is zero again: it begins with one velocity, and has one
-    acceleration, along the normal.
-    """
+    """The time of flight, from the velocity at the start and the acceleration along the normal."""
     _, lawn, start, fall = scene(g, side)
     return -2 * start.dot(lawn.k) / fall.dot(lawn.k)
 

@@ -1,10 +1,8 @@
 """2/7: the highest strike on a wall."""
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
 from exercises.devices import thrown_ball
 from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_height
+from exercises.tools import Step, mp
 from newton_euler import asin, atan, pi, sin
 
 

@@ -1,12 +1,11 @@
 """2/8: a ball that hits a wall as high as it can: whether it rises or falls."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root
-from exercises.catalogue.steps import Step
 from exercises.devices import thrown_ball
 from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_path
+from exercises.tools import Step, mp, rate, root
 from newton_euler import atan, sqrt
+
+draw = thrown_ball.draw
 
 
 def sense(slope):
@@ -52,7 +51,3 @@ def mistakes(g):
         "slope_at_O": {"slope": best_slope(g), "sense": "ascending"},
         "sign": {"slope": -right["slope"], "sense": "ascending"},
     }
-
-
-def draw(g, ax):
-    thrown_ball.draw(g, ax)

@@ -1,11 +1,7 @@
 """2/9: an airplane whose passengers are weightless."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, size
 from newton_euler import Frame, frenet, sqrt
-from newton_euler.drawing import Sketch
 
 
 def over_the_top(g):

@@ -1,11 +1,7 @@
 """2/10: a car that speeds up in a curve."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, root, second_rate, size
 from newton_euler import Frame, moving, polar, sqrt
-from newton_euler.drawing import Sketch
 
 FOOT = 0.3048  # m: who takes mi/h for ft/s
 
@@ -48,9 +44,7 @@ def steps(g):
 
 
 def prove(g):
-    """The time over the stretch is its length over the mean speed; then the place on the circle in
-    time.
-    """
+    """The time over the stretch is its length over the mean speed; then the place in time."""
     T = g.L / ((g.v_1 + g.v_2) / 2)
 
     def gone(t):

@@ -1,9 +1,7 @@
 """2/11: how a jet is curved at the nozzle and at its highest point."""
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
 from exercises.devices import jet
+from exercises.tools import Step, mp
 from newton_euler import Frame, cos, pi, sin
 
 

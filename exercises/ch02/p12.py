@@ -1,10 +1,7 @@
 """2/12: the speed of a jet from its curvature."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
 from exercises.devices import jet
+from exercises.tools import Step, mp, root
 from newton_euler import Frame, sqrt
 
 

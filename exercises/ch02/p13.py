@@ -1,11 +1,7 @@
 """2/13: velocity and acceleration along the path and across it."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, second_rate
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed, frenet_along
 
 
@@ -47,9 +43,7 @@ def steps(g):
 
 
 def prove(g):
-    """On a parabola that is bent like the path, with the distance along its tangent as for motion
-    along a line.
-    """
+    """On a parabola with the curvature of the path; along its tangent as along a line."""
     speed = mp.hypot(g.v_x, g.v_y)
 
     def place(t):

@@ -1,11 +1,7 @@
 """2/14: a slotted collar driven by a crank."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, second_rate
 from newton_euler import Frame, moving, polar
-from newton_euler.drawing import Sketch
 
 CASES = {1: ("omega", None), 2: (None, "alpha")}  # the rates of theta that are not zero
 

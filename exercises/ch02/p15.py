@@ -1,11 +1,7 @@
 """2/15: the radius of curvature at the bottom of a loop, from the total acceleration."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, root, second_rate, size
 from newton_euler import Frame, cos, frenet, sin, sqrt
-from newton_euler.drawing import Sketch
 
 
 def airplane(g, total):
@@ -28,9 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """The circle on which the acceleration of the airplane has the given size: there, on a parabola
-    in time along the arc.
-    """
+    """The radius at which the acceleration on a parabola in time along the arc has this size."""
 
     def along(rho):
         def place(t):

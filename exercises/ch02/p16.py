@@ -1,11 +1,7 @@
 """2/16: tape over two pulleys: one speed, one tangential acceleration, two curvatures."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root, second_rate, size
 from newton_euler import Frame, sqrt
-from newton_euler.drawing import Sketch
 
 
 def speed(g):
@@ -14,9 +10,7 @@ def speed(g):
 
 
 def rim_point(r, v, a_t):
-    """The acceleration of a point on the rim of a pulley on which tape runs; along the radius and
-    along the tape.
-    """
+    """The acceleration of a point on the rim of a pulley driven by tape: radial, tangential."""
     ground = Frame("ground")
     pulley = ground.rotate("pulley", "z", rate=v / r, acceleration=a_t / r)
     return pulley.point("P", r, 0, 0).acceleration(ground)

@@ -1,9 +1,8 @@
 """2/17: a pin that a turning arm carries along a cam."""
 
-from exercises.catalogue.proofs import minus, rot, second_rate, size, times
 from exercises.devices import polar_motion
+from exercises.tools import Sketch, minus, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, pi, polar
-from newton_euler.drawing import Sketch
 
 
 def pin(g):

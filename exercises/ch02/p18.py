@@ -1,11 +1,7 @@
 """2/18: a rocket on the radar: where it is heading, a word, and how its path is curved."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import cross, rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, mp, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import flexure, polar
 
 
@@ -14,7 +10,7 @@ def rocket(g):
     path, it does not bend it.
     """
     ground = Frame("ground")
-    theta = moving(0 * g.theta_ddot / g.theta_ddot, rate=g.theta_dot, acceleration=g.theta_ddot)
+    theta = moving(0 * g.one, rate=g.theta_dot, acceleration=g.theta_ddot)
     P = polar(ground, "P", moving(g.r, rate=g.r_dot), theta)
     return P.velocity(ground), P.acceleration(ground)
 

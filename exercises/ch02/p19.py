@@ -11,16 +11,7 @@ def theta(g, t):
     return g.q * t**2
 
 
-def solve(g):
-    return collar_on_rod.motion(g, r, theta)
-
-
-def steps(g):
-    yield from collar_on_rod.steps(g, r, theta)
-
-
-def prove(g):
-    return collar_on_rod.prove(g, r, theta)
+solve, steps, prove, draw = collar_on_rod.moving_by(r, theta)
 
 
 def mistakes(g):
@@ -29,7 +20,3 @@ def mistakes(g):
         **collar_on_rod.common_mistakes(g, r, theta),
         "no_transverse": {"v": right["v"].without("transverse")},
     }
-
-
-def draw(g, ax):
-    collar_on_rod.sketch(g, ax, r)

@@ -16,16 +16,7 @@ def theta(g, t):
     return pi(g.q_1) / 2 * no_half_pi(g, t)
 
 
-def solve(g):
-    return collar_on_rod.motion(g, r, theta)
-
-
-def steps(g):
-    yield from collar_on_rod.steps(g, r, theta)
-
-
-def prove(g):
-    return collar_on_rod.prove(g, r, theta)
+solve, steps, prove, draw = collar_on_rod.moving_by(r, theta)
 
 
 def mistakes(g):
@@ -33,7 +24,3 @@ def mistakes(g):
         **collar_on_rod.common_mistakes(g, r, theta),
         "no_half_pi": collar_on_rod.motion(g, r, no_half_pi),
     }
-
-
-def draw(g, ax):
-    collar_on_rod.sketch(g, ax, r)

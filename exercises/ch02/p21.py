@@ -1,11 +1,7 @@
 """2/21: a rocket that climbs vertically, seen by a radar: from one component to the whole."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, root, second_rate
 from newton_euler import Frame, moving, polar
-from newton_euler.drawing import Sketch
 
 
 def rocket(g):

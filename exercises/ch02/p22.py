@@ -1,11 +1,8 @@
 """2/22: the acceleration on a spiral that grows by the same factor in equal times."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import second_rate, size
 from exercises.devices import polar_motion
+from exercises.tools import Sketch, mp, second_rate, size
 from newton_euler import Frame, cos, exp, log, moving, polar, sin
-from newton_euler.drawing import Sketch
 
 
 def particle(g):

@@ -1,11 +1,7 @@
 """2/23: a pin that moves on a straight line at constant speed, in polar coordinates."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, second_rate
 from newton_euler import Frame, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import cylindrical_frame, polar_coordinates
 
 

@@ -1,10 +1,7 @@
 """2/24: the pin of a crank in a slotted arm, in polar coordinates."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, rot, second_rate, size, times
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
+from exercises.tools import Step, mp, rate, rot, second_rate, size, terms, times
 from newton_euler import Frame, polar
 
 
@@ -62,9 +59,6 @@ def prove(g):
         angle = g.theta + g.omega * t
         return times(rot("z", angle), [2 * g.b * mp.cos(angle), 0, 0])
 
-    def from_C(t):
-        return mp.atan2(P(t)[1], P(t)[0] - g.b)
-
     return {
         "v_P": in_arm(g, rate(P)),
         "a_P": in_arm(g, second_rate(P)),
@@ -72,7 +66,7 @@ def prove(g):
         "a_mag": size(second_rate(in_slot)),
         "r_dot": rate(r),
         "r_ddot": second_rate(r),
-        "omega_CP": rate(from_C),
+        "omega_CP": rate(lambda t: mp.atan2(P(t)[1], P(t)[0] - g.b)),
     }
 
 

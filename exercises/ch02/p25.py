@@ -1,8 +1,7 @@
 """2/25: the pin of a crank in a slotted arm, seen from the arm."""
 
-from exercises.catalogue.proofs import minus, rate, rot, second_rate, times
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
+from exercises.tools import Step, minus, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving
 
 

@@ -1,18 +1,9 @@
 """2/27: a boom that falls faster and faster."""
 
-from exercises.devices.truck_boom import boom, boom_steps, motion, prove_boom, sketch
+from exercises.devices.truck_boom import moving_with, sketch
 
-
-def solve(g):
-    return motion(*boom(g, alpha=-g.alpha))
-
-
-def steps(g):
-    yield from boom_steps(*boom(g, alpha=-g.alpha))
-
-
-def prove(g):
-    return prove_boom(g, alpha=-g.alpha)
+_, solve, steps, prove = moving_with(alpha=lambda g: -g.alpha)
+draw = sketch
 
 
 def mistakes(g):
@@ -23,7 +14,3 @@ def mistakes(g):
         "no_coriolis": {"a_B": right["a_B"].without("coriolis")},
         "inches": solve(g.but(L_dot=12 * g.L_dot)),  # 12 in = 1 ft
     }
-
-
-def draw(g, ax):
-    sketch(g, ax)

@@ -1,22 +1,8 @@
 """2/28: a boom on a truck that drives at a steady speed."""
 
-from exercises.devices.truck_boom import boom, boom_steps, motion, prove_boom, sketch
+from exercises.devices.truck_boom import moving_with, sketch
 
-
-def scene(g):
-    return boom(g, theta=g.theta, v=g.v)
-
-
-def solve(g):
-    return motion(*scene(g))
-
-
-def steps(g):
-    yield from boom_steps(*scene(g))
-
-
-def prove(g):
-    return prove_boom(g, theta=g.theta, v=g.v)
+scene, solve, steps, prove = moving_with(theta=lambda g: g.theta, v=lambda g: g.v)
 
 
 def mistakes(g):

@@ -1,22 +1,8 @@
 """2/29: a boom on a truck that gains speed."""
 
-from exercises.devices.truck_boom import boom, boom_steps, motion, prove_boom, sketch
+from exercises.devices.truck_boom import moving_with, sketch
 
-
-def scene(g):
-    return boom(g, theta=g.theta, v=g.v, a=g.a)
-
-
-def solve(g):
-    return motion(*scene(g))
-
-
-def steps(g):
-    yield from boom_steps(*scene(g))
-
-
-def prove(g):
-    return prove_boom(g, theta=g.theta, v=g.v, a=g.a)
+_, solve, steps, prove = moving_with(theta=lambda g: g.theta, v=lambda g: g.v, a=lambda g: g.a)
 
 
 def mistakes(g):

@@ -1,12 +1,8 @@
 """2/33: a slider that passes the centre of a turning disk."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import angular_velocity, rate, rot, second_rate
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_plate import turning
+from exercises.tools import Sketch, Step, angular_velocity, mp, rate, rot, second_rate
 from newton_euler import moving, polar
-from newton_euler.drawing import Sketch
 
 
 def disk_and_slider(g):

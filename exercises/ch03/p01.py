@@ -1,9 +1,7 @@
 """3/1: the position from acceleration components that depend on time."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import from_time
 
 GROUND = Frame("ground")

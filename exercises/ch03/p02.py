@@ -1,13 +1,7 @@
-"""3/2: velocity and acceleration on a given path, and the component of the velocity along a
-direction.
-"""
+"""3/2: velocity and acceleration on a given path; a component of the velocity."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import along
 
 GROUND = Frame("ground")

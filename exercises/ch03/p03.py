@@ -1,9 +1,7 @@
 """3/3: constant speed on a curve that is given by a parameter."""
 
-from exercises.catalogue.proofs import rate, scaled, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, rate, scaled, size
 from newton_euler import Frame, moving
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed
 
 GROUND = Frame("ground")
@@ -35,9 +33,7 @@ def steps(g):
 
 
 def prove(g):
-    """Along the tangent; and as the tangent turns, per length of path, times the square of the
-    speed. No rates of q.
-    """
+    """Along the tangent, and across it as the tangent turns with the path. No rates of q."""
 
     def along(q):
         return rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)

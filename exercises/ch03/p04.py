@@ -1,10 +1,7 @@
 """3/4: constant speed on a helix, in cylindrical components."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.helix import figure, helix, on_helix, unrolled
+from exercises.tools import Step, mp, rate, second_rate, terms
 from newton_euler import moving, pi
 from newton_euler.kinematics import at_speed
 

@@ -1,10 +1,7 @@
 """3/5: acceleration of constant magnitude on a helix, uniformly and from rest."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.helix import figure, on_helix
+from exercises.tools import Step, mp, proofs
 from newton_euler import asin, integral, moving, pi, sin, sqrt
 from newton_euler.kinematics import frenet
 
@@ -14,21 +11,20 @@ def rise(p):
     return p / (2 * pi(p))
 
 
-def at_unit_rate(a, p):
+def at_unit_rate(one, a, p):
     """Length of path, and normal acceleration, where theta grows at 1 rad/s: the speed is c
     theta', the tangential acceleration c theta'' and the normal one n theta'^2.
     """
-    one = a / a
     P = on_helix(a, rise(p), moving(0 * one, rate=one))
     return P.velocity(P.ground).norm(), P.acceleration(P.ground).norm()
 
 
 def of_symbols(g):
-    return at_unit_rate(g.a, g.p)
+    return at_unit_rate(g.one, g.a, g.p)
 
 
 def of_numbers(g):
-    return at_unit_rate(g.a_1, g.p_1)
+    return at_unit_rate(g.one, g.a_1, g.p_1)
 
 
 def formulas(g, c, n):
@@ -48,9 +44,8 @@ def times_from_rest(g, c, n):
     """t is the integral of dtheta/theta'. With 2 n theta/c = pi/2 - 2 asin(sin(w)/sqrt(2)) it is an
     elliptic integral of the first kind, in which w falls from pi/2 at the start to 0 at theta_1.
     """
-    one = n / n
-    right, scale = pi(n) / 2 * one, c / sqrt(2 * n * g.A_1)
-    at_half = asin(sqrt(2 * one) * sin(right / 4))
+    right, scale = pi(g.one) / 2, c / sqrt(2 * n * g.A_1)
+    at_half = asin(sqrt(2 * g.one) * sin(right / 4))
 
     def time(end):
         return scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)

@@ -1,11 +1,7 @@
 """3/6: a point on a sphere, in spherical, cylindrical and rectangular components."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import cross, rate, rot, second_rate, times, transposed
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, mp, rate, rot, second_rate, times, transposed
 from newton_euler import Frame, cylindrical, moving, pi, spherical, sqrt
-from newton_euler.drawing import Sketch
 
 
 def angle(g):
@@ -74,9 +70,7 @@ def steps(g):
 
 
 def prove(g):
-    """The radius OP turned by matrices and differentiated in fixed axes; the elevation is also
-    that of z, and that of x and y.
-    """
+    """OP turned by matrices and differentiated in fixed axes; its elevation by z, by x and y."""
 
     def later(q, q_dot, q_ddot):
         return lambda t: q + q_dot * t + q_ddot * t**2 / 2

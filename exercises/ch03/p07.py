@@ -1,8 +1,7 @@
 """3/7: constant speed on a helix that rises at 45 degrees, in rectangular components."""
 
-from exercises.catalogue.proofs import rate, second_rate
-from exercises.catalogue.steps import Step
 from exercises.devices.helix import figure, helix, unrolled
+from exercises.tools import Step, rate, second_rate
 from newton_euler import Frame, moving
 from newton_euler.kinematics import at_speed
 

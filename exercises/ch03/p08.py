@@ -1,11 +1,7 @@
 """3/8: a point that climbs faster and faster on a cylinder."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, second_rate, size
 from newton_euler import Frame, cos, cylindrical, moving, pi, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import along, speed_rate
 
 GROUND = Frame("ground")
@@ -40,18 +36,13 @@ def steps(g):
 
 
 def prove(g):
-    """The cylinder unrolled: the path in the plane; and, square to it, the distance by which the
-    circle leaves its tangent.
-    """
+    """The cylinder unrolled: the path in the plane, and how far the circle leaves its tangent."""
 
     def unrolled(t):
         return [g.nu * t, g.nu * t + g.a * t**2 / 2]
 
-    def off_the_tangent(t):
-        return g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r)
-
     in_plane = second_rate(unrolled, g.t)
-    across = second_rate(off_the_tangent, g.t)
+    across = second_rate(lambda t: g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r), g.t)
     return {"speed": size(rate(unrolled, g.t)), "acc_mag": size([*in_plane, across])}
 
 

@@ -1,6 +1,5 @@
 """3/9: the angle between velocity and acceleration, and the rate of the speed."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.instant_of_motion import (
     GROUND,
     angle_between,
@@ -8,6 +7,7 @@ from exercises.devices.instant_of_motion import (
     speed_and_flexure,
     vectors,
 )
+from exercises.tools import Step
 from newton_euler import asin, cos
 from newton_euler.kinematics import speed_rate
 

@@ -1,8 +1,7 @@
 """3/10: an acceleration that is square to the velocity; flexure."""
 
-from exercises.catalogue.proofs import minus, plus, size
-from exercises.catalogue.steps import Step
 from exercises.devices.instant_of_motion import GROUND, figure, speed_and_flexure, vectors
+from exercises.tools import Step, minus, plus, size
 from newton_euler.kinematics import flexure, speed_rate
 
 

@@ -1,10 +1,7 @@
 """3/11: flexure from the magnitude and the direction of the acceleration."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, scaled, size, times
-from exercises.catalogue.steps import Step
 from exercises.devices.instant_of_motion import figure, speed_and_flexure
+from exercises.tools import Step, mp, rot, scaled, size, times
 from newton_euler import Frame, atan2, cos, pi, sin
 from newton_euler.kinematics import flexure, frenet, speed_rate
 

@@ -1,8 +1,7 @@
 """3/12: the screw-jack of 4/1, in cylindrical components."""
 
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step
 from exercises.devices.screw_jack import figure, handle_in_time, rise, screw_in_nut
+from exercises.tools import Step, rate, second_rate, size
 from newton_euler import Frame, cylindrical, moving
 
 

@@ -1,17 +1,11 @@
 """3/13: the largest acceleration of a point on an element that turns and moves up and down."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, cylindrical, moving, pi, sin
-from newton_euler.drawing import Sketch
 
 
 def at_the_top(g):
-    """The acceleration of A where the axial one is largest, at the end of the stroke; the
-    centripetal one is always the same.
-    """
+    """The acceleration of A at the end of the stroke, where the axial part is largest."""
     z = g.z0 * sin(moving(pi(g.one) / 2, rate=2 * pi(g.one) * g.n))
     A = cylindrical(Frame("ground"), "A", g.r, moving(0 * g.one, rate=g.omega), z)
     return A.acceleration(A.ground)
@@ -30,9 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """The acceleration of the moving point is largest where it is as large a little before as a
-    little after.
-    """
+    """The acceleration is largest where it is as large a little before as a little after."""
 
     def place(t):
         up = g.z0 * mp.sin(2 * mp.pi * g.n * t)

@@ -1,12 +1,7 @@
-"""3/14: water that flows outward in a nozzle which turns about the vertical, by cylindrical
-components.
-"""
+"""3/14: water flowing outward in a nozzle that turns about the vertical, in cylindrical terms."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.nozzle import figure, nozzle_and_particle, particle_in_time
+from exercises.tools import Step, mp, rate, second_rate, size, terms
 from newton_euler import Frame, cos, cylindrical, moving, pi, sin
 
 

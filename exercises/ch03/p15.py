@@ -1,12 +1,11 @@
 """3/15: how the spherical unit vectors turn."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, spherical_axes, times
-from exercises.catalogue.steps import Step
 from exercises.devices.spherical_point import figure, place_in_time
+from exercises.tools import Step, mp, rate, spherical_axes, times
 from newton_euler import Frame, moving, pi
 from newton_euler.kinematics import spherical_frame
+
+draw = figure
 
 
 def axes(g):
@@ -54,7 +53,3 @@ def mistakes(g):
         "e_theta_only_inward": {"e_theta_rate": right.frame.vector(right.x, 0, 0)},
         "phi_about_plus_e_theta": {k: reversed_phi[k] for k in ("e_R_rate", "e_phi_rate")},
     }
-
-
-def draw(g, ax):
-    figure(g, ax)

@@ -1,10 +1,7 @@
 """3/16: the acceleration of a point in spherical components."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, scaled, second_rate, spherical_axes, times
-from exercises.catalogue.steps import Step
 from exercises.devices.spherical_point import figure, place_in_time
+from exercises.tools import Step, mp, rate, scaled, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, moving, pi, spherical
 
 KEYS = "d_radial", "d_theta", "d_phi"

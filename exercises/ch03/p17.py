@@ -1,9 +1,8 @@
 """3/17: the end of a telescoping boom that is lowered on a turning shaft."""
 
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration
 from exercises.devices.telescoping_boom import boom_end, end_in_time, figure
+from exercises.tools import Step, rate, terms
 from newton_euler import moving, pi
 
 

@@ -1,9 +1,8 @@
 """3/18: the end of a telescoping boom that is raised on a turning shaft while it extends."""
 
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration
 from exercises.devices.telescoping_boom import boom_end, end_in_time, figure
+from exercises.tools import Step, rate, second_rate, size, terms
 from newton_euler import moving, pi
 
 
@@ -37,10 +36,7 @@ def steps(g):
 
 
 def prove(g):
-    def length(t):
-        return g.l_0 + g.l_2 * t**2
-
-    A = end_in_time(g.omega, lambda t: g.beta_0 + g.b_dot * t, length)
+    A = end_in_time(g.omega, lambda t: g.beta_0 + g.b_dot * t, lambda t: g.l_0 + g.l_2 * t**2)
     a, phi = local_acceleration(A, g.t1), elevation_in_time(A)
 
     def R(t):

@@ -1,8 +1,10 @@
 """3/19: the velocity of a car of an amusement ride in cylindrical components."""
 
-from exercises.catalogue.proofs import cylindrical_axes, rate, times
 from exercises.devices import amusement_ride as ride
+from exercises.tools import cylindrical_axes, rate, times
 from newton_euler import cylindrical
+
+draw = ride.figure
 
 STEPS = "z", "z_dot", "r", "r_dot"
 
@@ -31,7 +33,3 @@ def mistakes(g):
         "no_inner_factor": {"v": v.reweighted(radial=0.5, axial=0.5)},
         "r_grows": {"v": v.reweighted(radial=-1)},
     }
-
-
-def draw(g, ax):
-    ride.figure(g, ax)

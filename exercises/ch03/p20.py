@@ -1,9 +1,10 @@
 """3/20: the acceleration of a car of an amusement ride in cylindrical components."""
 
-from exercises.catalogue.proofs import cylindrical_axes, second_rate, times
-from exercises.catalogue.steps import terms
 from exercises.devices import amusement_ride as ride
+from exercises.tools import cylindrical_axes, second_rate, terms, times
 from newton_euler import cylindrical
+
+draw = ride.figure
 
 STEPS = "z_dot", "r", "r_dot", "r_ddot"
 
@@ -35,7 +36,3 @@ def mistakes(g):
         # z' and r' are halved, and r'' = -(z'^2 + r'^2)/r is a quarter, as z'' = 0
         "no_inner_factor": {"a": a.reweighted(radial=0.25, coriolis=0.5)},
     }
-
-
-def draw(g, ax):
-    ride.figure(g, ax)

@@ -1,7 +1,7 @@
 """3/21: the velocity of a car of an amusement ride in spherical components."""
 
-from exercises.catalogue.proofs import rate, spherical_axes, times
 from exercises.devices import amusement_ride as ride
+from exercises.tools import rate, spherical_axes, times
 from newton_euler import cos, tan
 
 STEPS = "sin_phi", "cos_phi", "z_dot", "phi_dot"

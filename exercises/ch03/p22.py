@@ -1,8 +1,7 @@
 """3/22: the acceleration of a car of an amusement ride in spherical components."""
 
-from exercises.catalogue.proofs import second_rate, spherical_axes, times
-from exercises.catalogue.steps import terms
 from exercises.devices import amusement_ride as ride
+from exercises.tools import second_rate, spherical_axes, terms, times
 
 STEPS = "sin_phi", "phi_dot", "phi_ddot"
 

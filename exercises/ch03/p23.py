@@ -1,10 +1,11 @@
 """3/23: the velocity of a car of an amusement ride, from cylindrical to spherical components."""
 
-from exercises.catalogue.proofs import cylindrical_axes, rate, spherical_axes, times, transposed
-from exercises.catalogue.steps import Step
 from exercises.devices import amusement_ride as ride
+from exercises.tools import Step, cylindrical_axes, rate, spherical_axes, times, transposed
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
+
+draw = ride.section
 
 
 def velocity(g):
@@ -50,7 +51,3 @@ def mistakes(g):
         "phi_from_the_vertical": transformed(g, T_phi(pi(phi) / 2 - phi)),
         "no_r_dot": {"v": v.without("radial").expressed_in(axes)},
     }
-
-
-def draw(g, ax):
-    ride.section(g, ax)

@@ -1,18 +1,11 @@
-"""3/24: the acceleration of a car of an amusement ride, from spherical to cylindrical components,
-by the matrix.
-"""
+"""3/24: the acceleration of a ride's car, from spherical to cylindrical parts by the matrix."""
 
-from exercises.catalogue.proofs import (
-    cylindrical_axes,
-    second_rate,
-    spherical_axes,
-    times,
-    transposed,
-)
-from exercises.catalogue.steps import Step
 from exercises.devices import amusement_ride as ride
+from exercises.tools import Step, cylindrical_axes, second_rate, spherical_axes, times, transposed
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
+
+draw = ride.section
 
 
 def acceleration(g):
@@ -28,9 +21,7 @@ def transformed(g, matrix):
 
 
 def solve(g):
-    """The acceleration by (3.23), a shorter formula than the product with the matrix, which is what
-    ``follows`` has.
-    """
+    """The acceleration by (3.23), shorter than the matrix product, which ``follows`` has."""
     ground, P, _ = ride.car(g)
     phi = ride.coordinates(g)[3]
     return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}
@@ -65,7 +56,3 @@ def mistakes(g):
         "phi_from_the_vertical": transformed(g, transpose(T_phi(pi(phi) / 2 - phi))),
         "no_phi_ddot": {"a": a.without("euler_phi").expressed_in(axes)},
     }
-
-
-def draw(g, ax):
-    ride.section(g, ax)

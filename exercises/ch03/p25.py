@@ -1,13 +1,8 @@
-"""3/25: the two perpendicular arms of a robot on a turning base, in spherical components
-about O.
-"""
+"""3/25: two perpendicular arms of a robot on a turning base, in spherical components about O."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.robot_arm import figure, robot, tip_in_time
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration
+from exercises.tools import Step, mp, rate, second_rate, size, terms
 from newton_euler import Frame, atan2, moving, pi, spherical, sqrt
 
 

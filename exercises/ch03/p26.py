@@ -1,9 +1,8 @@
 """3/26: a crane that revolves while its boom is lowered, in spherical components about O."""
 
-from exercises.catalogue.proofs import rate, second_rate, size, spherical_axes, times
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.crane import crane, figure, tip_in_time
 from exercises.devices.spherical_point import elevation_in_time
+from exercises.tools import Step, rate, second_rate, size, spherical_axes, terms, times
 from newton_euler import Frame, moving, pi, spherical
 
 

@@ -1,13 +1,7 @@
-"""3/27: cylindrical and spherical components of a position, by matrices: an answer that is a
-matrix is a tuple of three rows.
-"""
+"""3/27: components of a position by matrices: an answer that is a matrix has three rows."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, times
 from newton_euler import Frame, atan2, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics.coordinates import T_phi, T_theta, cylindrical_frame, spherical_frame
 from newton_euler.kinematics.rotations import apply, transpose
 
@@ -46,9 +40,7 @@ def steps(g):
 
 
 def prove(g):
-    """Rows that are unit vectors: toward the point, around the axis, and at right angles to both;
-    no angle.
-    """
+    """Rows of unit vectors: toward the point, around the axis, square to both; no angle."""
     r = mp.sqrt(g.x**2 + g.y**2)
     R = mp.sqrt(r**2 + g.z**2)
     T_1 = [[g.x / r, g.y / r, 0], [-g.y / r, g.x / r, 0], [0, 0, g.one]]

@@ -1,9 +1,8 @@
 """4/1: the handle of a screw-jack, by a frame that rises with the screw without turning."""
 
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.screw_jack import figure, handle_in_time, rise, screw_in_nut
+from exercises.tools import Step, rate, second_rate, size
 
 
 def speed_and_acceleration(ground, rising, A):

@@ -1,8 +1,8 @@
 """4/2: water that flows outward in a nozzle which turns about the vertical."""
 
-from exercises.catalogue.proofs import rate, second_rate, size
 from exercises.devices.moving_frame import motion_via
 from exercises.devices.nozzle import figure, nozzle_and_particle, particle_in_time
+from exercises.tools import rate, second_rate, size
 from newton_euler import sin
 
 

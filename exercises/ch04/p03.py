@@ -1,11 +1,9 @@
 """4/3: the two perpendicular arms of a robot on a turning base."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate, rot, second_rate, size, times
-from exercises.catalogue.steps import terms
 from exercises.devices.boom import acceleration_without_cross_product
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.devices.robot_arm import figure, robot, tip_in_time
+from exercises.tools import in_frame, rate, rot, second_rate, size, terms, times
 
 
 def with_size(a):

@@ -1,9 +1,9 @@
 """4/4: a crane that revolves while its boom is lowered."""
 
-from exercises.catalogue.proofs import rate, rot, second_rate, size, times
 from exercises.devices.boom import acceleration_without_cross_product
 from exercises.devices.crane import crane, figure, tip_in_time
 from exercises.devices.moving_frame import motion_via
+from exercises.tools import rate, rot, second_rate, size, times
 from newton_euler import pi
 
 

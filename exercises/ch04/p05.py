@@ -1,11 +1,8 @@
 """4/5: a bevel gear that rolls on a fixed gear and is driven by an equal one above it."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_velocity, rate, rot, times
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
+from exercises.tools import Sketch, Step, angular_velocity, in_frame, rate, rot, terms, times
 from newton_euler.algebra import ZERO
-from newton_euler.drawing import Sketch
 
 AXIS = "z"  # A is the first gear, above, B the second; C is the pinion
 NAMES = "OC", "C"

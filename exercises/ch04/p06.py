@@ -1,19 +1,12 @@
 """4/6: an arm that turns about a vertical rod on a roller going downhill."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import minus, rate
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.moving_frame import turning_of
+from exercises.tools import Sketch, Step, in_frame, minus, mp, rate, terms
 from newton_euler import Frame, cos, moving, pi, sin
-from newton_euler.drawing import Sketch
 
 
 def roller_and_rod(g):
-    """Ground with x downhill and Z up; axes that move with O and keep their directions; the rod
-    turning about Z in them.
-    """
+    """Ground with x downhill and Z up; axes that move with O without turning; the rod about Z."""
     ground = Frame("ground")
     O = ground.point(
         "O", moving(0, rate=g.u * cos(g.incline)), 0, moving(0, rate=-g.u * sin(g.incline))

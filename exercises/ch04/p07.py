@@ -1,13 +1,8 @@
 """4/7: the tip of a rotor blade that flaps harmonically."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate, rot, second_rate, times, transposed
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, Step, in_frame, mp, proofs, rate, rot, second_rate, terms, times
 from newton_euler import Frame, at, cos, moving, sin
-from newton_euler.drawing import Sketch
 
 
 def flapping(g):
@@ -16,9 +11,7 @@ def flapping(g):
 
 
 def shaft_and_tip(g, theta):
-    """Ground with Z up; the shaft's frame at the hinge O, x in the plane of the blade; the tip in
-    it.
-    """
+    """Ground with Z up; the shaft's frame at the hinge O, x in the plane of the blade; the tip."""
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "z", rate=g.omega)
     return ground, shaft, shaft.point("tip", g.L * cos(theta), 0, g.L * sin(theta))
@@ -57,7 +50,7 @@ def prove(g):
         x, _, z = in_shaft(t)
         return mp.atan2(z, x)
 
-    turned_back = transposed(rot("z", g.omega * g.t))
+    turned_back = proofs.transposed(rot("z", g.omega * g.t))
     return {
         "v_tip": times(turned_back, rate(tip, g.t)),
         "a_tip": times(turned_back, second_rate(tip, g.t)),

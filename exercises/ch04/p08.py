@@ -1,22 +1,7 @@
 """4/8: two points that stay a fixed distance apart, and the frame that follows them."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.following import acceleration_of
-from exercises.catalogue.proofs import (
-    angular_velocity,
-    cross,
-    minus,
-    plus,
-    rot,
-    scaled,
-    second_rate,
-    size,
-    times,
-    transposed,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, acceleration_of, in_frame, plus, proofs, scaled, terms
 from newton_euler import Frame, moving
-from newton_euler.drawing import Sketch
 
 
 def line_AB(g):
@@ -32,9 +17,7 @@ def line_AB(g):
 
 
 def turning(ground, origin, omega, omega_dot):
-    """A frame with this angular velocity and its rate: turns about x, y and z, from zero, one after
-    the other.
-    """
+    """A frame with this angular velocity and its rate, by turns about x, y and z from zero."""
 
     def frame(accelerations):
         f = ground.translate("A", origin)
@@ -83,23 +66,23 @@ def prove(g):
 
     # i from A to B, and j, which turns about AB at omega_x, made perpendicular to it
     def directions(t):
-        i = plus([g.L, 0, 0], scaled(t, minus(v_B, v_A)))
-        i = scaled(1 / size(i), i)
+        i = plus([g.L, 0, 0], scaled(t, proofs.minus(v_B, v_A)))
+        i = scaled(1 / proofs.size(i), i)
         j = [0, 1, g.omega_x * t]
-        j = minus(j, scaled(sum(a * b for a, b in zip(i, j, strict=True)), i))
-        j = scaled(1 / size(j), j)
-        return transposed([i, j, cross(i, j)])
+        j = proofs.minus(j, scaled(sum(a * b for a, b in zip(i, j, strict=True)), i))
+        j = scaled(1 / proofs.size(j), j)
+        return proofs.transposed([i, j, proofs.cross(i, j)])
 
-    omega = angular_velocity(directions)
+    omega = proofs.angular_velocity(directions)
 
     def B(t):
         A = plus(scaled(t, v_A), scaled(t**2 / 2, a_A))
         # of omega from 0 to t: exact to t^2 in the angle
         mean = plus(omega, scaled(t / 2, omega_dot))
-        return plus(A, times(rot(mean, t * size(mean)), [g.L, 0, 0]))
+        return plus(A, proofs.times(proofs.rot(mean, t * proofs.size(mean)), [g.L, 0, 0]))
 
     found = {"omega_across": [0, *omega[1:]], "omega_along": [omega[0], 0, 0]}
-    return {"omega": omega, "a_B": second_rate(B)} | found
+    return {"omega": omega, "a_B": proofs.second_rate(B)} | found
 
 
 def mistakes(g):

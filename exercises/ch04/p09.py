@@ -1,12 +1,7 @@
 """4/9: a rod with one end on an axis and the other on an ellipse."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import plus, rate, scaled
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, mp, plus, rate, scaled
 from newton_euler import Frame, cos, moving, pi, sin, solve_rates, sqrt
-from newton_euler.drawing import Sketch
 
 
 def lower_end(g):

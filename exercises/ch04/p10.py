@@ -2,10 +2,8 @@
 
 from itertools import pairwise
 
-from exercises.catalogue.proofs import angular_velocity, minus, rate, times, transposed
-from exercises.catalogue.steps import Step
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
-from newton_euler.drawing import Sketch
+from exercises.tools import Sketch, Step, angular_velocity, minus, rate, times, transposed
 
 AXIS = "x"  # the gear of BB is the first, that of CC the second
 

@@ -1,18 +1,11 @@
 """4/11: a cone that rolls in the gap between two cones turning in opposite senses."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_velocity, rate, rot, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, angular_velocity, in_frame, mp, rate, rot, terms, times
 from newton_euler import Frame, cos, sin, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def cones(g, rate_of_B):
-    """Ground; cones A and B on the x axis; and the unit vectors from the apex along the lines where
-    C touches them.
-    """
+    """Ground; cones A and B on the x axis; unit vectors from the apex along contacts with C."""
     ground = Frame("ground")
     A, B = ground.rotate("A", "x", rate=g.omega), ground.rotate("B", "x", rate=rate_of_B)
     return (
@@ -61,9 +54,7 @@ def steps(g):
 
 
 def prove(g):
-    """C's axis goes round x while C turns on it; equal arcs are laid off on C and on A, and on C
-    and on B.
-    """
+    """C's axis goes round x while C turns on it; equal arcs on C and A, and on C and B."""
     half_gap = (mp.pi - g.beta_A - g.beta_B) / 2
     tilt = g.beta_A + half_gap  # of the axis of C from x
     # pitch radii at the distance 1 from the apex

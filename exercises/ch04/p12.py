@@ -1,7 +1,7 @@
 """4/12: a bar on a rod that moves about a ball joint, from two components of one velocity."""
 
-from exercises.catalogue import in_frame
 from exercises.devices import bar_on_ball_joint
+from exercises.tools import in_frame
 
 solve, prove, draw = bar_on_ball_joint.solve, bar_on_ball_joint.prove, bar_on_ball_joint.draw
 follows, steps = bar_on_ball_joint.follows, bar_on_ball_joint.steps

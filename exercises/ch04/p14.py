@@ -1,16 +1,11 @@
 """4/14: two disks on the ends of one axle that roll in a circle."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_velocity, minus, rate, rot, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, angular_velocity, in_frame, minus, rate, rot, terms, times
 from newton_euler import Frame, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def axle_and_disk(g):
-    """The axle turns about z at the height r; disk A turns on it about x, as fast as its lowest
-    point needs to be at rest.
-    """
+    """The axle turns about z at the height r; disk A about x, its lowest point at rest."""
     ground = Frame("ground")
     axle = ground.rotate("axle", "z", rate=g.omega, origin=ground.point("M", 0, 0, g.r))
 
@@ -40,9 +35,7 @@ def steps(g):
 
 
 def prove(g):
-    """The arc that the disk has rolled along its path of radius R is as long as the arc laid off on
-    its rim.
-    """
+    """The arc rolled along the path of radius R is as long as the arc on the rim of the disk."""
 
     def disk(t):
         rolled = g.R * g.omega * t

@@ -1,11 +1,8 @@
 """4/15: a rod that rises in its hinge on a turning vertical shaft."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate, rot, second_rate, times
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, in_frame, rate, rot, second_rate, terms, times
 from newton_euler import Frame, cos
-from newton_euler.drawing import Sketch
 
 
 def shaft_and_rod(g):

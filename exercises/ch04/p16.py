@@ -1,6 +1,5 @@
 """4/16: the rod CD, hinged at C to an arm BC that turns about the vertical, at an obtuse angle."""
 
-from exercises.catalogue import in_frame
 from exercises.devices.elbow_arm import (
     arm_and_rod,
     common_mistakes,
@@ -10,6 +9,7 @@ from exercises.devices.elbow_arm import (
     solve,
     steps,
 )
+from exercises.tools import in_frame
 from newton_euler import cos, moving, sin
 
 __all__ = ["draw", "follows", "mistakes", "prove", "solve", "steps"]

@@ -1,6 +1,5 @@
 """4/17: the elbow arm of 4/16 at an acute angle, the rod leaning back over the shaft."""
 
-from exercises.catalogue import in_frame
 from exercises.devices.elbow_arm import (
     arm_and_rod,
     common_mistakes,
@@ -10,6 +9,7 @@ from exercises.devices.elbow_arm import (
     solve,
     steps,
 )
+from exercises.tools import in_frame
 
 __all__ = ["draw", "follows", "mistakes", "prove", "solve", "steps"]
 

@@ -1,6 +1,5 @@
 """4/18: the outer tip A of a bracket on a turning arm."""
 
-from exercises.catalogue import in_frame
 from exercises.devices.bracket_on_arm import (
     arm_and_bracket,
     common_mistakes,
@@ -9,6 +8,7 @@ from exercises.devices.bracket_on_arm import (
     motion_steps,
     sketch,
 )
+from exercises.tools import in_frame
 
 
 def tip(g):

@@ -1,20 +1,8 @@
 """4/20: a rod sliding out of a cylinder that turns about two axes."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    rate,
-    rot,
-    second_rate,
-    times,
-)
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, in_frame, mp, proofs, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving
-from newton_euler.drawing import Sketch
 
 
 def arm_bracket_tip(g):
@@ -44,9 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """The cylinder points along z at first and turns toward x about ED; ED turns from y toward z
-    about x.
-    """
+    """The cylinder points along z at first, turns to x about ED; ED turns from y to z about x."""
 
     def A(t):
         out, phi, theta = g.s + g.u * t, g.omega_2 * t, g.omega_1 * t
@@ -61,8 +47,8 @@ def prove(g):
         return times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
 
     found = {
-        "omega_bracket": angular_velocity(bracket),
-        "alpha_bracket": angular_acceleration(bracket),
+        "omega_bracket": proofs.angular_velocity(bracket),
+        "alpha_bracket": proofs.angular_acceleration(bracket),
     }
     return {"v_A": rate(A), "a_A": second_rate(A)} | found
 

@@ -1,7 +1,5 @@
 """4/21: the angular velocity of a shaft in a tilting universal joint."""
 
-from exercises.catalogue import in_frame, proofs
-from exercises.catalogue.steps import terms
 from exercises.devices.universal_joint import (
     angular_velocity,
     direction,
@@ -9,6 +7,7 @@ from exercises.devices.universal_joint import (
     fork_and_shaft,
     orientation,
 )
+from exercises.tools import in_frame, proofs, terms
 from newton_euler import pi
 
 __all__ = ["draw", "mistakes", "prove", "solve", "steps"]

@@ -1,7 +1,5 @@
 """4/22: the angular velocity of a disk rolling in a circle."""
 
-from exercises.catalogue import in_frame, proofs
-from exercises.catalogue.steps import terms
 from exercises.devices.rolling_disk import (
     axle_and_disk,
     orientation,
@@ -11,6 +9,7 @@ from exercises.devices.rolling_disk import (
     sketch,
     turning,
 )
+from exercises.tools import in_frame, proofs, terms
 
 
 def answers(g, spin):

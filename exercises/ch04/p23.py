@@ -1,8 +1,5 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (
     axle_and_disk,
@@ -13,6 +10,9 @@ from exercises.devices.rolling_disk import (
     sketch,
     turning,
 )
+from exercises.tools import in_frame, rate, terms
+
+draw = sketch
 
 
 def answers(g, spin):
@@ -44,7 +44,3 @@ def mistakes(g):
         "spin_reversed": answers(g, -rolling_spin(g)),
         "one_turn_each_circuit": answers(g, -turning(g)),
     }
-
-
-def draw(g, ax):
-    sketch(g, ax)

@@ -1,12 +1,7 @@
 """4/24: the rotor of a helicopter that is nosing over."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_acceleration, angular_velocity, minus, spun
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, angular_velocity, in_frame, minus, mp, proofs, spun, terms
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing import Sketch
 
 
 def fuselage_and_rotor(g):
@@ -33,9 +28,7 @@ def steps(g):
 
 
 def prove(g):
-    """As the nose sinks, the mast leans forward; the blade that starts to the right goes round it,
-    toward the nose.
-    """
+    """As the nose sinks the mast leans forward; the blade, right at first, turns to the nose."""
 
     def rotor(t):
         sunk, right = g.omega * t, [1, 0, 0]
@@ -46,7 +39,7 @@ def prove(g):
 
     turning = angular_velocity(fuselage)
     return {
-        "alpha_rotor": angular_acceleration(rotor),
+        "alpha_rotor": proofs.angular_acceleration(rotor),
         "omega_fuselage": turning,
         "omega_rotor": minus(angular_velocity(rotor), turning),
     }

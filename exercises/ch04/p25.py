@@ -1,11 +1,9 @@
 """4/25: the drum of a spacecraft simulator, in three turning frames."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.steps import terms
 from exercises.devices.disk_in_two_brackets import prove_carrier, prove_turning
 from exercises.devices.moving_frame import turning_of
+from exercises.tools import Sketch, in_frame, terms
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def drums(g):

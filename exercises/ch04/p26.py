@@ -1,24 +1,11 @@
 """4/26: the drum of a flight simulator, which tilts in a frame that turns about the vertical."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    rot,
-    spun,
-    times,
-    transposed,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, mp, proofs, rot, spun, terms, times, transposed
 from newton_euler import Frame, pi
-from newton_euler.drawing import Sketch
 
 
 def simulator(g):
-    """Ground with z up; the fork turns about z, in it the mounting about x by theta, in that the
-    drum about y, which is e.
-    """
+    """Ground with z up; in turn the fork about z, the mounting about x, the drum about y, or e."""
     ground = Frame("ground")
     fork = ground.rotate("fork", "z", rate=g.Omega)
     mounting = fork.rotate("mounting", "x", angle=g.theta, rate=g.theta_dot)
@@ -66,8 +53,8 @@ def prove(g):
         return times(rot("z", g.Omega * t), spun(e, tilting_axis, g.P * t))
 
     return {
-        "alpha_drum": angular_acceleration(drum),
-        "omega_drum": angular_velocity(drum),
+        "alpha_drum": proofs.angular_acceleration(drum),
+        "omega_drum": proofs.angular_velocity(drum),
         "e": transposed(drum(0))[0],
     }
 

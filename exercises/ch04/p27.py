@@ -1,19 +1,12 @@
 """4/27: a disk at the end of a cranked bracket that turns about a fixed axis."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import plus, rate, rot, second_rate, times
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, in_frame, mp, plus, rate, rot, second_rate, terms, times
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def bracket_and_disk(g):
-    """Ground with x along the fixed axis; the bracket turns about x, and in it the disk about the
-    bracket's z through B.
-    """
+    """Ground; the bracket turns about the fixed x axis, in it the disk about the bracket's z."""
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "x", rate=g.Omega)
     B = bracket.point("B", 0, g.a, g.h)

@@ -1,27 +1,12 @@
 """4/28: the solar panels of a spinning spacecraft."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.following import acceleration_of
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    rate,
-    rot,
-    second_rate,
-    times,
-)
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, acceleration_of, in_frame, mp, proofs, rate, rot, terms, times
 from newton_euler import Frame, cos, pi, sin
-from newton_euler.drawing import Sketch
 
 
 def spacecraft_and_panel(g):
-    """Space; the spacecraft spins about z; the panels turn in it about -y, which is how theta
-    grows.
-    """
+    """Space; the spacecraft spins about z; the panels turn in it about -y, as theta grows."""
     space = Frame("space")
     craft = space.rotate("spacecraft", "z", rate=g.omega)
     panel = craft.rotate("panel", "-y", angle=g.theta_1, rate=g.theta_dot)
@@ -86,13 +71,13 @@ def prove(g):
         return times(rot("z", g.omega * t), seen(t))
 
     return {
-        "omega_panel": angular_velocity(panel),
-        "alpha_panel": angular_acceleration(panel),
+        "omega_panel": proofs.angular_velocity(panel),
+        "alpha_panel": proofs.angular_acceleration(panel),
         "v_A": rate(A),
-        "a_A": second_rate(A),
+        "a_A": proofs.second_rate(A),
         "r": seen(0),
         "v_r": rate(seen),
-        "a_r": second_rate(seen),
+        "a_r": proofs.second_rate(seen),
     }
 
 

@@ -1,7 +1,5 @@
 """4/29: the angular acceleration of the shaft of 4/21."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.universal_joint import (
     angular_acceleration,
     direction,
@@ -9,6 +7,7 @@ from exercises.devices.universal_joint import (
     fork_and_shaft,
     orientation,
 )
+from exercises.tools import Step, proofs, terms
 
 __all__ = ["draw", "mistakes", "prove", "solve", "steps"]
 

@@ -1,10 +1,5 @@
-"""4/30: the angular acceleration of a disk rolling in a circle, and the acceleration of a rim
-point.
-"""
+"""4/30: the angular acceleration of a disk rolling in a circle, and a rim point's acceleration."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_acceleration, second_rate
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (
     axle_and_disk,
@@ -15,6 +10,9 @@ from exercises.devices.rolling_disk import (
     rolling_steps,
     sketch,
 )
+from exercises.tools import angular_acceleration, in_frame, second_rate, terms
+
+draw = sketch
 
 
 def answers(g, spin):
@@ -52,7 +50,3 @@ def mistakes(g):
         "no_turning_about_vertical": {"a_A": right["a_A"].without("centripetal")},
         "spin_reversed": {"alpha_disk": answers(g, -rolling_spin(g))["alpha_disk"]},
     }
-
-
-def draw(g, ax):
-    sketch(g, ax)

@@ -1,9 +1,7 @@
 """4/31: speed and distance from the axis of a point of a turning cylinder."""
 
-from exercises.catalogue.proofs import rate, rot, size, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, rate, rot, size, times
 from newton_euler import Frame, sqrt
-from newton_euler.drawing import Sketch
 
 
 def velocity(g):

@@ -1,7 +1,7 @@
 """4/32: a bevel gear that rolls round a fixed one."""
 
-from exercises.catalogue import in_frame
 from exercises.devices import bevel_gears
+from exercises.tools import in_frame
 
 
 def steps(g):

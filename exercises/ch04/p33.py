@@ -1,8 +1,7 @@
 """4/33: a bevel gear that rolls round a turning one."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.steps import Step
 from exercises.devices import bevel_gears
+from exercises.tools import Step, in_frame
 
 
 def steps(g):

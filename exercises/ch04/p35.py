@@ -2,17 +2,7 @@
 
 from exercises.devices import disk_in_bracket as device
 
-
-def solve(g):
-    return device.rim_motion(device.disk_in_bracket(g), "A", g.r)
-
-
-def steps(g):
-    return device.rim_steps(g, "A")
-
-
-def prove(g):
-    return device.prove_rim(g, "A")
+solve, steps, prove, draw = device.rim_problem("A")
 
 
 def mistakes(g):
@@ -25,7 +15,3 @@ def mistakes(g):
         "alpha_x_r_twice": {"a_A": a + disk.angular_acceleration(ground).cross(r)},
         "P_the_other_way": solve(g.but(P=-g.P)),
     }
-
-
-def draw(g, ax):
-    device.figure(g, ax, "A")

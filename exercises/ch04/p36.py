@@ -2,17 +2,7 @@
 
 from exercises.devices import disk_in_bracket as device
 
-
-def solve(g):
-    return device.rim_motion(device.disk_in_bracket(g), "B", g.r)
-
-
-def steps(g):
-    return device.rim_steps(g, "B")
-
-
-def prove(g):
-    return device.prove_rim(g, "B")
+solve, steps, prove, draw = device.rim_problem("B")
 
 
 def mistakes(g):
@@ -22,7 +12,3 @@ def mistakes(g):
         "no_centripetal": {"a_B": a.without("centripetal")},
         "P_the_other_way": {"v_B": solve(g.but(P=-g.P))["v_B"]},
     }
-
-
-def draw(g, ax):
-    device.figure(g, ax, "B")

@@ -2,17 +2,7 @@
 
 from exercises.devices import disk_in_bracket as device
 
-
-def solve(g):
-    return device.rim_motion(device.disk_in_bracket(g), "A", g.r)
-
-
-def steps(g):
-    return device.rim_steps(g, "A")
-
-
-def prove(g):
-    return device.prove_rim(g, "A")
+solve, steps, prove, draw = device.rim_problem("A")
 
 
 def mistakes(g):
@@ -23,7 +13,3 @@ def mistakes(g):
         "omega_dot_on_the_axis": {"a_A": a + a.frame.j * (g.omega_dot * g.r)},
         "half_coriolis": {"a_A": a.reweighted(coriolis=0.5)},
     }
-
-
-def draw(g, ax):
-    device.figure(g, ax, "A")

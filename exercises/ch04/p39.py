@@ -2,17 +2,7 @@
 
 from exercises.devices import disk_in_bracket as device
 
-
-def solve(g):
-    return device.rim_motion(device.disk_in_bracket(g), "B", g.r)
-
-
-def steps(g):
-    return device.rim_steps(g, "B")
-
-
-def prove(g):
-    return device.prove_rim(g, "B")
+solve, steps, prove, draw = device.rim_problem("B")
 
 
 def mistakes(g):
@@ -21,7 +11,3 @@ def mistakes(g):
         "no_growth": {"a_B": solve(g.but(P_dot=0, omega_dot=0))["a_B"]},
         "P_dot_the_other_way": {"a_B": solve(g.but(P_dot=-g.P_dot))["a_B"]},
     }
-
-
-def draw(g, ax):
-    device.figure(g, ax, "B")

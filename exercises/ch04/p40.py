@@ -2,19 +2,9 @@
 
 from exercises.devices import disk_in_bracket as device
 
+solve, steps, prove, draw = device.whole_problem("A")
+
 follows = device.all_from_turning("A")
-
-
-def solve(g):
-    return device.all_motion(device.disk_in_bracket(g), "A", g.r)
-
-
-def steps(g):
-    return device.all_steps(g, "A")
-
-
-def prove(g):
-    return device.prove_all(g, "A")
 
 
 def mistakes(g):
@@ -28,7 +18,3 @@ def mistakes(g):
         "alpha_x_r_twice": {"a_A": a + alpha.cross(r)},
         "product_reversed": {"alpha_disk": -alpha},
     }
-
-
-def draw(g, ax):
-    device.figure(g, ax, omega_name=r"\omega_b")

@@ -2,19 +2,9 @@
 
 from exercises.devices import disk_in_bracket as device
 
+solve, steps, prove, draw = device.whole_problem("B")
+
 follows = device.all_from_turning("B")
-
-
-def solve(g):
-    return device.all_motion(device.disk_in_bracket(g), "B", g.r)
-
-
-def steps(g):
-    return device.all_steps(g, "B")
-
-
-def prove(g):
-    return device.prove_all(g, "B")
 
 
 def mistakes(g):
@@ -26,7 +16,3 @@ def mistakes(g):
         "alpha_zero": {"alpha_disk": 0 * alpha},
         "centre_not_accelerated": {"a_B": a - disk.origin.acceleration(ground)},
     }
-
-
-def draw(g, ax):
-    device.figure(g, ax, omega_name=r"\omega_b")

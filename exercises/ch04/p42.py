@@ -2,20 +2,8 @@
 
 from exercises.devices import disk_in_two_brackets as brackets
 
-
-def steps(g):
-    return brackets.rim_steps(g, "C")
-
-
+solve, steps, prove, draw = brackets.rim_problem("C")
 follows = brackets.rim_from_turning("C")
-
-
-def solve(g):
-    return brackets.answers(*brackets.frames_and_point(g, "C"))
-
-
-def prove(g):
-    return brackets.prove_rim(g, "C")
 
 
 def mistakes(g):
@@ -32,7 +20,3 @@ def mistakes(g):
         "no_alpha_x_r": {"a_C": a.without("euler")},
         "no_coriolis": {"a_C": a - coriolis[0] - coriolis[1]},
     }
-
-
-def draw(g, ax):
-    brackets.draw_two_brackets(g, ax)

@@ -2,20 +2,8 @@
 
 from exercises.devices import disk_in_two_brackets as brackets
 
-
-def steps(g):
-    return brackets.rim_steps(g, "D")
-
-
+solve, steps, prove, draw = brackets.rim_problem("D")
 follows = brackets.rim_from_turning("D")
-
-
-def solve(g):
-    return brackets.answers(*brackets.frames_and_point(g, "D"))
-
-
-def prove(g):
-    return brackets.prove_rim(g, "D")
 
 
 def mistakes(g):
@@ -29,7 +17,3 @@ def mistakes(g):
         "D_moved_by_A": {"v_D": v + v.frame.j * (g.omega_2 * g.r)},
         "no_alpha_x_r": {"a_D": a.without("euler")},
     }
-
-
-def draw(g, ax):
-    brackets.draw_two_brackets(g, ax)

@@ -4,6 +4,8 @@ from exercises.devices import plate_under_curve as plate
 from exercises.devices import triangular_plate
 from exercises.devices.triangular_plate import area_points, height
 
+draw = triangular_plate.figure
+
 
 def moments(g):
     return plate.moments_to_first(g.b, height(g))
@@ -33,7 +35,3 @@ def mistakes(g):
         "from_far_corners": {"d": plate.PLATE.vector(g.b, g.h, 0) - solve(g)["d"]},
         "top_of_strip": plate.centre(area, first_x, 2 * first_y),
     }
-
-
-def draw(g, ax):
-    triangular_plate.figure(g, ax)

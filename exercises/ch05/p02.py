@@ -1,17 +1,12 @@
 """5/2: the centre of mass of two spheres that touch."""
 
-from exercises.catalogue import proofs
 from exercises.devices import satellite
-from exercises.devices.put_together import centre, proved, steps_of
+from exercises.devices.put_together import centre, problem_of, proved
 from exercises.devices.satellite import SATELLITE, parts, spheres
+from exercises.tools import proofs
 
-
-def solve(g):
-    return centre(SATELLITE, parts(g))
-
-
-def steps(g):
-    yield from steps_of(SATELLITE, parts(g), content="mass", mass="slug", length="ft")
+solve, steps = problem_of(SATELLITE, parts, content="mass", mass="slug", length="ft")
+draw = satellite.figure
 
 
 def prove(g):
@@ -32,7 +27,3 @@ def mistakes(g):
         "R1_for_distance": centre(SATELLITE, parts(g, distance=g.R1)),
         "larger_mass_only": {"d": solve(g)["d"] * (whole / g.m1)},
     }
-
-
-def draw(g, ax):
-    satellite.figure(g, ax)

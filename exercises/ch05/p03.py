@@ -2,15 +2,10 @@
 
 from exercises.devices import block_with_cylinder
 from exercises.devices.block_with_cylinder import BLOCK, parts
-from exercises.devices.put_together import centre, chord, sliced, steps_of, unweighed
+from exercises.devices.put_together import centre, chord, problem_of, sliced, unweighed
 
-
-def solve(g):
-    return centre(BLOCK, parts(g))
-
-
-def steps(g):
-    yield from steps_of(BLOCK, parts(g), content="volume", length="in")
+solve, steps = problem_of(BLOCK, parts, content="volume", length="in")
+draw = block_with_cylinder.figure
 
 
 def prove(g):
@@ -28,7 +23,3 @@ def mistakes(g):
         "from_its_own_base": centre(BLOCK, parts(g, foot=0)),
         "r_c_as_diameter": solve(g.but(r_c=g.r_c / 2)),
     }
-
-
-def draw(g, ax):
-    block_with_cylinder.figure(g, ax)

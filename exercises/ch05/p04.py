@@ -1,10 +1,11 @@
 """5/4: the centre of mass of a cone by integration."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import cone
 from exercises.devices.cone import CONE, radius, tube
+from exercises.tools import Step, proofs
 from newton_euler import integral, pi
+
+draw = cone.figure
 
 
 def moments(g, radius=radius):
@@ -47,7 +48,3 @@ def mistakes(g):
         "quarter_from_apex": {"d": CONE.vector(0, 0, g.h) - solve(g)["d"]},
         "same_radius": centre(*moments(g, radius=lambda g, z: g.r)),
     }
-
-
-def draw(g, ax):
-    cone.figure(g, ax)

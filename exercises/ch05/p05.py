@@ -1,9 +1,11 @@
 """5/5: the centre of mass of a plate with six holes."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices import plate_with_holes
 from exercises.devices.plate_with_holes import PLATE, parts
 from exercises.devices.put_together import centre, chord, sliced, sums
+from exercises.tools import Step
+
+draw = plate_with_holes.figure
 
 
 def solve(g):
@@ -40,7 +42,3 @@ def mistakes(g):
         "full_mass": {"d": solve(g)["d"] * (left / full.mass)},
         "diameter": solve(g.but(r=2 * g.r)),
     }
-
-
-def draw(g, ax):
-    plate_with_holes.figure(g, ax)

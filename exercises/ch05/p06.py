@@ -1,10 +1,11 @@
 """5/6: the centre of mass of half a disk by integration."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import half_disk
 from exercises.devices.half_disk import DISK, in_polar, top
+from exercises.tools import Step, proofs
 from newton_euler import pi, sin
+
+draw = half_disk.figure
 
 
 def moments(g, element=lambda r: r):
@@ -31,10 +32,7 @@ def steps(g):
 def prove(g):
     """By strips along y, which end at the circle."""
 
-    def strip(x):
-        return [top(g, x), top(g, x) ** 2 / 2]
-
-    area, first_y = proofs.integral(strip, -g.R, g.R)
+    area, first_y = proofs.integral(lambda x: [top(g, x), top(g, x) ** 2 / 2], -g.R, g.R)
     return {"d": [0, first_y / area, 0], "area": area, "Q_y": first_y}
 
 
@@ -44,7 +42,3 @@ def mistakes(g):
         "half_radius": {"d": DISK.vector(0, g.R / 2, 0)},
         "no_factor_r": centre(*moments(g, element=lambda r: g.one)),
     }
-
-
-def draw(g, ax):
-    half_disk.figure(g, ax)

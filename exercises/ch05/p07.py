@@ -1,10 +1,12 @@
 """5/7: the centre of mass of a wire along an arc."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices import wire_arc
 from exercises.devices.wire_arc import WIRE, along, over
+from exercises.tools import Step
 from newton_euler import cos
 from newton_euler.bodies import sector
+
+draw = wire_arc.figure
 
 
 def moments(g):
@@ -39,7 +41,3 @@ def mistakes(g):
         "on_the_wire": {"d": WIRE.vector(g.R, 0, 0)},
         "half_the_arc": centre(length, first_x / 2),
     }
-
-
-def draw(g, ax):
-    wire_arc.figure(g, ax)

@@ -1,11 +1,12 @@
 """5/8: the centre of mass of a hemispherical shell."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import dome
 from exercises.devices.dome import SHELL, area_of_ring, over_rings, shadow
+from exercises.tools import Step, proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import half_ring, hemisphere
+
+draw = dome.figure
 
 
 def moments(g, width=lambda g, phi: g.R):
@@ -51,7 +52,3 @@ def mistakes(g):
         "dz_as_width": centre(*moments(g, width=lambda g, phi: g.R * sin(phi))),
         "wire": {"d": half_ring(g.R, SHELL, "x", "z", density=1).centre.position(SHELL)},
     }
-
-
-def draw(g, ax):
-    dome.figure(g, ax)

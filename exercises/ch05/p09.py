@@ -2,15 +2,10 @@
 
 from exercises.devices import bored_bracket
 from exercises.devices.bored_bracket import BRACKET, block, parts
-from exercises.devices.put_together import centre, chord, sliced, steps_of
+from exercises.devices.put_together import centre, chord, problem_of, sliced
 
-
-def solve(g):
-    return centre(BRACKET, *parts(g))
-
-
-def steps(g):
-    yield from steps_of(BRACKET, *parts(g), content="volume", length="in")
+solve, steps = problem_of(BRACKET, parts, holes=True, content="volume", length="in")
+draw = bored_bracket.figure
 
 
 def prove(g):
@@ -30,7 +25,3 @@ def mistakes(g):
         "wall_from_its_foot": centre(BRACKET, [base, block(g, "wall", g.t_w, 0, g.h_w)], holes),
         "corner_twice": centre(BRACKET, [base, block(g, "wall", g.t_w, 0, g.h_b + g.h_w)], holes),
     }
-
-
-def draw(g, ax):
-    bored_bracket.figure(g, ax)

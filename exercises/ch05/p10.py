@@ -1,17 +1,12 @@
 """5/10: the centre of mass of a figure of wire."""
 
 from exercises.devices import wire_figure
-from exercises.devices.put_together import centre, steps_of, unweighed, walked
+from exercises.devices.put_together import centre, problem_of, unweighed, walked
 from exercises.devices.wire_figure import WIRE, parts, path
 from newton_euler.bodies import Body, half_disk
 
-
-def solve(g):
-    return centre(WIRE, parts(g))
-
-
-def steps(g):
-    yield from steps_of(WIRE, parts(g), content="length", length="mm")
+solve, steps = problem_of(WIRE, parts, content="length", length="mm")
+draw = wire_figure.figure
 
 
 def prove(g):
@@ -26,7 +21,3 @@ def mistakes(g):
         "no_diameter": centre(WIRE, [half, leg]),
         "not_weighed": unweighed(WIRE, g.one, [part.centre for part in parts(g)]),
     }
-
-
-def draw(g, ax):
-    wire_figure.figure(g, ax)

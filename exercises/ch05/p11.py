@@ -2,10 +2,12 @@
 
 from itertools import pairwise
 
-from exercises.catalogue.steps import Step
 from exercises.devices import chain_of_rods
 from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, path, rods
 from exercises.devices.put_together import centre, sums, unweighed, walked
+from exercises.tools import Step
+
+draw = chain_of_rods.figure
 
 
 def solve(g):
@@ -30,7 +32,3 @@ def mistakes(g):
         "corners": unweighed(CHAIN, g.one, corners(g)),
         "not_divided": {"d": 3 * solve(g)["d"]},
     }
-
-
-def draw(g, ax):
-    chain_of_rods.figure(g, ax)

@@ -1,19 +1,12 @@
 """5/12: the centre of mass of a disk with a hole beside its centre."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import disk_with_hole
 from exercises.devices.disk_with_hole import DISK, parts, rim
-from exercises.devices.put_together import centre, proved, steps_of
+from exercises.devices.put_together import centre, problem_of, proved
+from exercises.tools import mp, proofs
 
-
-def solve(g):
-    return centre(DISK, *parts(g))
-
-
-def steps(g):
-    yield from steps_of(DISK, *parts(g), content="area", length="m")
+solve, steps = problem_of(DISK, parts, holes=True, content="area", length="m")
+draw = disk_with_hole.figure
 
 
 def prove(g):
@@ -37,7 +30,3 @@ def mistakes(g):
         "full_area": {"d": d * ((full.mass - hole.mass) / full.mass)},
         "toward_the_hole": {"d": -d},
     }
-
-
-def draw(g, ax):
-    disk_with_hole.figure(g, ax)

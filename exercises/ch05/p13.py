@@ -1,16 +1,11 @@
 """5/13: the centre of mass of three welded rods of different lengths."""
 
 from exercises.devices import welded_rods
-from exercises.devices.put_together import centre, steps_of, unweighed, walked
+from exercises.devices.put_together import centre, problem_of, unweighed, walked
 from exercises.devices.welded_rods import WELDED, parts, path
 
-
-def solve(g):
-    return centre(WELDED, parts(g))
-
-
-def steps(g):
-    yield from steps_of(WELDED, parts(g), content="length", length="m")
+solve, steps = problem_of(WELDED, parts, content="length", length="m")
+draw = welded_rods.figure
 
 
 def prove(g):
@@ -24,7 +19,3 @@ def mistakes(g):
         "third_at_the_bottom": centre(WELDED, parts(g, height=0)),
         "without_first_length": {"d": solve(g)["d"] * (whole / (g.c + g.L))},
     }
-
-
-def draw(g, ax):
-    welded_rods.figure(g, ax)

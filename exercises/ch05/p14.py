@@ -1,17 +1,12 @@
 """5/14: the centre of mass of a bent plate with a hole and a round top."""
 
-from exercises.catalogue import proofs
 from exercises.devices import bent_plate
 from exercises.devices.bent_plate import PART, parts
-from exercises.devices.put_together import centre, chord, proved, steps_of
+from exercises.devices.put_together import centre, chord, problem_of, proved
+from exercises.tools import proofs
 
-
-def solve(g):
-    return centre(PART, *parts(g))
-
-
-def steps(g):
-    yield from steps_of(PART, *parts(g), content="mass", mass="kg", length="mm")
+solve, steps = problem_of(PART, parts, holes=True, content="mass", mass="kg", length="mm")
+draw = bent_plate.figure
 
 
 def prove(g):
@@ -40,7 +35,3 @@ def mistakes(g):
         "top_from_its_edge": centre(PART, *parts(g, foot=0)),
         "w_as_radius": centre(PART, *parts(g, radius=g.w)),
     }
-
-
-def draw(g, ax):
-    bent_plate.figure(g, ax)

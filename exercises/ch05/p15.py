@@ -1,10 +1,11 @@
 """5/15: the centre of mass of four particles on light rods."""
 
-from exercises.catalogue.proofs import rate, root
-from exercises.catalogue.steps import Step
 from exercises.devices import four_particles
 from exercises.devices.four_particles import masses, particles, rods
+from exercises.tools import Step, rate, root
 from newton_euler import centre_of_mass
+
+draw = four_particles.figure
 
 
 def centre(ground, parts):
@@ -58,7 +59,3 @@ def mistakes(g):
         "without_the_first": centre(ground, parts[1:]),
         "from_the_one_before": centre(ground, [parts[0], *from_before]),
     }
-
-
-def draw(g, ax):
-    four_particles.figure(g, ax)

@@ -1,9 +1,11 @@
 """5/16: a centre of mass by integration."""
 
-from exercises.catalogue import proofs
 from exercises.devices import parabola_plate
 from exercises.devices import plate_under_curve as plate
 from exercises.devices.parabola_plate import height, start
+from exercises.tools import proofs
+
+draw = parabola_plate.figure
 
 
 def moments(g):
@@ -37,7 +39,3 @@ def mistakes(g):
         "top_of_strip": plate.centre(area, first_x, 2 * first_y),
         "above": plate.centre(box - area, box_x - first_x, box_y - first_y),
     }
-
-
-def draw(g, ax):
-    parabola_plate.figure(g, ax)

@@ -1,9 +1,8 @@
 """5/17: the weight at an altitude."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.planet import pull
+from exercises.tools import Sketch, Step
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import gravity_at_height
 
 

@@ -1,16 +1,13 @@
 """5/18: the weight on the moon."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.planet import pull
+from exercises.tools import Sketch, Step
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import gravity_at_surface
 
 
 def weight(g, mass, radius):
-    """Of the person on a planet, its mass and radius those of the earth times these numbers: in
-    such units, K times the mass of the person is W0.
-    """
+    """The weight on a planet of this mass and radius, those of the Earth being 1."""
     return gravity_at_surface(mass, radius, K=g.W0)
 
 

@@ -1,11 +1,7 @@
 """5/19: the degrees of freedom of two particles on one surface."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import freedom
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, freedom, mp, mpf
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom
 
 TWO = {"P1": "particle", "P2": "particle"}

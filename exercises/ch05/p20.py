@@ -1,11 +1,7 @@
 """5/20: the degrees of freedom of a pendulum: a count is an int. The length is only drawn."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import freedom
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, freedom, mp, mpf
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom
 
 SPACE, PLANE = "particle", "particle in plane"

@@ -1,11 +1,7 @@
 """5/22: the degrees of freedom of a pendulum on a cart. The length is only drawn."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import freedom
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, freedom, mp, mpf
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom
 
 BODIES = {"cart": "body in plane", "P": "particle in plane"}

@@ -1,11 +1,8 @@
 """5/24: the degrees of freedom of a double Atwood machine."""
 
-from mpmath import mpf
-
-from exercises.catalogue.proofs import freedom
 from exercises.devices.atwood import count, draw_machine, miscounts, rope, steps_to_count
+from exercises.tools import Sketch, freedom, mpf
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 MASSES = "m1", "m2", "m3"
 HEIGHTS = *MASSES, "P2"

@@ -1,11 +1,7 @@
 """5/26: degrees of freedom, a count and a word, in a problem without numbers."""
 
-from mpmath import mpf
-
-from exercises.catalogue.proofs import freedom
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, freedom, mpf
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom
 
 BLOCKS = {"first": 1, "second": 1}  # one coordinate each, along the track

@@ -1,11 +1,7 @@
 """5/27: the degrees of freedom of a double pendulum. The lengths are only drawn."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import freedom
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, freedom, mp, mpf
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom
 
 PLANE = {"P1": "particle in plane", "P2": "particle in plane"}

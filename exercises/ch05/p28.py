@@ -1,13 +1,7 @@
-"""5/28: the degrees of freedom of two particles on a string through the tip of a cone. Angle and
-length are only drawn.
-"""
+"""5/28: two particles on a string through the tip of a cone. Angle and length are only drawn."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import freedom
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, freedom, mp, mpf
 from newton_euler import Frame, cos, sin, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom
 
 TWO = {"P1": "particle", "P2": "particle"}
@@ -61,9 +55,7 @@ follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
 
 
 def prove(g):
-    """By the length of the string inside of the cone, the angle of its line on the cone, and two
-    angles of the part that hangs.
-    """
+    """By the string's length inside the cone, the angle of its line, two angles of what hangs."""
 
     def on_cone(r, turn):
         return [r * mp.cos(turn), r * mp.sin(turn), r]

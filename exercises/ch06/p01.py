@@ -1,11 +1,7 @@
 """6/1: the resultant of three forces on a particle."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import ForceSystem, Frame, atan, atan2, cos, pi, sin, where
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 P = AXES.point("P", 0, 0, 0)
@@ -42,15 +38,10 @@ follows = {"R_mag": lambda g, R: R.norm(), "dir_R": lambda g, R: direction(R)}
 
 
 def prove(g):
-    """Across its own line the three forces have no resultant: with these numbers the line is in the
-    second quadrant.
-    """
+    """Across its line the three forces have no resultant; the line is in the second quadrant."""
     pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
 
-    def across(line):
-        return sum(F * mp.sin(theta - line) for F, theta in pairs)
-
-    line = root(across, mp.pi / 2, mp.pi)
+    line = root(lambda line: sum(F * mp.sin(theta - line) for F, theta in pairs), mp.pi / 2, mp.pi)
     size = sum(F * mp.cos(theta - line) for F, theta in pairs)
     x, y = size * mp.cos(line), size * mp.sin(line)
     return {"R": [x, y, 0], "R_mag": size, "dir_R": line, "R_x": x, "R_y": y}

@@ -1,7 +1,6 @@
 """6/2: the acceleration of a particle by a force."""
 
-from exercises.catalogue.proofs import rate, root
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, rate, root
 from newton_euler import Frame
 from newton_euler.dynamics import acceleration_by
 
@@ -22,9 +21,7 @@ def steps(g):
 
 
 def prove(g):
-    """From rest, the work of each component of the force is the kinetic energy of the motion along
-    its axis.
-    """
+    """From rest, the work of each component is the kinetic energy of motion along its axis."""
 
     def along(F):
         def surplus(a):

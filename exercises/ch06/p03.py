@@ -1,7 +1,6 @@
 """6/3: the force on a particle whose position is known in time."""
 
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, rate
 from newton_euler import Frame
 from newton_euler.dynamics import resultant_force
 from newton_euler.kinematics import along
@@ -28,9 +27,7 @@ def steps(g):
 
 
 def prove(g):
-    """Each component of the force by its power: the rate of the kinetic energy of the motion along
-    its axis, divided by the velocity there.
-    """
+    """Each force component by its power: the rate of its kinetic energy over the velocity."""
     axes = (
         lambda t: g.c_0 - g.c_1 * t**2,
         lambda t: g.c_2 * t**3,
@@ -38,10 +35,7 @@ def prove(g):
     )
 
     def force(x):
-        def energy(t):
-            return g.m * rate(x, t) ** 2 / 2
-
-        return rate(energy, g.t_1) / rate(x, g.t_1)
+        return rate(lambda t: g.m * rate(x, t) ** 2 / 2, g.t_1) / rate(x, g.t_1)
 
     return {"F": [force(x) for x in axes], "v": [rate(x, g.t_1) for x in axes]}
 

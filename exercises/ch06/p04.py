@@ -1,9 +1,6 @@
 """6/4: the force on a particle whose velocity is known in time."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import scaled, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp, scaled, second_rate
 from newton_euler import Frame, cos, moving, radians, sin
 from newton_euler.dynamics import resultant_force
 
@@ -27,9 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """As seen along j the particle runs on a circle of radius A/omega: a place with this velocity,
-    and the second rate of that.
-    """
+    """Seen along j the particle circles at the radius A/omega: place, velocity, second rate."""
     radius = g.A / g.omega
 
     def place(t):

@@ -1,10 +1,9 @@
 """6/5: Atwood's machine."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.atwood import draw_machine
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
+from exercises.tools import Sketch, Step
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def blocks(g):

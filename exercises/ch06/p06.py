@@ -1,7 +1,5 @@
 """6/6: a block on a smooth plane, drawn by one that hangs."""
 
-from mpmath import mp
-
 from exercises.devices.roped_blocks import (
     block_steps,
     by_energy,
@@ -11,6 +9,7 @@ from exercises.devices.roped_blocks import (
     motion,
     on_face,
 )
+from exercises.tools import mp
 from newton_euler import pi
 
 

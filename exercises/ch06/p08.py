@@ -2,11 +2,9 @@
 
 from dataclasses import replace
 
-from exercises.catalogue.proofs import root, second_rate
-from exercises.catalogue.steps import Step
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
+from exercises.tools import Sketch, Step, root, second_rate
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def blocks(g):
@@ -32,9 +30,7 @@ follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a
 
 
 def prove(g):
-    """By the energy; the place of A is such that the rope, from the ceiling at the height 1, keeps
-    its length.
-    """
+    """By the energy; A is where the rope, from the ceiling at the height 1, keeps its length."""
 
     def A(s):
         return [0, root(lambda y: 2 * (1 - y) + (1 + s) - 3, -1 - abs(s), 1 + abs(s))]

@@ -1,11 +1,7 @@
 """6/9: when an object begins to slip on a turning cone; all forces per unit of mass."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import root, rot, second_rate, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, mpf, root, rot, second_rate, times
 from newton_euler import Frame, cos, cylindrical, moving, sin, solve_linear, sqrt, tan, where
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force, weight
 
 
@@ -46,10 +42,7 @@ def prove(g):
     """
 
     def contact(omega):
-        def place(t):
-            return times(rot("z", omega * t), [g.r, 0, 0])
-
-        x, _, z = second_rate(place)
+        x, _, z = second_rate(lambda t: times(rot("z", omega * t), [g.r, 0, 0]))
         return times(rot("y", -g.beta), [x, 0, z + g.g])  # outward on the surface, and its normal
 
     def grip(omega):

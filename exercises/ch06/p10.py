@@ -2,12 +2,8 @@
 length of the wire as that of length.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import plus, rate, root, rot, second_rate, size, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, plus, rate, root, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, polar, sin, solve_linear
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force, weight
 
 

@@ -1,9 +1,7 @@
 """6/11: a slider that a cord holds in the slot of a turning disk."""
 
-from exercises.catalogue.proofs import rate, rot, size, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, rate, rot, size, times
 from newton_euler import Frame, cos, moving, sin, solve_linear
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force
 from newton_euler.kinematics import polar
 

@@ -1,12 +1,8 @@
 """6/12: a car that leaves the road at a hump."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import Frame, moving, pi, sin, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import path_force
 from newton_euler.kinematics import frenet_along
 
@@ -50,15 +46,10 @@ def steps(g):
 
 
 def prove(g):
-    """By the explicit motion at constant speed: the highest is where the force of the road is zero
-    at the hump.
-    """
-
-    def wave(x):
-        return [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0]
+    """By the motion at constant speed: the highest has no force of the road at the hump."""
 
     def push(x, v):
-        _, a = at_constant_speed(wave, x, v)
+        _, a = at_constant_speed(lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0], x, v)
         return g.m * (g.g + a[1])
 
     v = root(lambda v: push(g.L / 4, v), mp.sqrt(g.g * g.L) / 100, 100 * mp.sqrt(g.g * g.L))

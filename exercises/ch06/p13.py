@@ -1,11 +1,7 @@
 """6/13: a block that hangs from a free cart, both let go from rest."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin, solve_linear
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force
 
 

@@ -1,11 +1,7 @@
 """6/14: a sphere on two wires, before and just after one of them is cut."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import minus, rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, mpf, rate, second_rate, size
 from newton_euler import Frame, pi, sin, solve_linear
-from newton_euler.drawing import Sketch
 
 
 def wires(g):
@@ -50,16 +46,13 @@ def prove(g):
     def with_AB(u):
         return [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
 
-    def length_of_CD(u):
-        return size(minus(with_AB(u), C))
-
     def with_CD(u):
         return minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])
 
     height, second = rate(with_AB)[2], -rate(with_CD)[2]
     a = second_rate(lambda t: with_CD(second * t**2 / 2))
     return {
-        "T_before": -g.W * height / rate(length_of_CD),
+        "T_before": -g.W * height / rate(lambda u: size(minus(with_AB(u), C))),
         "T_after": g.W * size(minus(a, [0, 0, -mpf(1)])),
         "eta": size(a),
     }

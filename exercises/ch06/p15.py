@@ -1,12 +1,7 @@
 """6/15: where a collar stays on a hoop that turns about its vertical diameter."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import minus, rate, second_rate, size, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, mpf, proofs, rate, second_rate, size, times
 from newton_euler import Frame, acos, asin, atan, cos, pi, root, sin
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import reaction
 
 ENDS = ("-0.3", "0.3", "3", "3.3")  # one place between each two, for all numbers of `vary`

@@ -1,19 +1,13 @@
 """6/16: a particle in a tube that turns in a vertical plane."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import DIGITS, rate, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import DIGITS, Sketch, Step, mp, rate, second_rate
 from newton_euler import Frame, cosh, moving, polar, sin, sinh
 from newton_euler.algebra import at
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import reaction
 
 
 def distance(g, t):
-    """The solution of r'' - r omega^2 = -g sin(omega t), (6.6) along a smooth tube, that starts at
-    a with r' = 0.
-    """
+    """The solution of r'' - r omega^2 = -g sin(omega t), (6.6), from r = a with r' = 0."""
     return hyperbolic(g, t) + oscillating(g, t) - drop(g) * sinh(g.omega * t)
 
 

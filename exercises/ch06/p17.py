@@ -1,12 +1,8 @@
 """6/17: a particle slides through a dip and over a crest."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import cross, rate, second_rate, size
-from exercises.catalogue.proofs import root as place_of
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, mp, mpf, rate, second_rate, size
+from exercises.tools import root as place_of
 from newton_euler import Frame, cos, sin, solve_linear, tan
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import path_force, speed_after
 
 
@@ -78,9 +74,7 @@ DOWN, UP = 0.8, 0.55  # slopes of the track before and after B, rad
 
 
 def bend(centre, radius, first, last):
-    """An arc of the track: its slope runs from ``first`` to ``last``; a negative radius for a
-    crest.
-    """
+    """An arc of the track, its slope from ``first`` to ``last``; a negative radius for a crest."""
     slopes = [first + (last - first) * n / 16 for n in range(17)]
     return [(centre[0] + radius * sin(q), 0, centre[1] - radius * cos(q)) for q in slopes]
 

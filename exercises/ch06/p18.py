@@ -1,11 +1,9 @@
 """6/18: a shot at a target on a tower to the north, on the turning Earth."""
 
-from exercises.catalogue.proofs import root, scaled, size
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
+from exercises.tools import Sketch, Step, root, scaled, size
 from newton_euler import Frame, sin
 from newton_euler.applications import earth_rate
-from newton_euler.drawing import Sketch
 
 
 def launch(g):

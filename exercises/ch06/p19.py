@@ -1,7 +1,5 @@
 """6/19: where a stone lands that is dropped on the turning Earth."""
 
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import (
     flight,
     globe,
@@ -9,6 +7,7 @@ from exercises.devices.turning_earth import (
     shot,
     to_first_order,
 )
+from exercises.tools import Step, root
 from newton_euler import pi, sqrt
 from newton_euler.applications import earth_rate
 
@@ -30,9 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """The free flight as it is seen from the stars, with the speed of the Earth at the height h, as
-    far as to the ground.
-    """
+    """The free flight seen from the stars, with the Earth's speed at h, to the ground."""
     place = flight(g, [0, 0, 0], g.h)
     t_0 = (2 * g.h / g.g) ** 0.5
 

@@ -1,10 +1,7 @@
 """6/20: the sideways force on a car that drives south on the turning Earth."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import second_rate
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import RADIUS, from_above, ground_axes
+from exercises.tools import Step, mp, second_rate
 from newton_euler import Frame, pi
 from newton_euler.applications import earth_rate, force_near_earth
 

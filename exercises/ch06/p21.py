@@ -1,17 +1,14 @@
 """6/21: a long shot to the north, on the turning Earth."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root as place_of
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
+from exercises.tools import Sketch, Step, mp
+from exercises.tools import root as place_of
 from newton_euler import Frame, cos, pi, root, sin
 from newton_euler.applications import (
     flight_time,
     launch_velocity,
     range_east,
 )
-from newton_euler.drawing import Sketch
 
 
 def elevation(g):
@@ -20,9 +17,7 @@ def elevation(g):
 
 
 def landing(g, phi):
-    """The place of the bullet when it comes down, which for a shot to the north is as late as
-    without rotation.
-    """
+    """Where the bullet comes down; a shot to the north takes as long as without rotation."""
     north = pi(phi) / 2
     ground = ground_axes(g)
     t = flight_time(g.v_0, north, phi, g.lat, g.g, 0 * g.omega_e)

@@ -1,7 +1,5 @@
 """6/22: where a shot straight up comes down on the turning Earth, a word and a formula."""
 
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import (
     flight,
     globe,
@@ -9,6 +7,7 @@ from exercises.devices.turning_earth import (
     shot,
     to_first_order,
 )
+from exercises.tools import Step, root
 from newton_euler import pi
 
 

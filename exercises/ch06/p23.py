@@ -1,13 +1,12 @@
 """6/23: the force of a locomotive on its track, on the turning Earth."""
 
-from exercises.catalogue.proofs import minus, plus, scaled, second_rate, times
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import (
     RADIUS,
     axes_turned,
     from_above,
     ground_axes,
 )
+from exercises.tools import Step, minus, plus, scaled, second_rate, times
 from newton_euler import Frame, pi, sqrt
 from newton_euler.applications import coriolis_acceleration, earth_rate
 from newton_euler.dynamics import reaction
@@ -19,9 +18,7 @@ def velocity(g, east=-1):
 
 
 def on_track(g, v, share=1):
-    """The reaction to the force of the track, which has to give the Coriolis acceleration and to
-    carry the weight.
-    """
+    """The reaction to the track's force, which carries the weight and gives the Coriolis term."""
     a = -share * coriolis_acceleration(earth_rate(v.frame), v)
     of_track = reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
     # as a plain vector: its terms would be called after those of the other force

@@ -6,6 +6,8 @@ from exercises.devices.inertia import matrix, turned
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
 from exercises.devices.triangular_plate import area_points, height
 
+draw = triangular_plate.figure
+
 
 def moments(g):
     """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx)."""
@@ -38,7 +40,3 @@ def mistakes(g):
         "no_product": matrix(PLATE, (xx, yy, zz)),
         "exchanged": matrix(PLATE, (yy, xx, zz), (xy, 0, 0)),
     }
-
-
-def draw(g, ax):
-    triangular_plate.figure(g, ax)

@@ -5,6 +5,8 @@ from exercises.devices.inertia import added, answer, matrix, of_points, steps_of
 from exercises.devices.satellite import SATELLITE, parts, spheres
 from newton_euler.bodies import spherical_shell
 
+draw = satellite.figure
+
 
 def solve(g):
     return answer(together(SATELLITE, parts(g)))
@@ -34,7 +36,3 @@ def mistakes(g):
         "R1_for_distance": answer(together(SATELLITE, parts(g, distance=g.R1))),
         "hollow": answer(together(SATELLITE, parts(g, shape=spherical_shell))),
     }
-
-
-def draw(g, ax):
-    satellite.figure(g, ax)

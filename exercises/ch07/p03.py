@@ -1,8 +1,5 @@
 """7/3: the inertia matrix of a block and a cylinder that stands on it."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import block_with_cylinder
 from exercises.devices.block_with_cylinder import BLOCK, parts
 from exercises.devices.inertia import (
@@ -15,6 +12,9 @@ from exercises.devices.inertia import (
     together,
     wrong_sign,
 )
+from exercises.tools import mp, proofs
+
+draw = block_with_cylinder.figure
 
 
 def inertia(g, **changed):
@@ -52,7 +52,3 @@ def mistakes(g):
         "from_its_own_base": answer(inertia(g, foot=0)),
         "rho_per_foot": answer(12**5 * I),
     }
-
-
-def draw(g, ax):
-    block_with_cylinder.figure(g, ax)

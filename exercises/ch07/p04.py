@@ -1,12 +1,13 @@
 """7/4: the inertia matrix of a cone at its apex by integration."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import cone
 from exercises.devices.cone import CONE, radius, tube
 from exercises.devices.inertia import added, matrix, of_points, raised
+from exercises.tools import Step, proofs
 from newton_euler import integral, pi
 from newton_euler.bodies import disk
+
+draw = cone.figure
 
 
 def density(g, radius=radius):
@@ -14,9 +15,7 @@ def density(g, radius=radius):
 
 
 def moments(g, radius=radius, transfer=1):
-    """(I_xx, I_yy, I_zz) by thin disks at the height z, by the parallel axis theorem; ``transfer``
-    is the weight of its term.
-    """
+    """(I_xx, I_yy, I_zz) by thin disks at height z; ``transfer`` weighs the parallel-axis term."""
     rho = density(g, radius)
 
     def thin_disk(z):
@@ -63,7 +62,3 @@ def mistakes(g):
         "at_G": matrix(CONE, (xx - at_G, yy - at_G, zz)),
         "cylinder": matrix(CONE, moments(g, radius=lambda g, z: g.r)),
     }
-
-
-def draw(g, ax):
-    cone.figure(g, ax)

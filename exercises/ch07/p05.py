@@ -1,9 +1,5 @@
 """7/5: the inertia matrix of a plate with six holes."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import plate_with_holes
 from exercises.devices.inertia import (
     added,
@@ -15,6 +11,9 @@ from exercises.devices.inertia import (
     wrong_sign,
 )
 from exercises.devices.plate_with_holes import PLATE, parts, places
+from exercises.tools import Step, mp, proofs
+
+draw = plate_with_holes.figure
 
 
 def solve(g):
@@ -59,7 +58,3 @@ def mistakes(g):
         "no_product": no_products(PLATE, I),
         "plus_sign": wrong_sign(PLATE, I),
     }
-
-
-def draw(g, ax):
-    plate_with_holes.figure(g, ax)

@@ -1,11 +1,12 @@
 """7/6: the inertia matrix of half a disk by integration."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import half_disk
 from exercises.devices.half_disk import DISK, in_polar, top
 from exercises.devices.inertia import added, matrix, of_points
+from exercises.tools import Step, proofs
 from newton_euler import cos, pi, sin
+
+draw = half_disk.figure
 
 
 def density(g, element=lambda r: r):
@@ -60,7 +61,3 @@ def mistakes(g):
         "transferred_again": matrix(DISK, (xx + added_again, yy, zz + added_again)),
         "no_factor_r": matrix(DISK, *moments(g, density(g), element=lambda r: g.one)),
     }
-
-
-def draw(g, ax):
-    half_disk.figure(g, ax)

@@ -1,10 +1,12 @@
 """7/7: the inertia matrix of a wire along an arc."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices import wire_arc
 from exercises.devices.inertia import added, matrix, turned
 from exercises.devices.wire_arc import WIRE, along, over
+from exercises.tools import Step
 from newton_euler import cos, sin
+
+draw = wire_arc.figure
 
 
 def moments(g, start=None):
@@ -40,7 +42,3 @@ def mistakes(g):
         "exchanged": matrix(WIRE, (yy, xx, zz)),
         "from_0": matrix(WIRE, *moments(g, start=0)),
     }
-
-
-def draw(g, ax):
-    wire_arc.figure(g, ax)

@@ -1,12 +1,13 @@
 """7/8: the inertia matrix of a hemispherical shell."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import dome
 from exercises.devices.dome import SHELL, area_of_ring, over_rings, shadow
 from exercises.devices.inertia import added, matrix, of_points
+from exercises.tools import Step, proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import hemisphere, ring, spherical_shell
+
+draw = dome.figure
 
 
 def density(g):
@@ -62,7 +63,3 @@ def mistakes(g):
         "halved": matrix(SHELL, [x / 2 for x in full.moments]),
         "dz_as_width": matrix(SHELL, moments(g, width=lambda g, phi: g.R * sin(phi))),
     }
-
-
-def draw(g, ax):
-    dome.figure(g, ax)

@@ -1,8 +1,5 @@
 """7/9: the inertia matrix of an L-shaped block with a bore."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import bored_bracket
 from exercises.devices.bored_bracket import BRACKET, block, parts
 from exercises.devices.inertia import (
@@ -14,6 +11,9 @@ from exercises.devices.inertia import (
     steps_of,
     together,
 )
+from exercises.tools import mp, proofs
+
+draw = bored_bracket.figure
 
 
 def solve(g):
@@ -56,7 +56,3 @@ def mistakes(g):
         "wall_from_its_foot": with_wall(0, g.h_w),
         "corner_twice": with_wall(0, g.h_b + g.h_w),
     }
-
-
-def draw(g, ax):
-    bored_bracket.figure(g, ax)

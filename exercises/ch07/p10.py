@@ -5,6 +5,8 @@ from exercises.devices.inertia import added, along_path, answer, matrix, steps_o
 from exercises.devices.wire_figure import WIRE, parts, path
 from newton_euler.bodies import disk
 
+draw = wire_figure.figure
+
 
 def solve(g):
     return answer(together(WIRE, parts(g, g.lam)))
@@ -33,7 +35,3 @@ def mistakes(g):
         "no_distance": matrix(WIRE, (xx, yy - near, zz - near), I.products),
         "no_diameter": answer(together(WIRE, [half, leg])),
     }
-
-
-def draw(g, ax):
-    wire_figure.figure(g, ax)

@@ -2,11 +2,13 @@
 
 from itertools import pairwise
 
-from exercises.catalogue.steps import Step
 from exercises.devices import chain_of_rods
 from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, path, rods
 from exercises.devices.inertia import added, along_path, answer, together, wrong_sign
+from exercises.tools import Step
 from newton_euler.bodies import particle
+
+draw = chain_of_rods.figure
 
 
 def parts(g):
@@ -41,7 +43,3 @@ def mistakes(g):
         ),
         "plus_sign": wrong_sign(CHAIN, together(CHAIN, parts(g))),
     }
-
-
-def draw(g, ax):
-    chain_of_rods.figure(g, ax)

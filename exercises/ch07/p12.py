@@ -1,8 +1,5 @@
 """7/12: the inertia matrix of a disk with a hole beside its centre."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import disk_with_hole
 from exercises.devices.disk_with_hole import DISK, parts, rim
 from exercises.devices.inertia import (
@@ -15,6 +12,9 @@ from exercises.devices.inertia import (
     turned,
     untransferred,
 )
+from exercises.tools import mp, proofs
+
+draw = disk_with_hole.figure
 
 
 def solve(g):
@@ -52,7 +52,3 @@ def mistakes(g):
         "along_x_too": matrix(DISK, (xx - transfer, yy, zz)),
         "hole_added": answer(together(DISK, [full, hole])),
     }
-
-
-def draw(g, ax):
-    disk_with_hole.figure(g, ax)

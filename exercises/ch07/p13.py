@@ -12,6 +12,8 @@ from exercises.devices.inertia import (
 )
 from exercises.devices.welded_rods import WELDED, parts, path
 
+draw = welded_rods.figure
+
 
 def solve(g):
     return answer(together(WELDED, parts(g, density=g.rho)))
@@ -37,7 +39,3 @@ def mistakes(g):
         "no_product": no_products(WELDED, I),
         "plus_sign": wrong_sign(WELDED, I),
     }
-
-
-def draw(g, ax):
-    welded_rods.figure(g, ax)

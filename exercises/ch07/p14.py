@@ -1,8 +1,5 @@
 """7/14: the inertia matrix of a bent plate with a hole and a round top."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import bent_plate
 from exercises.devices.bent_plate import PART, parts
 from exercises.devices.inertia import (
@@ -14,7 +11,10 @@ from exercises.devices.inertia import (
     together,
     untransferred,
 )
+from exercises.tools import mp, proofs
 from newton_euler.bodies import Body
+
+draw = bent_plate.figure
 
 
 def solve(g):
@@ -63,7 +63,3 @@ def mistakes(g):
         "no_products": no_products(PART, together(PART, *parts(g))),
         "w_as_radius": answer(together(PART, *parts(g, radius=g.w))),
     }
-
-
-def draw(g, ax):
-    bent_plate.figure(g, ax)

@@ -1,11 +1,12 @@
 """7/15: the inertia matrix of four particles on light rods."""
 
-from exercises.catalogue.proofs import cross, plus, rate, rot, scaled, times, transposed
-from exercises.catalogue.steps import Step
 from exercises.devices import four_particles
 from exercises.devices.four_particles import masses, particles, places, rods
 from exercises.devices.inertia import answer, matrix, together, wrong_sign
+from exercises.tools import Step, cross, plus, rate, rot, scaled, times, transposed
 from newton_euler.bodies import particle
+
+draw = four_particles.figure
 
 
 def inertia(ground, pairs):
@@ -52,7 +53,3 @@ def mistakes(g):
         "from_the_one_before": answer(inertia(ground, [parts[0], *from_before])),
         "plus_sign": wrong_sign(ground, I),
     }
-
-
-def draw(g, ax):
-    four_particles.figure(g, ax)

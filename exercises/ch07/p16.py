@@ -1,10 +1,12 @@
 """7/16: the inertia matrix of a plate under a parabola by integration."""
 
-from exercises.catalogue import proofs
 from exercises.devices import parabola_plate
 from exercises.devices.inertia import added, matrix, of_points
 from exercises.devices.parabola_plate import height, start
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
+from exercises.tools import proofs
+
+draw = parabola_plate.figure
 
 
 def moments(g, area):
@@ -43,7 +45,3 @@ def mistakes(g):
         "full_rectangle": matrix(PLATE, *moments(g, g.a * g.b)),
         "plus_sign": matrix(PLATE, (xx, yy, zz), (-xy, 0, 0)),
     }
-
-
-def draw(g, ax):
-    parabola_plate.figure(g, ax)

@@ -1,10 +1,8 @@
 """7/17: the moments of inertia of a flat ring."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame
 from newton_euler.bodies import annulus, disk, ring
-from newton_euler.drawing import Sketch
 
 PLATE = Frame("plate")
 

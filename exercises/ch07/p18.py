@@ -1,10 +1,8 @@
 """7/18: the moments of inertia of a triangular plate."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame
 from newton_euler.bodies import plate, simplex
-from newton_euler.drawing import Sketch
 
 PLATE = Frame("plate")  # its origin is the centre of mass
 

@@ -1,10 +1,8 @@
 """7/19: a cylinder from which a cone is cut."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame, composite, sqrt
 from newton_euler.bodies import cone, cylinder
-from newton_euler.drawing import Sketch
 
 PART = Frame("part")  # its origin is the middle of the lower end
 

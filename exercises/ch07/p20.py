@@ -1,10 +1,8 @@
 """7/20: the centroidal axis of a connecting rod, from its moments of inertia about two others."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root as proof_root
-from exercises.catalogue.steps import Step
 from exercises.devices.connecting_rod import about_A, figure, mean_square, two_masses
+from exercises.tools import Step, mp
+from exercises.tools import root as proof_root
 from newton_euler import root, sqrt
 
 

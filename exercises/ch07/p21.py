@@ -1,7 +1,7 @@
 """7/21: the moment of inertia of a connecting rod about its other bearing."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.connecting_rod import about_A, figure, mean_square, two_masses
+from exercises.tools import Step
 
 
 def solve(g):

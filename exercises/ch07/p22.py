@@ -2,14 +2,10 @@
 
 from math import cos, pi, sin
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import mean, rot, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mean, mp, rot, times
 from newton_euler import Frame
 from newton_euler.bodies import Inertia
 from newton_euler.bodies.inertia import from_second_moments
-from newton_euler.drawing import Sketch
 
 BODY = Frame("body")
 PLANE, LINE = "all mass in the plane x = 0", "all mass on the x axis"

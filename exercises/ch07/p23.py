@@ -1,13 +1,9 @@
 """7/23: the error of taking a far cylinder for a particle."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import disk, mean
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, disk, mean, mp
 from newton_euler import Frame
 from newton_euler.bodies import cylinder
 from newton_euler.bodies import ring as thin_tube
-from newton_euler.drawing import Sketch
 
 END = Frame("end")
 

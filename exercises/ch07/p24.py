@@ -1,12 +1,8 @@
 """7/24: the moments of inertia of a wedge of a cylinder."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, cos, pi, sin
 from newton_euler.bodies import arc, wedge
-from newton_euler.drawing import Sketch
 
 WEDGE = Frame("wedge")  # its origin is on the edge OO', x toward the centre of mass, z along OO'
 

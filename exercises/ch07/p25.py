@@ -1,12 +1,8 @@
 """7/25: a tube about a line in its outer surface."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame
 from newton_euler.bodies import cylinder, tube
-from newton_euler.drawing import Sketch
 
 TUBE = Frame("tube")  # its origin is the centre of mass
 

@@ -1,8 +1,5 @@
 """7/26: a ring and a half ring about a tangent."""
 
-from exercises.catalogue.proofs import mean
-from exercises.catalogue.proofs import ring as points_of_ring
-from exercises.catalogue.steps import Step
 from exercises.devices.half_ring import (
     RING,
     depth,
@@ -12,9 +9,10 @@ from exercises.devices.half_ring import (
     mean_over_half,
     with_half_disk,
 )
+from exercises.tools import Sketch, Step, mean
+from exercises.tools import ring as points_of_ring
 from newton_euler import pi
 from newton_euler.bodies import ring
-from newton_euler.drawing import Sketch
 
 
 def full(g):

@@ -1,9 +1,8 @@
 """7/27: a half ring about its diameter and about an axis through the middle of its arc."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.half_ring import RING, half, half_steps, mean_over_half, with_half_disk
+from exercises.tools import Sketch, Step
 from newton_euler import pi
-from newton_euler.drawing import Sketch
 
 
 def solve(g):

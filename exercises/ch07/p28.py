@@ -1,12 +1,8 @@
 """7/28: the cone that has the same moment of inertia about all axes through its centre of mass."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, root, tan
 from newton_euler.bodies import cone
-from newton_euler.drawing import Sketch
 
 CONE = Frame("cone")  # its origin is the apex, z points to the base
 

@@ -1,12 +1,8 @@
 """7/29: how long a spacecraft with two panels is to be for a steady spin."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, composite, root
 from newton_euler.bodies import cylinder, cylindrical_shell, plate
-from newton_euler.drawing import Sketch
 
 CRAFT = Frame("craft")
 

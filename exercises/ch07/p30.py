@@ -2,10 +2,9 @@
 
 from itertools import pairwise
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import chain_of_rods
 from exercises.devices.chain_of_rods import CHAIN, corners, path, rods
+from exercises.tools import Step, proofs
 from newton_euler import composite, particle
 
 

@@ -1,11 +1,9 @@
 """7/31: the products of inertia of a slanting rod."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.products import named
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame
 from newton_euler.bodies import simplex
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 PAIRS = "xy", "yz", "zx"

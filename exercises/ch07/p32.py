@@ -1,11 +1,9 @@
 """7/32: the products of inertia of a block at a corner."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.products import named
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame
 from newton_euler.bodies import box
-from newton_euler.drawing import Sketch
 
 CORNER = Frame("corner")
 

@@ -1,7 +1,5 @@
 """8/1: a beam on a pin and a cable, whose cable snaps."""
 
-from exercises.catalogue.proofs import box, plus, second_rate
-from exercises.catalogue.steps import Step
 from exercises.devices.broken_cable import (
     acceleration_of,
     by_energy,
@@ -12,9 +10,9 @@ from exercises.devices.broken_cable import (
     pin_force,
     sums,
 )
+from exercises.tools import Sketch, Step, box, plus, second_rate
 from newton_euler import Frame
 from newton_euler.bodies import rod
-from newton_euler.drawing import Sketch
 
 
 def offset(g):

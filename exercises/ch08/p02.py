@@ -1,6 +1,5 @@
 """8/2: a square plate on a pin and a cable, whose cable snaps."""
 
-from exercises.catalogue.proofs import box, plus, second_rate
 from exercises.devices.broken_cable import (
     acceleration_of,
     by_energy,
@@ -11,9 +10,9 @@ from exercises.devices.broken_cable import (
     pin_force,
     sums,
 )
+from exercises.tools import Sketch, box, plus, second_rate
 from newton_euler import Frame, sqrt
 from newton_euler.bodies import plate
-from newton_euler.drawing import Sketch
 
 
 def square(g):

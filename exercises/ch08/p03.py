@@ -1,22 +1,8 @@
 """8/3: a rod between two guides, let go from rest."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import (
-    box,
-    force_needed,
-    kinetic_energy,
-    let_go,
-    mean,
-    plus,
-    rot,
-    second_rate,
-    times,
-)
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, box, let_go, mean, mp, plus, proofs, rot, times
 from newton_euler import Frame, cos, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.bodies import rod
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import ForceSystem, mass_from_weight, resultant_moment, weight
 
 
@@ -90,20 +76,20 @@ def prove(g):
 
     def energy(q, t):
         height = sum(u * r[1] for u, r in moved(q, t))
-        return kinetic_energy(g.W / g.g, lambda t: moved(q, t), t) + g.W * height
+        return proofs.kinetic_energy(g.W / g.g, lambda t: moved(q, t), t) + g.W * height
 
     alpha = let_go(energy)
 
     def motion(t):
         return moved(lambda t: alpha * t**2 / 2, t)
 
-    F_x, F_y, _ = force_needed(g.W / g.g, motion)
+    F_x, F_y, _ = proofs.force_needed(g.W / g.g, motion)
     return {
         "alpha_AB": alpha,
         "F_A": [F_x, 0, 0],
         "F_B": [0, F_y + g.W, 0],
         "I_G": g.W / g.g * mean(lambda r: r[0] ** 2, box(g.L, 0, 0)),
-        "a_G": second_rate(lambda t: plus(*([u * x for x in r] for u, r in motion(t)))),
+        "a_G": proofs.second_rate(lambda t: plus(*([u * x for x in r] for u, r in motion(t)))),
     }
 
 

@@ -1,21 +1,8 @@
 """8/4: the forces on the connecting rod of an engine at top dead centre."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import (
-    box,
-    force_needed,
-    minus,
-    moment_needed,
-    plus,
-    root,
-    scaled,
-    second_rate,
-)
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, box, minus, mp, plus, proofs, root, scaled, second_rate
 from newton_euler import Frame, asin, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.bodies import rod
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight, reaction, resultant_force
 
 
@@ -92,8 +79,8 @@ def prove(g):
 
     a_O = second_rate(piston)
     F_x = -g.W_P / g.g * a_O[0]
-    needed = force_needed(g.W_R / g.g, motion)
-    F_y = moment_needed(g.W_R / g.g, motion, B(0))[2] / g.l
+    needed = proofs.force_needed(g.W_R / g.g, motion)
+    F_y = proofs.moment_needed(g.W_R / g.g, motion, B(0))[2] / g.l
     return {
         "F_B": minus(needed, [F_x, F_y, 0]),
         "F_O": [F_x, F_y, 0],

@@ -1,12 +1,8 @@
 """8/5: a bar that leans on the headboard of an accelerating truck."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import box, force_needed, moment_needed, plus, rot, times, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, box, mp, mpf, plus, proofs, rot, times, vanishing
 from newton_euler import Frame, cos, equations_of_motion, moving, sin, solve_linear
 from newton_euler.bodies import rod
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import ForceSystem, resultant_moment, weight
 
 
@@ -67,8 +63,8 @@ def prove(g):
 
         of_weight = -g.g * sum(u * r[0] for u, r in points)
         arm = B[1] + share * g.mu * B[0]
-        N_B = (moment_needed(1, motion)[2] - of_weight) / arm
-        F_x, F_y, _ = force_needed(1, motion)
+        N_B = (proofs.moment_needed(1, motion)[2] - of_weight) / arm
+        F_x, F_y, _ = proofs.force_needed(1, motion)
         return F_x + N_B, F_y + g.g - share * g.mu * N_B, N_B
 
     def greatest(share):

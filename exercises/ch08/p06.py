@@ -1,11 +1,7 @@
 """8/6: an unbalanced wheel that rolls down a slope and is about to jump."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import rate, root, second_rate, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, mpf, rate, root, second_rate, vanishing
 from newton_euler import Frame, atan2, cos, sin, solve_linear, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import acceleration_by, weight
 
 

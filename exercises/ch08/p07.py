@@ -1,13 +1,9 @@
 """8/7: a cylinder that falls while a thread unwinds from it."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import force_needed, kinetic_energy, let_go
-from exercises.catalogue.steps import Step
 from exercises.devices.rolling_cylinder import rolled, rolls
+from exercises.tools import Sketch, Step, force_needed, kinetic_energy, let_go, mp
 from newton_euler import Frame
 from newton_euler.bodies import disk, ring
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight
 
 
@@ -34,10 +30,7 @@ def prove(g):
     """By the energy of the mass points, let go."""
     m = g.W / g.g
 
-    def energy(q, t):
-        return kinetic_energy(m, lambda t: rolled(g.R, q(t)), t) - g.W * q(t)
-
-    a = let_go(energy)
+    a = let_go(lambda q, t: kinetic_energy(m, lambda t: rolled(g.R, q(t)), t) - g.W * q(t))
     needed = force_needed(m, lambda t: rolled(g.R, a * t**2 / 2))[0]
     return {"a_G": a, "T": g.W - needed, "alpha": mp.mpf(a) / g.R}
 

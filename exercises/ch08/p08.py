@@ -1,10 +1,8 @@
 """8/8: a cylinder on a slab that is suddenly accelerated, slipping and rolling."""
 
-from exercises.catalogue.proofs import disk, moment_needed, plus, rot, second_rate, times, vanishing
-from exercises.catalogue.steps import Step
 from exercises.devices.rolling_cylinder import rolls, slips
+from exercises.tools import Sketch, Step, disk, plus, proofs, rot, second_rate, times, vanishing
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def no_slip(g, condition=None):
@@ -32,16 +30,14 @@ def steps(g):
 
 
 def prove(g):
-    """The friction is as large as it can be, unless a smaller one brings the contact along with
-    the slab.
-    """
+    """The friction is as large as it can be, unless less carries the contact with the slab."""
 
     def motion(alpha):
         points = disk(g.r, order=2)
         return lambda t: [(u, times(rot("z", alpha * t**2 / 2), p)) for u, p in points]
 
     # alpha by a force at the contact of 1, from the moment that the mass points need
-    by_one = vanishing(lambda alpha: moment_needed(1, motion(alpha))[2] - g.r, 0, 1 / g.r)
+    by_one = vanishing(lambda alpha: proofs.moment_needed(1, motion(alpha))[2] - g.r, 0, 1 / g.r)
 
     def turning(F):
         return by_one * F

@@ -1,13 +1,9 @@
 """8/9: a disk that rolls up a slope and comes to rest."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import force_needed, kinetic_energy, let_go, vanishing
-from exercises.catalogue.steps import Step
 from exercises.devices.rolling_cylinder import rolled, rolls
+from exercises.tools import Sketch, Step, force_needed, kinetic_energy, let_go, mp, vanishing
 from newton_euler import Frame, cos, sin
 from newton_euler.bodies import disk, ring
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics.rectilinear import from_speed
 
 
@@ -37,9 +33,7 @@ def steps(g):
 
 
 def prove(g):
-    """The energy of the mass points at O is that of their height at P; let go there, they begin to
-    roll back.
-    """
+    """The energy at O is that of the height at P; let go there, the mass points roll back."""
 
     def height(q):
         return mp.sin(g.theta) * sum(u * r[0] for u, r in rolled(g.a, q))

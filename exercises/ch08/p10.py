@@ -1,12 +1,8 @@
 """8/10: a car door that swings shut as the car starts."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import box, kinetic_energy, mean, rate, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, box, kinetic_energy, mean, mp, rate, vanishing
 from newton_euler import Frame, integral, moving, pi, solve_linear, sqrt
 from newton_euler.bodies import rod
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_moment
 
 

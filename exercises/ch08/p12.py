@@ -1,10 +1,8 @@
 """8/12: the angular momentum of a cone that spins in a turning bracket."""
 
-from exercises.catalogue import in_frame, proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, proofs
 from newton_euler import Frame, Inertia
 from newton_euler.bodies import cone
-from newton_euler.drawing import Sketch
 
 
 def scene(g):
@@ -36,9 +34,7 @@ def steps(g):
 
 
 def prove(g):
-    """The momenta of mass points, each at the share u of the way from the vertex to a point of the
-    base, in their explicit motion.
-    """
+    """Momenta of mass points, at the share u of the way from the vertex to the base, in time."""
     base = proofs.disk(g.r)
 
     def orientation(t):

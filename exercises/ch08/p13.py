@@ -1,11 +1,10 @@
 """8/13: a block that turns about one of its edges."""
 
-from exercises.catalogue import proofs
 from exercises.devices import turning_body
-from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from exercises.devices.turning_body import about_origin, answers
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import box
-from newton_euler.drawing import Sketch
 
 BLOCK = Frame("block")
 AXIS = "y"
@@ -16,15 +15,7 @@ def inertia(g):
     return about_origin(BLOCK, [box(g.a, g.b, g.c, centre, "x", mass=g.m)])
 
 
-def solve(g):
-    return answers(g, inertia(g), AXIS)
-
-
-follows = moment_from_momentum(AXIS)
-
-
-def steps(g):
-    yield from steps_of(g, inertia(g), AXIS, "US")
+solve, steps, follows = turning_body.problem_of(inertia, AXIS, "US")
 
 
 def prove(g):

@@ -1,12 +1,7 @@
 """8/14: a figure of wire that turns about the axis of symmetry of its half circle."""
 
 from exercises.devices import turning_body, wire_figure
-from exercises.devices.turning_body import (
-    about_origin,
-    answers,
-    inertia_steps,
-    moment_from_momentum,
-)
+from exercises.devices.turning_body import about_origin, answers, inertia_steps
 from exercises.devices.wire_figure import WIRE, parts
 
 AXIS = "y"
@@ -16,11 +11,7 @@ def inertia(g):
     return about_origin(WIRE, parts(g, g.rho))
 
 
-def solve(g):
-    return answers(g, inertia(g), AXIS)
-
-
-follows = moment_from_momentum(AXIS)
+solve, _, follows = turning_body.problem_of(inertia, AXIS)
 
 
 def steps(g):

@@ -1,11 +1,10 @@
 """8/15: a bent sheet that turns about one of its edges."""
 
-from exercises.catalogue import proofs
 from exercises.devices import turning_body
-from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from exercises.devices.turning_body import about_origin, answers
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import plate
-from newton_euler.drawing import Sketch
 
 SHEET = Frame("sheet")
 AXIS = "x"
@@ -20,15 +19,7 @@ def inertia(g):
     ])  # fmt: skip
 
 
-def solve(g):
-    return answers(g, inertia(g), AXIS)
-
-
-follows = moment_from_momentum(AXIS)
-
-
-def steps(g):
-    yield from steps_of(g, inertia(g), AXIS)
+solve, steps, follows = turning_body.problem_of(inertia, AXIS)
 
 
 def prove(g):

@@ -1,11 +1,10 @@
 """8/16: a right triangle that turns about one of its legs."""
 
-from exercises.catalogue import proofs
 from exercises.devices import turning_body
-from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from exercises.devices.turning_body import about_origin, answers
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import simplex
-from newton_euler.drawing import Sketch
 
 PLATE = Frame("plate")
 AXIS = "z"
@@ -20,15 +19,7 @@ def inertia(g):
     return about_origin(PLATE, [simplex(*corners(g), mass=g.m)])
 
 
-def solve(g):
-    return answers(g, inertia(g), AXIS)
-
-
-follows = moment_from_momentum(AXIS)
-
-
-def steps(g):
-    yield from steps_of(g, inertia(g), AXIS, "US")
+solve, steps, follows = turning_body.problem_of(inertia, AXIS, "US")
 
 
 def prove(g):

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from exercises.devices import chain_of_rods, turning_body
 from exercises.devices.chain_of_rods import CHAIN, corners, rods
-from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from exercises.devices.turning_body import about_origin, answers
 
 AXIS = "x"
 
@@ -13,15 +13,7 @@ def inertia(g):
     return about_origin(CHAIN, rods(pairwise(corners(g, "z")), mass=g.m))
 
 
-def solve(g):
-    return answers(g, inertia(g), AXIS)
-
-
-follows = moment_from_momentum(AXIS)
-
-
-def steps(g):
-    yield from steps_of(g, inertia(g), AXIS)
+solve, steps, follows = turning_body.problem_of(inertia, AXIS)
 
 
 def prove(g):

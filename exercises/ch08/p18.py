@@ -1,13 +1,10 @@
 """8/18: a quarter of a disk that turns about one of its straight edges."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import turning_body
-from exercises.devices.turning_body import answers, moment_from_momentum, steps_of
+from exercises.devices.turning_body import answers
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, pi
 from newton_euler.bodies import sector
-from newton_euler.drawing import Sketch
 
 PLATE = Frame("plate")
 AXIS = "x"
@@ -20,15 +17,7 @@ def inertia(g):
     return quarter.about(PLATE.origin, PLATE)
 
 
-def solve(g):
-    return answers(g, inertia(g), AXIS)
-
-
-follows = moment_from_momentum(AXIS)
-
-
-def steps(g):
-    yield from steps_of(g, inertia(g), AXIS)
+solve, steps, follows = turning_body.problem_of(inertia, AXIS)
 
 
 def prove(g):

@@ -3,9 +3,9 @@
 from itertools import pairwise
 
 from exercises.devices import turning_body
-from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from exercises.devices.turning_body import about_origin, answers
+from exercises.tools import Sketch
 from newton_euler import Frame, particle
-from newton_euler.drawing import Sketch
 
 BODY = Frame("body")
 AXIS = "x"
@@ -28,15 +28,7 @@ def inertia(g):
     ])  # fmt: skip
 
 
-def solve(g):
-    return answers(g, inertia(g), AXIS)
-
-
-follows = moment_from_momentum(AXIS)
-
-
-def steps(g):
-    yield from steps_of(g, inertia(g), AXIS)
+solve, steps, follows = turning_body.problem_of(inertia, AXIS)
 
 
 def prove(g):

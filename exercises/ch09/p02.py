@@ -1,9 +1,7 @@
 """9/2: a slanting bar on a shaft."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import box
 from exercises.devices import rotor
+from exercises.tools import box, mp
 from newton_euler import Body, cos, sin
 from newton_euler.bodies import Inertia, rod
 

@@ -1,8 +1,8 @@
 """9/3: a slanting disk on a shaft."""
 
-from exercises.catalogue.proofs import disk as disk_points
-from exercises.catalogue.proofs import rot, times
 from exercises.devices import rotor
+from exercises.tools import disk as disk_points
+from exercises.tools import rot, times
 from newton_euler import Body, pi
 from newton_euler.bodies import disk
 

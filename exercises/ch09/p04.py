@@ -1,7 +1,7 @@
 """9/4: a slanting plate on a shaft."""
 
-from exercises.catalogue.proofs import box, rot, times
 from exercises.devices import rotor
+from exercises.tools import box, rot, times
 from newton_euler.bodies import plate
 
 

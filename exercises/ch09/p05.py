@@ -1,7 +1,7 @@
 """9/5: two crossed rods on a shaft."""
 
-from exercises.catalogue.proofs import box
 from exercises.devices import rotor
+from exercises.tools import box
 from newton_euler.bodies import rod
 
 

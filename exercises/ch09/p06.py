@@ -1,9 +1,7 @@
 """9/6: a plate that turns about its diagonal."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import box
 from exercises.devices import rotor
+from exercises.tools import box, mp
 from newton_euler import atan2
 from newton_euler.bodies import plate
 

@@ -1,6 +1,5 @@
 """9/7: a disk that spins on a bent arm."""
 
-from exercises.catalogue.steps import terms
 from exercises.devices.spinning_disk import (
     answers,
     balance,
@@ -14,7 +13,7 @@ from exercises.devices.spinning_disk import (
     spinning,
     with_moments_exchanged,
 )
-from newton_euler.drawing import Sketch
+from exercises.tools import Sketch, terms
 
 
 def place(g):

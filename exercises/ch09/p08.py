@@ -11,7 +11,7 @@ from exercises.devices.spinning_disk import (
     spin_steps,
     spinning,
 )
-from newton_euler.drawing import Sketch
+from exercises.tools import Sketch
 
 
 def disk_in_fork(g):

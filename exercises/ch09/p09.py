@@ -1,18 +1,12 @@
 """9/9: a ring that swings out from a turning shaft."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, acos, cos, particle, pi, sin, solve_linear, sqrt
 from newton_euler.bodies import Inertia, disk, ring
-from newton_euler.drawing import Sketch
 
 
 def hanging(g, body=ring):
-    """The body, of mass 1 since its mass cancels, and A. x is the tangent about which it swings, y
-    points from G to A, z is the normal.
-    """
+    """The body, of mass 1, and A: x is the tangent, y points from G to A, z is the normal."""
     frame = Frame("ring")
     return body(g.a, frame.point("G", 0, -g.a, 0), "z", mass=1), frame.point("A", 0, 0, 0)
 

@@ -1,10 +1,8 @@
 """10/3: the two steady precessions of a top."""
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import both_rates, needed_by_rates
 from exercises.devices.top_on_its_point import data, data_steps, draw, proof_data, top
+from exercises.tools import Step, mp
 from newton_euler.applications.gyroscopes import fast_spin, steady_precession
 
 __all__ = ["draw", "mistakes", "prove", "solve", "steps"]

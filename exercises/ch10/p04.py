@@ -1,8 +1,5 @@
 """10/4: leading terms of the two rates of steady precession for a fast spin."""
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import (
     both_rates,
     frames,
@@ -10,6 +7,7 @@ from exercises.devices.steady_precession import (
     needed_by_rates,
     two_rings,
 )
+from exercises.tools import Step, mp
 from newton_euler import Inertia, cos, sin, sqrt
 from newton_euler.applications.gyroscopes import fast_spin
 
@@ -47,9 +45,7 @@ follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}
 
 
 def prove(g):
-    """From the exact rates, at which mass points with these moments of inertia need just the
-    moment M, at far larger spins.
-    """
+    """From the exact rates at which mass points need just the moment M, at far larger spins."""
     points = two_rings(mp.sqrt(g.Iz), mp.sqrt(g.I0))
     square, product = needed_by_rates(1, points, g.theta)
     slow, fast = both_rates(1, points, g.theta, g.phi_dot, g.M)

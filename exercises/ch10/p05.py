@@ -1,9 +1,8 @@
 """10/5: the precessions of the top of 10/3 by the leading terms for a fast spin."""
 
-from exercises.catalogue.proofs import angular_momentum
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import carried, leading, orientation
 from exercises.devices.top_on_its_point import data, data_steps, draw, proof_data, top
+from exercises.tools import Step, angular_momentum
 from newton_euler import cos, sin
 from newton_euler.applications.gyroscopes import fast_spin
 

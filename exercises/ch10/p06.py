@@ -1,21 +1,9 @@
 """10/6: a space station that precesses free of moments."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import (
-    angular_momentum,
-    angular_velocity,
-    box,
-    disk,
-    mean,
-    plus,
-    vanishing,
-)
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import carried, frames, orientation
+from exercises.tools import Sketch, Step, box, disk, mean, mp, plus, proofs, vanishing
 from newton_euler import bodies, cos, pi
 from newton_euler.applications.gyroscopes import free_precession, steady_spin
-from newton_euler.drawing import Sketch
 
 
 def per_mass(g, shape=bodies.cylinder):
@@ -57,9 +45,7 @@ def by_sign(along):
 
 
 def prove(g):
-    """The spin with which the angular momentum of the mass points is along OC, as it must: else it
-    would go round with the precession.
-    """
+    """The spin at which the angular momentum is along OC, so that precession does not change it."""
     points = [
         (u * v, plus(p, q))
         for u, p in disk(g.R, order=2)
@@ -68,11 +54,11 @@ def prove(g):
 
     def off(phi_dot):
         motion = carried(points, orientation(g.theta, g.psi_dot, phi_dot))
-        return angular_momentum(1, motion)[1]
+        return proofs.angular_momentum(1, motion)[1]
 
     phi_dot = vanishing(off, 0, g.psi_dot)
     axis = [0, -mp.sin(g.theta), mp.cos(g.theta)]
-    omega = angular_velocity(orientation(g.theta, g.psi_dot, phi_dot))
+    omega = proofs.angular_velocity(orientation(g.theta, g.psi_dot, phi_dot))
     return {
         "phi_dot": phi_dot,
         "sense": lambda: by_sign(phi_dot * axis[2] * g.psi_dot),

@@ -1,17 +1,13 @@
 """10/7: a fan whose precession needs the moment of a shifted counterweight."""
 
-from exercises.catalogue.proofs import mean, moment_needed, plus, ring, rot, times, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mean, moment_needed, plus, ring, rot, times, vanishing
 from newton_euler import ForceSystem, Frame, cos, sin, solve_linear
 from newton_euler.applications.gyroscopes import normal_moment
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import weight
 
 
 def frames(g):
-    """Ground with Y up, the head, which turns about the post with Z towards the fan, and the
-    spinning parts.
-    """
+    """Ground with Y up, the head, turning about the post with Z towards the fan, and what spins."""
     ground = Frame("ground")
     head = ground.rotate("head", "y", rate=g.Omega)
     return ground, head, head.rotate("rotor", "-z", rate=g.p)

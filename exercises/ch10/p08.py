@@ -1,11 +1,8 @@
 """10/8: a motor on a turntable."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import moment_needed, rot, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, moment_needed, proofs, rot, times
 from newton_euler import ForceSystem, Frame, solve_linear
 from newton_euler.applications import normal_moment
-from newton_euler.drawing import Sketch
 
 
 def motor(g):

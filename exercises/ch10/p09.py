@@ -1,13 +1,8 @@
 """10/9: a wheel that rolls around a post and presses harder on the floor than its weight."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import moment_needed, plus, rot, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, moment_needed, mp, plus, proofs, rot, times
 from newton_euler import Body, ForceSystem, Frame, dynamics, solve_linear, solve_rates
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 
 def wheel(g, spin):

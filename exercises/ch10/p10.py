@@ -1,13 +1,9 @@
 """10/10: for which lengths a thin tube precesses in the sense of its spin."""
 
-from mpmath import mpf
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.wobbling import difference, needed_spin, neutral_length, sense
+from exercises.tools import Sketch, Step, mpf, proofs
 from newton_euler import Frame, root
 from newton_euler.bodies import cylinder, cylindrical_shell, rod
-from newton_euler.drawing import Sketch
 
 
 def shell(g, ratio):

@@ -1,17 +1,13 @@
 """10/11: two disks on a rod that do not precess."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.wobbling import neutral_length
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame, composite, particle, solve_linear, sqrt
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 
 def assembly(g, b, part=None):
-    """The two disks at the distance b, and O in the middle; of ``part``, a function of the centre
-    and the name, other bodies.
-    """
+    """Two disks at the distance b, O in the middle; ``part(centre, name)`` makes other bodies."""
     frame = Frame("assembly")
     part = part or (lambda centre, name: disk(g.r, centre, "z", mass=g.m, name=name))
     ends = [(name, frame.point(name, 0, 0, z)) for name, z in (("P", -b / 2), ("Q", b / 2))]
@@ -20,9 +16,7 @@ def assembly(g, b, part=None):
 
 
 def length(g, across, axial):
-    """That for which the transverse moment, a function of the length that grows as its square, is
-    equal to the axial one.
-    """
+    """Where the transverse moment, which grows as the length squared, equals the axial one."""
     flat, apart = across(0 * g.r), across(g.r)
     share = solve_linear(lambda square: flat + (apart - flat) * square - axial).square
     return {"b": g.r * sqrt(share)}

@@ -1,13 +1,9 @@
 """10/12: two cones, joined at their vertices, that do not precess."""
 
-from mpmath import mpf
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.wobbling import difference, neutral_length
+from exercises.tools import Sketch, Step, mpf, proofs
 from newton_euler import Frame, composite, root
 from newton_euler.bodies import cone, cylinder
-from newton_euler.drawing import Sketch
 
 
 def cones(g, ratio):

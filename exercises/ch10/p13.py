@@ -1,12 +1,9 @@
 """10/13: the moment of a rotor in a turning bracket on the shaft below it."""
 
-from exercises.catalogue import in_frame, proofs
-from exercises.catalogue.proofs import cross, minus, moment_needed, rot, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, in_frame, minus, moment_needed, proofs, rot, times
 from newton_euler import Frame, dynamics
 from newton_euler.applications import normal_moment
 from newton_euler.bodies import cylinder
-from newton_euler.drawing import Sketch
 
 
 def rotor(g):
@@ -44,9 +41,7 @@ def steps(g):
 
 
 def prove(g):
-    """What the mass points of a cylinder of another length need about C, less what their weight
-    gives there.
-    """
+    """What a cylinder of another length needs about C, less what its weight gives there."""
     m, length = g.W / g.g, g.r
     C = [0, 0, -2 * g.r]
     points = [

@@ -1,13 +1,8 @@
 """10/14: a spinning disk that falls over on a cross shaft, and the forces of its bearings."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import minus, moment_needed, plus, rot, scaled, times, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, mpf, plus, proofs, rot, scaled, times
 from newton_euler import ForceSystem, Frame, kinetic_energy, particle, pi, solve_linear, sqrt
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force, resultant_moment, weight
 
 
@@ -117,14 +112,14 @@ def prove(g):
         def motion(t):
             return body(theta + rate * t + acceleration * t**2 / 2, g.P * t)
 
-        return moment_needed(g.m, motion, about)
+        return proofs.moment_needed(g.m, motion, about)
 
     level, any_angle, unit = mp.pi / 2, mpf("0.7"), g.g / g.b
     inertia = downward(moment(any_angle, 0, unit)) / unit  # the same at all angles and rates
     at_angles = proofs.box(level, 0, 0, order=20)
     work = level * proofs.mean(lambda p: downward(of_weights(p[0] + level / 2)), at_angles)
     rate = mp.sqrt(2 * work / inertia)
-    acceleration = vanishing(
+    acceleration = proofs.vanishing(
         lambda a: downward(minus(moment(level, rate, a), of_weights(level))), 0, unit
     )
 

@@ -1,12 +1,8 @@
 """11/1: a cart that slides down a rough chute."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, rate, root, scaled, second_rate, size, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, proofs, rate, root, scaled, size, vanishing
 from newton_euler import Frame, pi
 from newton_euler.algebra.ledger import summed
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import constant_force_work, speed_after, weight
 
 
@@ -64,7 +60,7 @@ def prove(g):
 
     def parts(a):
         """Of the force of the chute, up it and across it."""
-        F = scaled(g.m, minus(second_rate(place(a)), [0, -g.g]))
+        F = scaled(g.m, minus(proofs.second_rate(place(a)), [0, -g.g]))
         return tuple(sum(f * e for f, e in zip(F, line, strict=True)) for line in (down, across))
 
     def excess(a):

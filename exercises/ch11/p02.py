@@ -1,10 +1,8 @@
 """11/2: a block on a rail between a cable and a spring."""
 
-from exercises.catalogue.proofs import minus, size, until
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, size, until
 from newton_euler import Frame
 from newton_euler.algebra.ledger import summed
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import speed_after, spring_potential
 
 

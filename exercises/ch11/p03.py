@@ -1,12 +1,8 @@
 """11/3: a car that drives up one slope and coasts up a steeper one."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, rate, root, scaled, second_rate, size, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, proofs, rate, root, scaled, size, vanishing
 from newton_euler import Frame, sin, solve_linear
 from newton_euler.algebra.ledger import summed
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import constant_force_work
 
 
@@ -55,9 +51,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time on either slope, with the acceleration by which the force beside the
-    weight is that of the engine, or none.
-    """
+    """The motion in time on either slope: besides the weight the engine's force acts, or none."""
     gravity = 10  # its acceleration, any: the mass is W over it, and the distances are the same
     m = g.W / gravity
 
@@ -66,7 +60,7 @@ def prove(g):
 
     def acceleration(angle, engine):
         def excess(a):
-            needed = scaled(m, minus(second_rate(line(angle, 0, a)), [0, -gravity]))
+            needed = scaled(m, minus(proofs.second_rate(line(angle, 0, a)), [0, -gravity]))
             return needed[0] * mp.cos(angle) + needed[1] * mp.sin(angle) - engine
 
         return vanishing(excess, 0, 1)

@@ -1,16 +1,13 @@
 """11/4: a collar that slides down a quarter of a hoop into a spring."""
 
-from exercises.catalogue.proofs import until
-from exercises.catalogue.steps import Step
 from exercises.devices.quarter_hoop import sketch, slides, work_of_weight
+from exercises.tools import Step, until
 from newton_euler import pi, sqrt
 from newton_euler.dynamics import speed_after, spring_potential
 
 
 def compression(g, v):
-    """At which the spring, whose energy is that for the unit of length times x^2, has taken what
-    the collar brings with the speed v.
-    """
+    """Where the spring, its energy k x^2/2, has taken the energy of the collar at the speed v."""
     T = g.m * v**2 / 2
     return sqrt(T / spring_potential(g.k, g.one))
 

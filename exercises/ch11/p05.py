@@ -1,8 +1,7 @@
 """11/5: a collar that slides down a quarter of a hoop, pulled by a spring from across."""
 
-from exercises.catalogue.proofs import minus, size
-from exercises.catalogue.steps import Step
 from exercises.devices.quarter_hoop import hoop, sketch, slides, spring_pull, work_of_weight
+from exercises.tools import Step, minus, size
 from newton_euler.algebra.ledger import summed
 from newton_euler.dynamics import speed_after, spring_between, spring_potential
 

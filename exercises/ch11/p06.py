@@ -1,12 +1,8 @@
 """11/6: two arms with a spring between them that fall open."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import until
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, until
 from newton_euler import Frame, pi, sin
 from newton_euler.algebra.ledger import summed
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import (
     mass_from_weight,
     speed_after,
@@ -73,9 +69,7 @@ def steps(g):
 
 
 def prove(g):
-    """The right arm in time: the moment of its weight and of the spring about O; the works of both
-    sides are added up on the way.
-    """
+    """The right arm in time: moments of weight and spring about O, and the works of both sides."""
 
     free = 2 * g.c  # each end is then c to the side
 

@@ -1,18 +1,12 @@
 """11/7: a linkage of two pairs of links that folds down on a spring."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, until
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, until
 from newton_euler import Frame, acos, atan2, cos, root, sin
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import spring_potential, weight_potential
 
 
 def scene(g, theta, side=1):
-    """The ground with y up from O, the knee K at the right side of the shaft (the left with side
-    -1), and the collar C.
-    """
+    """Ground, y up from O; the knee K, right of the shaft (left with side -1); the collar C."""
     ground = Frame("ground")
     # so that C is above O: along the lower link it is a - b cos(theta) from O, b sin(theta) across
     lean = atan2(g.b * sin(theta), g.a - g.b * cos(theta))

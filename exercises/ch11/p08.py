@@ -1,12 +1,8 @@
 """11/8: a particle on a light frame that swings down and stretches a spring."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, plus, size, speed_along
-from exercises.catalogue.steps import Step
 from exercises.devices.spring_to_pin import pull
+from exercises.tools import Sketch, Step, minus, mp, plus, size, speed_along
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
 
 

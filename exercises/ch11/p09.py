@@ -1,13 +1,9 @@
 """11/9: a roller coaster: the seat in a loop, and a hump on which the car just stays."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import force_needed, speed_along
-from exercises.catalogue.proofs import root as proved_root
-from exercises.catalogue.steps import Step
 from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
+from exercises.tools import Sketch, Step, force_needed, mp, speed_along
+from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight, path_force, speed_after, weight_potential
 
 
@@ -32,10 +28,7 @@ def at_D(g, v, r=None, **shares):
 def least_radius(g, v):
     """Where the weight is just the force that the crest needs."""
 
-    def surplus(rho):
-        return g.W - path_force(mass(g), v, 0, 1 / rho)[1]
-
-    return root(surplus, g.h / 100, 10 * g.h)
+    return root(lambda rho: g.W - path_force(mass(g), v, 0, 1 / rho)[1], g.h / 100, 10 * g.h)
 
 
 def speeds(g):
@@ -66,15 +59,9 @@ def prove(g):
     def weight(place):
         return [0, 0, -g.W]
 
-    def fall(q):
-        return [g.h * q, 0, g.h * (1 - q) ** 2]
-
-    def rise(q):
-        return [g.h * q, 0, g.h_E * q * q * (3 - 2 * q)]
-
-    v_B = speed_along(m, weight, fall, 0, 1)
+    v_B = speed_along(m, weight, lambda q: [g.h * q, 0, g.h * (1 - q) ** 2], 0, 1)
     v_D = speed_along(m, weight, circle(r), 0, mp.pi, v_B)
-    v_E = speed_along(m, weight, rise, 0, 1, v_B)
+    v_E = speed_along(m, weight, lambda q: [g.h * q, 0, g.h_E * q * q * (3 - 2 * q)], 0, 1, v_B)
 
     def over_crest(rho):
         """The force of the track on a car of the rider's weight."""

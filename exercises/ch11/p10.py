@@ -1,13 +1,9 @@
 """11/10: the least compression of a spring that shoots a pellet round a loop."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import ProofError, after, until
-from exercises.catalogue.proofs import root as proved_root
-from exercises.catalogue.steps import Step
 from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
+from exercises.tools import ProofError, Sketch, Step, after, mp, mpf, until
+from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import (
     mass_from_weight,
     speed_after,

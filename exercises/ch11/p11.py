@@ -1,12 +1,8 @@
 """11/11: a collar on a hoop in a horizontal plane, pulled by a spring: the weight does no work."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, size, speed_along
-from exercises.catalogue.steps import Step
 from exercises.devices.spring_to_pin import pull
+from exercises.tools import Sketch, Step, minus, mp, size, speed_along
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight, speed_after, spring_between, weight_potential
 
 

@@ -1,12 +1,8 @@
 """11/12: a collar on a half hoop in a horizontal plane, pulled by a spring from above it."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, size, speed_along
-from exercises.catalogue.steps import Step
 from exercises.devices.spring_to_pin import pull
+from exercises.tools import Sketch, Step, minus, mp, size, speed_along
 from newton_euler import Frame, pi
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
 
 

@@ -2,12 +2,8 @@
 
 from itertools import pairwise
 
-from mpmath import mpf
-
-from exercises.catalogue.proofs import box, freedom, gradient, mean, plus, rate, scaled
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, box, freedom, gradient, mean, mpf, plus, rate, scaled
 from newton_euler import Frame, integral, work_along
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import conservative_force, curl, degrees_of_freedom
 
 NAMES = [f"g_{n}{m}" for n in "xyz" for m in "xyz"]
@@ -158,20 +154,14 @@ def mistakes(g):
         )
         return -sum(integral(way, 0, 1) for way in ways)
 
-    def along_axes(x, y, z):
-        return in_three_legs(x, y, z, none, none)
-
-    def along_edges(x, y, z):
-        return in_three_legs(x, y, z, x, y)
-
     V = candidate(g)
     count = conditions(cross_derivatives)
     direct = conditions(
         lambda field: (field[0] - field[4], field[4] - field[8], field[8] - field[0])
     )
     return {
-        "axes_alone": answers(g, along_axes),
-        "edges": answers(g, along_edges),
+        "axes_alone": answers(g, lambda x, y, z: in_three_legs(x, y, z, none, none)),
+        "edges": answers(g, lambda x, y, z: in_three_legs(x, y, z, x, y)),
         "opposite_sense": {"W_loop": sum(round_trip(g, corners(g)[::-1]))},
         "plus_work": answers(g, lambda *place: -V(*place)),
         "pairs_twice": {"conditions": 2 * count},

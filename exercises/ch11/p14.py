@@ -1,10 +1,7 @@
 """11/14: a central force that grows with the cube of the distance: its test and its potential."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import gradient, rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, gradient, proofs, rate
 from newton_euler import Frame, integral, work_along
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import jacobian
 
 

@@ -1,11 +1,7 @@
 """11/15: a collar that a spring drives outward on a rod, which turns freely about the vertical."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import until
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, until
 from newton_euler import Frame, kinetic_energy, moving, particle, root, solve_rates, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import angular_momentum, spring_potential
 
 

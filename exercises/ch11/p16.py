@@ -1,10 +1,9 @@
 """11/16: the kinetic energy of a disk that spins at the end of a turning arm."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import energy_of_disk, spinning
+from exercises.tools import Sketch, Step
 from newton_euler import Body, kinetic_energy
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 
 def energy(g, Omega, spin):

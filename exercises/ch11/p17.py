@@ -1,13 +1,8 @@
 """11/17: the kinetic energy of a rolling disk."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import plus, rot, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, plus, proofs, rot, times
 from newton_euler import Frame, kinetic_energy, moving, solve_rates
 from newton_euler.bodies import disk, ring
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import kinetic_energy_about
 
 
@@ -49,9 +44,7 @@ def steps(g):
 
 
 def prove(g):
-    """Each mass point of the disk is on a cycloid: in one turn the disk goes on by the length of
-    its rim.
-    """
+    """Each mass point is on a cycloid: in one turn the disk advances by the length of its rim."""
     omega = 2 * mp.pi / (2 * mp.pi * g.r / g.u)
     points = proofs.disk(g.r, order=2)
 

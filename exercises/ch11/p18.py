@@ -1,11 +1,8 @@
 """11/18: the kinetic energy of a sphere about a point of its surface, in two forms."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import angular_velocity, ball, rot, size, times, transposed
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, ball, proofs, rot, size, times, transposed
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.bodies import sphere
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import euler_frame
 
 
@@ -24,9 +21,7 @@ def by_components(g, axes):
 
 
 def by_euler(g, axes):
-    """The components in the axes that do not spin: for a body of revolution these are principal
-    axes, too.
-    """
+    """The components in axes that do not spin, principal for a body of revolution as well."""
     ground = Frame("ground")
     turned = euler_frame(ground, "sphere", *(
         moving(angle, rate=rate)
@@ -77,9 +72,6 @@ def prove(g):
     points = [(u, [x, y, z + g.R]) for u, (x, y, z) in ball(g.R, order=2)]
     axis = [g.omega_x, g.omega_y, g.omega_z]
 
-    def about_axis(t):
-        return rot(axis, size(axis) * t)
-
     def in_time(t):
         tilt = rot("x", g.theta + g.theta_dot * t)
         return times(rot("z", g.psi_dot * t), tilt, rot("z", g.phi_dot * t))
@@ -87,9 +79,9 @@ def prove(g):
     def energy(turned):
         return proofs.kinetic_energy(g.M, lambda t: [(u, times(turned(t), p)) for u, p in points])
 
-    omega = times(transposed(rot("x", g.theta)), angular_velocity(in_time))
+    omega = times(transposed(rot("x", g.theta)), proofs.angular_velocity(in_time))
     return {
-        "T_omega": energy(about_axis),
+        "T_omega": energy(lambda t: rot(axis, size(axis) * t)),
         "T_euler": energy(in_time),
         "I_z": g.M * proofs.mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
         "I_x": g.M * proofs.mean(lambda r: r[1] ** 2 + r[2] ** 2, points),

@@ -1,15 +1,14 @@
 """11/19: the kinetic energies of two disks that roll on one shaft round the vertical."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import (
     energy_of_disk,
     rolling,
     spinning,
     unrolled,
 )
+from exercises.tools import Sketch, Step
 from newton_euler import Body, kinetic_energy
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 
 def places(g):

@@ -1,13 +1,8 @@
 """11/20: the kinetic energy of a disk on an arm that rolls round the inside of a cylinder."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import angular_velocity, plus, rate, rot, size, times
-from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
+from exercises.tools import Sketch, Step, angular_velocity, mp, plus, proofs, rate, rot, size, times
 from newton_euler import Body, acos, asin, atan, cos, kinetic_energy, pi, sin, sqrt
-from newton_euler.drawing import Sketch
 
 
 def turning(g):
@@ -98,9 +93,6 @@ def prove(g):
     def turned(t):
         return times(rot("z", Omega * t), rot("y", -up), rot("x", spin * t))
 
-    def G(t):
-        return times(rot("z", Omega * t), rot("y", -up), [g.c, 0, 0])
-
     omega = angular_velocity(turned)
     along_arm = [mp.sin(theta), 0, mp.cos(theta)]
     part = sum(x * e for x, e in zip(omega, along_arm, strict=True))
@@ -110,7 +102,7 @@ def prove(g):
         "T": proofs.kinetic_energy(1, carried(points, Omega, spin, g.L, up)),
         "omega_s": abs(spin),
         "omega_t": mp.sqrt(size(omega) ** 2 - part**2),
-        "v_G": size(rate(G)),
+        "v_G": size(rate(lambda t: times(rot("z", Omega * t), rot("y", -up), [g.c, 0, 0]))),
     }
 
 

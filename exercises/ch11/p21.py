@@ -2,10 +2,6 @@
 
 import math
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import angular_velocity, rot, size, times
-from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import (
     contact,
     energy_of_disk,
@@ -13,9 +9,9 @@ from exercises.devices.disk_on_shaft import (
     spinning,
     unrolled,
 )
+from exercises.tools import Sketch, Step, angular_velocity, mp, rot, size, times
 from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 
 def shaft(g):
@@ -83,10 +79,7 @@ def prove(g):
     up = mp.acos(g.b / mp.hypot(g.a, g.b))
     spin = unrolled(g.n, g.a, g.b * mp.cos(up) + g.a * mp.sin(up))
 
-    def turned(t):
-        return times(rot("z", g.n * t), rot("y", -up), rot("x", spin * t))
-
-    omega = angular_velocity(turned)
+    omega = angular_velocity(lambda t: times(rot("z", g.n * t), rot("y", -up), rot("x", spin * t)))
     along, _, across = times(rot("y", up), omega)
     return {
         "T": energy_of_disk(g.M, g.a, g.n, spin, g.b, up),

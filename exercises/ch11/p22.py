@@ -1,19 +1,13 @@
 """11/22: the kinetic energy of a cone that rolls round its tip."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, cos, sin, solve_rates, tan
 from newton_euler.bodies import cone
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import kinetic_energy_about
 
 
 def scene(g, spin):
-    """Ground; axes whose x is the line of contact; the cone, with its axis along its own x, and its
-    tip O.
-    """
+    """Ground; axes whose x is the line of contact; the cone, its axis along its x; its tip O."""
     ground = Frame("ground")
     contact = ground.rotate("contact", "z", rate=g.Omega)
     axle = contact.rotate("axle", "y", angle=-g.alpha)
@@ -23,9 +17,7 @@ def scene(g, spin):
 
 
 def rolling(g):
-    """The scene with the spin that keeps the side at rest along the line of contact, as at the
-    distance 1 from the tip.
-    """
+    """The scene with the spin that keeps the line of contact at rest, as at 1 from the tip."""
 
     def slip(spin):
         ground, contact, body, _ = scene(g, spin)

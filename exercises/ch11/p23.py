@@ -1,12 +1,8 @@
 """11/23: energy and angular momentum of a turning platform with a particle that slides in it."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue import in_frame, proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, mp, mpf, proofs
 from newton_euler import Frame, moving, particle
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import kinetic_energy
 
 

@@ -1,12 +1,8 @@
 """11/24: a pendulum made of a rod and a bob, let go."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, mpf, proofs
 from newton_euler import Frame, cos, particle, sin
 from newton_euler.bodies import rod
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import speed_after, weight_potential
 
 
@@ -64,9 +60,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion from the release, with the moment that the mass points need equal to that of
-    their weights.
-    """
+    """The motion from release, the mass points' moment equal to that of their weights."""
     along = [
         (share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0, order=2)
     ]

@@ -2,12 +2,8 @@
 
 from math import degrees
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame, proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, mp, proofs
 from newton_euler import Frame, cos, cylindrical, moving, sin, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import gravitational_potential, speed_after
 
 

@@ -2,11 +2,9 @@
 
 from mpmath import fp
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.spherical_pendulum import level_motion, other_level, way
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame, solve_rates, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import speed_after, weight_potential
 
 
@@ -27,10 +25,7 @@ def ratio(g):
 def kinetic(g, at_c):
     """At the level b, if the kinetic energy at c is this multiple of it."""
 
-    def gain(T_b):
-        return (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c)
-
-    (T_b,) = solve_rates(gain, 1)
+    (T_b,) = solve_rates(lambda T_b: (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c), 1)
     return T_b
 
 

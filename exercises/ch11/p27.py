@@ -1,7 +1,5 @@
 """11/27: how far down a spherical pendulum comes that is thrown from the level position."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.spherical_pendulum import (
     depth_angle,
     level_motion,
@@ -10,8 +8,8 @@ from exercises.devices.spherical_pendulum import (
     start,
     way,
 )
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame, asin, pi, sqrt
-from newton_euler.drawing import Sketch
 
 
 def sine(g, share=1):

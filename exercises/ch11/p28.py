@@ -1,17 +1,13 @@
 """11/28: a particle in a ring that turns freely about its vertical diameter."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.spherical_pendulum import (
     depth_angle,
     level_motion,
     other_level,
     sine_of_descent,
 )
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, acos, asin, cos, pi, sin
-from newton_euler.drawing import Sketch
 
 
 def cosine(g, share=1):

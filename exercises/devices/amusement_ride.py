@@ -2,12 +2,8 @@
 a turning shaft; a wavy track raises them to z = (h/2)(1 - cos(2 theta)).
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import elevation, rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, elevation, mp, rate, second_rate, size
 from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spherical, sqrt
-from newton_euler.drawing import Sketch
 
 
 def coordinates(g):

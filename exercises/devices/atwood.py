@@ -4,7 +4,7 @@ A machine is a pulley: its name, its radius, and for either end of its rope the 
 and what hangs there, the name of a mass or another pulley.
 """
 
-from exercises.catalogue.steps import Step
+from exercises.tools import Step
 from newton_euler.dynamics import degrees_of_freedom
 
 SIZE = 0.45  # of a mass

@@ -1,18 +1,11 @@
 """The bar of 4/12 and 4/13, on a rod that moves about a ball joint at its foot."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import minus, rate, rot, size, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, minus, mp, rate, rot, size, times
 from newton_euler import Frame, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def assembly(g, omega_y, omega_z):
-    """Ground with y up, the body with its three rates about the axes at the instant, and its points
-    A and D.
-    """
+    """Ground with y up, the body with its three rates at the instant, and its points A and D."""
     ground = Frame("ground")
     body = (
         ground.rotate("about x", "x", rate=g.omega_x)
@@ -74,9 +67,7 @@ def steps(g):
 
 
 def prove(g):
-    """The body turns steadily about one axis; the two rates are found from velocities that are
-    numerical derivatives.
-    """
+    """The body turns steadily about one axis; two rates come from numerical velocities."""
     A, D = [g.x_A, g.h, g.z_A], [-g.x_A / 2, g.h, -g.z_A / 2]
 
     def velocity(r, y, z):

@@ -2,9 +2,9 @@
 round top on its vertical part.
 """
 
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.bodies import disk, half_disk, plate
-from newton_euler.drawing import Sketch
 
 PART = Frame("part")
 

@@ -1,18 +1,11 @@
-"""The bevel gears of 4/32 and 4/33: B on a turning arm, in mesh with C below it, which is fixed or
-turns.
-"""
+"""Bevel gears of 4/32 and 4/33: B on a turning arm, in mesh with C below, fixed or turning."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_acceleration, angular_velocity, minus, rot, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, minus, proofs, rot, terms, times
 from newton_euler import Frame, atan, cos, sin, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def gears(n, n_C, tan_gamma):
-    """Ground, the arm turning about z with OA along its y, and gear B, turning on OA so that it
-    does not slide on C.
-    """
+    """Ground, the arm turning about z with OA along its y, and gear B, which does not slip on C."""
     ground = Frame("ground")
     arm, C = ground.rotate("OA", "z", rate=n), ground.rotate("C", "z", rate=n_C)
     # on the common line of the pitch cones, from O; the length does not matter
@@ -55,18 +48,16 @@ follows = {"alpha_B": lambda g, omega_B: (g.n * omega_B.frame.k).cross(omega_B)}
 
 
 def proved(n, n_C, tan_gamma):
-    """Equal arcs pass through the contact on the pitch circles of B and C, whose radii are as 1 to
-    tan(gamma).
-    """
+    """Equal arcs pass the contact on the pitch circles of B and C, radii as 1 to tan(gamma)."""
 
     def gear_B(t):
         overtaken = (n - n_C) * t  # the angle by which the arm has gone round on C
         # rolling toward -x: the top of B goes ahead
         return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))
 
-    omega = angular_velocity(gear_B)
+    omega = proofs.angular_velocity(gear_B)
     found = {"omega_rel": minus(omega, [0, 0, n])}
-    return {"omega_B": omega, "alpha_B": angular_acceleration(gear_B)} | found
+    return {"omega_B": omega, "alpha_B": proofs.angular_acceleration(gear_B)} | found
 
 
 def figure(ax, tan_gamma, C_turns):

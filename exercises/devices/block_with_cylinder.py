@@ -1,8 +1,8 @@
 """The body of 5/3 and 7/3: a block with a corner at O, and a cylinder that stands on it."""
 
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.bodies import box, cylinder
-from newton_euler.drawing import Sketch
 
 BLOCK = Frame("block")
 

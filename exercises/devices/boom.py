@@ -6,9 +6,7 @@ from newton_euler import Frame
 
 
 def turning_boom(omega, beta):
-    """Ground; the house, which turns, with x outward in the plane of the boom; the boom, with z
-    along it.
-    """
+    """Ground; the house, turning, x outward in the plane of the boom; the boom, z along it."""
     ground = Frame("ground")
     house = ground.rotate("house", "z", rate=omega)
     return ground, house, house.rotate("boom", "y", angle=beta)

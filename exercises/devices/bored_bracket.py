@@ -1,8 +1,8 @@
 """The bracket of 5/9 and 7/9: an L-shaped block with a corner at O, and a bore in its base."""
 
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.bodies import box, cylinder
-from newton_euler.drawing import Sketch
 
 BRACKET = Frame("bracket")
 

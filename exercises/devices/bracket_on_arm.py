@@ -1,15 +1,8 @@
-"""The bracket of 4/18 and 4/19: it turns about the horizontal arm EG, which turns about the
-vertical.
-"""
+"""The bracket of 4/18, 4/19 turns about the horizontal arm EG, which turns about the vertical."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate, second_rate
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, in_frame, mp, rate, second_rate, terms
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def arm_and_bracket(g):

@@ -5,8 +5,7 @@ The pin is the origin of the ground, x to the right and y up. A ``shape`` is a f
 the body in a frame that turns about the pin.
 """
 
-from exercises.catalogue.proofs import force_needed, kinetic_energy, let_go, mean, rot, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, force_needed, kinetic_energy, let_go, mean, rot, times
 from newton_euler import Frame, equations_of_motion, solve_linear
 from newton_euler.dynamics import mass_from_weight, reaction, weight
 

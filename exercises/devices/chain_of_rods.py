@@ -5,9 +5,9 @@ name of the length of a rod.
 
 from itertools import pairwise
 
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.bodies import simplex
-from newton_euler.drawing import Sketch
 
 CHAIN = Frame("chain")
 

@@ -1,13 +1,17 @@
-"""The collar A on a rod OB that turns in a plane about O (2/19, 2/20): r and theta are given as
-functions of time.
-"""
+"""The collar A on a rod OB turning in a plane about O (2/19, 2/20): r and theta given in time."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, rot, second_rate, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, mp, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving, polar
-from newton_euler.drawing import Sketch
+
+
+def moving_by(r, theta):
+    """``solve``, ``steps``, ``prove`` and ``draw``; ``r``, ``theta``: of givens and time."""
+    return (
+        lambda g: motion(g, r, theta),
+        lambda g: steps(g, r, theta),
+        lambda g: prove(g, r, theta),
+        lambda g, ax: sketch(g, ax, r),
+    )
 
 
 def collar(g, r, theta):

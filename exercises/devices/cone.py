@@ -2,10 +2,8 @@
 
 import math
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 CONE = Frame("cone")
 

@@ -2,12 +2,9 @@
 parallel to z in the x, z plane.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame
 from newton_euler.bodies import Inertia
-from newton_euler.drawing import Sketch
 
 ROD = Frame("rod")
 

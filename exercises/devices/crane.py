@@ -1,17 +1,12 @@
 """The crane of 4/4 (and 3/26): it revolves while its boom OP is lowered."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
 from exercises.devices.boom import turning_boom
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import moving
-from newton_euler.drawing import Sketch
 
 
 def crane(g):
-    """Ground with Z up; the house, which turns, with x outward in the plane of the boom; P in the
-    boom's frame, z along it.
-    """
+    """Ground with Z up; the house, turning, x outward in the boom's plane; P on the boom's z."""
     ground, house, boom = turning_boom(g.n, moving(g.beta_1, g.b_dot))
     return ground, house, boom.point("P", 0, 0, g.R)
 

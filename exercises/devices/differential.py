@@ -5,9 +5,9 @@ The axis of the gears and the axis of the pinion are two of x, y, z that follow 
 first gear is on the positive side.
 """
 
-from mpmath import matrix, mp
+from mpmath import matrix
 
-from exercises.catalogue.proofs import rot, times
+from exercises.tools import mp, rot, times
 from newton_euler import Frame, solve_rates
 
 AXES = "xyz"

@@ -5,31 +5,15 @@ about +y, the bracket at omega about +z; the disk's centre is on the axle at the
 shaft. On the rim, A is at the top and B at the side on +x.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.following import acceleration_of
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    plus,
-    rate,
-    scaled,
-    second_rate,
-    spun,
-)
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, spun, terms
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
 
 
 def data(g):
-    """(rate, growth) of the bracket and of the disk, and the offset b; zero for what a problem does
-    not have.
-    """
+    """(rate, growth) of the bracket and of the disk, and the offset b; zero where not given."""
     omega = g.omega_b if hasattr(g, "omega_b") else g.omega
     return (omega, getattr(g, "omega_dot", 0)), (g.P, getattr(g, "P_dot", 0)), getattr(g, "b", 0)
 
@@ -46,15 +30,33 @@ def disk_in_bracket(g):
     )
 
 
+def rim_problem(name):
+    """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of A or B."""
+    return (
+        lambda g: rim_motion(disk_in_bracket(g), name, g.r),
+        lambda g: rim_steps(g, name),
+        lambda g: prove_rim(g, name),
+        lambda g, ax: figure(g, ax, name),
+    )
+
+
+def whole_problem(name):
+    """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of the disk and of A or B."""
+    return (
+        lambda g: all_motion(disk_in_bracket(g), name, g.r),
+        lambda g: all_steps(g, name),
+        lambda g: prove_turning(g) | prove_rim(g, name),
+        lambda g, ax: figure(g, ax, omega_name=r"\omega_b"),
+    )
+
+
 def rim_point(disk, name, r):
     """The point A or B of the rim, fixed in the disk."""
     return disk.point(name, *(r if e else 0 for e in PLACES[name]))
 
 
 def turning(frames):
-    """Angular velocity and angular acceleration of the disk in the ground, along the bracket's
-    axes.
-    """
+    """The disk's angular velocity and acceleration in the ground, along the bracket's axes."""
     ground, bracket, disk = frames
     return in_frame(
         bracket,
@@ -66,9 +68,7 @@ def turning(frames):
 
 
 def rim_motion(frames, name, r):
-    """Velocity and acceleration of A or B in the ground, along the bracket's axes and with the
-    terms that the bracket gives.
-    """
+    """Velocity and acceleration of A or B, along the bracket's axes, by way of the bracket."""
     ground, bracket, disk = frames
     S = rim_point(disk, name, r)
     return {
@@ -150,9 +150,7 @@ def wrong_accelerations_of_B(g, a):
 
 
 def in_time(g, t):
-    """For the proof: the angles through which bracket and disk have turned, and the axle's
-    direction.
-    """
+    """Proof: the angles turned by bracket and disk, and the direction of the axle."""
     (omega, omega_dot), (P, P_dot), _ = data(g)
     theta, phi = omega * t + omega_dot * t**2 / 2, P * t + P_dot * t**2 / 2
     return theta, phi, [-mp.sin(theta), mp.cos(theta), 0]
@@ -165,7 +163,10 @@ def prove_turning(g):
         _, phi, axle = in_time(g, t)
         return spun(axle, [0, 0, 1], phi)
 
-    return {"omega_disk": angular_velocity(disk), "alpha_disk": angular_acceleration(disk)}
+    return {
+        "omega_disk": proofs.angular_velocity(disk),
+        "alpha_disk": proofs.angular_acceleration(disk),
+    }
 
 
 def prove_rim(g, name):
@@ -181,20 +182,14 @@ def prove_rim(g, name):
     def place(t):
         theta, _, axle = in_time(g, t)
         ahead, out, up = seen(t)
-        return plus(scaled(out, axle), [ahead * mp.cos(theta), ahead * mp.sin(theta), up])
+        return plus(proofs.scaled(out, axle), [ahead * mp.cos(theta), ahead * mp.sin(theta), up])
 
-    found = {f"r_{name}": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
-    return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)} | found
-
-
-def prove_all(g, name):
-    return prove_turning(g) | prove_rim(g, name)
+    found = {f"r_{name}": seen(0), "v_r": rate(seen), "a_r": proofs.second_rate(seen)}
+    return {f"v_{name}": rate(place), f"a_{name}": proofs.second_rate(place)} | found
 
 
 def figure(g, ax, rim="AB", omega_name=r"\omega"):
-    """The figure; ``rim`` names the points of the rim to show. Rates that grow are shown with their
-    rate of growth.
-    """
+    """The figure; ``rim``: the points shown. Rates that grow are shown with their growth."""
     ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)
     letters = [

@@ -6,25 +6,9 @@ the axis of the disk in A. The three axes meet at the disk's centre. On the rim,
 D at the side on +x.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.following import acceleration_of
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    cross,
-    plus,
-    rate,
-    scaled,
-    second_rate,
-    spun,
-    transposed,
-)
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, scaled, terms
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 PLACES = {"C": (0, 0, 1), "D": (1, 0, 0)}
 
@@ -35,6 +19,16 @@ def disk_in_two_brackets(g):
     B = ground.rotate("B", "z", rate=g.omega_1)
     A = B.rotate("A", "x", rate=g.omega_2)
     return ground, B, A, A.rotate("disk", "y", rate=g.omega_3)
+
+
+def rim_problem(name):
+    """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of C or D."""
+    return (
+        lambda g: answers(*frames_and_point(g, name)),
+        lambda g: rim_steps(g, name),
+        lambda g: prove_rim(g, name),
+        draw_two_brackets,
+    )
 
 
 def rim_point(g, disk, name):
@@ -49,9 +43,7 @@ def frames_and_point(g, name):
 
 
 def answers(frames, S):
-    """The answers for the rim point S, along the axes of B; the acceleration has the terms that the
-    disk gives.
-    """
+    """The answers for the rim point S, along the axes of B, by way of the disk."""
     ground, B, _, disk = frames
     return in_frame(B, {
         "omega_disk": disk.angular_velocity(ground),
@@ -104,15 +96,13 @@ def pin_and_axis(gone_round, risen):
 
 
 def prove_turning(omega_1, omega_2, omega_3):
-    """Proof: angular velocity and acceleration of the disk, from its orientation as a function of
-    time.
-    """
+    """Proof: the disk's angular velocity and acceleration, from its orientation in time."""
 
     def disk(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
-        return spun(axis, pin, omega_3 * t)
+        return proofs.spun(axis, pin, omega_3 * t)
 
-    return angular_velocity(disk), angular_acceleration(disk)
+    return proofs.angular_velocity(disk), proofs.angular_acceleration(disk)
 
 
 def prove_carrier(omega_1, omega_2):
@@ -120,9 +110,9 @@ def prove_carrier(omega_1, omega_2):
 
     def carrier(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
-        return transposed([pin, axis, cross(pin, axis)])
+        return proofs.transposed([pin, axis, proofs.cross(pin, axis)])
 
-    return angular_velocity(carrier), angular_acceleration(carrier)
+    return proofs.angular_velocity(carrier), proofs.angular_acceleration(carrier)
 
 
 def prove_rim(g, name):
@@ -130,7 +120,7 @@ def prove_rim(g, name):
 
     def place(t):
         pin, axis = pin_and_axis(g.omega_1 * t, g.omega_2 * t)
-        c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), cross(pin, axis)
+        c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), proofs.cross(pin, axis)
         return {
             "C": plus(scaled(c, up), scaled(s, pin)),
             "D": plus(scaled(c, pin), scaled(-s, up)),
@@ -142,7 +132,7 @@ def prove_rim(g, name):
         "omega_disk": omega,
         "alpha_disk": alpha,
         f"v_{name}": rate(place),
-        f"a_{name}": second_rate(place),
+        f"a_{name}": proofs.second_rate(place),
         "omega_A": omega_A,
         "alpha_A": alpha_A,
         f"r_{name}": place(0),

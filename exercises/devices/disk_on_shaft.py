@@ -4,18 +4,13 @@ spins on the shaft, or rolls with its rim; its kinetic energy, and that of mass 
 
 from dataclasses import dataclass
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import disk, plus, rot, times
+from exercises.tools import disk, mp, plus, proofs, rot, times
 from newton_euler import Frame, Point, solve_rates
 
 
 @dataclass(frozen=True)
 class OnShaft:
-    """The ground with z up, the axes x, y, z of the shaft, x along it and y level, and the frame
-    and centre C of a body that spins about x.
-    """
+    """Ground with z up; the shaft's axes, x along it, y level; the spinning body, its centre C."""
 
     ground: Frame
     shaft: Frame

@@ -1,10 +1,8 @@
 """The disk of 5/12 and 7/12: about O, with a hole whose centre is on x."""
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 DISK = Frame("disk")
 
@@ -16,9 +14,7 @@ def parts(g, density=1):
 
 
 def rim(g, c, s):
-    """Proof, the way from the centre of the hole to the rim of the disk, in the direction whose
-    cosine and sine are c and s.
-    """
+    """Proof, the distance from the hole's centre to the disk's rim in the direction (c, s)."""
     return mp.sqrt(g.R**2 - (g.e * s) ** 2) - g.e * c
 
 

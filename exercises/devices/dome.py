@@ -1,9 +1,7 @@
 """The hemispherical shell of 5/8 and 7/8: its rim in the (x, y) plane about O, its top on z."""
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame, cos, integral, pi, sin
-from newton_euler.drawing import Sketch
 
 SHELL = Frame("shell")
 

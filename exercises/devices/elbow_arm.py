@@ -1,28 +1,11 @@
-"""The elbow arm of 4/16 and 4/17: the rod CD, hinged at C to an arm BC that turns about the
-vertical.
-"""
+"""The elbow arm of 4/16, 4/17: rod CD, hinged at C to an arm BC turning about the vertical."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    rate,
-    rot,
-    second_rate,
-    times,
-    transposed,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, mp, proofs, rate, rot, terms, times, transposed
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing import Sketch
 
 
 def arm_and_rod(g):
-    """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, which is how beta
-    grows.
-    """
+    """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, as beta grows."""
     ground = Frame("ground")
     arm = ground.rotate("BC", "z", rate=g.omega)
     C = arm.point("C", 0, g.b, 0)
@@ -62,9 +45,7 @@ follows = {"a_D": a_D}
 
 
 def prove(g):
-    """The direction of CD in the turning vertical plane, from CB (back to the shaft) upward by
-    beta.
-    """
+    """The direction of CD in the turning vertical plane, from CB to the shaft upward by beta."""
 
     def rod(t):
         c, s = mp.cos(g.beta_1 + g.b_dot * t), mp.sin(g.beta_1 + g.b_dot * t)
@@ -78,8 +59,12 @@ def prove(g):
     def D(t):
         return times(rot("z", g.omega * t), in_arm(t))
 
-    answers = {"alpha_CD": angular_acceleration(rod), "v_D": rate(D), "a_D": second_rate(D)}
-    return answers | {"omega_CD": angular_velocity(rod), "v_r": rate(in_arm)}
+    answers = {
+        "alpha_CD": proofs.angular_acceleration(rod),
+        "v_D": rate(D),
+        "a_D": proofs.second_rate(D),
+    }
+    return answers | {"omega_CD": proofs.angular_velocity(rod), "v_r": rate(in_arm)}
 
 
 def common_mistakes(g):

@@ -1,7 +1,7 @@
 """The particles of 5/15 and 7/15: four on a chain of light rods from O, along x, y and z."""
 
+from exercises.tools import Sketch
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def places(g):

@@ -1,9 +1,7 @@
 """The half disk of 5/6 and 7/6: its straight edge along x, its middle at O, its arc at y > 0."""
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame, integral, pi
-from newton_euler.drawing import Sketch
 
 DISK = Frame("disk")
 

@@ -1,9 +1,6 @@
 """The thin half ring (wire) of 7/26 and 7/27: G is its centre of mass, M the middle of its arc."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp, proofs
 from newton_euler import Frame
 from newton_euler.bodies import half_disk, half_ring
 
@@ -21,16 +18,12 @@ def depth(part):
 
 
 def from_G(g, own, d):
-    """The moment about an axis through M, from that about the parallel through G, which is at the
-    depth d.
-    """
+    """The moment about an axis through M, from that about its parallel through G, at depth d."""
     return own + g.m * (g.r - d) ** 2
 
 
 def with_half_disk(g, at_centre):
-    """The mistake of the half disk's centre of mass, from the moment at the centre of the circle to
-    that at M.
-    """
+    """The mistake of the half disk's mass centre: from the moment at the centre to that at M."""
     d = depth(half_disk(g.r, RING, "z", "-y", mass=g.m))
     return from_G(g, at_centre - g.m * d**2, d)
 

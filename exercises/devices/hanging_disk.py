@@ -1,10 +1,5 @@
 """The disk of 10/1 and 10/2 on a light rod AB that hangs from a ball joint at A."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import angular_velocity, mean, plus, times, vanishing
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import (
     frames,
     needed,
@@ -12,15 +7,13 @@ from exercises.devices.steady_precession import (
     orientation,
     weight_moment,
 )
+from exercises.tools import Sketch, Step, angular_velocity, mean, mp, plus, proofs, times, vanishing
 from newton_euler import bodies, cos, pi
 from newton_euler.applications.gyroscopes import steady_spin
-from newton_euler.drawing import Sketch
 
 
 def hanging(g, psi=0):
-    """Ground, the axes with the origin A that precess without spinning, k from A to B, the disk
-    and theta.
-    """
+    """Ground, axes at A that precess without spinning, k from A to B, the disk and theta."""
     theta = pi(g.beta) - g.beta
     ground, axes = frames(theta, psi, name="disk")
     return ground, axes, bodies.disk(g.D / 2, axes.point("B", 0, 0, g.L), "z", mass=g.m), theta

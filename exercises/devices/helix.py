@@ -1,9 +1,7 @@
 """The helix of 3/4, 3/5 and 3/7, about the z axis: its rise is that for one radian."""
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame, cos, cylindrical, pi, sin
-from newton_euler.drawing import Sketch
 
 
 def helix(radius, rise):

@@ -5,16 +5,13 @@ angular momenta of mass points in a body that turns.
 
 from itertools import pairwise
 
-from exercises.catalogue import proofs
 from exercises.catalogue.proofs.digits import weighted
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, proofs
 from newton_euler.bodies import Body, Inertia
 
 
 def matrix(frame, moments, products=(0, 0, 0)):
-    """The answer of all these problems, from (I_xx, I_yy, I_zz) and (I_xy, I_yz, I_zx); of a wrong
-    model, any.
-    """
+    """The answer from (I_xx, I_yy, I_zz) and (I_xy, I_yz, I_zx), right or wrong ones."""
     return {"I_O": Inertia(frame, moments, products, tolerance=None).matrix}
 
 
@@ -75,9 +72,7 @@ def turned(place):
 
 
 def of_points(mass, points, at=(0, 0, 0)):
-    """Proof, the matrix at O of this mass, spread as ``points`` (see :func:`proofs.box`) about the
-    place ``at``.
-    """
+    """Proof, the matrix at O of this mass, spread as ``points`` about the place ``at``."""
     return added((mass, proofs.mean(lambda place: turned(proofs.plus(place, at)), points)))
 
 

@@ -1,10 +1,7 @@
 """A point of which velocity and acceleration are known at one instant, as in 3/9 to 3/11."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, scaled, size
+from exercises.tools import Sketch, mp, rate, scaled, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 GROUND = Frame("ground")
 

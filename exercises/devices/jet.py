@@ -1,10 +1,7 @@
-"""The jet of water of 2/11 and 2/12, from a nozzle at A up to its highest point B: how it is
-curved, proof, figure.
-"""
+"""The jet of water of 2/11 and 2/12, from a nozzle at A to its highest point B."""
 
-from exercises.catalogue.proofs import rate, second_rate
+from exercises.tools import Sketch, rate, second_rate
 from newton_euler import frenet
-from newton_euler.drawing import Sketch
 
 
 def motion(g, ground, v):

@@ -1,15 +1,12 @@
-"""The steps that go before (4.17) and (4.18): how a frame turns, and what is seen in it of a point
-that moves.
-"""
+"""The steps before (4.17), (4.18): how a frame turns, and the motion of a point seen in it."""
 
-from exercises.catalogue.steps import Step, is_zero, terms
+from exercises.catalogue.steps import is_zero
 from exercises.catalogue.wording import body_text
+from exercises.tools import Step, terms
 
 
 def turning_of(frame, ground, axes, name, said):
-    """omega and alpha of a frame, which ``said`` speaks of ("the arm"), along ``axes``; no alpha
-    that is zero.
-    """
+    """omega and alpha, if not zero, along ``axes`` of a frame called ``said`` ("the arm")."""
     omega = frame.angular_velocity(ground).expressed_in(axes)
     alpha = frame.angular_acceleration(ground).expressed_in(axes)
     within = body(ground)

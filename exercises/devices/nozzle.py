@@ -1,18 +1,11 @@
-"""The nozzle of 4/2 (and 3/14): it turns about the vertical through O, and water flows outward in
-it.
-"""
+"""The nozzle of 4/2 (and 3/14): it turns about the vertical through O, water flowing outward."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving
-from newton_euler.drawing import Sketch
 
 
 def nozzle_and_particle(g):
-    """Ground with Z up; a frame that turns with the nozzle, x outward; the particle in a frame with
-    z along the nozzle.
-    """
+    """Ground with Z up; a frame turning with the nozzle, x outward; the particle, z along it."""
     ground = Frame("ground")
     turning = ground.rotate("turning", "z", rate=g.omega)
     nozzle = turning.rotate("nozzle", "y", angle=g.tilt)

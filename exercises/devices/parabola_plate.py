@@ -1,9 +1,7 @@
 """The plate of 5/16 and 7/16: between the x axis, a parabola with its vertex at O, and x = a."""
 
-from mpmath import mp
-
 from exercises.devices.plate_under_curve import PLATE
-from newton_euler.drawing import Sketch
+from exercises.tools import Sketch, mp
 
 
 def height(g):

@@ -1,6 +1,6 @@
 """A plane curve on which a point keeps its speed, as in 2/1 and 2/2: the proof."""
 
-from exercises.catalogue.proofs import plus, rate, scaled, second_rate, size
+from exercises.tools import plus, rate, scaled, second_rate, size
 
 
 def at_constant_speed(curve, q, speed):

@@ -1,6 +1,6 @@
 """A planet whose mass is radially symmetric, for the proofs of 5/17 and 5/18."""
 
-from exercises.catalogue.proofs import mean, shell
+from exercises.tools import mean, shell
 
 
 def pull(mass, radius, distance):

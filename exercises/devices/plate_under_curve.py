@@ -2,7 +2,7 @@
 the curve: its integrals over vertical strips (5/1, 5/16, 7/1, 7/16).
 """
 
-from exercises.catalogue.steps import Step
+from exercises.tools import Step
 from newton_euler import Frame, integral
 
 PLATE = Frame("plate")

@@ -1,8 +1,8 @@
 """The plate of 5/5 and 7/5: a rectangle with a corner at O and six holes in two rows."""
 
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.bodies import disk, plate
-from newton_euler.drawing import Sketch
 
 PLATE = Frame("plate")
 

@@ -1,8 +1,6 @@
-"""A point that moves by its polar coordinates, of which the magnitude of the acceleration is asked:
-2/17, 2/22.
-"""
+"""A point moving by its polar coordinates; the acceleration's magnitude is asked: 2/17, 2/22."""
 
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Step, terms
 
 
 def steps(ground, r, P):

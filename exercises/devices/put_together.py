@@ -2,10 +2,7 @@
 of the parts, and proofs that know no parts: by slices, and along a wire.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp, proofs
 from newton_euler import centre_of_mass
 
 SYMBOLS = {"length": "l", "area": "A", "volume": "V", "mass": "m"}
@@ -15,6 +12,20 @@ POWERS = {"length": 1, "area": 2, "volume": 3}
 def centre(frame, parts, removed=()):
     """The answer of all these problems, from bodies."""
     return {"d": centre_of_mass([*parts, *(-hole for hole in removed)], frame).position(frame)}
+
+
+def problem_of(frame, parts, holes=False, **units):
+    """``solve`` and ``steps`` of a problem about the bodies ``parts(g)``, with ``holes`` a pair of
+    those and the ones cut out; ``units`` as for :func:`steps_of`.
+    """
+
+    def bodies(g):
+        return parts(g) if holes else (parts(g),)
+
+    return (
+        lambda g: centre(frame, *bodies(g)),
+        lambda g: steps_of(frame, *bodies(g), **units),
+    )
 
 
 def unweighed(frame, one, points):

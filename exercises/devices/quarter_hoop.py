@@ -2,11 +2,8 @@
 origin of the ground, x to the right, y up; A is left of O, B straight below it.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, plus, until
+from exercises.tools import Sketch, minus, mp, plus, until
 from newton_euler import Frame, pi
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import constant_force_work, weight
 
 

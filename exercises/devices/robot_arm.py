@@ -1,13 +1,8 @@
-"""The robot arm of 4/3 (and 3/25): two perpendicular links OA and AP in a vertical plane that turns
-with the base.
-"""
+"""The robot arm of 4/3, 3/25: perpendicular links OA, AP in a plane that turns with the base."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
 from exercises.devices.boom import turning_boom
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import moving
-from newton_euler.drawing import Sketch
 
 
 def robot(g):

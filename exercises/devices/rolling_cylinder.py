@@ -6,8 +6,8 @@ Axes: x along the surface, y out of it, z = x cross y; the contact C is at -r y 
 and ``N`` the forces of the surface on the body along x and y.
 """
 
-from exercises.catalogue.proofs import disk as points_of_disk
-from exercises.catalogue.proofs import plus, rot, times
+from exercises.tools import disk as points_of_disk
+from exercises.tools import plus, rot, times
 from newton_euler import Frame, equations_of_motion, moving, solve_linear
 from newton_euler.bodies import disk
 
@@ -47,8 +47,6 @@ def _equations(m, r, gravity, shape, a, alpha, F, N):
 
 
 def rolled(r, q):
-    """Proof: the mass points when the centre has moved by q from the origin, on a surface at
-    rest.
-    """
+    """Proof: the mass points when the centre has moved by q, on a surface at rest."""
     turned = rot("z", -q / r)
     return [(u, plus([q, 0, 0], times(turned, p))) for u, p in points_of_disk(r, order=2)]

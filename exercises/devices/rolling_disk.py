@@ -1,13 +1,7 @@
-"""The disk of 4/22, 4/23 and 4/30: it rolls upright round a circle, its axle pointing to the
-vertical y axis.
-"""
+"""The disk of 4/22, 4/23, 4/30 rolls upright round a circle, its axle to the vertical y axis."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import angular_velocity, minus, plus, rate, rot, scaled, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, plus, proofs, rate, rot, scaled, times
 from newton_euler import Frame, pi, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def turning(g):
@@ -59,7 +53,7 @@ def proved_steps(g):
         return times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
 
     turning = [0, 2 * mp.pi / g.T, 0]
-    spin = minus(angular_velocity(orientation(g)), turning)
+    spin = minus(proofs.angular_velocity(orientation(g)), turning)
     return {"v_C": rate(outward), "omega_spin": spin}
 
 

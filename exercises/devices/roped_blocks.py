@@ -6,11 +6,9 @@ The rope pulls either block along its own line, toward the pulley.
 
 from dataclasses import dataclass
 
-from exercises.catalogue.proofs import minus, plus, rate, root, scaled, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, plus, rate, root, scaled, second_rate, size
 from newton_euler import Frame, cos, pi, sin, solve_linear, tan
 from newton_euler.algebra.vectors import Vector
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight, resultant_force, weight
 
 
@@ -104,11 +102,8 @@ def face_force(g, W, place, a, pull):
     pulls it on with the force ``pull``, negative if back.
     """
 
-    def moved(t):
-        return place(a * t**2 / 2)
-
     ahead = minus(place(1), place(0))
-    F = scaled(W / g.g, plus(second_rate(moved), [0, g.g]))
+    F = scaled(W / g.g, plus(second_rate(lambda t: place(a * t**2 / 2)), [0, g.g]))
     return size(minus(F, scaled(pull / size(ahead), ahead)))
 
 

@@ -4,32 +4,16 @@ momentum, its rate, bearing forces and state of balance. Axes of the shaft: x fr
 
 from dataclasses import dataclass
 
-from mpmath import mpf
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import (
-    angular_momentum,
-    force_needed,
-    moment_needed,
-    rate,
-    rot,
-    scaled,
-    size,
-    times,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms, times
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
-from newton_euler.drawing import Sketch
 
 SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero
 
 
 @dataclass(frozen=True)
 class Rotor:
-    """A body, the bearings and the point O that the angular momentum is about, all fixed in the
-    frame of the shaft.
-    """
+    """A body, the bearings and the point O of the angular momentum, fixed in the shaft's frame."""
 
     ground: Frame
     shaft: Frame
@@ -46,9 +30,7 @@ def turning_shaft(g):
 
 
 def in_bearings(shaft, parts, a, b):
-    """The parts as one body along the axes of the shaft, with bearings at x = a and x = b, about O
-    at x = 0.
-    """
+    """The parts as one body along the shaft's axes, bearings at x = a and x = b, about O at 0."""
     body = composite("rotor", parts, frame=shaft)
     A, B = shaft.point("A", a, 0, 0), shaft.point("B", b, 0, 0)
     return Rotor(shaft.parent, shaft, body, shaft.point("O", 0, 0, 0), A, B)
@@ -80,9 +62,7 @@ def principal_steps(body, *axes):
 
 
 def shaft_steps(r, products="xy"):
-    """The moment and the products of inertia that enter H_O: ``products`` names those that are not
-    zero.
-    """
+    """The moment and ``products`` of inertia that enter H_O: those that are not zero."""
     I = r.body.about(r.O, r.shaft)
     yield Step("I_xx", I.moments[0], "kg*m^2", "moment of inertia about the axis of the shaft",
                "7.2", "7.10")  # fmt: skip
@@ -99,9 +79,7 @@ def steps(r, *axes):
 
 
 def force_steps(r):
-    """Of a body whose mass centre is off the axis: its acceleration, and the two parts of each
-    bearing force.
-    """
+    """Steps for a mass centre off the axis: its acceleration, the parts of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
     yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "9.5", "9.7")
     for key, force in ("F_A", forces(r).A), ("F_B", forces(r).B):
@@ -135,9 +113,7 @@ def following(rotor_of):
 
 
 def with_inertia(r, moment=1, product=1):
-    """The answers with the moment of inertia about the shaft and the products of inertia each times
-    a factor.
-    """
+    """The answers with the shaft's moment of inertia and the products each times a factor."""
     right, found = answers(r), forces(r)
     H, change = right["H_O"], product - 1
     # what is added, not reweighted: so zero is still a formula of the symbols
@@ -187,13 +163,13 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
         return [(mass, times(R, place)) for mass, place in points]
 
     def momentum(t):
-        return angular_momentum(1, carried, t=t)
+        return proofs.angular_momentum(1, carried, t=t)
 
-    _, y, z = moment_needed(1, carried, (a, 0, 0))
+    _, y, z = proofs.moment_needed(1, carried, (a, 0, 0))
     F_B = [0, z / (b - a), -y / (b - a)]
-    _, y, z = moment_needed(1, carried, (b, 0, 0))
+    _, y, z = proofs.moment_needed(1, carried, (b, 0, 0))
     F_A = [0, z / (a - b), -y / (a - b)]
-    H, Hdot, force = momentum(0), rate(momentum), force_needed(1, carried)
+    H, Hdot, force = momentum(0), rate(momentum), proofs.force_needed(1, carried)
     rests = size(force) < SMALL * g.omega**2 * sum(m * size(place) for m, place in points)
     steady = size(Hdot) < SMALL * g.omega * size(H)
     x_y_z = [(m, *place) for m, place in points]
@@ -201,7 +177,7 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
         "I_xx": sum(m * (y * y + z * z) for m, _, y, z in x_y_z),
         "I_xy": sum(m * x * y for m, x, y, _ in x_y_z),
         "I_xz": sum(m * x * z for m, x, _, z in x_y_z),
-        "a_G": scaled(1 / sum(m for m, _ in points), force),
+        "a_G": proofs.scaled(1 / sum(m for m, _ in points), force),
     }
     return {
         "H_O": H,

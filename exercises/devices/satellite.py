@@ -1,9 +1,8 @@
 """The satellite of 5/2 and 7/2: two spheres that touch, the larger about O, x through both."""
 
-from exercises.catalogue import proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import sphere
-from newton_euler.drawing import Sketch
 
 SATELLITE = Frame("satellite")
 

@@ -2,10 +2,8 @@
 the end of its handle.
 """
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame, cos, moving, pi, sin
-from newton_euler.drawing import Sketch
 
 
 def rise(g):

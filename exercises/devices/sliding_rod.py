@@ -1,11 +1,32 @@
-"""The rod BE of 2/36 to 2/39: it slides along i in the guides C and D of a bracket that turns
-clockwise about A.
-"""
+"""The rod BE of 2/36 to 2/39 slides along i in a bracket that turns clockwise about A."""
 
-from exercises.catalogue import in_frame
-from exercises.devices.turning_plate import motion, proof, turning
+from exercises.devices.turning_plate import motion, motion_steps, proof, turning
+from exercises.tools import Sketch, in_frame
 from newton_euler import moving
-from newton_euler.drawing import Sketch
+
+
+def about(name, side, **rates):
+    """The end ``name`` as a function of g, and ``solve``, ``steps``, ``prove`` and ``draw`` of a
+    problem about it; ``side``: -1 or 1, along i from A. ``rates`` as for :func:`end`, functions
+    of g.
+    """
+
+    def place(g):
+        return side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}")
+
+    def given(g):
+        return {rate: of(g) for rate, of in rates.items()}
+
+    def this_end(g):
+        return end(g, name, *place(g), **given(g))
+
+    return (
+        this_end,
+        lambda g: motion(*this_end(g)),
+        lambda g: motion_steps(*this_end(g), "mm"),
+        lambda g: prove(g, name, *place(g), **given(g)),
+        lambda g, ax: draw(g, ax, name, *place(g)),
+    )
 
 
 def end(g, name, x, y, alpha=None, a_r=None):

@@ -1,12 +1,7 @@
-"""The slotted arm of 2/24 and 2/25: it turns about O, and the pin P of a crank CP slides in it;
-OC = CP.
-"""
+"""The slotted arm of 2/24, 2/25 turns about O; the pin P of a crank CP slides in it; OC = CP."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, cos, moving, sin
-from newton_euler.drawing import Sketch
 
 
 def turning(g):

@@ -3,17 +3,13 @@ pendulum, or in a ring without mass that turns freely about its vertical diamete
 a force along the line to O alone, so that its angular momentum about the vertical is kept.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
+from exercises.tools import mp, proofs
 from newton_euler import Frame, particle, sqrt
 from newton_euler.dynamics import kinetic_energy, weight_potential
 
 
 def level_motion(m, radius, depth, rate):
-    """Kinetic energy, and angular momentum about the vertical through O, of the particle as it goes
-    along a level circle.
-    """
+    """Kinetic energy and angular momentum about the vertical through O on a level circle."""
     ground = Frame("ground")
     turning = ground.rotate("turning", "z", rate=rate)
     P = particle(m, turning.point("P", sqrt(radius**2 - depth**2), 0, -depth))

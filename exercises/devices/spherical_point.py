@@ -2,11 +2,8 @@
 3/17, 3/18, 3/25 and 3/26): theta from x in the x, y plane, phi the elevation above it.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import elevation, second_rate, spherical_axes, times
+from exercises.tools import Sketch, elevation, mp, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import spherical_frame
 
 

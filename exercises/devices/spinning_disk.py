@@ -4,22 +4,8 @@ angular momentum about O, and what the supports of the shaft must give.
 
 from dataclasses import dataclass
 
-from mpmath import mpf
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import (
-    angular_momentum,
-    disk,
-    force_needed,
-    moment_needed,
-    plus,
-    rate,
-    rot,
-    size,
-    times,
-)
-from exercises.catalogue.steps import Step
 from exercises.devices.rotor import state
+from exercises.tools import Step, disk, in_frame, mpf, plus, proofs, rate, rot, size, times
 from newton_euler import Body, Frame, Point, bodies, dynamics
 
 SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero
@@ -134,9 +120,9 @@ def prove_spinning(g, radius, shaft, spin, C, couple):
         return [(m, times(outer, plus(C, times(inner, p)))) for m, p in points]
 
     def momentum(t):
-        return angular_momentum(1, carried, t=t)
+        return proofs.angular_momentum(1, carried, t=t)
 
-    H, Hdot, force = momentum(0), rate(momentum), force_needed(1, carried)
+    H, Hdot, force = momentum(0), rate(momentum), proofs.force_needed(1, carried)
     reach = sum(m * (size(C) + size(p)) for m, p in points)
     rests = size(force) < SMALL * g.omega_1**2 * reach
     steady = size(Hdot) < SMALL * g.omega_1 * size(H)
@@ -149,7 +135,7 @@ def prove_spinning(g, radius, shaft, spin, C, couple):
         "H_O": H,
         "Hdot_O": Hdot,
         "F_A": force,
-        couple: moment_needed(1, carried),
+        couple: proofs.moment_needed(1, carried),
         "balance": lambda: state(rests, steady),
         "I_s": about(spin),
         "I_d": about(shaft),

@@ -1,8 +1,6 @@
-"""A spring from a fixed pin to a particle on a smooth track, as in 11/8, 11/11 and 11/12: its pull
-for the proof.
-"""
+"""A spring from a fixed pin to a particle on a smooth track (11/8, 11/11, 11/12): its pull."""
 
-from exercises.catalogue.proofs import minus, scaled, size
+from exercises.tools import minus, scaled, size
 
 
 def pull(k, free_length, pin):

@@ -6,17 +6,13 @@ of K x k. The proofs carry mass points round in the explicit motion and ask what
 no moment of inertia, no equation of a gyroscope.
 """
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import mean, moment_needed, plus, ring, root, rot, times
+from exercises.tools import mean, moment_needed, mp, mpf, plus, ring, root, rot, times
 from newton_euler import Frame, euler_frame
 from newton_euler.dynamics import weight
 
 
 def frames(theta, psi=0, phi=0, name="top"):
-    """The ground with z up, and the axes {i, j, k} with their origin O that precess without
-    spinning.
-    """
+    """The ground with z up, and axes {i, j, k} at O that precess without spinning."""
     ground = Frame("ground")
     return ground, euler_frame(ground, name, psi, theta, phi).parent
 
@@ -57,9 +53,7 @@ def of_weights(m, g, points, theta):
 
 
 def two_rings(k_z, k_x, c=0):
-    """Mass points with these radii of gyration about O and the mass centre at the distance c: any
-    body with the same ones moves alike.
-    """
+    """Mass points with these radii of gyration about O and the mass centre at the distance c."""
     h = mp.sqrt(k_x**2 - c**2 - k_z**2 / 2)
     return [
         (share / 2, plus(place, [0, 0, c + side * h]))

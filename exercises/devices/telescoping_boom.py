@@ -2,17 +2,12 @@
 or lowered, and its length changes.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving, pi, spherical
-from newton_euler.drawing import Sketch
 
 
 def boom_end(omega, beta, length):
-    """Ground, and the end A by spherical coordinates; ``beta``, from the upward vertical, and
-    ``length`` are moving.
-    """
+    """Ground, and the end A; ``beta``, from the upward vertical, and ``length`` are moving."""
     ground = Frame("ground")
     elevation = pi(beta.value) / 2 - beta
     return ground, spherical(ground, "A", length, moving(0, rate=omega), elevation)

@@ -1,10 +1,7 @@
 """The ball of 2/7 and 2/8, thrown at a vertical wall as high as can be: path, proof, figure."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root
+from exercises.tools import Sketch, mp, rate, root
 from newton_euler import Frame, moving, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import from_time
 
 
@@ -46,9 +43,7 @@ def proved_path(g, gam):
 
 
 def draw(g, ax):
-    """The thrower at O, the wall and the place that is hit; of the path only the beginning, since
-    2/8 asks how it ends.
-    """
+    """The thrower at O, the wall, the place hit; and of the path only the beginning."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xz")
     u = best_slope(g)

@@ -1,17 +1,13 @@
 """The top of 10/3 and 10/5, which spins on its point O: its data, proof and figure."""
 
-from exercises.catalogue.proofs import mean
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import frames, of_weights, two_rings, weight_moment
+from exercises.tools import Sketch, Step, mean
 from newton_euler import pi, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight
 
 
 def data(g):
-    """Moments of inertia about O, transverse and axial, and the moment of the weight, as the
-    engine's functions name them.
-    """
+    """Moments of inertia about O and the moment of the weight, named as in the engine."""
     m = mass_from_weight(g.W, g.g)
     ground, axes = frames(g.theta)
     M = weight_moment(m, g.g, ground, axes, g.c)

@@ -1,10 +1,7 @@
 """The plate of 5/1 and 7/1: a right triangle with its legs along x and y from O."""
 
-from mpmath import mpf
-
-from exercises.catalogue import proofs
 from exercises.devices.plate_under_curve import PLATE
-from newton_euler.drawing import Sketch
+from exercises.tools import Sketch, mpf, proofs
 
 
 def height(g):
@@ -12,9 +9,7 @@ def height(g):
 
 
 def area_points(g):
-    """Proof, pairs (area, place): a square moved to the triangle, its lower edge to O, its upper
-    edge to the hypotenuse.
-    """
+    """Proof, pairs (area, place): a square mapped to the triangle, its lower edge to O."""
     half = 1 / mpf(2)
     points = []
     for share, (x, y, _) in proofs.box(1, 1, 0):

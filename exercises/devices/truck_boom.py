@@ -2,15 +2,29 @@
 its elevation theta falling; the truck stands, or drives the way the boom points.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import minus, plus, rate, rot, second_rate, times, transposed
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, mp, plus, proofs, rate, rot, second_rate, terms
 from newton_euler import Frame, moving, pi
-from newton_euler.drawing import Sketch
 
 UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}
+
+
+def moving_with(**rates):
+    """The boom as a function of g, and ``solve``, ``steps`` and ``prove`` of its motion; ``rates``
+    as for :func:`boom`, functions of g.
+    """
+
+    def given(g):
+        return {name: of(g) for name, of in rates.items()}
+
+    def scene(g):
+        return boom(g, **given(g))
+
+    return (
+        scene,
+        lambda g: motion(*scene(g)),
+        lambda g: boom_steps(*scene(g)),
+        lambda g: prove_boom(g, **given(g)),
+    )
 
 
 def boom(g, L_ddot=0, alpha=0, theta=0, v=0, a=0):
@@ -64,10 +78,10 @@ def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
         return plus(A(t), [L * mp.cos(elevation(t)), L * mp.sin(elevation(t)), 0])
 
     def along_boom(vector, t=0):
-        return times(transposed(rot("z", elevation(t))), vector)
+        return proofs.times(proofs.transposed(rot("z", elevation(t))), vector)
 
     def in_boom(t):
-        return along_boom(minus(B(t), A(t)), t)
+        return along_boom(proofs.minus(B(t), A(t)), t)
 
     return {
         "v_B": along_boom(rate(B)),
@@ -80,9 +94,7 @@ def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
 
 
 def sketch(g, ax, theta=None):
-    """The truck on its road, the boom, omega and the axes of the answers. Without a given theta it
-    is drawn at 35 degrees.
-    """
+    """The truck, the boom, omega and the answers' axes, at 35 degrees unless theta is given."""
     angle = 7 * pi(g.L) / 36 if theta is None else theta
     ground, arm, B = boom(g, theta=angle)
     size = g.L

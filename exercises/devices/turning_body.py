@@ -7,19 +7,7 @@ mass points move along their circles.
 
 from itertools import pairwise
 
-from exercises.catalogue.proofs import (
-    cross,
-    integral,
-    mean,
-    minus,
-    plus,
-    rate,
-    rot,
-    scaled,
-    second_rate,
-    times,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Step, cross, mean, minus, plus, proofs, rate, rot, scaled, terms, times
 from newton_euler.bodies import Inertia, composite
 from newton_euler.dynamics import fixed_line_moment, fixed_line_momentum
 
@@ -32,10 +20,17 @@ ACROSS = {"x": ("y", "z"), "y": ("z", "x"), "z": ("x", "y")}
 
 
 def about_origin(frame, parts):
-    """The :class:`Inertia` of the whole about the origin of ``frame``, its terms those of the
-    parts.
-    """
+    """The :class:`Inertia` of the whole about the origin of ``frame``; its terms are the parts."""
     return composite("body", parts).about(frame)
+
+
+def problem_of(inertia, axis, system="SI"):
+    """``solve``, ``steps`` and ``follows`` of a problem; ``inertia``: the Inertia, of g."""
+    return (
+        lambda g: answers(g, inertia(g), axis),
+        lambda g: steps_of(g, inertia(g), axis, system),
+        moment_from_momentum(axis),
+    )
 
 
 def answers(g, inertia, axis):
@@ -131,16 +126,14 @@ def of_wire(density, place, way, corners, names):
     """
 
     def over_piece(start, end):
-        return lambda f: scaled(density, integral(lambda s: f(place(s)), start, end))
+        return lambda f: scaled(density, proofs.integral(lambda s: f(place(s)), start, end))
 
     ends = pairwise([0, *corners, way])
     return {name: over_piece(*pair) for name, pair in zip(names, ends, strict=True)}
 
 
 def prove_momentum(g, axis, **parts):
-    """Each mass point goes round its circle, and its momentum has a moment about O; moments and
-    products of inertia are added up.
-    """
+    """The momenta of the mass points on their circles have moments about O; inertia adds up."""
     n, across = "xyz".index(axis), ["xyz".index(u) for u in ACROSS[axis]]
 
     def square(place):
@@ -159,8 +152,8 @@ def prove(g, axis, **parts):
     """As above, and the forces on the mass points have their moments too; of its terms, the one is
     found by letting the body turn from rest.
     """
-    M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), second_rate)
-    from_rest = _moment(parts, rot_about(axis, 0, g.alpha), second_rate)
+    M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), proofs.second_rate)
+    from_rest = _moment(parts, rot_about(axis, 0, g.alpha), proofs.second_rate)
     found = prove_momentum(g, axis, **parts)
     return {
         "H_O": found.pop("H_O"),

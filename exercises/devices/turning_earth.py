@@ -2,9 +2,7 @@
 look at the motion from the stars, where there is no Coriolis term; the globe.
 """
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import minus, plus, rate, rot, scaled, times, transposed
+from exercises.tools import Sketch, minus, mp, mpf, plus, rate, rot, scaled, times, transposed
 from newton_euler import Frame, cos, sin
 from newton_euler.applications import (
     earth_frame,
@@ -12,7 +10,6 @@ from newton_euler.applications import (
     ground_frame,
     projectile_position,
 )
-from newton_euler.drawing import Sketch
 
 RADIUS = mpf(6_400_000)  # of the Earth in proofs, any: to first order in its rate it drops out
 
@@ -23,9 +20,7 @@ def ground_axes(g):
 
 
 def shot(g, t, launch, omega=None):
-    """The place of a shot at the time t, from the place where it starts, with its named terms;
-    ``omega`` in place of the Earth's angular velocity.
-    """
+    """The place of a shot at time t, with its named terms; ``omega``: the Earth's by default."""
     ground = launch.frame
     return projectile_position(t, launch, -g.g * ground.k, omega or earth_rate(ground))
 

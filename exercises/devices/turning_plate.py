@@ -2,24 +2,12 @@
 what the welder of 2/34 and 2/35 and the rod of 2/36 to 2/39 share.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    rate,
-    rot,
-    second_rate,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Step, in_frame, mp, proofs, rate, rot, second_rate, terms
 from newton_euler import Frame
 
 
 def turning(name, omega, alpha=None):
-    """Ground with z out of the plane; the plate, its origin at A and its axes those of the ground
-    at the instant.
-    """
+    """Ground with z out of the plane; the plate about A, with the axes of the ground now."""
     ground = Frame("ground")
     return ground, ground.rotate(name, "z", rate=omega, acceleration=alpha)
 
@@ -66,8 +54,8 @@ def proof(name, plate, theta, x, y):
     return {
         f"v_{name}": rate(P),
         f"a_{name}": second_rate(P),
-        f"omega_{plate}": angular_velocity(turned),
-        f"alpha_{plate}": angular_acceleration(turned),
+        f"omega_{plate}": proofs.angular_velocity(turned),
+        f"alpha_{plate}": proofs.angular_acceleration(turned),
         "r": P(0),
         "v_r": rate(lambda t: [x(t), y(t), 0]),
     }

@@ -2,21 +2,8 @@
 who turn with their car, see of B.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    minus,
-    rate,
-    rot,
-    second_rate,
-    times,
-    transposed,
-)
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, proofs, rate, rot, second_rate, times
 from newton_euler import Frame, cos, moving, sin
-from newton_euler.drawing import Sketch
 
 
 def cars(g, a_A=0, a_B=0):
@@ -105,21 +92,21 @@ def prove(g, a_A=0, a_B=0):
     A, B = on_circle(-g.R, phi, 1), on_circle(g.x + g.R, angle(a_B), -1)
 
     def seen(t):
-        return times(transposed(rot("z", phi(t))), minus(B(t), A(t)))
+        return times(proofs.transposed(rot("z", phi(t))), minus(B(t), A(t)))
 
     def turned(t):
         return rot("z", phi(t))
 
     velocities = {
         "v_rel": rate(seen),
-        "omega_A": angular_velocity(turned),
+        "omega_A": proofs.angular_velocity(turned),
         "r": seen(0),
         "v_A": rate(A),
         "v_B": rate(B),
     }
     accelerations = {
         "a_rel": second_rate(seen),
-        "alpha_A": angular_acceleration(turned),
+        "alpha_A": proofs.angular_acceleration(turned),
         "a_A": second_rate(A),
         "a_B": second_rate(B),
     }

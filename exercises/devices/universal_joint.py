@@ -2,13 +2,8 @@
 turns about the vertical.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rot, spun, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, mp, rot, spun, times
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def fork_and_shaft(g):

@@ -2,9 +2,7 @@
 on it, the same for the proof, and the loop drawn.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import force_needed, plus
+from exercises.tools import force_needed, mp, plus
 from newton_euler import Frame, moving, pi
 from newton_euler.dynamics import reaction
 from newton_euler.kinematics import polar

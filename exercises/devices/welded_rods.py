@@ -1,16 +1,14 @@
 """The rods of 5/13 and 7/13: from O one along y and one up to C, from C one parallel to x."""
 
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.bodies import simplex
-from newton_euler.drawing import Sketch
 
 WELDED = Frame("welded")
 
 
 def ends(g, height=None):
-    """O, the end B of the first rod, the end C of the second, and start and end of the third, which
-    is at the ``height``.
-    """
+    """O, the ends B and C of the first two rods, and the third's ends, at the ``height``."""
     height = g.c if height is None else height
     return (
         WELDED.point("O", 0, 0, 0),

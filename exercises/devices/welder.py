@@ -1,11 +1,33 @@
-"""The welder of 2/34 and 2/35: a plate turns about A, and a bracket with the tips D and E slides in
-a guide on it, along i.
-"""
+"""The welder of 2/34, 2/35: a bracket with tips D and E slides along i on a plate turning at A."""
 
-from exercises.catalogue import in_frame
-from exercises.devices.turning_plate import motion, turning
+from exercises.devices.turning_plate import motion, motion_steps, proof, turning
+from exercises.tools import Sketch, in_frame
 from newton_euler import moving
-from newton_euler.drawing import Sketch
+
+
+def about(name, side):
+    """The tip ``name`` as a function of g, and ``solve``, ``steps``, ``prove``, ``mistakes`` and
+    ``draw`` of a problem about it; ``side``: 1 above A, -1 below.
+    """
+
+    def place(g):
+        return getattr(g, f"x_{name}"), side * getattr(g, f"y_{name}")
+
+    def this_tip(g):
+        return tip(g, name, *place(g))
+
+    def prove(g):
+        x, y = place(g)
+        return proof(name, "plate", lambda t: g.omega * t, lambda t: x + g.u * t, lambda t: y)
+
+    return (
+        this_tip,
+        lambda g: motion(*this_tip(g)),
+        lambda g: motion_steps(*this_tip(g), "in"),
+        prove,
+        lambda g: mistakes(g, name, *place(g)),
+        lambda g, ax: draw(g, ax, name, *place(g)),
+    )
 
 
 def tip(g, name, x, y):

@@ -1,11 +1,8 @@
 """The wire of 5/7 and 7/7: an arc about O, from the angle -alpha to alpha."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.catalogue.proofs.digits import weighted
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, cos, integral, sin
-from newton_euler.drawing import Sketch
 
 WIRE = Frame("wire")
 

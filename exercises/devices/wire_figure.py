@@ -1,12 +1,8 @@
-"""The wire of 5/10, 7/10 and 8/14: a half circle about O, its diameter along x, and a leg up from
-the left end.
-"""
+"""The wire of 5/10, 7/10, 8/14: a half circle about O, its diameter along x, a leg at its left."""
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
 from newton_euler.bodies import half_ring, rod
-from newton_euler.drawing import Sketch
 
 WIRE = Frame("wire")
 

@@ -2,19 +2,15 @@
 the moment that its mass points need in an explicit steady precession.
 """
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import vanishing
 from exercises.devices.steady_precession import needed
+from exercises.tools import mp, mpf, vanishing
 from newton_euler.applications import free_precession
 
 WOBBLE = 0.1  # rad, the angle of the axis with the angular momentum; any will do
 
 
 def difference(body, O):
-    """The transverse moment of inertia at O less that about the axis: there is no precession where
-    it vanishes.
-    """
+    """Transverse less axial moment of inertia at O: where it vanishes there is no precession."""
     I = body.about(O)
     return I.moment("x") - I.moment("z")
 
@@ -26,9 +22,7 @@ def sense(body, O):
 
 
 def needed_spin(points):
-    """Proof, the spin with which a precession at the rate 1 needs no moment, positive if it is
-    direct.
-    """
+    """Proof, the spin with which precession at the rate 1 needs no moment; positive if direct."""
     return vanishing(lambda spin: needed(1, points, mpf(WOBBLE), 1, spin), 0, 1)
 
 

@@ -12,11 +12,11 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn
 
 from ..scenes import SCENES
-from .charts.atlas import write_atlas
-from .charts.catalogue import KINDS, MODEL, MODELS, charts, slug
-from .charts.kinds.honesty import draw_honesty
-from .honesty import PATIENCE, honesty, table, write_csv
-from .work_precision import NAMES, QUICK, TOLERANCES
+from .atlas import write_atlas
+from .catalogue import KINDS, MODEL, MODELS, charts, slug
+from .charts.honesty import draw_honesty
+from .measurements.honesty import PATIENCE, honesty, table, write_csv
+from .measurements.work_precision import NAMES, QUICK, TOLERANCES
 
 HONESTY, ATLAS = "honesty", "atlas"
 SETTINGS = {
@@ -24,6 +24,13 @@ SETTINGS = {
     "max_content_width": 110,
     "show_default": True,
 }
+FILE = click.Path(path_type=Path, dir_okay=False)
+FOLDER = click.Path(path_type=Path, file_okay=False)
+
+
+def _out(default):
+    """The option --out, for a folder."""
+    return click.option("--out", "folder", default=default, type=FOLDER, help="Folder to write to.")
 
 
 class _Charts(click.Command):
@@ -41,22 +48,10 @@ class _Charts(click.Command):
 @click.argument("names", nargs=-1, metavar="[NAME …]")
 @click.option("--list", "only_list", is_flag=True, help="List the charts.")
 @click.option("--all", "draw_all", is_flag=True, help="Draw all of them, which takes some minutes.")
+@click.option("--models", is_flag=True, help='Of models only: "top" is then "models of top".')
+@_out("charts")
 @click.option(
-    "--models", is_flag=True, help='Charts of models only: "top" is then "models of top".'
-)
-@click.option(
-    "--out",
-    "folder",
-    default="charts",
-    type=click.Path(path_type=Path, file_okay=False),
-    help="Folder to write to.",
-)
-@click.option(
-    "--format",
-    "kind",
-    default="png",
-    type=click.Choice(("png", "svg")),
-    help="Format of the files.",
+    "--format", "kind", default="png", type=click.Choice(("png", "svg")), help="Of the files."
 )
 @click.option(
     "--quick",
@@ -81,8 +76,8 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
         the method or model to use, over two parameters
 
     Two words are commands with options of their own if they stand first. atlas writes all charts
-    on a page, see atlas --help. honesty asks: is each method as accurate as asked, and is what it
-    tells of its error true? See honesty --help.
+    on a page, see atlas --help. honesty asks: is each method as accurate as requested, and is its
+    own error estimate true? See honesty --help.
 
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Closed forms and
@@ -118,13 +113,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
 
 
 @click.command(ATLAS, context_settings=SETTINGS)
-@click.option(
-    "--out",
-    "folder",
-    default=ATLAS,
-    type=click.Path(path_type=Path, file_okay=False),
-    help="Folder to write to.",
-)
+@_out(ATLAS)
 @click.option("--quick", is_flag=True, help="As --quick of one chart: some minutes in all.")
 def atlas_main(folder, quick):
     """Measure and draw every chart, and write them to index.html in a folder, which works without a
@@ -139,20 +128,23 @@ def atlas_main(folder, quick):
     click.echo(f"written: {page}")
 
 
+def _chosen(names, known):
+    """The entries of ``known`` of these names."""
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        choice = "; ".join(known.values())
+        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {choice}")
+    return [known[name] for name in names]
+
+
 def _scenes(context, parameter, names):
     known = {slug(name): name for name in SCENES}
-    unknown = [name for name in names if slug(name) not in known]
-    if unknown:
-        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {'; '.join(SCENES)}")
-    return [known[slug(name)] for name in names] or list(SCENES)
+    return _chosen([slug(name) for name in names], known) or list(SCENES)
 
 
 def _methods(context, parameter, text):
-    wanted = [word.strip() for word in text.split(",")] if text else NAMES
-    unknown = [word for word in wanted if word not in NAMES]
-    if unknown:
-        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {', '.join(NAMES)}")
-    return wanted
+    names = [word.strip() for word in text.split(",")] if text else NAMES
+    return _chosen(names, {name: name for name in NAMES})
 
 
 def _picture(context, parameter, path):
@@ -183,43 +175,41 @@ def _picture(context, parameter, path):
     "--out",
     "path",
     default=f"charts/{HONESTY}.png",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=FILE,
     callback=_picture,
     help="The picture; all runs are written beside it as CSV.",
 )
 @click.option(
-    "--longest",
-    default=PATIENCE,
-    type=click.FloatRange(0),
+    "--longest", default=PATIENCE, type=click.FloatRange(0),
     help="Seconds; a method whose run takes longer is asked for no more digits of that scene.",
-)
+)  # fmt: skip
 @click.option("--quick", is_flag=True, help="Every other tolerance, and --longest 0.05.")
 def honesty_main(scenes, methods, path, longest, quick):
     """Measure and draw whether each method keeps its word, beside what it costs.
 
-    Every method is asked for errors from 1e-3 to 1e-12 on every scene that it can use. What it
-    answers is compared with a reference of 30 digits, what it tells of its own error with the true
-    error. All scenes take some minutes, one takes seconds.
+    Every method is asked for tolerances from 1e-3 to 1e-12 on every scene that it can use. Its
+    answer is compared with a reference of 30 digits, its own error estimate with the true error.
+    All scenes take some minutes, one takes seconds.
 
     How to read the chart: a method has a row, the cheapest is at the top. A row has a mark for each
-    run, light for a coarse error asked for, dark for a fine one, and a bar at the median.
+    run, light for a coarse tolerance, dark for a fine one, and a bar at the median.
 
     \b
     cost              of a run and of its error estimate, after imports and compilations; on several
                       scenes relative to the cheapest method that was as accurate as asked on the
                       same scene: 1 is the best that can be had
-    accurate as asked the true error over the error asked for: right of 1 the promise is broken; far
-                      left of 1 more is done than was asked
-    told is true      the error told over the true one: left of 1 it is told too small, right of 100
+    accuracy          the true error over the tolerance: right of 1 the promise is broken; far left
+                      of 1 more is done than was requested
+    estimate          the estimated error over the true one: left of 1 it is too small, right of 100
                       it says little. The best is little more than 1
-    ring              silently wrong: the error is over ten times what was asked and what was told
+    ring              silently wrong: the error is over ten times both tolerance and estimate
     cross             refused: no answer, and no promise broken
 
     \b
     The columns, of the table as well:
-      met %      part of the answers that are as accurate as asked
-      covers %   part of the errors told that are not below the true one
-      told/true  the median
+      met %      part of the answers within the tolerance
+      covers %   part of the estimates that are not below the true error
+      est/true   their median ratio
 
     A sound method shows nothing in the red fields. One that answers little honestly refuses the
     rest: look at the number of runs too. Marks at the edge lie beyond it.
@@ -248,16 +238,12 @@ def _list(charts):
     for kind in KINDS:
         found = [f"  {c.name:{width}}  {c.title}" for c in charts.values() if c.kind == kind]
         lines += [f"{kind}:", *found, ""] if found else []
-    return "\n".join(
-        [
-            *lines,
-            "all of them on a page: see atlas --help; honesty of the methods: see honesty --help",
-        ]
-    )
+    more = "all of them on a page: see atlas --help; honesty of the methods: see honesty --help"
+    return "\n".join([*lines, more])
 
 
 def _with_progress(name, work):
-    """What ``work`` returns, a function of a function that it tells its progress."""
+    """What ``work`` returns, a function of a function ``progress(fraction, words)``."""
     console = Console(stderr=True)
     columns = "{task.description}", BarColumn(), TaskProgressColumn(), "{task.fields[words]}"
     # no auto_refresh: its thread would disturb the times that are measured

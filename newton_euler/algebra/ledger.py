@@ -4,10 +4,13 @@ A result that theory writes as a sum has its ``terms`` by name; ``explain()`` wr
 the number of its equation, and ``without("coriolis")`` is the sum of a model without this term.
 """
 
+import itertools
 import operator
-from dataclasses import dataclass, field
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from .pickles import Found
 from .scalars import (
@@ -26,8 +29,10 @@ from .scalars import (
 )
 
 
-class TermError(NewtonEulerError, ValueError):
+class TermError(NewtonEulerError, ValueError, KeyError):
     """A sum does not have the term that is named."""
+
+    __str__ = Exception.__str__  # that of a KeyError adds quotation marks
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,36 +71,110 @@ def equation(kind: str) -> Equation:
     return Equation(kind, found["number"], found["symbol"], terms)
 
 
+T = TypeVar("T")
+
+
+class Terms(dict[str, T], Generic[T]):
+    """The terms of a sum, in order, by name.
+
+    terms : a dict, or pairs (name, term), of which several may have the same name
+    shared : the name that was given, by each name that was made distinct
+
+    Names are for people: two terms may be called "arm". They are then listed as "arm 1" and
+    "arm 2", and "arm" names both of them to ``without`` and ``reweighted``; ``terms["arm"]`` raises
+    a :class:`TermError`.
+
+    >>> terms = Terms([("arm", 1.0), ("arm", 2.0), ("rod", 4.0)])
+    >>> terms, sum(terms.values())
+    ({'arm 1': 1.0, 'arm 2': 2.0, 'rod': 4.0}, 7.0)
+    """
+
+    def __init__(self, terms: "Mapping[str, T] | Iterable[tuple[str, T]]" = ()):
+        pairs = list(terms.items() if isinstance(terms, Mapping) else terms)
+        given = [name for name, _ in pairs]
+        names = distinct(given)
+        super().__init__(zip(names, (term for _, term in pairs), strict=True))
+        self.shared = {new: old for new, old in zip(names, given, strict=True) if new != old}
+
+    def __missing__(self, name):
+        alike = [new for new, old in self.shared.items() if old == name]
+        if alike:
+            raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
+        raise TermError(f"no term {name!r}; the terms are {', '.join(self) or 'none'}")
+
+    def __or__(self, other: "Terms[T]") -> "Terms[T]":  # type: ignore[override]
+        """The terms of both, in order: those whose names they share are all kept."""
+        return Terms([*self.named(), *other.named()])
+
+    def named(self) -> Iterator[tuple[str, T]]:
+        """Pairs (name as given, term)."""
+        return ((self.shared.get(name, name), term) for name, term in self.items())
+
+    def mapped(self, change: Callable[[T], T]) -> "Terms[T]":
+        """The terms with ``change`` applied to each."""
+        return Terms((name, change(term)) for name, term in self.named())
+
+    def weighted(self, factors: Mapping[str, Scalar]) -> list[tuple[Scalar, T]]:
+        """Pairs of the factor given for a term (1 by default) and the term; a factor for a shared
+        name holds for all terms that have it, unless there is one for the distinct name.
+        """
+        for name in factors:
+            if name not in self.shared.values():
+                self[name]  # raises a TermError if there is none
+        default = {new: factors.get(old, 1) for new, old in self.shared.items()}
+        return [
+            (scalar(factors.get(name, default.get(name, 1))), term) for name, term in self.items()
+        ]
+
+
+def distinct(names: list[str]) -> list[str]:
+    """The names, with numbers behind those that occur several times; no result equals a name that
+    was given.
+
+    >>> distinct(["arm", "rod", "arm", "arm 1"])
+    ['arm 2', 'rod', 'arm 3', 'arm 1']
+    """
+    counts = Counter(names)
+    if len(counts) == len(names):
+        return names
+    numbered = {name: _numbered(name, counts) for name, n in counts.items() if n > 1}
+    return [next(numbered[name]) if name in numbered else name for name in names]
+
+
+def _numbered(name, taken):
+    return (new for n in itertools.count(1) if (new := f"{name} {n}") not in taken)
+
+
 class NamedTerms:
     """Base of sums whose ``terms`` are known by name."""
 
     __slots__ = ()
+    terms: Any
     reweighted: Any
 
     def without(self, *names: str) -> Scalar:
-        """The sum without the terms named: ``a.without("coriolis")``."""
+        """The sum without the terms named: ``a.without("coriolis")``; without all that have the
+        name, where several share one.
+        """
         for n in names:
             if not isinstance(n, str):
                 raise TermError(f"a term is named by a text, as 'coriolis'; got {clipped(n)}")
         return self.reweighted(**dict.fromkeys(names, 0))
 
-    def _weighted(self, factors, error):
-        """Pairs of the factor named for a term (1 for others) and the term; raises ``error`` for a
-        name that is not one of a term.
-        """
-        for n in factors:
-            if n not in self.terms:
-                raise error(f"no term {n!r}; the terms are {', '.join(self.terms) or 'none'}")
-        return [(scalar(factors.get(name, 1)), term) for name, term in self.terms.items()]
-
 
 class Ledger:
-    """The named terms of a sum; ``subject`` names the things it is about, as "P/ground"."""
+    """The named terms of a sum, found when first asked for.
+
+    kind : of the equation, see :func:`equation`
+    subject : the things it is about, as "P/ground"
+    make : a function that returns the terms, a dict or pairs (name, Vector)
+    """
 
     __slots__ = ("_make", "_terms", "kind", "subject")
 
-    def __init__(self, kind, subject, make):
-        self.kind, self.subject, self._make, self._terms = kind, subject, make, None
+    def __init__(self, kind: str, subject: str, make: Callable):
+        self.kind, self.subject, self._make = kind, subject, make
+        self._terms: Terms | None = None
 
     def __reduce__(self):
         return Ledger, (self.kind, self.subject, Found(lambda: self.terms))
@@ -106,17 +185,16 @@ class Ledger:
         return equation(self.kind)
 
     @property
-    def terms(self):
-        """The vectors by name, computed when first asked for."""
+    def terms(self) -> Terms:
+        """The vectors by name."""
         if self._terms is None:
-            self._terms = self._make()
+            made = self._make()
+            self._terms = made if isinstance(made, Terms) else Terms(made)
         return self._terms
 
-    def mapped(self, change):
+    def mapped(self, change: Callable) -> "Ledger":
         """The ledger with ``change`` applied to every term."""
-        return Ledger(
-            self.kind, self.subject, lambda: {n: change(v) for n, v in self.terms.items()}
-        )
+        return Ledger(self.kind, self.subject, lambda: self.terms.mapped(change))
 
 
 class Explanation:
@@ -136,14 +214,14 @@ class Explanation:
         if not isinstance(unit, str):
             raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
-        terms = {n: t.expressed_in(vector.frame) for n, t in vector.terms.items()}
+        terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
         # components below round-off of the largest are shown as 0
         noise = 1e-14 * max(
             (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)),
             default=0.0,
         )
         self.vector = vector.rounded(noise)
-        self.terms = {n: t.rounded(noise) for n, t in terms.items()}
+        self.terms = terms.mapped(lambda t: t.rounded(noise))
 
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
@@ -174,7 +252,7 @@ class Explanation:
         formulas = [known[n][1] if n in known else _product(n, symbol) for n in self.terms]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
-        values = {**self.terms, "sum": self.vector}.items()
+        values = [*self.terms.items(), ("sum", self.vector)]
         for formula, (name, v) in zip([*formulas, total], values, strict=True):
             rows.append(rf"{formula} &= {v.latex()}{unit} && {latex_text(name)}")
         return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"
@@ -240,12 +318,16 @@ class Amount(NamedTerms):
     """
 
     value: Scalar
-    terms: dict = field(default_factory=dict)
+    terms: Mapping[str, Scalar] = ()  # type: ignore[assignment]
     what: str = "work"
     number: str = "11.1"
     error: float = 0.0
 
     __array_ufunc__ = None
+
+    def __post_init__(self):
+        if not isinstance(self.terms, Terms):
+            object.__setattr__(self, "terms", Terms(self.terms))
 
     def __repr__(self):
         terms = ", ".join(f"{n!r}: {shown(x)}" for n, x in self.terms.items())
@@ -276,24 +358,31 @@ class Amount(NamedTerms):
         lines = (f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)
         return "\n".join([f"{self.what}, equation ({self.number})", *lines])
 
-    def reweighted(self, **factors: Scalar) -> Scalar:
+    def reweighted(self, /, **factors: Scalar) -> Scalar:
         """The sum of its terms, each times the factor named for it (others once): the result of a
         model with these terms left out or weighted.
 
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
         """
-        return to_plain(sum((factor * x for factor, x in self._weighted(factors, TermError)), ZERO))
+        return to_plain(sum((factor * x for factor, x in self.terms.weighted(factors)), ZERO))
 
 
-def value_of(x):
+def value_of(x: "Amount | Scalar") -> Any:
     """The value of ``x``, an :class:`Amount` or a number, as a scalar."""
     return scalar(x.value if isinstance(x, Amount) else x)
 
 
-def summed(terms, what="work", number="11.1", error=0.0):
-    """The :class:`Amount` that is the sum of these terms, numbers by name."""
-    total = sum(map(value_of, terms.values()), ZERO)
+def summed(
+    terms: Mapping[str, Any] | Iterable[tuple[str, Any]],
+    what: str = "work",
+    number: str = "11.1",
+    error: float = 0.0,
+) -> Amount:
+    """The :class:`Amount` that is the sum of these terms: numbers or amounts by name, or pairs
+    (name, number).
+    """
+    values = Terms(terms).mapped(value_of)
     return Amount(
-        to_plain(total), {n: to_plain(value_of(x)) for n, x in terms.items()}, what, number, error
+        to_plain(sum(values.values(), ZERO)), values.mapped(to_plain), what, number, error
     )

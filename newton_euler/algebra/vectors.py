@@ -6,11 +6,12 @@ sum keeps its terms by name (``a.terms``, ``a.explain()``). A vector that was ma
 quantities has a time derivative (``a.rate(observer)``).
 """
 
+from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .jets import Moving, moving
-from .ledger import Equation, Explanation, Ledger, NamedTerms, latex_number, latex_text
+from .ledger import Equation, Explanation, Ledger, NamedTerms, Terms, latex_number, latex_text
 from .pickles import Found
 from .scalars import (
     ZERO,
@@ -342,6 +343,11 @@ class Vector(Scaled, NamedTerms):
 
     # -- change in time
 
+    @property
+    def has_rate(self) -> bool:
+        """True if it was made from moving quantities, so that :meth:`rate` can be asked for."""
+        return self._own_rate is not None
+
     def rate(self, observer: Frame = None) -> "Vector":
         """Its time derivative seen from the frame ``observer``: the basic kinematic equation
         (4.15), (4.27).
@@ -383,9 +389,23 @@ class Vector(Scaled, NamedTerms):
         return self._ledger and self._ledger.equation
 
     @property
-    def terms(self) -> dict:
+    def terms(self) -> "Terms[Vector]":  # type: ignore[override]
         """The vectors whose sum it is, by name; empty for a vector that is not known as a sum."""
-        return self._ledger.terms if self._ledger else {}
+        return self._ledger.terms if self._ledger else Terms()
+
+    def as_sum(
+        self, kind: str, subject: str | None = None, terms: Callable | None = None
+    ) -> "Vector":
+        """The same vector, with its rate, as the sum of these terms by this equation.
+
+        kind : of the equation, a table of ``equations.toml``
+        subject : what the sum is about, as "of P in ground"; default: that of the sum it is
+        terms : a function that returns them, a dict or pairs (name, Vector); default: those it has
+        """
+        if subject is None:
+            subject = self._ledger.subject
+        ledger = Ledger(kind, subject, terms or (lambda: self.terms))
+        return Vector(self.c, self.frame, self._own_rate, ledger)
 
     def explain(self, unit: str = "") -> Explanation:
         """The equation of its terms with the number in the book, and the value of each term: an
@@ -399,7 +419,7 @@ class Vector(Scaled, NamedTerms):
             )
         return Explanation(self, self._ledger, unit)
 
-    def reweighted(self, **factors: Scalar) -> "Vector":
+    def reweighted(self, /, **factors: Scalar) -> "Vector":
         """The sum of its terms, each times the factor named for it (others once): the result of a
         model with these terms left out or weighted.
 
@@ -410,7 +430,7 @@ class Vector(Scaled, NamedTerms):
         (Vector(-4.0, 12.0, 0 in arm), Vector(-4.0, 0, 0 in arm))
         """
         f = self.frame
-        terms = self._weighted(factors, FrameError)
+        terms = self.terms.weighted(factors)
         return Vector(sum3(scale3(s, v.expressed_in(f).c) for s, v in terms), f)
 
 
@@ -478,12 +498,19 @@ def _checked(a):
     return a
 
 
-def named_sum(kind, subject, terms, frame):
-    """The Vector in ``frame`` that is the sum of these terms, and keeps them by name."""
-    ledger = Ledger(
-        kind, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}
-    )
-    return Vector(sum3(v.expressed_in(frame).c for v in terms.values()), frame, None, ledger)
+def named_sum(
+    kind: str,
+    subject: str,
+    terms: Mapping[str, Vector] | Iterable[tuple[str, Vector]],
+    frame: Frame,
+) -> Vector:
+    """The Vector in ``frame`` that is the sum of these terms, and keeps them by name.
+
+    terms : a dict, or pairs (name, Vector), of which several may have the same name
+    """
+    parts = Terms(terms)
+    ledger = Ledger(kind, subject, lambda: parts.mapped(lambda v: v.expressed_in(frame)))
+    return Vector(sum3(v.expressed_in(frame).c for v in parts.values()), frame, None, ledger)
 
 
 def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:

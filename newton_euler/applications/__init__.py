@@ -2,8 +2,6 @@
 
 from .earth import (
     EARTH_GM,
-    EARTH_ORBIT_RADIUS,
-    EARTH_ORBIT_RATE,
     EARTH_RADIUS,
     EARTH_RATE,
     EarthError,
@@ -11,17 +9,14 @@ from .earth import (
     buoyancy,
     coriolis_acceleration,
     coriolis_parameter,
-    drop_deflection,
     earth_frame,
     earth_rate,
     effective_gravity,
     flight_time,
     force_near_earth,
-    geostrophic_wind,
     gradient_wind,
     ground_acceleration,
     ground_frame,
-    inertial_circle,
     launch_velocity,
     projectile,
     projectile_position,
@@ -29,10 +24,8 @@ from .earth import (
     projectile_velocity,
     range_east,
     range_error,
-    rotation_error,
     shot_range,
     support_force,
-    weightless_speed,
     wind_acceleration,
 )
 from .gyroscopes import (

@@ -30,15 +30,13 @@ from ..algebra.scalars import (
     sqrt,
     to_plain,
 )
-from ..algebra.vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
+from ..algebra.vectors import Vector, add3, cross3, dot3, named_sum, scale3
 from ..bodies.admissibility import not_negative, positive
 from ..kinematics.frames import Frame
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
 EARTH_GM = 3.986004418e14  # m^3/s^2: gravitational constant times mass (WGS 84)
-EARTH_ORBIT_RATE = 1.990987e-7  # rad/s: one turn in a sidereal year of 365.25636 d
-EARTH_ORBIT_RADIUS = 1.495979e11  # m: astronomical unit (IAU 2012)
 
 
 class EarthError(NewtonEulerError, ValueError):
@@ -200,30 +198,6 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
         "rotation": scalar(m) * ground_acceleration(ground),
     }
     return named_sum("support force", f"in {ground.name}", parts, ground)
-
-
-@checked
-def rotation_error(g: Scalar, radius: Scalar = EARTH_RADIUS, rate: Scalar = EARTH_RATE) -> Scalar:
-    """The largest relative error of the weight if the rotation is neglected, R omega^2/g (6.8).
-
-    >>> round(rotation_error(9.81), 5)
-    0.00345
-    """
-    positive(radius, "the radius of the Earth")
-    positive(g, "the acceleration of gravity")
-    return radius * rate**2 / g
-
-
-@checked
-def weightless_speed(g: Scalar, radius: Scalar = EARTH_RADIUS) -> Scalar:
-    """The speed along the equator, seen from the stars, at which the support force is zero: sqrt(g
-    R), that of a low orbit (6.8).
-
-    >>> weightless_speed(10.0, radius=6.4e6)
-    8000.0
-    """
-    positive(radius, "the radius of the Earth")
-    return sqrt(g * radius)
 
 
 # -- projectiles (6.9, 6.10)
@@ -481,20 +455,6 @@ def range_error(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EART
     return 2 * rate * speed * (1 - 4 * cos(elevation) ** 2) / (3 * g * cos(elevation))
 
 
-@checked
-def drop_deflection(
-    height: Scalar, latitude: Scalar, g: Scalar, rate: Scalar = EARTH_RATE
-) -> Scalar:
-    """The distance to the east of the plumb line at which a body lands that is released at rest at
-    ``height``: (6.24) at the time sqrt(2 height/g).
-
-    >>> round(drop_deflection(100.0, 0.0, 9.81), 4)
-    0.022
-    """
-    t, g = sqrt(2 * height / g), (ZERO, ZERO, -scalar(g))
-    return to_plain(position3(t, ZERO3, g, earth_rate3(latitude, rate))[0])
-
-
 # -- weather (6.11)
 
 
@@ -540,33 +500,6 @@ def buoyancy(
     """
     not_negative(m, "the mass")
     return m * (g - 2 * earth_rate3(latitude, rate)[1] * speed * cos(azimuth))
-
-
-@checked
-def inertial_circle(speed: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
-    """The radius speed/|2 omega sin(latitude)| of the circle of free air on the level, clockwise in
-    the north: by (6.34) and (6.5).
-
-    >>> round(inertial_circle(10.0, 0.8))
-    95583
-    """
-    return speed / _turning(latitude, rate)
-
-
-@checked
-def geostrophic_wind(
-    pressure_gradient: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
-) -> Scalar:
-    """The speed of a steady wind along straight isobars, whose Coriolis acceleration balances that
-    by the pressure.
-
-    pressure_gradient : over the density, m/s^2. In the north the low pressure is on the left.
-    Raises :class:`EarthError` on the equator, where there is no horizontal Coriolis acceleration.
-
-    >>> round(geostrophic_wind(1e-3, 0.8), 2)  # 1.2 hPa in 100 km, air of 1.2 kg/m^3
-    9.56
-    """
-    return pressure_gradient / _turning(latitude, rate)
 
 
 @checked

@@ -167,7 +167,7 @@ def _check_moments(I0, I):
         raise GyroError(
             f"the transverse moment of inertia I0 must be positive, got {to_plain(I0)!r}"
         )
-    # a disk has I = 2 I0, perhaps a little more by round-off
+    # a disk has I = 2 I0, up to round-off
     if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
         raise GyroError(
             f"no body of revolution has I = {to_plain(I)!r} with I0 = {to_plain(I0)!r}: I "
@@ -238,7 +238,7 @@ def steady_spin(
     """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it. Give
     ``mgr`` or ``moment``; mgr=0 is torque-free (10.35).
 
-    Raises :class:`GyroError` if I or the precession is zero: then no spin will do.
+    Raises :class:`GyroError` if I or the precession is zero: then no spin gives this moment.
 
     >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
     102.0
@@ -343,7 +343,7 @@ def _discriminant(a, h, c, I, what):
     D = first - second
     if not is_numeric(D):
         return D
-    # a few roundings of the two products: at the least spin itself the difference is only these
+    # round-off of the two products: at the least spin the difference is nothing else
     slack = 8 * epsilon(D) * (abs(first) + abs(second))
     D = where((to_plain(D) < 0) & (to_plain(D + slack) >= 0), 0 * D, D)
     if anywhere(to_plain(D) < 0):
@@ -391,7 +391,7 @@ def least_spin(
     """The least spin phi' (of="spin") or whole rate (of="omega_z"), in size, for steady precession
     at theta: where the discriminant of (10.33) is 0.
 
-    2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I; zero where every spin will do. An
+    2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I; zero where every spin is enough. An
     expression is taken to be real.
 
     >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4)
@@ -562,7 +562,7 @@ def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Sleepin
 
     It is stable at the threshold itself: there the effective potential is of fourth order, with a
     minimum. A small tilt x + i y obeys I0 z'' - i I omega_z z' - mgr z = 0. For a body that hangs
-    (theta = pi) mgr is negative, and every rate will do.
+    (theta = pi) mgr is negative, and it is stable at every rate.
 
     >>> top = sleeping_top(0.02, 0.01, 0.5, 30.0)
     >>> top.critical, top.margin, top.stable

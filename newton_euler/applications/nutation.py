@@ -79,7 +79,7 @@ def nutation(
             "the limits of nutation need numbers: the roots of a cubic with expressions have no "
             "order; put in values first"
         )
-    # from here on all momenta and the pull of gravity are divided by I0
+    # below, all momenta and the pull of gravity are divided by I0
     b, pull, theta, q, n = given
     S, C = sin(theta / 2), cos(theta / 2)
     sine, cosine = 2 * (S * C), C * C - S * S

@@ -24,7 +24,7 @@ which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces ac
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError, checked, checked_but
+from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.scalars import (
     Scalar,
     anywhere,
@@ -55,7 +55,7 @@ class Reactions:
     moment : M (N m), the moment about the axis that drives the shaft (9.10)
     axis : the unit vector e from A to B
 
-    The terms of A and B are those of (9.9), see :func:`reactions`; for other axes ask
+    The terms of A and B are those of (9.9), see :func:`reactions`; for other axes use
     ``A.expressed_in(ground)``.
     """
 
@@ -130,7 +130,7 @@ def _wrench(body, O, ground, gravity):
     }
 
 
-@checked_but("A", "B")
+@checked
 def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their
     distance l (m).
@@ -142,11 +142,6 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     >>> shaft_axis(shaft.origin, shaft.point("B", 0, 0, 2.0))
     (Vector(0, 0, 1.0 in shaft), 2.0)
     """
-    for P in (A, B):
-        if not isinstance(P, Point):
-            raise RotorError(
-                f"a bearing is a Point of the shaft, as in shaft.point('A', 0, 0, -0.2); got {P!r}"
-            )
     AB = (B - A).expressed_in(frame or A.frame)
     length = AB.norm()
     # 1e-13 of the coordinates: their difference is round-off
@@ -304,7 +299,7 @@ def balance(
     found = imbalance(body, A, B, about)
     e, product = scalar(found.static.norm()), scalar(found.dynamic.norm())
     total = sum(body.about(found.about).moments) / 2  # m k^2
-    # of a particle on the axis it is zero: at least that of the mass at a thousandth of AB
+    # a particle on the axis has none: at least that of the mass at a thousandth of AB
     floor = body.mass * (shaft_axis(A, B)[1] / 1000) ** 2
     if not all(map(is_numeric, (e, product, total, floor))):
         raise RotorError(
@@ -417,7 +412,7 @@ def _weight(name, U, A, e, z, given, at_radius):
     if is_zero(length):
         step = U * 0
     elif at_radius:
-        # at an instant of an array at which none is needed 0/1 in place of 0/0
+        # 0/1 in place of 0/0 at instants of an array that need no weight
         step = U * (
             given / (where(to_plain(length) == 0, 1, length) if is_numeric(length) else length)
         )

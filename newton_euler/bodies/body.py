@@ -13,18 +13,17 @@ Units: any consistent ones; in SI kg, m, kg m^2.
 """
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
 
 from ..algebra.errors import checked, checked_but
-from ..algebra.ledger import Ledger
+from ..algebra.ledger import Terms
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, scalar, shown
 from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
 from .inertia import Inertia, together
 
-# part of the largest moment by which moments that are given in rounded numbers may break the
-# triangle inequality; Body.check() asks for more
+# fraction of the largest moment by which moments given in rounded numbers may violate the triangle
+# inequality; Body.check() is stricter
 ROUNDED = 1e-2
 
 
@@ -88,7 +87,7 @@ class Body:
         if not self.parts:
             I = self._inertia
             return I.expressed_in(frame).about(point) if I.frame is not frame else I.about(point)
-        terms = {part.name: part.about(point, frame) for part in self.parts}
+        terms = Terms((part.name, part.about(point, frame)) for part in self.parts)
         moments = sum3(I.moments for I in terms.values())
         products = sum3(I.products for I in terms.values())
         total = Inertia(point, moments, products, self.mass, self.centre, frame, None)
@@ -131,9 +130,7 @@ class Body:
         orbital = (self.centre - about).expressed_in(self.frame).cross(v * self.mass)
         total = orbital + own
         subject = f"of {self.name} about {about.name}, seen from {observer.name}"
-        equation = "angular momentum"
-        ledger = Ledger(equation, subject, lambda: {"orbital": orbital, "own": own})
-        return Vector(total.c, total.frame, total._own_rate, ledger)
+        return total.as_sum("angular momentum", subject, lambda: {"orbital": orbital, "own": own})
 
 
 @checked
@@ -177,7 +174,7 @@ def centre_of_mass(
 def _pair(p):
     try:
         mass, point = p
-        # of a part that is removed the mass is negative
+        # no check of the mass: a removed part has a negative one
         return Body(point.name, mass, point, Inertia(point, (0, 0, 0), tolerance=None), point.frame)
     except (TypeError, ValueError, AttributeError):
         raise MassError(f"a part is a Body or a pair (mass, Point), got {p!r}") from None
@@ -189,8 +186,7 @@ def composite(
 ) -> Body:
     """A rigid body made of parts, with holes as parts of negative mass (5.11), (7.14).
 
-    parts, removed : bodies, all fixed in one rigid body, with different names, which are the terms
-        of ``body.about(P)``
+    parts, removed : bodies, all fixed in one rigid body; they are the terms of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
     Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
     outside of the body).
@@ -210,13 +206,6 @@ def composite(
     parts += [-hole for hole in removed]
     if not parts:
         raise MassError(f"{name} has no parts")
-    names = sorted(part.name for part in parts)
-    twice = next((a for a, b in pairwise(names) if a == b), None)
-    if twice is not None:
-        raise MassError(
-            f"{name} has two parts named {twice!r}; give them different names, as in "
-            "disk(..., name='hole 2')"
-        )
     frame = frame or parts[0].frame
     mass, centre = together(parts, frame, f"G of {name}")
     body = Body(name, mass, centre, frame=frame, parts=parts)

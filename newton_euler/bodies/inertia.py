@@ -20,7 +20,7 @@ from typing import Any
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving
-from ..algebra.ledger import NamedTerms, latex_number
+from ..algebra.ledger import NamedTerms, Terms, latex_number
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -87,12 +87,12 @@ class Inertia(Scaled, NamedTerms):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
         if not isinstance(self.frame, Frame):
             raise FrameError(f"the axes are those of a Frame; got {clipped(frame)}")
-        self._terms: dict[str, Inertia] = {}
+        self._terms: Terms[Inertia] = Terms()
         if tolerance is not None:
             self.check(real(tolerance, "the tolerance"))
 
     def _like(self, moments, products, **changed):
-        """An inertia with the same point, frame, mass and centre, except for what is changed."""
+        """An inertia with the same point, frame, mass and centre unless ``changed``."""
         same = {name: getattr(self, name) for name in ("point", "frame", "mass", "centre")}
         return Inertia(moments=moments, products=products, tolerance=None, **{**same, **changed})
 
@@ -129,6 +129,7 @@ class Inertia(Scaled, NamedTerms):
 
     # -- angular momentum, moments about axes
 
+    @checked
     def times(self, omega: Vector) -> Vector:
         """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
 
@@ -140,12 +141,7 @@ class Inertia(Scaled, NamedTerms):
         the angular momentum of the whole motion; for other points :meth:`Body.angular_momentum`
         adds the motion of G.
         """
-        if not isinstance(omega, Vector):
-            raise MassError(
-                "the inertia matrix multiplies an angular velocity, a Vector as from "
-                f"frame.angular_velocity(ground); got {omega!r}"
-            )
-        rate = omega._own_rate and (lambda: self.times(omega.rate(self.frame)))
+        rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
     @checked
@@ -196,7 +192,7 @@ class Inertia(Scaled, NamedTerms):
         Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes
         by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y). The changes are
         formed from d2 - d1, without cancellation.
-        terms : ``own``, the matrix before, and ``transfer``, what is added
+        terms : ``own``, the matrix about the first point, and ``transfer``, the change
 
         >>> from newton_euler import Frame
         >>> body = Frame("body")
@@ -216,7 +212,7 @@ class Inertia(Scaled, NamedTerms):
         moments, products = _transfer(self.mass, step, to_G)
         added = self._like(moments, products, point=point, mass=ZERO)
         out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
-        out._terms = {"own": self, "transfer": added}
+        out._terms = Terms({"own": self, "transfer": added})
         return out
 
     def expressed_in(self, frame: Frame) -> "Inertia":
@@ -277,18 +273,18 @@ class Inertia(Scaled, NamedTerms):
     __rmul__ = __mul__
 
     @property
-    def terms(self) -> dict[str, "Inertia"]:
+    def terms(self) -> "Terms[Inertia]":  # type: ignore[override]
         """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite body;
         empty if it is no sum.
         """
         return self._terms
 
     @checked
-    def reweighted(self, **factors: Scalar) -> "Inertia":
+    def reweighted(self, /, **factors: Scalar) -> "Inertia":
         """The sum of its terms, each times the factor given for it (default: 1), as a wrong model
         would give it. Mass and centre stay.
         """
-        weighted = self._weighted(factors, MassError)
+        weighted = self.terms.weighted(factors)
         moments = sum3(scale3(factor, term.moments) for factor, term in weighted)
         return self._like(moments, sum3(scale3(factor, term.products) for factor, term in weighted))
 
@@ -302,7 +298,7 @@ class Inertia(Scaled, NamedTerms):
         of the moments along any axes; the products are bounded by Schwarz's inequality; the same
         must hold about G. Expressions are not checked.
         tolerance : relative to the largest moment; rounded data of a thin plate may need more
-        slack : added to that, the round-off of what was subtracted before
+        slack : added to that, the round-off of earlier subtractions
         """
         check(self, tolerance, slack)
         return self

@@ -207,7 +207,7 @@ def _numeric(position, limits, weigh, rtol, name):
     import numpy as np
 
     n = len(limits)
-    with np.errstate(all="ignore"):  # _scales and cubature refuse what is not finite
+    with np.errstate(all="ignore"):  # _scales and cubature refuse values that are not finite
         middle, _ = _parameters(limits, [np.array([0.5])] * n)
         reference = [float(np.reshape(to_plain(x), -1)[0]) for x in _tangents(position, middle)[0]]
 

@@ -39,7 +39,7 @@ from ..kinematics.rotations import axis_angle
 from .admissibility import AXES, PRODUCTS, MassError
 
 PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
-ROUND_OFF = 256  # moments nearer than so many round-offs of the largest are equal
+ROUND_OFF = 256  # round-offs of the largest moment within which moments count as equal
 UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
 
 
@@ -102,7 +102,7 @@ class Principal:
         rest = (
             "any axis is a principal axis"
             if len(names) == 3
-            else "only their plane is: any two axes in it will do"
+            else "only their plane is: any two axes in it are principal"
         )
         return (
             f"axes {' and '.join(names)} are not determined by {data}: their moments are equal "
@@ -336,7 +336,7 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     """The :class:`Symmetry` of an inertia matrix.
 
     tolerance : products and differences below it times the largest moment count as zero
-    Of expressions, only what is zero or equal by its form is seen.
+    Expressions count as zero or equal only where their form shows it.
 
     >>> from newton_euler import Frame
     >>> from newton_euler import Inertia

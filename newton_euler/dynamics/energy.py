@@ -19,7 +19,6 @@ from ..algebra.ledger import Amount, summed, value_of
 from ..algebra.scalars import (
     Scalar,
     anywhere,
-    clipped,
     cos,
     is_numeric,
     max_abs,
@@ -61,14 +60,8 @@ def kinetic_energy(bodies: Body | Iterable[Body], observer: Frame) -> Amount:
     10.0
     """
     if not isinstance(bodies, Body):
-        terms: dict = {}
-        for body in bodies:
-            if not isinstance(body, Body):
-                raise EnergyError(f"the kinetic energy is that of bodies; got {clipped(body)}")
-            if body.name in terms:
-                raise EnergyError(f"two bodies have the name {body.name!r}; give each its own")
-            terms[body.name] = kinetic_energy(body, observer)
-        return summed(terms, "kinetic energy", "11.42")
+        each = [(body.name, kinetic_energy(body, observer)) for body in bodies]
+        return summed(each, "kinetic energy", "11.42")
     v, omega = bodies.centre.velocity(observer), bodies.frame.angular_velocity(observer)
     terms = {
         "translation": scalar(v.dot(v)) * bodies.mass / 2,

@@ -42,7 +42,7 @@ def euler_moment(
     Omega = w
     if turning is not None:
         Omega = turning.expressed_in(frame).c
-        # of omega, seen in the frame; in the body it is alpha itself
+        # the rate of omega seen in the frame; in the frame of the body it is alpha itself
         rate = sub3(rate, cross3(Omega, w))
     return _summed(
         inertia,

@@ -18,15 +18,16 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from ..algebra.errors import checked
+from ..algebra.ledger import distinct
 from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
 
-ROUND_OFF = 1e-12  # of the sum of the magnitudes: a resultant below it counts as zero
+ROUND_OFF = 1e-12  # fraction of the sum of magnitudes below which a resultant counts as zero
 
 
 class ForceError(FrameError):
-    """Something that is not a force or couple, or a system without the result asked for."""
+    """Not a force or couple, or a system that does not have the requested result."""
 
 
 @dataclass(frozen=True)
@@ -100,28 +101,24 @@ class ForceSystem:
     @checked
     def __init__(self, parts: Iterable | Mapping = (), frame: Frame | None = None):
         pairs = parts.items() if isinstance(parts, Mapping) else ((None, part) for part in parts)
-        out: list = []
-        counts: dict = {}
-        for part in (part for name, given in pairs for part in _parts(name, given)):
-            # a second "force" becomes "force 2"
-            counts[part.name] = n = counts.get(part.name, 0) + 1
-            out.append(part if n == 1 else replace(part, name=f"{part.name} {n}"))
-        self.parts = tuple(out)
+        self.parts = tuple(part for name, given in pairs for part in _parts(name, given))
         if not self.parts and frame is None:
             raise ForceError("a system without forces needs a frame: ForceSystem([], frame=ground)")
         self.frame = frame or self.parts[0].vector.frame
 
     def __str__(self):
-        return "\n".join(map(str, self.parts)) or "no forces"
+        names = distinct([part.name for part in self.parts])
+        parts = (replace(p, name=name) for p, name in zip(self.parts, names, strict=True))
+        return "\n".join(map(str, parts)) or "no forces"
 
     def __add__(self, other):
-        return ForceSystem([*self.parts, *ForceSystem([other]).parts], self.frame)
+        return ForceSystem([self, other], self.frame)
 
     @property
     def force(self) -> Vector:
         """The resultant force (8.21), with the forces by name as terms."""
-        forces = {p.name: p.vector for p in self._forces()}
-        return named_sum("resultant", "", forces, self.frame)
+        forces = [(p.name, p.vector) for p in self._forces()]
+        return named_sum("resultant", "of the forces", forces, self.frame)
 
     @checked
     def moment(self, about: Point | Frame) -> Vector:
@@ -129,7 +126,7 @@ class ForceSystem:
         their moments by name as terms.
         """
         about = place(about, "the point that the moment is about")
-        moments = {p.name: p.moment(about) for p in self.parts}
+        moments = [(p.name, p.moment(about)) for p in self.parts]
         subject = f"about {about.name}"
         return named_sum("moment of the forces", subject, moments, self.frame)
 
@@ -277,7 +274,7 @@ def _vanishes(v, noise):
     x = scalar(v.norm())
     if is_numeric(x) and min_abs(x) <= noise < max_abs(x):
         raise ForceError(
-            "the forces have a resultant at some instants and at others none; ask for them "
-            "separately"
+            "the forces have a resultant at some instants and at others none; treat the two "
+            "groups of instants separately"
         )
     return is_numeric(x) and max_abs(x) <= noise

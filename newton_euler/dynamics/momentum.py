@@ -19,7 +19,7 @@ for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equ
 from typing import Any
 
 from ..algebra.errors import checked
-from ..algebra.ledger import Ledger
+from ..algebra.ledger import Ledger, Terms
 from ..algebra.vectors import ZERO3, Vector
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point, place
@@ -56,8 +56,10 @@ def _point(body, about):
 
 
 def _is_fixed(point, body):
-    """True if the point is given as fixed in the frame of the body."""
-    return point.frame is body.frame and all(x.rests() for x in point.x)
+    """True if the point and the mass centre are given as fixed in the frame of the body; a particle
+    may move in the frame that stands for its own.
+    """
+    return all(P.frame is body.frame and all(x.rests() for x in P.x) for P in (point, body.centre))
 
 
 @checked
@@ -93,8 +95,7 @@ def resultant_moment(
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
         kind = "moment about the mass centre"
-        ledger = Ledger(kind, f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
-        return Vector(rate.c, via, rate._own_rate, ledger)
+        return rate.as_sum(kind, f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
     route = _about_fixed_point if _is_fixed(about, body) else _about_any_point
     total, terms = route(body, observer, about, via)
     ledger = Ledger("moment", f"of {body.name} about {about.name}, {seen}", terms)
@@ -140,7 +141,7 @@ def _rate_terms(rate, observer):
 @checked
 def equations_of_motion(
     body: Body, forces: Any, observer: Frame, about: Point | Frame | None = None
-) -> dict:
+) -> Terms[Vector]:
     """The Newton-Euler equations (8.21) of one body, as Vectors that must vanish: for
     :func:`newton_euler.algebra.linear.solve_linear`.
 
@@ -150,8 +151,8 @@ def equations_of_motion(
     about : G (default), or any Point; a point where unknown forces act keeps them out of the moment
         equation
     Returns a dict of two Vectors in the frame of ``observer``, "force on beam" and "moment on beam
-    about G", each the forces' part less that of the motion; the equations of several bodies join as
-    {**first, **second}.
+    about G", each the forces' part less that of the motion. The equations of several bodies are
+    joined as first | second, which keeps all of them where bodies share a name.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.algebra.linear import solve_linear
@@ -173,4 +174,5 @@ def equations_of_motion(
     motion = resultant_force(body.mass, body.centre.acceleration(observer))
     force = forces.force.expressed_in(observer) - motion
     moment = forces.moment(about).expressed_in(observer) - resultant_moment(body, observer, about)
-    return {f"force on {body.name}": force, f"moment on {body.name} about {about.name}": moment}
+    names = f"force on {body.name}", f"moment on {body.name} about {about.name}"
+    return Terms(zip(names, (force, moment), strict=True))

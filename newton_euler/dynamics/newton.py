@@ -17,8 +17,7 @@ Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raise
 
 from collections.abc import Sequence
 
-from ..algebra.errors import checked, checked_but
-from ..algebra.ledger import Ledger
+from ..algebra.errors import checked
 from ..algebra.scalars import (
     Scalar,
     SingularError,
@@ -47,7 +46,7 @@ def _mass(m):
 # -- the motion is given
 
 
-@checked_but("a")
+@checked
 def resultant_force(m: Scalar, a: Vector) -> Vector:
     """The resultant external force on a body of mass ``m`` whose mass centre has the acceleration
     ``a``: F = m a (6.1).
@@ -64,15 +63,12 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
     >>> print(F, F.terms["coriolis"])
     [-72, 12, 0] in polar axes of P [0, 12, 0] in polar axes of P
     """
-    F = _mass(m) * _vector(a, "the acceleration")
+    F = _mass(m) * a
     kind = F.equation and F.equation.kind.replace("acceleration", "force")
-    if kind not in FORCES:
-        return F
-    ledger = Ledger(kind, F._ledger.subject, lambda: F.terms)
-    return Vector(F.c, F.frame, F._own_rate, ledger)
+    return F.as_sum(kind) if kind in FORCES else F
 
 
-@checked_but("forces")
+@checked
 def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     """The one unknown force, where the motion and all other forces are known: R = m a - (the known
     forces) (6.1).
@@ -85,8 +81,7 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     >>> print(reaction(2.0, ground.vector(0, 0, 1.0), weight=-2.0*9.81*ground.k))
     [0, 0, 21.62] in ground
     """
-    parts = {"inertia": _mass(m) * _vector(a, "the acceleration")}
-    parts |= {name: -_vector(F, f"the {name}") for name, F in known.items()}
+    parts = [("inertia", _mass(m) * a), *((name, -F) for name, F in known.items())]
     subject = f"to {', '.join(known) or 'no other force'}"
     return named_sum("reaction", subject, parts, a.frame)
 
@@ -108,7 +103,7 @@ def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) ->
 # -- the forces are given
 
 
-@checked_but("forces")
+@checked
 def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
     """The acceleration of the mass centre by the forces named, a = F/m (6.1), with F/m of each
     force as terms.
@@ -144,7 +139,7 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
     return to_plain(F_t / m), to_plain(F_n / (m * speed))
 
 
-@checked_but("forces")
+@checked
 def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence) -> tuple:
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
     for r'', theta'', …
@@ -164,13 +159,13 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     (0.0, 0.0)
     """
     forces = {
-        name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F
+        name: F if isinstance(F, Vector) else P.local.vector(*_three(F, name))
         for name, F in forces.items()
     }
     kind, parts = "acceleration by forces", _per_mass(m, forces)
     total = named_sum(kind, f"of {P.name}", parts, P.local)
-    # the acceleration is linear in the second rates, with the scale factors h: what is missing in
-    # that with the second rates of P, over h, is missing in them
+    # the acceleration is linear in the second rates, with the scale factors h: the acceleration
+    # that P lacks, over h, is what its second rates lack
     missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(is_numeric(h) and min_abs(h) == 0 for h in P.scale_factors):
         raise SingularError(
@@ -181,7 +176,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     return tuple(to_plain(q.acceleration + a / h) for q, a, h in changes)
 
 
-@checked_but("forces")
+@checked
 def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector) -> Vector:
     """The acceleration of ``P`` seen in its own moving frame (6.10): the forces over m, and the
     terms of the motion of the frame.
@@ -201,23 +196,15 @@ def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector
     """
     seen = P.acceleration(observer, via=P.frame).terms
     names = {n: n for n in ("origin", "coriolis", "euler")} | {"centrifugal": "centripetal"}
-    for name in names:
-        if name in forces:
-            raise FrameError(f"{name!r} is a term of the moving frame; rename the force")
-    parts = _per_mass(m, forces) | {name: -seen[term] for name, term in names.items() if seen}
+    parts = list(_per_mass(m, forces).items())
+    parts += [(name, -seen[term]) for name, term in names.items() if seen]
     subject = f"of {P.name} in {P.frame.name}"
     return named_sum("relative acceleration", subject, parts, P.frame)
 
 
 def _per_mass(m, forces):
     m = _mass(m)
-    return {name: _vector(F, f"the force {name}") / m for name, F in forces.items()}
-
-
-def _vector(a, what):
-    if not isinstance(a, Vector):
-        raise FrameError(f"{what} must be a Vector, as in ground.vector(1.0, 0, 0); got {a!r}")
-    return a
+    return {name: F / m for name, F in forces.items()}
 
 
 def _three(F, name):

@@ -19,7 +19,7 @@ from functools import partial
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
-from ..algebra.ledger import Ledger
+from ..algebra.ledger import Terms
 from ..algebra.pickles import Found
 from ..algebra.scalars import (
     ZERO,
@@ -99,7 +99,7 @@ class CoordinatePoint(Point):
 
     def __getstate__(self):
         values = {n: getattr(self, n) for n in (*Point.__slots__, *CoordinatePoint.__slots__)}
-        # of functions inside functions
+        # the functions are closures, which cannot be pickled: their results are
         values["_terms"] = {what: Found(partial(f, self)) for what, f in self._terms.items()}
         return None, values
 
@@ -117,10 +117,10 @@ class CoordinatePoint(Point):
         here = vector.expressed_in(self.local)
 
         def terms():
-            return {name: v.expressed_in(self.local) for name, v in self._terms[what](self).items()}
+            return Terms(self._terms[what](self)).mapped(lambda v: v.expressed_in(self.local))
 
-        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
-        return Vector(here.c, here.frame, here._own_rate, ledger)
+        subject = f"of {self.name} in {observer.name}"
+        return here.as_sum(f"{self._system} {what}", subject, terms)
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):
@@ -291,7 +291,7 @@ def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None
     """
     x, y, z = r.c
     level = _off_the_axis(r, "on the z axis, where theta and its rates do not exist")
-    return with_rates(cylindrical, (level, atan2(y, x), z), r.frame, v, a)
+    return _with_rates(cylindrical, (level, atan2(y, x), z), r.frame, v, a)
 
 
 @checked
@@ -313,11 +313,11 @@ def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None =
 
     def here(frame, name, *q):
         P = spherical(frame, name, *q)
-        # from the position: near a pole the round-off of phi is large against cos phi
+        # cos and sin from the position: near a pole the round-off of phi exceeds cos phi
         P.local._c, P.local._s, P.scale_factors = level / R, -z / R, (1, level, R)
         return P
 
-    return with_rates(here, (R, atan2(y, x), atan2(z, level)), r.frame, v, a)
+    return _with_rates(here, (R, atan2(y, x), atan2(z, level)), r.frame, v, a)
 
 
 def _off_the_axis(r, where):
@@ -332,7 +332,7 @@ def _off_the_axis(r, where):
     return level
 
 
-def with_rates(make, q, frame, v, a):
+def _with_rates(make, q, frame, v, a):
     """The coordinates ``q`` with their rates, from the scale factors: q_i' = v_i / h_i, then q_i''
     from the difference of ``a`` and the acceleration with q'' = 0.
 

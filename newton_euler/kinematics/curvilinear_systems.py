@@ -22,7 +22,7 @@ from ..algebra.scalars import (
     to_plain,
 )
 from ..algebra.vectors import Vector, cross3, dot3, scale3
-from .coordinates import CoordinatePoint, with_rates
+from .coordinates import CoordinatePoint
 from .frames import Frame, Point
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity, turning_of
 
@@ -140,7 +140,7 @@ def _moving_axes(position, q):
 
 def _velocity_terms(P, columns, names):
     rows = zip(names, P.coordinates, columns, strict=True)
-    return _vectors({f"{name}'": scale3(x.rate, c) for name, x, c in rows}, P.ground)
+    return _vectors([(f"{name}'", scale3(x.rate, c)) for name, x, c in rows], P.ground)
 
 
 def _acceleration_terms(P, position, columns, names):
@@ -150,44 +150,17 @@ def _acceleration_terms(P, position, columns, names):
     q = P.coordinates
     values = tuple(x.value for x in q)
     rows = zip(names, q, columns, strict=True)
-    parts = {f"{name}''": scale3(x.acceleration, c) for name, x, c in rows}
+    parts = [(f"{name}''", scale3(x.acceleration, c)) for name, x, c in rows]
     for n, m in combinations_with_replacement(range(3), 2):
         jets = position(*_seeded(_seeded(values, m), n))
         name = f"{names[n]}'^2" if n == m else f"{names[n]}' {names[m]}'"
         factor = (1 if n == m else 2) * (q[n].rate * q[m].rate)
-        parts[name] = scale3(factor, tuple(_rate(_rate(x)) for x in jets))
+        parts.append((name, scale3(factor, tuple(_rate(_rate(x)) for x in jets))))
     return _vectors(parts, P.ground)
 
 
 def _vectors(parts, ground):
-    return {name: Vector(c, ground) for name, c in parts.items() if any(x is not ZERO for x in c)}
-
-
-@checked
-def curvilinear_rates(
-    position: Callable, q: Sequence[Scalar], v: Vector, a: Vector | None = None
-) -> tuple:
-    """The coordinates ``q``, as moving numbers, with the rates that give the velocity ``v`` and the
-    acceleration ``a``.
-
-    position, q : the position function and the three values of the coordinates, as for
-        :func:`curvilinear`
-    v, a : Vectors, seen from the frame in which they are expressed, to whose axes ``position``
-        refers
-    Without ``a`` the second rates are None. Errors as for :func:`curvilinear`.
-
-    >>> from newton_euler import Frame
-    >>> ground = Frame("ground")
-    >>> v, a = ground.vector(6.0, 0, 0), ground.vector(0, 1.0, 0)
-    >>> rates = curvilinear_rates(lambda u, v, w: (2*u, v, w), (1.0, 0.0, 0.0), v, a)
-    >>> rates[0], rates[1].acceleration
-    (moving(1.0, rate=3.0, acceleration=0), 1.0)
-    """
-
-    def make(frame, name, *coordinates):
-        return curvilinear(frame, name, position, *coordinates)
-
-    return with_rates(make, tuple(map(scalar, q)), v.frame, v, a)
+    return [(name, Vector(c, ground)) for name, c in parts if any(x is not ZERO for x in c)]
 
 
 # -- the gradient

@@ -46,11 +46,11 @@ from ..algebra.vectors import (
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 _REST = Moving(ZERO)
-# frames that were pickled, by a token: one that comes back from another process is found again, so
-# that vectors which were computed there can be added to those here
+# pickled frames by their tokens: a frame that comes back from another process is recognised, so
+# that vectors computed there can be added to those computed here
 _SENT: WeakValueDictionary = WeakValueDictionary()
 _SENDING = Lock()
-# of a frame in this process alone
+# attributes that belong to this process and are not pickled
 _LOCAL = {"parent", "_above", "_relatives", "_memo", "_token"}
 
 
@@ -90,13 +90,13 @@ class Frame:
         self.angle: Any = _REST if angle is None else angle
         self._descend(parent)
         self._same_origin = parent._origin_frame if parent and origin is None else None
-        if origin is not None:
-            origin.origin_of = origin.origin_of or name
+        if origin is not None and origin.origin_of is None:
+            origin.origin_of = name
         if self.angle.value is not ZERO:
             self._c, self._s = cos(self.angle.value), sin(self.angle.value)
 
     def _descend(self, parent: "Frame | None") -> None:
-        # without itself, or it would not be freed as soon as nothing refers to it
+        # excludes the frame itself: a cycle would delay its being freed
         self._above: tuple[Frame, ...] = (parent, *parent._above) if parent else ()
         # weak references: a frame keeps those above it alive, not those below
         self._relatives: dict = parent._relatives if parent else {}
@@ -104,14 +104,14 @@ class Frame:
         self._memo: dict = {}
 
     def __reduce__(self):
-        # the same in every pickle of it; setdefault: threads may come here together
+        # one token for all pickles of the frame; setdefault is atomic between threads
         token = vars(self).setdefault("_token", os.urandom(16))
         _SENT[token] = self
         state = {n: x for n, x in vars(self).items() if n not in _LOCAL}
         return _sent_frame, (type(self), token, self.parent), state
 
     def __setstate__(self, state):
-        if "name" not in vars(self):  # else it is here already
+        if "name" not in vars(self):  # a frame of this process keeps its own state
             vars(self).update(state)
 
     def __repr__(self):
@@ -184,7 +184,11 @@ class Frame:
         """The origin, a Point of the parent, in which it may move; of this frame itself if it has
         no parent.
         """
-        return self._origin or Point(f"origin of {self.name}", self.parent or self, (_REST,) * 3)
+        if self._origin is None and self.parent:
+            here = Point(f"origin of {self.name}", self.parent, (_REST,) * 3)
+            here.origin_of = self.name
+            return here
+        return self._origin or _origin(self)
 
     def _unit_axis(self, axis, angle):
         if isinstance(axis, Vector):
@@ -199,7 +203,7 @@ class Frame:
                 "components, as in (0, 0.6, 0.8); turn about a moving axis by one more frame in "
                 "between"
             )
-        # else the root of a whole number has 16 digits, however many the angle has
+        # otherwise the root of a whole number has 16 digits, even where the angle has more
         parts = (angle.value, angle.rate, angle.acceleration)
         exact = next((v for v in parts if v is not ZERO), ZERO)
         axis = tuple(integer_like(v, exact) for v in axis)
@@ -224,7 +228,7 @@ class Frame:
 
     def common(self, other: "Frame") -> "Frame":
         """The nearest frame from which both this one and ``other`` descend, one of them included;
-        :class:`FrameError` if there is none.
+        :class:`FrameError` if they share none.
         """
         if not isinstance(other, Frame):
             raise FrameError(
@@ -321,7 +325,8 @@ class Frame:
     def _cached(self, what, observer, compute):
         memo, key = self._memo, (what, observer)
         found = memo.get(key)
-        if found is None and observer not in self._above:  # else this frame would keep it alive
+        # a strong reference to a frame that is not above would keep it alive
+        if found is None and observer not in self._above:
             memo, key = memo.get(ref(observer)), what
             if memo is None:
                 memo = self._memo[ref(observer, self._memo.pop)] = {}
@@ -368,21 +373,20 @@ class Frame:
         return [(f, s) for f, s in down + up if f.axis is not None]
 
     def _omega_terms(self, observer, rate="rate"):
-        return {
-            f.name: s * Vector(f._along_axis(getattr(f.angle, rate)), f).expressed_in(self)
+        return [
+            (f.name, s * Vector(f._along_axis(getattr(f.angle, rate)), f).expressed_in(self))
             for f, s in self._steps(observer)
-        }
+        ]
 
     def _alpha_terms(self, observer):
-        terms = self._omega_terms(observer, "acceleration")
-        for (n, u), (m, v) in combinations(self._omega_terms(observer).items(), 2):
-            terms[f"{n} x {m}"] = u.cross(v)
-        return terms
+        pairs = combinations(self._omega_terms(observer), 2)
+        crossed = [(f"{n} x {m}", u.cross(v)) for (n, u), (m, v) in pairs]
+        return self._omega_terms(observer, "acceleration") + crossed
 
 
 def _how_to_join(one, other):
-    """What to do where two frames share none: two trees alike come from one function, called
-    twice.
+    """Advice for two frames without a common ancestor. Two trees with the same names usually come
+    from a function that was called twice.
     """
     first, second = ((f, *f._above) for f in (one, other))
     alike = next((f.name for f in first if f.name in {s.name for s in second}), None)
@@ -630,10 +634,8 @@ def axes_at(point: Point) -> Frame:
     """The frame that a point is fixed in; :class:`FrameError` if the point is also the origin of
     another frame, whose axes may be meant.
     """
-    other, name = point.origin_of, point.name.removeprefix("origin of ")
-    if not other and name not in (point.name, point.frame.name):
-        other = name
-    if other:
+    other = point.origin_of
+    if other is not None:
         raise FrameError(
             f"{point.name} is a point of {point.frame.name}, and the origin of {other}: along "
             f"whose axes? For {other}, which the body turns with, give the frame in place of the "

@@ -251,7 +251,7 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     speed, turn = norm3(v), cross3(v, a)
     _check_speed(v, speed, v_noise)
     area = norm3(turn)
-    # of the cross product itself, with a margin of 8, and from that of v and of a
+    # the rounding of the cross product itself, with a margin of 8, and that of v and of a
     rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
     if is_zero(area) or (numeric3((*v, *a)) and below_roundoff(area, rounding)):
         raise SingularError(

@@ -3,7 +3,7 @@
 
 From a = dv/dt and v = dx/dt follows a = v dv/dx. Each function here integrates one of these once or
 twice, to the accuracy of the numbers given, which may be of any kind. With symbols, which have no
-sign, the motion is taken to go forward and to reach what is asked for.
+sign, the motion is taken to go forward and to reach the requested value.
 """
 
 from collections.abc import Callable
@@ -53,7 +53,7 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[S
     (1.38629436112, 6.0)
     """
     ahead = _sense(v - v0)
-    # a sample: a change of sign within less than 1/64 of the way is not seen
+    # sampled: a change of sign within less than 1/64 of the interval is missed
     for n in range(65) if is_numeric(ahead) and is_numeric(v) else ():
         if _falls_below(a(v0 + (v - v0) * n / 64) * ahead, True) and max_abs(v - v0) > 0:
             raise SingularError(
@@ -78,11 +78,11 @@ def from_place(
     >>> round(v**2, 9), round(9.81*t/v, 9)
     (39.24, 1.0)
     """
-    way = scalar(x) - x0
-    forward = _sense(way)
+    distance = scalar(x) - x0
+    forward = _sense(distance)
 
     def speed(s):
-        # by the distance s from the start, since x0 + s would lose digits near it
+        # s is the distance from the start: x0 + s would lose digits near it
         square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0, integer_like(1, s))
         if _falls_below(square):
             raise SingularError(
@@ -96,16 +96,16 @@ def from_place(
             f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turning "
             "point first"
         )
-    return integral(lambda s: forward / speed(s), 0, way), forward * speed(way)
+    return integral(lambda s: forward / speed(s), 0, distance), forward * speed(distance)
 
 
 def _sense(x):
-    """1 where x is positive or zero, else -1; 1 of what has no sign, dimensions and symbols."""
+    """1 where x is not negative, else -1; 1 for dimensions and symbols, which have no sign."""
     x = without_rates(x)
     return where(x >= 0, 1, -1) if is_numeric(x) or hasattr(x, "where") else 1
 
 
 def _falls_below(x, or_equals=False):
-    """Whether a number is below zero at any instant; False of what has no value."""
+    """Whether a number is negative at any instant; False for expressions."""
     x = without_rates(x)
     return is_numeric(x) and anywhere(x <= 0 if or_equals else x < 0)

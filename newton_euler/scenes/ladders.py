@@ -71,7 +71,7 @@ class Rung(Portable):
 
 @dataclass(frozen=True)
 class Observed:
-    """The function for :class:`Rung` that returns the states of these names."""
+    """A function that returns the states of these names; a class, since it can be pickled."""
 
     names: tuple
 
@@ -204,10 +204,10 @@ class Ladder:
         return np.where(np.isnan(far), math.inf, far)  # nan where an exact solution ends
 
     def _kept(self, accuracy, rungs, compute):
-        """The value found before for these rungs with at least this accuracy, if what their
+        """The value computed before for these rungs with at least this accuracy, if what their
         functions read is the same; otherwise it is computed now.
         """
-        key = tuple(rung.name for rung in rungs)
+        key = tuple(rungs)  # by identity: a rung of another ladder may have the same name
         known = self._found.get(key)
         if known is None or known[1] > accuracy or not known[2].hold():
             reads = Reads(*(f for rung in rungs for f in (rung.model, rung.observed)))
@@ -221,8 +221,8 @@ class Ladder:
 
 @dataclass(frozen=True)
 class Evidence:
-    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if there is
-    none), and its ``error`` (None if not needed).
+    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if unknown),
+    and its ``error`` (None if not needed).
     """
 
     bound: float

@@ -2,6 +2,7 @@
 
 import io
 import time
+from functools import partial
 
 import pytest
 
@@ -31,9 +32,10 @@ def by_matplotlib(draw, values, size, panels):
 
 @pytest.mark.parametrize("name", FIGURES)
 def test_a_redraw_takes_half_the_time_of_a_new_figure_or_less(name):
-    draw, sliders, options = FIGURES[name]
+    figure, given = FIGURES[name]
+    draw, options = partial(figure.draw, **given), figure.options
     size, panels = options.get("size", (7, 4.6)), options.get("panels", (1, 1))
-    start = {slider.name: slider.start for slider in sliders}
+    start = {slider.name: slider.start for slider in figure.sliders}
     stage = Stage(draw, size, panels)
     stage.rehearse([start])
     new = shortest(lambda: by_matplotlib(draw, start, size, panels))

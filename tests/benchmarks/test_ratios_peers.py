@@ -20,7 +20,7 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from newton_euler.accuracy.measure import timed
+from newton_euler.accuracy.measurements.measure import timed
 from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.spatial import top

@@ -305,13 +305,6 @@ def test_the_notes_for_instructors_run_without_warnings(path, tmp_path):
     assert not told_on_stderr(notebook)
 
 
-def test_the_notes_for_instructors_are_not_in_the_wheel():
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    packages = settings["tool"]["setuptools"]["packages"]
-    assert "newton_euler.chapters.figures" in packages
-    assert "newton_euler.chapters.instructors" not in packages
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 def test_a_notebook_runs_where_widgets_and_heyoka_are_missing(path, tmp_path):

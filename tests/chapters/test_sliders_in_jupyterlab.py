@@ -13,11 +13,9 @@ from tests.jupyterlab import Page, chromium, jupyterlab, write_notebook
 pytestmark = [pytest.mark.slow, pytest.mark.integration]
 
 CELLS = [
-    "from newton_euler.classroom import interactive_figure\n"
     "from tests.chapters.moving_figures import FIGURES\n"
-    f"draw, sliders, options = FIGURES[{name!r}]\n"
-    f"interactive_figure(draw, *sliders, alt='A figure that moves, number one of six: {name}.',"
-    " **options)"
+    f"figure, given = FIGURES[{name!r}]\n"
+    "figure(**given)"
     for name in FIGURES
 ]
 # measured on two busy cores: 40 to 120 ms
@@ -126,9 +124,9 @@ def test_a_fast_drag_moves_the_picture_and_leaves_no_queue(page, n):
 
 def test_labels_have_greek_letters_and_units_and_pictures_their_words(page):
     page.says(1, "θ = ", "°")
-    for n in range(len(FIGURES)):
+    for n, (figure, _) in enumerate(FIGURES.values()):
         (image,) = page.all(".jp-OutputArea-output img", n)
-        assert image.get_attribute("alt").startswith("A figure that moves")
+        assert image.get_attribute("alt") == figure.options["alt"]
 
 
 def test_the_console_has_no_error_of_ours(page):

@@ -6,7 +6,7 @@ from collections import Counter
 from rich.markup import escape
 from rich.table import Table
 
-from newton_euler.accuracy.honesty import table
+from newton_euler.accuracy.measurements.honesty import table
 from tests.honesty import report
 from tests.honesty.cases import draw
 from tests.honesty.judge import EPS

@@ -12,8 +12,8 @@ from statistics import median
 
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy.charts.kinds.honesty import draw_honesty
-from newton_euler.accuracy.honesty import FAILED, REFUSED, Answer
+from newton_euler.accuracy.charts.honesty import draw_honesty
+from newton_euler.accuracy.measurements.honesty import FAILED, REFUSED, Answer
 
 ABSENT = {"refused": REFUSED, "raw": FAILED, "timeout": FAILED}
 GOALS = {"met": 0.995, "covers": 0.99, "ratio": 100.0, "silent": 0}  # of issue 9
@@ -135,7 +135,7 @@ def worst(runs, count=20):
 
 
 def answers(runs):
-    """The runs as :class:`~newton_euler.accuracy.honesty.Answer`, for the chart of honesty, without
+    """The runs as :class:`~newton_euler.accuracy.measurements.honesty.Answer`, for the chart of honesty, without
     the methods that a model cannot use.
     """
     return [
@@ -144,7 +144,7 @@ def answers(runs):
             r.seconds,
             r.error,
             asked=r.rtol,
-            told=r.estimate,
+            estimate=r.estimate,
             problem=r.case,
             absent=ABSENT.get(r.outcome, ""),
             words=r.words,

@@ -19,7 +19,7 @@ import pytest
 import tests.honesty.families
 import tests.honesty.holdout  # noqa: F401
 from newton_euler import prepare
-from newton_euler.accuracy.reference import by_extrapolation
+from newton_euler.accuracy.measurements.reference import by_extrapolation
 from newton_euler.motion import ModelError
 from tests.honesty import closed_forms, judge, references, report
 from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT, draw, names

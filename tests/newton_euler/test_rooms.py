@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import newton_euler
+from tests.imports import circle, imports, modules
 
 ENGINE = Path(__file__).parents[2] / "newton_euler"
 MECHANICS = ("algebra", "kinematics", "bodies", "dynamics", "applications")
@@ -23,12 +24,7 @@ BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
     "scenes": {*MECHANICS, "motion"},
     "accuracy": {*MECHANICS, "motion", "scenes", "classroom"},
 }
-FILES = {
-    ".".join(("newton_euler", *path.relative_to(ENGINE).with_suffix("").parts)).removesuffix(
-        ".__init__"
-    ): path
-    for path in ENGINE.rglob("*.py")
-}
+FILES = modules(ENGINE)
 
 
 def tree_of(module):
@@ -42,67 +38,24 @@ def room_of(module):
     return parts[1] if len(parts) > 1 and parts[1] in BELOW else ""
 
 
-def imports(module, source=None):
-    """[(module, name or None)] of the engine that a module imports, wherever in its text."""
-    path = FILES[module]
-    package = module if path.name == "__init__.py" else module.rpartition(".")[0]
-    found = []
-    for node in ast.walk(ast.parse(source or path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            found += [
-                (alias.name, None)
-                for alias in node.names
-                if alias.name.split(".")[0] == "newton_euler"
-            ]
-        elif isinstance(node, ast.ImportFrom):
-            base = (
-                package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
-            )
-            target = ".".join([*base, *([node.module] if node.module else [])])
-            if target.split(".")[0] == "newton_euler":
-                found += [
-                    (f"{target}.{a.name}", None)
-                    if f"{target}.{a.name}" in FILES
-                    else (target, a.name)
-                    for a in node.names
-                ]
-    return found
-
-
 def climbing(module, source=None):
     """The imports of a module that its room may not make."""
     room = room_of(module)
     if not room:
         return []
     allowed = {room, *BELOW[room]}
-    return [target for target, _ in imports(module, source) if room_of(target) not in allowed]
+    return [
+        target for target, _ in imports(module, FILES, source) if room_of(target) not in allowed
+    ]
 
 
 def taken_privately(module, source=None):
     """The private names that a module takes from another room."""
     return [
         f"{t}.{n}"
-        for t, n in imports(module, source)
+        for t, n in imports(module, FILES, source)
         if n and n.startswith("_") and not n.startswith("__") and room_of(t) != room_of(module)
     ]
-
-
-def circle(graph):
-    """A list of modules that import each other in a circle, or None."""
-    done, trail = set(), []
-
-    def visit(module):
-        if module in trail:
-            return trail[trail.index(module) :]
-        if module in done:
-            return None
-        trail.append(module)
-        found = next((c for c in map(visit, sorted(graph[module])) if c), None)
-        trail.pop()
-        done.add(module)
-        return found
-
-    return next((c for c in map(visit, sorted(graph)) if c), None)
 
 
 def test_the_rooms_are_those_of_the_plan():
@@ -141,7 +94,7 @@ def test_no_modules_import_each_other_in_a_circle():
     for module in FILES:
         graph[module] |= {
             target
-            for target, _ in imports(module)
+            for target, _ in imports(module, FILES)
             if target in FILES.keys() - {module} and FILES[target].name != "__init__.py"
         }
     assert circle(graph) is None
@@ -172,7 +125,9 @@ PACKAGES = [m for m in sorted(FILES) if FILES[m].name == "__init__.py" and "chap
 
 def public_names(package):
     """The names that the __init__ of a package gives to its users."""
-    names = {name for _, name in imports(package) if name} | set(defined(tree_of(package).body))
+    names = {name for _, name in imports(package, FILES) if name} | set(
+        defined(tree_of(package).body)
+    )
     return {n for n in names | set(_stub_names(package)) if not n.startswith("_")}
 
 
@@ -208,11 +163,14 @@ def test_a_name_that_is_not_at_the_top_is_looked_for_in_the_rooms():
     assert {"Frame", "dynamics"} <= set(dir(newton_euler))
 
 
-def test_the_packages_of_the_wheel_are_those_of_the_tree():
+def test_the_wheel_takes_every_folder_with_code_and_nothing_beside_the_engine():
+    """Setuptools finds packages by their __init__.py; newton_euler/chapters is a link to chapters."""
     pyproject = tomllib.loads((ENGINE.parent / "pyproject.toml").read_text(encoding="utf-8"))
-    listed = set(pyproject["tool"]["setuptools"]["packages"])
-    found = {m for m in FILES if FILES[m].name == "__init__.py"}
-    assert listed == found | {"newton_euler.chapters.examples", "newton_euler.chapters.figures"}
+    found = pyproject["tool"]["setuptools"]["packages"]["find"]
+    assert found == {"namespaces": False, "include": ["newton_euler*"]}
+    for folder in {*(path.parent for path in FILES.values()), ENGINE / "chapters" / "figures"}:
+        assert (folder / "__init__.py").exists(), folder
+    assert not list((ENGINE / "chapters" / "instructors").glob("*.py"))
 
 
 def test_all_errors_of_the_engine_have_one_base():

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.accuracy.baselines import by_arc_cosine
+from newton_euler.accuracy.measurements.baselines import by_arc_cosine
 from newton_euler.kinematics.rotations import axis_angle, in_sequence, rotation_matrix
 from tests.kinds import close
 

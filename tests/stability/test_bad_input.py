@@ -62,7 +62,6 @@ from newton_euler.applications import (
     force_near_earth,
     ground_frame,
     normal_moment,
-    rotation_error,
     steady_moment,
     steady_spin,
     support_force,
@@ -201,7 +200,6 @@ def test_moments_of_inertia_that_no_body_has_are_refused():
         lambda: steady_spin(-1.0, 1.0, 0.5, 1.0, moment=0.0),
         lambda: integrated(lambda x: (x, 0, 0), (0.0, 1.0), frame=ground, mass=-1.0),
         lambda: ground_frame(earth_frame(ground), 0.5, radius=-1.0),
-        lambda: rotation_error(9.8, radius=-1.0),
     ):
         with pytest.raises(NewtonEulerError):
             refused()
@@ -232,7 +230,7 @@ def test_frames_points_vectors_and_functions_are_asked_for_by_name():
 def test_functions_say_where_they_have_no_value():
     for call in (
         lambda: sqrt(-1.0), lambda: log(0.0), lambda: exp(1e6), lambda: sin(float("inf")),
-        lambda: at(sqrt, 0.0), lambda: rotation_error(0.0),
+        lambda: at(sqrt, 0.0),
     ):  # fmt: skip
         with pytest.raises((SingularError, MassError)):
             call()

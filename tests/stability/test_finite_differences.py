@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from newton_euler import at
-from newton_euler.accuracy.baselines import CENTRAL, CENTRAL_SECOND, difference
+from newton_euler.accuracy.measurements.baselines import CENTRAL, CENTRAL_SECOND, difference
 from newton_euler.algebra.scalars import exp, sin
 
 T = 1.3

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.accuracy.baselines import printed_roots
+from newton_euler.accuracy.measurements.baselines import printed_roots
 from newton_euler.applications.gyroscopes import fast_spin, steady_precession
 
 I0, SPIN, MGR = 0.02, 100.0, 0.5

@@ -71,9 +71,7 @@ def _fitted(rates, state, step):
 
 
 def _crossing(rates, state, event, step):
-    """The part of the step at which the sign of the event changes, and the state there: regula
-    falsi, by the Illinois rule.
-    """
+    """The part of the step up to the event, and the state there: regula falsi (Illinois rule)."""
     a, b, new = 0 * step, step, state
     fa, fb = event(state), event(_step(rates, state, b)[0])
     small = abs(step) * (1e-15 if isinstance(step, float) else mpf(10) ** -(DIGITS - 15))

@@ -18,9 +18,7 @@ ORDER = 4
 
 
 def mean(f, points):
-    """The mean of ``f`` (a number, vector or matrix) over mass points; times the mass, the integral
-    of f dm.
-    """
+    """The mean of ``f`` (number, vector, matrix) over mass points; times the mass, its integral."""
     with mp.workdps(DIGITS):
         return weighted([share for share, _ in points], [f(place) for _, place in points])
 

@@ -21,9 +21,7 @@ def spun(axis, across, angle):
 
 
 def rate(f, t=0):
-    """df/dt of a number, vector or matrix as a function of time, by a five-point central
-    difference.
-    """
+    """df/dt of a number, vector or matrix as a function of time: five-point central difference."""
     with mp.workdps(DIGITS):
         h, t = mpf(STEP), mpf(t)
         values = [f(t - 2 * h), f(t - h), f(t + h), f(t + 2 * h)]

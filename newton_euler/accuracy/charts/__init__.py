@@ -1,1 +1,1 @@
-"""What is drawn and said of measurements: axes, captions, the table of charts, and the atlas."""
+"""Charts of what was measured, and captions that follow from it."""

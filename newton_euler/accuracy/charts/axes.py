@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
-from ..measure import Measured, check_cost, fronts
+from ..measurements.measure import Measured, check_cost, fronts
 
 # colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for
 # those who see no colours

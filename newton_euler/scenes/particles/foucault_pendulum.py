@@ -41,11 +41,9 @@ def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
 
 
 @scene(
-    "6.11",
-    "Foucault's pendulum",
-    "small swings and any, on an Earth at rest and turning",
+    "6.11", "Foucault's pendulum", "small swings and any, on an Earth at rest and turning",
     ladder=True,
-)
+)  # fmt: skip
 def ladder(
     length=67.0,
     g=9.81,

@@ -40,21 +40,13 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 
 
 @scene(
-    "5.10",
-    "planet",
-    "a planet on an ellipse of eccentricity 0.44",
-    30.0,
-    (0.6, 0.8, -0.96, 0.72),
-    mu=1.0,
-)
+    "5.10", "planet", "a planet on an ellipse of eccentricity 0.44",
+    30.0, (0.6, 0.8, -0.96, 0.72), mu=1.0,
+)  # fmt: skip
 @scene(
-    "5.10",
-    "planet, eccentric",
-    "a comet that passes close to its sun: eccentricity 0.75",
-    20.0,
-    (0.6, 0.8, -0.4, 0.3),
-    mu=1.0,
-)
+    "5.10", "planet, eccentric", "a comet that passes close to its sun: eccentricity 0.75",
+    20.0, (0.6, 0.8, -0.4, 0.3), mu=1.0,
+)  # fmt: skip
 def orbit(mu):
     """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
     over mass, and the Laplace vector's two components.
@@ -225,11 +217,9 @@ def over_equator(mu, oblateness, swept):
 
 
 @scene(
-    "5.10",
-    "satellite",
-    "circle, Kepler's ellipse, ellipse that the Earth's bulge turns",
+    "5.10", "satellite", "circle, Kepler's ellipse, ellipse that the Earth's bulge turns",
     ladder=True,
-)
+)  # fmt: skip
 def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3), t=30_000.0):
     """The three models, circle, ellipse and oblate Earth: a
     :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start``

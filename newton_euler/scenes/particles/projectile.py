@@ -53,14 +53,10 @@ def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
 
 
 @scene(
-    "6.10",
-    "projectile, rotation only",
+    "6.10", "projectile, rotation only",
     "the shot with constant g and the Coriolis acceleration only",
-    40.0,
-    START,
-    g=9.82,
-    latitude=0.8,
-)
+    40.0, START, g=9.82, latitude=0.8,
+)  # fmt: skip
 def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """The Model with the rotation to first order (6.24). The states vx, vy, vz are the velocity
     without the rotation.
@@ -83,14 +79,9 @@ def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
 
 
 @scene(
-    "6.10",
-    "projectile",
-    "a shot of 283 m/s over the rotating Earth, all terms",
-    40.0,
-    START,
-    g=9.82,
-    latitude=0.8,
-)
+    "6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms",
+    40.0, START, g=9.82, latitude=0.8,
+)  # fmt: skip
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """The Model with all terms of (6.10) and the attraction of a sphere (5.22). Invariants: energy,
     and angular momentum about the axis, in the inertial frame.
@@ -104,11 +95,9 @@ def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
 
 
 @scene(
-    "6.10",
-    "projectile",
-    "flat Earth, Coriolis, effective gravity, attraction of a sphere, air",
+    "6.10", "projectile", "flat Earth, Coriolis, effective gravity, attraction of a sphere, air",
     ladder=True,
-)
+)  # fmt: skip
 def ladder(
     g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8,
     start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0,

@@ -23,27 +23,13 @@ STATES = ("theta", "omega")
 
 
 @scene(
-    "11.17",
-    "pendulum",
-    "a rigid pendulum, swinging by 1 rad",
-    10.0,
-    (1.0, 0.0),
-    m=2.0,
-    I=0.5,
-    l=0.5,
-    g=10.0,
-)
+    "11.17", "pendulum", "a rigid pendulum, swinging by 1 rad",
+    10.0, (1.0, 0.0), m=2.0, I=0.5, l=0.5, g=10.0,
+)  # fmt: skip
 @scene(
-    "11.17",
-    "pendulum, over the top",
-    "a rigid pendulum released near the upright position",
-    15.0,
-    (3.1, 0.0),
-    m=2.0,
-    I=0.5,
-    l=0.5,
-    g=10.0,
-)
+    "11.17", "pendulum, over the top", "a rigid pendulum released near the upright position",
+    15.0, (3.1, 0.0), m=2.0, I=0.5, l=0.5, g=10.0,
+)  # fmt: skip
 def physical_pendulum(m, I, l, g):
     """The Model of the pendulum: states theta and omega; the energy (11.32) is an
     invariant.

@@ -21,14 +21,9 @@ STATES = ("x", "v")
 
 
 @scene(
-    "11.15",
-    "sphere on an incline",
-    "a sphere that rolls down a plane of 30 degrees",
-    2.0,
-    (1.0, 0.5),
-    slope=radians(30.0),
-    g=9.8,
-)
+    "11.15", "sphere on an incline", "a sphere that rolls down a plane of 30 degrees",
+    2.0, (1.0, 0.5), slope=radians(30.0), g=9.8,
+)  # fmt: skip
 def rolling_down(slope, g, k=None):
     """The Model of rolling straight down a plane of inclination ``slope`` (rad): states x, down the
     plane, and v; invariant the energy over mass.
@@ -60,11 +55,9 @@ def rolling_in_air(slope, g, air, k=None):
 
 
 @scene(
-    "11.15",
-    "sphere on an incline",
-    "a block that slides without friction, rolling, rolling in air",
-    ladder=True,
-)
+    "11.15", "sphere on an incline",
+    "a block that slides without friction, rolling, rolling in air", ladder=True,
+)  # fmt: skip
 def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     """The models of one run, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for
     the distance, in m, until ``t``.

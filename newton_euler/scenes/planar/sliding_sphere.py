@@ -17,15 +17,9 @@ STATES = ("x", "v", "omega")
 
 
 @scene(
-    "8.6",
-    "sliding sphere",
-    "a sphere thrown without spin, until it begins to roll",
-    1.0,
-    (0.0, 7.0, 0.0),
-    mu=0.2,
-    g=10.0,
-    radius=0.5,
-)
+    "8.6", "sliding sphere", "a sphere thrown without spin, until it begins to roll",
+    1.0, (0.0, 7.0, 0.0), mu=0.2, g=10.0, radius=0.5,
+)  # fmt: skip
 def sliding(mu, g, radius, k=None, sense=1):
     """The Model of the sphere while it slides: states x, v, omega.
 
@@ -42,13 +36,9 @@ def sliding(mu, g, radius, k=None, sense=1):
 
 
 @scene(
-    "8.6",
-    "rolling sphere",
-    "a sphere that rolls on the level",
-    2.0,
-    (6.0, 5.0, -10.0),
-    radius=0.5,
-)
+    "8.6", "rolling sphere", "a sphere that rolls on the level",
+    2.0, (6.0, 5.0, -10.0), radius=0.5,
+)  # fmt: skip
 def rolling(radius, k=None):
     """The Model of the sphere while it rolls on the level, where only x changes; states as for
     :func:`sliding`.

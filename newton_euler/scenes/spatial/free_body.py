@@ -28,25 +28,13 @@ STATES = "w_x", "w_y", "w_z"
 
 
 @scene(
-    "10.8",
-    "free body",
-    "a spin about the intermediate axis, which is unstable",
-    50.0,
-    (0.01, 1.0, 0.01),
-    I_x=1.0,
-    I_y=2.0,
-    I_z=3.0,
-)
+    "10.8", "free body", "a spin about the intermediate axis, which is unstable",
+    50.0, (0.01, 1.0, 0.01), I_x=1.0, I_y=2.0, I_z=3.0,
+)  # fmt: skip
 @scene(
-    "10.8",
-    "free body, calm",
-    "a spin near the axis of the least moment",
-    20.0,
-    (1.0, 0.1, 0.4),
-    I_x=1.0,
-    I_y=1.5,
-    I_z=2.2,
-)
+    "10.8", "free body, calm", "a spin near the axis of the least moment",
+    20.0, (1.0, 0.1, 0.4), I_x=1.0, I_y=1.5, I_z=2.2,
+)  # fmt: skip
 def free_body(I_x, I_y, I_z):
     """The Model of the free body: states w_x, w_y, w_z along its principal axes (rad/s); invariants
     ``energy`` and ``momentum``, the size of H.

@@ -95,11 +95,9 @@ def any_swing_with_friction(length, g, friction):
 
 
 @scene(
-    "10.4",
-    "spherical pendulum",
-    "small swings and any, with friction in the joint or without",
+    "10.4", "spherical pendulum", "small swings and any, with friction in the joint or without",
     ladder=True,
-)
+)  # fmt: skip
 def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
     """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position of the tip
     in plan, m, from the ``start`` x, y, dx, dy.

@@ -108,13 +108,9 @@ def _nutation_energy(s, p, t):
 
 
 @scene(
-    "10.5",
-    "top, angles",
-    "the nutating top in Euler's angles",
-    10.0,
-    (0.0, 0.6, 0.0, 0.0, 0.0),
-    **TOP,
-)
+    "10.5", "top, angles", "the nutating top in Euler's angles",
+    10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP,
+)  # fmt: skip
 def euler(I0, I, mgr, omega_z):
     """The Model of the top in Euler angles (10.25): states psi, theta, phi, psi_rate, theta_rate;
     invariants energy and p_psi. Singular at theta = 0 and pi.
@@ -199,13 +195,9 @@ _NONSPINNING_INVARIANTS = {
 
 
 @scene(
-    "10.5",
-    "top, attitude",
-    "the nutating top by the quaternion of the body",
-    10.0,
-    tilted(0.6),
-    **TOP,
-)
+    "10.5", "top, attitude", "the nutating top by the quaternion of the body",
+    10.0, tilted(0.6), **TOP,
+)  # fmt: skip
 def attitude(I0, I, mgr, omega_z):
     """The Model of the top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself,
     for animations, with the fewest operations.
@@ -234,15 +226,9 @@ def _attitude_rates(s, p, t):
 
 
 @scene(
-    "10.8",
-    "free symmetric body",
-    "a football, with its attitude",
-    10.0,
-    (1.0, 0.0, 0.0, 0.0, 0.8, 0.0),
-    I0=3.0,
-    I=1.0,
-    omega_z=6.0,
-)
+    "10.8", "free symmetric body", "a football, with its attitude",
+    10.0, (1.0, 0.0, 0.0, 0.0, 0.8, 0.0), I0=3.0, I=1.0, omega_z=6.0,
+)  # fmt: skip
 def free(I0, I, omega_z):
     """The Model of a symmetric body without moment (10.35), (10.36): the states of
     :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.

@@ -1,12 +1,104 @@
-"""Sums with named terms: amounts compare as their values do."""
+"""Sums with named terms: no term is lost by its name, and amounts compare as their values do."""
 
+import pickle
 from operator import eq, ge, gt, le, lt, ne
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from newton_euler.algebra.ledger import Amount, summed
-from tests.kinds import numbers
+from newton_euler import Frame
+from newton_euler.algebra.ledger import Amount, TermError, Terms, distinct, summed
+from newton_euler.algebra.vectors import named_sum
+from tests.kinds import close, numbers
+
+ground = Frame("ground")
+
+# names that users give twice, and those that a program might make of them
+NAMES = ["arm", "arm 1", "arm 2", "rod", "sum", "self", ""]
+named = st.lists(st.tuples(st.sampled_from(NAMES), st.integers(-9, 9)), max_size=7)
+
+
+def total(pairs):
+    return sum(x for _, x in pairs)
+
+
+def along_x(pairs):
+    """The sum of forces of these sizes along x."""
+    forces = [(name, ground.vector(float(x), 0, 0)) for name, x in pairs]
+    return named_sum("resultant", "", forces, ground)
+
+
+@given(named)
+def test_a_sum_is_the_sum_of_its_terms_whatever_their_names_are(pairs):
+    U, F = summed(pairs), along_x(pairs)
+    assert U.value == sum(U.terms.values()) == total(pairs)
+    assert F.x == sum(term.x for term in F.terms.values()) == total(pairs)
+    assert list(U.terms.values()) == [x for _, x in pairs]
+    assert len(U.explain().splitlines()) == len(str(F.explain()).splitlines()) == len(pairs) + 2
+    assert F.explain().latex.count("&&") == len(pairs) + 1
+
+
+@given(named, st.sampled_from(NAMES))
+def test_without_a_name_leaves_out_all_terms_that_have_it(pairs, name):
+    if name not in dict(pairs) and name not in summed(pairs).terms:
+        with pytest.raises(TermError, match="no term"):
+            summed(pairs).without(name)
+    elif name in dict(pairs):
+        rest = total(pair for pair in pairs if pair[0] != name)
+        assert summed(pairs).without(name) == rest
+        assert along_x(pairs).without(name).x == rest
+
+
+@given(named)
+def test_each_term_can_be_asked_for_and_left_out_by_its_distinct_name(pairs):
+    U = summed(pairs)
+    for (_, x), name in zip(pairs, U.terms, strict=True):
+        assert U.terms[name] == x
+        assert U.without(name) == total(pairs) - x
+    assert U.without(*U.terms) == 0
+
+
+@given(named, named)
+def test_a_sum_of_the_terms_of_sums_has_all_of_them(some, more):
+    nested = summed([*summed(some).terms.items(), *summed(more).terms.items()])
+    assert nested.value == total(some) + total(more)
+    assert len(nested.terms) == len(some) + len(more)
+
+
+@given(named)
+def test_changed_and_pickled_terms_keep_the_names_that_were_given(pairs):
+    F = along_x(pairs)
+    turned = F.expressed_in(ground.rotate("turned", "z", 0.5))
+    for same in (F, -2 * turned / -2, pickle.loads(pickle.dumps(turned))):
+        assert list(same.terms) == list(F.terms)
+        for name in {name for name, _ in pairs}:
+            assert close(same.without(name).norm(), F.without(name).norm(), 1e-13)
+
+
+@given(st.lists(st.sampled_from(NAMES)))
+def test_distinct_names_differ_and_a_name_given_once_stays(names):
+    found = distinct(names)
+    assert len(set(found)) == len(found) == len(names)
+    for old, new in zip(names, found, strict=True):
+        assert (new == old) is (names.count(old) == 1)
+        assert new.startswith(old)
+
+
+def test_a_name_that_several_terms_have_is_refused_with_their_distinct_names():
+    terms = Terms([("arm", 1.0), ("rod", 2.0), ("arm", 3.0)])
+    with pytest.raises(TermError, match=r"2 terms are named 'arm'; ask for one of \['arm 1', 'ar"):
+        terms["arm"]
+    with pytest.raises(TermError, match="no term 'leg'; the terms are arm 1, rod, arm 2"):
+        terms["leg"]
+    assert "arm" not in terms
+
+
+def test_a_factor_for_the_distinct_name_goes_before_that_of_the_shared_one():
+    U = summed([("arm", 1.0), ("arm", 10.0)])
+    assert U.reweighted(arm=2) == 22.0
+    assert U.reweighted(arm=2, **{"arm 1": 3}) == 23.0
 
 
 @pytest.mark.parametrize("kind", ["float", "mpmath", "sympy"])

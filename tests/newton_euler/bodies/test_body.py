@@ -28,7 +28,7 @@ from newton_euler import (
     particle,
     sin,
 )
-from newton_euler.algebra import ZERO, FrameError
+from newton_euler.algebra import ZERO, FrameError, TermError
 from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import disk, plate, rod, sphere
 from newton_euler.kinematics.rotations import product, transpose
@@ -637,15 +637,6 @@ def test_impossible_matrices_are_refused():
         Inertia(body, (1.0, 1.0, 1.0), mass=3.0, centre=body.point("Q", 1.0, 0, 0))
     with pytest.raises(MassError, match=r"no body has these moments"):
         Inertia(body, (np.array([1.0, 3.0]), 1.0, 1.0))
-    with pytest.raises(MassError, match=r"moments \(I_xx, I_yy, I_zz\) are three numbers, got 5"):
-        Inertia(body, 5)
-
-
-def test_a_thin_plate_with_rounded_moments_needs_a_tolerance():
-    body = Frame("body")
-    with pytest.raises(MassError, match="triangle inequality"):
-        Inertia(body, (0.333, 0.333, 0.667))
-    assert Inertia(body, (0.333, 0.333, 0.667), tolerance=2e-3).moments[2] == 0.667
 
 
 def test_what_is_missing_is_named():
@@ -662,19 +653,11 @@ def test_what_is_missing_is_named():
         Inertia(body, (1.0, 1.0, 1.0)).radius_of_gyration("x")
     with pytest.raises(MassError, match="at least one body"):
         centre_of_mass([])
-    with pytest.raises(MassError, match=r"a part is a Body or a pair \(mass, Point\), got 5"):
-        centre_of_mass([5])
-    with pytest.raises(MassError, match=r"an axis is 'x', 'y', 'z' .* got 'w'"):
-        Inertia(body, (1.0, 1.0, 1.0)).moment("w")
     with pytest.raises(MassError, match="zero vector"):
         Inertia(body, (1.0, 1.0, 1.0)).moment(0.0 * body.i)
-    with pytest.raises(
-        MassError, match=r"multiplies an angular velocity, a Vector .* got \(1, 2, 3\)"
-    ):
-        Inertia(body, (1.0, 1.0, 1.0)).times((1, 2, 3))
     with pytest.raises(MassError, match="can only be added to one, got 3"):
         Inertia(body, (1.0, 1.0, 1.0)) + 3
-    with pytest.raises(MassError, match="no term 'coriolis'; the terms are own, transfer"):
+    with pytest.raises(TermError, match="no term 'coriolis'; the terms are own, transfer"):
         plate(1.0, 1.0, body, mass=1.0).about(body.point("P", 1.0, 0, 0)).without("coriolis")
 
 
@@ -693,8 +676,6 @@ def test_holes_that_take_too_much_or_lie_outside_are_refused():
             [whole],
             removed=[disk(0.5, sheet.point("P", 3.0, 0, 0), "z", mass=0.5, name="hole")],
         )
-    with pytest.raises(MassError, match="two parts named 'disk'"):
-        composite("part", [whole, whole])
     with pytest.raises(MassError, match=r"the mass of particle must be positive, got -1.0"):
         particle(-1.0, sheet.origin)
 

@@ -172,34 +172,22 @@ def test_what_does_not_converge_is_refused_in_words():
         MassError, match="not finite: the formula or the density grows without bound"
     ):
         integrated(lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=lambda x, y, z: 1 / x)
+    jump = lambda u, v: (u, v, 0), (0.0, 1.0), (0.0, 1.0)
+    quarter = {
+        "frame": F,
+        "density": lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
+    }
     with pytest.raises(
         MassError,
         match=r"did not converge: after \d+ subdivisions .* 1e-10 was asked for. Split the body",
     ):
-        integrated(
-            lambda u, v: (u, v, 0),
-            (0.0, 1.0),
-            (0.0, 1.0),
-            frame=F,
-            density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
-        )
-    rough = integrated(
-        lambda u, v: (u, v, 0),
-        (0.0, 1.0),
-        (0.0, 1.0),
-        frame=F,
-        density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
-        rtol=1e-3,
-    )
-    assert abs(rough.mass - 0.7 * math.pi / 4) < 2e-3
+        integrated(*jump, **quarter)
+    assert abs(integrated(*jump, **quarter, rtol=1e-3).mass - 0.7 * math.pi / 4) < 2e-3
 
 
 def test_what_is_no_body_is_refused_in_words():
     x = sympy.Symbol("x")
     for match, make in {
-        r"has no finite value at some of its points: sqrt\(-1": lambda: integrated(
-            lambda u: (sqrt(u), 0, 0), (-2.0, -1.0), frame=F, mass=1.0
-        ),
         r"needs mass=... or density=...": lambda: integrated(
             lambda u: (u, 0, 0), (0.0, 1.0), frame=F
         ),

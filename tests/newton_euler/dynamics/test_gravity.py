@@ -108,12 +108,6 @@ def test_gravity_at_height_falls_with_the_square_of_the_distance(kind):
     )
 
 
-def test_problems_5_17_and_5_18():
-    assert round(gravity_at_height(500.0, 3960.0, g=150.0), 1) == 118.3  # lb
-    moon = 150.0 * gravity_at_surface(1 / 81, 3 / 11, K=1.0) / gravity_at_surface(1.0, 1.0, K=1.0)
-    assert round(moon, 1) == 24.9
-
-
 @every_kind
 def test_eqn_5_25_to_5_27_weight(kind):
     m, g = numbers(kind, "2.5", "9.81")
@@ -160,7 +154,7 @@ def test_what_is_refused():
         gravitation(P, P)
     with pytest.raises(MassError, match=r"distance of the two bodies must be positive, got -1.0"):
         attraction(1.0, 1.0, -1.0)
-    with pytest.raises(FrameError, match=r"upward direction as a Vector, as ground\.k; got 'up'"):
+    with pytest.raises(FrameError, match="weight: up is a Vector"):
         weight(1.0, "up")
     with pytest.raises(MassError, match="weight needs a body or a mass, got 'heavy'"):
         weight("heavy", ground.k)

@@ -26,7 +26,6 @@ from newton_euler.dynamics.work import (
     work_in_time,
     work_integral,
 )
-from newton_euler.kinematics import frenet_along
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
@@ -108,18 +107,6 @@ def test_eqn_11_3_work_is_the_integral_of_the_tangential_component_over_the_arc(
 
     U = work_integral(F_t, 0, stretch * q, exact=kind == "sympy")
     assert close(U.value, on_helix(a, c, q), small(kind))
-
-
-def test_eqn_11_3_with_the_unit_tangent_of_the_frenet_triad():
-    ground, path = Frame("ground"), helix(1.5, 2.0)
-    U = work_integral(
-        lambda s: ground.vector(*swirl(*path(s / 2.5))).dot(
-            frenet_along(path, s / 2.5, ground).e_t
-        ),
-        0.0,
-        1.875,
-    )
-    assert close(U.value, on_helix(1.5, 2.0, 0.75), small("float"))
 
 
 def test_eqn_11_3_a_force_across_the_path_does_no_work():
@@ -311,16 +298,6 @@ def test_power_can_be_traced():
     assert compiled(of_wheel)(2.0, 3.0, 0.5) == 3.0
 
 
-def test_arrays_are_many_integrals_at_once():
-    ends, gains = np.array([0.5, 1.0, 2.0]), np.array([1.0, -2.0, 3.0])
-    assert np.allclose(
-        work_integral(lambda x: gains * x, 0.0, ends).value, gains * ends**2 / 2, rtol=1e-14
-    )
-    assert np.allclose(
-        work_integral(lambda x: gains * cos(x), 0.0, 1.0).value, gains * np.sin(1.0), rtol=1e-14
-    )
-
-
 def test_an_mpf_keeps_its_digits_and_the_error_is_told():
     U = work_integral(lambda x: cos(x), mp.mpf(0), mp.mpf(1))
     assert abs(U.value - mp.sin(1)) < mp.mpf(10) ** -28
@@ -334,25 +311,6 @@ def test_the_true_error_is_within_the_one_told():
     ):
         U = work_integral(f, 0.0, 1.0, rtol=1e-8)
         assert abs(U.value - true) <= U.error < 1e-6
-
-
-def test_a_symbolic_integral_holds_symbols():
-    k, x = sympy.symbols("k x", positive=True)
-    assert work_integral(lambda s: -k * s, 0, x, exact=True).value == -k * x**2 / 2
-
-
-def test_a_formula_from_symengine_and_an_integral_in_an_integral():
-    symengine = pytest.importorskip("symengine")
-    k, x = symengine.symbols("k x")
-    assert (
-        sympy.expand(
-            work_integral(lambda s: -k * s * s, 0, x, exact=True).value
-            + sympy.sympify(k * x**3) / 3
-        )
-        == 0
-    )
-    inner = lambda s: work_integral(lambda r: r * s, 0, s, exact=True).value
-    assert work_integral(inner, 0, 2, exact=True).value == 2  # integral of s^3/2
 
 
 @every_kind

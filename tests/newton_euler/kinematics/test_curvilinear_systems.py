@@ -25,7 +25,7 @@ from newton_euler import (
     sqrt,
 )
 from newton_euler.algebra import SingularError
-from newton_euler.kinematics import curvilinear, curvilinear_rates, gradient
+from newton_euler.kinematics import curvilinear, gradient
 from newton_euler.kinematics.curvilinear_systems import tangents
 from tests.explicit import explicit
 from tests.kinds import KINDS, close, numbers
@@ -135,22 +135,6 @@ def test_known_systems_come_out_of_their_position_function(kind, position, known
             getattr(Q.local, rate)(ground).components(),
             10 * tolerance(kind),
         )
-
-
-@pytest.mark.parametrize(
-    ("kind", "position"), [case for case in CASES if case != ("sympy", about_z)]
-)
-def test_rates_come_back_from_velocity_and_acceleration(kind, position):
-    ground, P = placed(position, kind)
-    q, rates, second = motion(kind)
-    found = curvilinear_rates(
-        position,
-        q,
-        P.velocity(ground).expressed_in(ground),
-        P.acceleration(ground).expressed_in(ground),
-    )
-    assert close([x.rate for x in found], rates, 10 * tolerance(kind))
-    assert close([x.acceleration for x in found], second, 100 * tolerance(kind))
 
 
 def test_the_terms_are_named_after_the_rates_and_structural_zeros_are_left_out():

@@ -1,8 +1,8 @@
 """Chapter 4 against explicit motion: rotation matrices multiplied out and differentiated
 numerically in 50 digits.
 
-The oracle knows no Coriolis term, no law of composition and no engine: it has the position matrices
-as functions of time, and :mod:`exercises.catalogue.proofs` to differentiate them.
+The oracle has the position matrices as functions of time, and :mod:`tests.turning` to differentiate
+them.
 """
 
 import gc
@@ -17,25 +17,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from exercises.catalogue.proofs import (
-    DIGITS,
-    angular_acceleration,
-    angular_velocity,
-    minus,
-    plus,
-    rate,
-    rot,
-    second_rate,
-    times,
-    transposed,
-)
 from newton_euler import (
     Dimension,
     Frame,
     Point,
     Vector,
     at,
-    atan2,
     compiled,
     cos,
     cross,
@@ -43,12 +30,20 @@ from newton_euler import (
     pi,
     sin,
     solve_rates,
-    sqrt,
 )
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import along
 from tests.explicit import curve
-from tests.kinds import KINDS, close, first, number, numbers
+from tests.kinds import KINDS, close, number, numbers
+from tests.turning import (
+    DIGITS,
+    angular_acceleration,
+    angular_velocity,
+    rate,
+    rot,
+    second_rate,
+)
+from tests.turning import cross as cross50
 
 # what tests.kinds does to a number, instant by instant
 SCALES = {"float": (1.0,), "array": (1.0, 1.0625, 0.875), "mpmath": (1,), "sympy": (1,)}
@@ -115,62 +110,53 @@ class Explicit:
         value, rate_, acceleration = (mpf(str(x)) * self.scale for x in v)
         return value + rate_ * t + acceleration * t * t / 2
 
+    def column(self, x, t):
+        return mpmath.matrix([self.course(v, t) for v in x] if x else [0, 0, 0])
+
     def R(self, n, t):
         if n == 0:
-            return [[mpf(a == b) for a in range(3)] for b in range(3)]
+            return mp.eye(3)
         s = self.tree[n - 1]
-        axis, sign = (
-            (s["axis"][-1], -1 if "-" in s["axis"] else 1)
-            if isinstance(s["axis"], str)
-            else (s["axis"], 1)
-        )
-        return times(self.R(s["parent"], t), rot(axis, sign * self.course(s["angle"], t)))
+        axis, angle = s["axis"], self.course(s["angle"], t)
+        if isinstance(axis, str):
+            axis, angle = axis[-1], -angle if "-" in axis else angle
+        return self.R(s["parent"], t) * rot(axis, angle)
 
     def X(self, n, t):
         if n == 0:
-            return [mpf(0)] * 3
+            return mpmath.matrix([0, 0, 0])
         s = self.tree[n - 1]
-        origin = [self.course(v, t) for v in s["origin"]] if s["origin"] else [mpf(0)] * 3
-        return plus(self.X(s["parent"], t), times(self.R(s["parent"], t), origin))
+        return self.X(s["parent"], t) + self.R(s["parent"], t) * self.column(s["origin"], t)
 
     def between(self, n, m):
         """Orientation of frame n in frame m."""
-        return lambda t: times(transposed(self.R(m, t)), self.R(n, t))
+        return lambda t: self.R(m, t).T * self.R(n, t)
 
     def seen(self, n, x, m):
         """Position from the origin of frame m, in its components, of the point with coordinates x
         in frame n.
         """
-
-        def f(t):
-            place = plus(self.X(n, t), times(self.R(n, t), [self.course(v, t) for v in x]))
-            return times(transposed(self.R(m, t)), minus(place, self.X(m, t)))
-
-        return f
+        return lambda t: (
+            self.R(m, t).T * (self.X(n, t) + self.R(n, t) * self.column(x, t) - self.X(m, t))
+        )
 
     def turned(self, n, x, m):
         """A vector with components x in frame n, in components of frame m."""
-        return lambda t: times(self.between(n, m)(t), [self.course(v, t) for v in x])
-
-
-def cross50(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        return lambda t: self.between(n, m)(t) * self.column(x, t)
 
 
 def agrees(kind, vector, frame, expected):
     """``vector`` has, in ``frame``, the components that ``expected(scale)`` gives, at every instant
     of its kind.
     """
-    got = vector.components(frame)
+    small = 1e-24 if kind in ("mpmath", "sympy") else 1e-12
     for n, scale in enumerate(SCALES[kind]):
         with mp.workdps(DIGITS):
             wanted = expected(scale)
             size = max(1, *map(abs, wanted))
-        for x, y in zip(got, wanted, strict=True):
+        for x, y in zip(vector.components(frame), wanted, strict=True):
             instant = x[n] if isinstance(x, np.ndarray) else x
-            assert (
-                abs(number(instant) - y) <= (1e-24 if kind in ("mpmath", "sympy") else 1e-12) * size
-            ), (vector, n, y)
+            assert abs(number(instant) - y) <= small * size, (vector, n, y)
     return True
 
 
@@ -180,15 +166,13 @@ def test_eqn_4_13_and_4_14_a_vector_fixed_in_a_frame_turns_with_it(kind, axis):
     tree = [{"parent": 0, "axis": axis, "angle": [0.7, 1.3, -0.4], "origin": None}]
     ground, body = in_engine(tree, kind)
     for n, unit in enumerate((body.i, body.j, body.k)):
-        expected = [(float(n == m), 0, 0) for m in range(3)]
+        e = mpmath.matrix([int(n == m) for m in range(3)])
         assert close(unit.rate(ground), cross(body.angular_velocity(ground), unit))
         assert agrees(
             kind,
             unit.rate(ground),
             ground,
-            lambda s, e=expected: rate(
-                lambda t: times(Explicit(tree, s).R(1, t), [c[0] for c in e])
-            ),
+            lambda s, e=e: rate(lambda t: Explicit(tree, s).R(1, t) * e),
         )
 
 
@@ -226,7 +210,7 @@ def test_eqn_4_15_twice_with_two_observers(seed):
     for j, k in ((0, 0), (0, 2), (3, 1), (4, 0), (1, 4), (4, 4)):
 
         def seen_from_k(t, j=j, k=k):
-            return times(e.between(j, k)(t), rate(e.turned(4, q, j), t))
+            return e.between(j, k)(t) * rate(e.turned(4, q, j), t)
 
         assert agrees(
             "mpmath", Q.rate(frames[j]).rate(frames[k]), frames[k], lambda s, f=seen_from_k: rate(f)
@@ -254,15 +238,16 @@ def test_eqn_4_15_holds_for_sums_products_and_cross_products(kind):
 
         return with_scale
 
-    assert agrees(kind, (P + Q).rate(f), f, explicit(lambda a, b, m: plus(a, b)))
-    assert agrees(kind, (P - Q).rate(f), f, explicit(lambda a, b, m: minus(a, b)))
-    assert agrees(kind, P.cross(Q).rate(f), f, explicit(lambda a, b, m: cross50(a, b)))
-    assert agrees(kind, (M * P).rate(f), f, explicit(lambda a, b, m: [m * x for x in a]))
-    assert agrees(kind, (P / M).rate(f), f, explicit(lambda a, b, m: [x / m for x in a]))
-    assert agrees(
-        kind, (-P).expressed_in(frames[2]).rate(f), f, explicit(lambda a, b, m: [-x for x in a])
-    )
-    assert agrees(kind, (3 * P / 2).rate(f), f, explicit(lambda a, b, m: [3 * x / 2 for x in a]))
+    for found, combine in (
+        (P + Q, lambda a, b, m: a + b),
+        (P - Q, lambda a, b, m: a - b),
+        (P.cross(Q), lambda a, b, m: cross50(a, b)),
+        (M * P, lambda a, b, m: m * a),
+        (P / M, lambda a, b, m: a / m),
+        ((-P).expressed_in(frames[2]), lambda a, b, m: -a),
+        (3 * P / 2, lambda a, b, m: 3 * a / 2),
+    ):
+        assert agrees(kind, found.rate(f), f, explicit(combine))
 
 
 POINT = [[0.6, -1.2, 0.5], [0.4, 0.7, -0.9], [-1.1, 0.3, 0.8]]
@@ -309,7 +294,6 @@ def test_eqn_4_28_and_4_29_term_by_term(seed):
     frames = in_engine(tree, "mpmath")
     P = frames[5].point("P", *(moving(*numbers("mpmath", *v)) for v in POINT))
     e = Explicit(tree)
-    zero = [[0, 0, 0]] * 3
     for j, i in ((0, 5), (0, 2), (2, 5), (3, 4), (5, 1), (1, 3)):
         observer, via = frames[j], frames[i]
         v, a = P.velocity(observer, via), P.acceleration(observer, via)
@@ -323,14 +307,14 @@ def test_eqn_4_28_and_4_29_term_by_term(seed):
                 rate(e.seen(5, POINT, i)),
                 second_rate(e.seen(5, POINT, i)),
             )
-            r, v_r, a_r = (times(into, x) for x in (r, v_r, a_r))
+            r, v_r, a_r = (into * x for x in (r, v_r, a_r))
             omega, alpha = angular_velocity(e.between(i, j)), angular_acceleration(e.between(i, j))
-            v_origin, a_origin = rate(e.seen(i, zero, j)), second_rate(e.seen(i, zero, j))
+            v_origin, a_origin = rate(e.seen(i, None, j)), second_rate(e.seen(i, None, j))
             expected_v = {"origin": v_origin, "relative": v_r, "rotation": cross50(omega, r)}
             expected_a = {
                 "origin": a_origin,
                 "relative": a_r,
-                "coriolis": [2 * x for x in cross50(omega, v_r)],
+                "coriolis": 2 * cross50(omega, v_r),
                 "euler": cross50(alpha, r),
                 "centripetal": cross50(omega, cross50(omega, r)),
             }
@@ -386,19 +370,6 @@ def test_eqn_4_18_on_sympy_of_a_moving_point_on_a_turning_and_travelling_frame()
     ):
         difference = sympy.Matrix(vector.components(ground)) - expected
         assert max(abs(c) for c in difference.subs(at_instant).evalf(30)) < 1e-25
-
-
-@pytest.mark.parametrize("kind", ["sympy"])
-def test_eqn_4_29_on_exact_numbers(kind):
-    tree = chain(2, 2)
-    frames = in_engine(tree, kind)
-    P = frames[2].point("P", *(moving(*numbers(kind, *v)) for v in POINT))
-    assert agrees(
-        kind,
-        P.acceleration(frames[0]),
-        frames[0],
-        lambda s: second_rate(Explicit(tree, s).seen(2, POINT, 0)),
-    )
 
 
 def test_eqn_4_29_on_symengine_and_through_heyoka():
@@ -475,19 +446,6 @@ def test_eqn_4_19_to_4_24_angular_velocity_and_acceleration_between_any_two_fram
         )
         assert close(sum(omega.terms.values(), start=0 * omega), omega, 1e-11)
         assert close(sum(alpha.terms.values(), start=0 * alpha), alpha, 1e-10)
-
-
-def test_eqn_4_22_has_one_term_for_each_frame_in_between():
-    tree = chain(8, 6)
-    frames = in_engine(tree, "mpmath")
-    omega = frames[6].angular_velocity(frames[0])
-    assert list(omega.terms) == [f"f{n}" for n in range(1, 7)]
-    for n in range(1, 7):
-        into_ground = Explicit(tree).R(n - 1, mpf(0))
-        assert agrees(
-            "mpmath", omega.terms[f"f{n}"], frames[0],
-            lambda s, n=n, R=into_ground: times(R, angular_velocity(Explicit(tree, s).between(n, n - 1))),
-        )  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -658,13 +616,10 @@ def test_example_4_11_against_the_explicit_motion_in_50_digits():
     ground, _, _, A = inclined_disk(**g)
 
     def place(t):
-        tilted = times(
-            rot("z", g["omega"] * t + g["domega"] * t * t / 2),
-            rot("z", mp.pi),
-            rot("x", mp.pi / 2 - g["phi"]),
-        )
-        in_disk = times(rot("z", g["p"] * t + g["dp"] * t * t / 2), [0, g["r"], 0])
-        return times(tilted, plus([0, 0, g["R"]], in_disk))
+        shaft = rot("z", g["omega"] * t + g["domega"] * t * t / 2 + mp.pi)
+        in_disk = rot("z", g["p"] * t + g["dp"] * t * t / 2) * mpmath.matrix([0, g["r"], 0])
+        tilted = rot("x", mp.pi / 2 - g["phi"])
+        return shaft * tilted * (mpmath.matrix([0, 0, g["R"]]) + in_disk)
 
     assert agrees("mpmath", A.acceleration(ground), ground, lambda s: second_rate(place))
     assert agrees("mpmath", A.velocity(ground), ground, lambda s: rate(place))
@@ -846,61 +801,6 @@ def test_a_hundred_instants_at_once_are_a_hundred_single_ones():
             assert abs(np.broadcast_to(row, 100)[n] - x) < 1e-13
 
 
-def rolling_cone(h, r, nu):
-    """Section 4.5: the cone's centre of the base moves at nu; no slip along the line of contact."""
-    ground = Frame("ground")
-    slant = sqrt(h * h + r * r)
-
-    def conditions(precession, spin):
-        carrier = ground.rotate("carrier", "z", rate=precession)
-        leaned = carrier.rotate("leaned", "-y", angle=atan2(r, h))
-        cone = leaned.rotate("cone", "x", rate=spin)
-        B = cone.point("B", h, 0, 0)
-        contact = cone.point("contact", h, 0, -r)
-        return contact.velocity(ground), B.velocity(ground).dot(carrier.j) + nu
-
-    return ground, slant, conditions
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_example_4_5_rolling_cone_from_its_conditions(kind):
-    h, r, nu = numbers(kind, 2, "3/4", "1/2")
-    ground, slant, conditions = rolling_cone(h, r, nu)
-    precession, spin = solve_rates(conditions, 2)
-    assert close(precession, -nu * slant / h**2, 1e-11)
-    assert close(spin, nu * slant**2 / (r * h**2), 1e-11) or close(
-        spin, -nu * slant**2 / (r * h**2), 1e-11
-    )
-    carrier = ground.rotate("carrier", "z", rate=precession)
-    cone = carrier.rotate("leaned", "-y", angle=atan2(r, h)).rotate("cone", "x", rate=spin)
-    omega, alpha = cone.angular_velocity(ground), cone.angular_acceleration(ground)
-    assert close(omega.components(ground), (nu * sqrt(1 / r**2 + 1 / h**2), 0, 0), 1e-11)
-    assert close(alpha.components(ground), (0, -(nu**2) / h**2 * (h / r + r / h), 0), 1e-11)
-    assert close(
-        cone.point("P", h, 0, r).velocity(ground).components(ground), (0, -2 * nu, 0), 1e-11
-    )
-
-
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("count", [1, 2, 3])
-@pytest.mark.parametrize("surplus", [0, 2])
-def test_solve_rates_finds_one_two_and_three_rates_also_from_agreeing_surplus_conditions(
-    kind, count, surplus
-):
-    m = [[2, 1, -1], [1, 3, "1/2"], [-1, 1, 4], [3, 4, "-1/2"], [1, 2, 7]]
-    wanted = numbers(kind, "1/3", -2, "7/5")[:count]
-    rows = [[numbers(kind, m[a][b]) for b in range(count)] for a in range(count + surplus)]
-    right = [sum(c * w for c, w in zip(row, wanted, strict=True)) for row in rows]
-
-    def conditions(*rates):
-        return tuple(
-            sum((c * r for c, r in zip(row, rates, strict=True)), start=0) - b
-            for row, b in zip(rows, right, strict=True)
-        )
-
-    assert close(solve_rates(conditions, count), wanted, 1e-11)
-
-
 def test_solve_rates_on_symbols_gives_the_formula():
     v, r = sympy.symbols("v r", positive=True)
     ground = Frame("ground")
@@ -938,53 +838,6 @@ def test_solve_rates_is_not_led_astray_by_rounding():
         solve_rates(lambda w, u: (slip(w), 1e-17 * u), 2)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_solve_rates_says_that_conditions_contradict_each_other(kind):
-    one, two = numbers(kind, 1, 2)
-    with pytest.raises(
-        FrameError,
-        match=r"contradict each other: with the rates that fit best, one of them is 0\.5 instead "
-        r"of 0",
-    ):
-        solve_rates(lambda w: (w - first(one), w - first(two)), 1)
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_solve_rates_says_that_rates_are_left_open(kind):
-    one = numbers(kind, 1)
-    with pytest.raises(
-        FrameError,
-        match="1 conditions contain the rates, but 2 rates are unknown: 1 more are needed",
-    ):
-        solve_rates(lambda w, u: one * w + u - one, 2)
-    with pytest.raises(FrameError, match="the conditions do not determine the rates"):
-        solve_rates(lambda w, u: (one * w + u - one, 2 * w * one + 2 * u - one), 2)
-    with pytest.raises(FrameError, match="the conditions do not determine the rates"):
-        solve_rates(lambda w, u: (one * w - one, 3 * one * w - one), 2)
-
-
-def test_solve_rates_says_so_if_one_instant_of_many_is_singular():
-    lever = np.array([1.0, 0.0, 2.0])
-    with pytest.raises(FrameError, match="do not determine"):
-        solve_rates(lambda w: lever * w - 1.0, 1)
-
-
-def test_solve_rates_refuses_what_is_not_linear():
-    ground = Frame("ground")
-    for conditions in (
-        lambda w: w * w - 4.0,
-        lambda w: sin(w) - 0.5,
-        lambda w: 1 / w - 2.0,
-        lambda w: w**2 - 1,
-    ):
-        with pytest.raises(ScalarError, match="must be linear in"):
-            solve_rates(conditions, 1)
-    with pytest.raises(ScalarError, match="must be linear in"):
-        solve_rates(
-            lambda w: ground.rotate("a", "z", rate=w).point("P", 1.0, 0, 0).acceleration(ground), 1
-        )
-
-
 def two_grounds():
     return Frame("ground").rotate("arm", "z", 0.2, rate=1.0), Frame("workshop").rotate(
         "bench", "x", 0.1
@@ -994,16 +847,11 @@ def two_grounds():
 @pytest.mark.parametrize(
     "ask",
     [
-        lambda a, b: a.i.expressed_in(b),
         lambda a, b: a.i + b.j,
-        lambda a, b: a.i.dot(b.j),
-        lambda a, b: a.i.cross(b.j),
         lambda a, b: a.i.rate(b),
         lambda a, b: a.angular_velocity(b),
-        lambda a, b: a.angular_acceleration(b),
         lambda a, b: a.rotation(b),
         lambda a, b: a.point("P", 1, 0, 0).velocity(b),
-        lambda a, b: a.point("P", 1, 0, 0).acceleration(b),
         lambda a, b: a.point("P", 1, 0, 0).position(b),
         lambda a, b: a.point("P", 1, 0, 0).velocity(a.parent, via=b),
         lambda a, b: a.point("P", 1, 0, 0) - b.point("Q", 0, 0, 0),
@@ -1060,18 +908,11 @@ def test_nothing_has_a_velocity_a_rate_or_an_acceleration_without_an_observer():
     [
         lambda f: f.i.rate("ground"),
         lambda f: f.i.expressed_in(3),
-        lambda f: f.angular_velocity("ground"),
-        lambda f: f.i.rate(f.i),
     ],
 )
 def test_what_is_not_a_frame_is_named(ask):
     with pytest.raises(FrameError, match="expected a frame"):
         ask(Frame("ground"))
-
-
-def test_a_point_seen_from_what_is_not_a_frame_is_told():
-    with pytest.raises(FrameError, match=r"say which, as in P.velocity\(ground\)"):
-        Frame("ground").point("P", 1, 0, 0).velocity("ground")
 
 
 @pytest.mark.parametrize(
@@ -1091,32 +932,19 @@ def test_arrays_of_different_shapes_are_refused_with_their_shapes(make):
 
 
 @pytest.mark.parametrize(
-    "zero", [(0, 0, 0), (0.0, 0.0, 0.0), (mpf(0), 0, 0), (sympy.Integer(0), 0, 0)]
+    "zero", [(0, 0, 0), (mpf(0), 0, 0), (sympy.Integer(0), 0, 0), (float("nan"), 1.0, 0)]
 )
-def test_an_axis_of_zero_length_is_refused(zero):
+def test_an_axis_without_direction_is_refused(zero):
     with pytest.raises(FrameError, match="has no direction: its length is"):
         Frame("ground").rotate("arm", zero)
-
-
-@pytest.mark.parametrize(
-    "bad", [float("nan"), float("inf"), mpf("nan"), sympy.nan, np.float64("nan")]
-)
-def test_an_axis_that_is_not_finite_is_refused(bad):
-    with pytest.raises(FrameError, match="has no direction: its length is"):
-        Frame("ground").rotate("arm", (bad, 1.0, 0))
 
 
 @pytest.mark.parametrize(
     "axis",
     [
         "w",
-        "",
         "--z",
-        "x-",
-        "xy",
         (1, 2),
-        (1, 2, 3, 4),
-        3,
         None,
         ("a", "b", "c"),
         (moving(1.0, 2.0), 0, 0),
@@ -1144,27 +972,12 @@ def test_an_axis_may_be_a_vector_of_any_related_frame():
     [
         lambda f: f.point("P", "1", 2, 3),
         lambda f: f.vector(None, 2, 3),
-        lambda f: f.rotate("a", "z", "30"),
+        lambda f: f.vector(np.array(["1", "2"]), 0, 0),
     ],
 )
 def test_text_in_place_of_a_number_is_refused(make):
     with pytest.raises(ScalarError, match="expected a number"):
         make(Frame("ground"))
-
-
-def test_text_in_numpy_clothes_is_refused_too():
-    with pytest.raises(ScalarError, match="expected a number"):
-        Frame("ground").vector(np.array(["1", "2"]), 0, 0)
-
-
-def test_a_function_of_time_needs_its_instant():
-    with pytest.raises(ScalarError, match=r"needs an instant: pass at\(f, t\)"):
-        Frame("ground").rotate("arm", "z", lambda t: t)
-
-
-def test_rates_given_twice_are_refused():
-    with pytest.raises(ScalarError, match="already has its rates"):
-        Frame("ground").rotate("arm", "z", moving(1.0, 2.0), rate=3.0)
 
 
 def test_an_origin_is_a_point_of_the_frame_that_is_turned_from():
@@ -1216,11 +1029,6 @@ def test_the_rate_of_what_was_computed_for_an_instant_is_refused_with_advice():
             FrameError, match=r"was computed for one instant. Build it from moving quantities"
         ):
             known_at_the_instant.rate(ground)
-
-
-def test_only_points_are_subtracted_from_points():
-    with pytest.raises(FrameError, match="only a point can be subtracted from a point"):
-        Frame("ground").point("P", 1, 0, 0) - 3
 
 
 def test_points_and_frames_show_what_they_are():

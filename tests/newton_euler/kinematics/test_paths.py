@@ -476,12 +476,3 @@ def test_section_3_2_plane_curves_have_no_torsion(kind):
     t = numbers(kind, "0.6")
     tilted = frenet_along(lambda q: (q, q * q, 2 * q - 3 * q * q), t, ground)
     assert close(tilted.torsion, 0, tight(kind))
-
-
-def test_derivatives_of_the_twisted_cubic():
-    assert derivatives(twisted_cubic, 2.0) == (
-        (2.0, 4.0, 8.0),
-        (1, 4.0, 12.0),
-        (0, 2, 12.0),
-        (0, 0, 6),
-    )

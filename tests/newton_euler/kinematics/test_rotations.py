@@ -19,7 +19,6 @@ from newton_euler import (
     atan2,
     compiled,
     cos,
-    cross,
     moving,
     pi,
     sin,
@@ -337,26 +336,6 @@ def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind)
         body.angular_acceleration(ground),
         20 * tolerance(kind),
     )
-
-
-@every_kind
-def test_eqn_4_13_rate_of_a_vector_fixed_in_the_body(kind):
-    ground, body, matrix, t = spinning(kind)
-    _, rate, _ = with_rates(matrix, t)
-    eta = body.vector(*numbers(kind, "0.5", 2, "-1"))
-    assert close(eta.rate(ground).components(ground), apply(rate, eta), 20 * tolerance(kind))
-    assert close(eta.rate(ground), body.angular_velocity(ground).cross(eta), 20 * tolerance(kind))
-    assert close(eta.rate(body), (0, 0, 0), 0)
-
-
-@every_kind
-def test_eqn_4_14_rates_of_the_unit_vectors_are_the_columns_of_the_rate_of_the_matrix(kind):
-    ground, body, matrix, t = spinning(kind)
-    _, rate, _ = with_rates(matrix, t)
-    omega = body.angular_velocity(ground)
-    for axis, column in zip((body.i, body.j, body.k), transpose(rate), strict=True):
-        assert close(axis.rate(ground).components(ground), column, 20 * tolerance(kind))
-        assert close(cross(omega, axis).components(ground), column, 20 * tolerance(kind))
 
 
 def rolling_cone(h, r, nu):

@@ -37,8 +37,8 @@ each_ladder = pytest.mark.parametrize("name", DRAWS)
 JUDGED = (np.arange(700) + math.sqrt(0.5)) / (699 + math.sqrt(0.5))  # of the time
 
 
-def said(rung, t, start=None):
-    """What the rung says at the instants of the judge, an array (parts, instants)."""
+def predicted(rung, t, start=None):
+    """The prediction of the rung at the instants of the judge, an array (parts, instants)."""
     rhs, model = rung.model.compiled_rhs(), rung.model
     start = np.array(rung.start if start is None else start, dtype=float)
     run = solve_ivp(
@@ -59,10 +59,10 @@ def said(rung, t, start=None):
 
 def true_errors(asked, rungs):
     """By name; infinite where the equations cannot be followed."""
-    full, out = said(asked.rungs[-1], asked.t), {}
+    full, out = predicted(asked.rungs[-1], asked.t), {}
     for rung in rungs:
         try:
-            out[rung.name] = np.linalg.norm(said(rung, asked.t) - full, axis=0).max()
+            out[rung.name] = np.linalg.norm(predicted(rung, asked.t) - full, axis=0).max()
         except (ZeroDivisionError, ValueError):
             out[rung.name] = math.inf
     return out
@@ -127,7 +127,7 @@ def test_no_rung_is_further_off_than_its_bound(name):
 
 
 def above_ground(asked):
-    x, y, z = said(asked.fullest, asked.t)
+    x, y, z = predicted(asked.fullest, asked.t)
     radius = asked.fullest.model.parameters["radius"]
     return (x * x + y * y + z * (z + 2 * radius) >= 0).all()
 
@@ -282,16 +282,7 @@ def test_a_bar_swings_as_the_spherical_pendulum_of_the_top():
     tilt, across = math.pi - math.asin(0.5 / length), 1.0 / length
     q = quaternion_from_euler(math.pi / 2, tilt, 0.0)
     bar = spherical_pendulum.pendulum(1.0, length, g)
-    end = integrate(
-        bar,
-        t,
-        (
-            *q,
-            0.0,
-            across,
-        ),
-        1e-12,
-    ).end
+    end = integrate(bar, t, (*q, 0.0, across), 1e-12).end
     axis = [row[2] for row in matrix_from_quaternion([end[n] for n in ("q0", "q1", "q2", "q3")])]
     assert asked.observe(asked.rung("bar, any swing"), 1e-12)[:, -1] == pytest.approx(
         [length * axis[0], length * axis[1]], abs=1e-10
@@ -329,11 +320,11 @@ def test_no_state_is_superfluous(name):
 
 
 def column(rung, t, n):
-    """How what is said depends on one number of the start, scaled to length 1."""
+    """How the prediction depends on one number of the start, scaled to length 1."""
     start = np.array(rung.start, dtype=float)
     step = np.zeros(len(start))
     step[n] = 1e-4 * max(abs(start[n]), 1e-2 * abs(start).max() or 1.0)
-    apart = (said(rung, t, start + step) - said(rung, t, start - step)).ravel()
+    apart = (predicted(rung, t, start + step) - predicted(rung, t, start - step)).ravel()
     length = np.linalg.norm(apart)
     return apart / length if length > 1e-9 * abs(step).max() else 0 * apart
 
@@ -428,6 +419,12 @@ def test_errors_are_measured_as_well_as_they_are_asked_for():
     assert rough < 1e-8
     assert fine == pytest.approx(true, rel=0.02)
     assert asked.error(asked.rungs[0], 1.0) == fine  # what is known well is not measured again
+
+
+def test_a_rung_of_the_same_name_from_elsewhere_has_an_error_of_its_own():
+    asked = hand_made(oscillator("a", 4.1), oscillator("b"))
+    other = Rung(oscillator("a", 4.5), (1.0, 0.0), place)
+    assert asked.error(other) > 3 * asked.error(asked.rungs[0])
 
 
 def test_what_the_fullest_neglects_counts_for_all():

@@ -1,0 +1,15 @@
+"""What the code of a problem uses besides the engine: steps, figures, and for ``prove`` the proofs
+and the numbers of mpmath.
+"""
+
+from mpmath import mp, mpf
+
+from newton_euler.drawing import Sketch
+
+from .catalogue import in_frame, proofs
+from .catalogue.following import acceleration_of
+from .catalogue.proofs import *  # noqa: F403
+from .catalogue.steps import Step, terms
+
+__all__ = ["Sketch", "Step", "acceleration_of", "in_frame", "mp", "mpf", "proofs", "terms"]
+__all__ += proofs.__all__

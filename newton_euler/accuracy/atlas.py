@@ -1,0 +1,90 @@
+"""The atlas: all charts on one page, grouped by the questions that they answer. The page works
+without a network; atlas.html is the page around them, and the pictures are files beside it.
+"""
+
+import platform
+from datetime import date
+from html import escape
+from pathlib import Path
+from string import Template
+
+from .catalogue import BORDER, FAILURE, FORMULA, METHOD, MODEL, charts, slug
+
+PAGE = Path(__file__).with_name("atlas.html")
+TITLE = "Speed and accuracy: an atlas of every scene"
+# the text below each question
+ANSWERS = {
+    METHOD: "All methods of integration on each scene that moves: the error at the end against the "
+    "time of a run, and against calls of the right-hand side.",
+    MODEL: "From the coarsest model of a scene to the fullest. The ring is the cheapest within the "
+    "tolerance, the dashed line.",
+    FORMULA: "Several ways to the same number, where nothing moves.",
+    BORDER: "The cheapest choice that holds, over two parameters. The lines are theory's borders.",
+    FAILURE: "Where digits are lost without a warning, or a run cannot decide.",
+}
+
+
+def write_atlas(folder, names=None, quick=False, progress=lambda fraction, words: None):
+    """The path of the page, after measuring and drawing all charts, or those of the ``names``.
+
+    A chart that cannot be made, as where a package is missing, is named on the page with the
+    reason.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    wanted = [charts()[name] for name in names or charts()]
+    entries = []
+    for n, chart in enumerate(wanted):
+        progress(n / len(wanted), chart.name)
+        entries.append((chart, _entry(chart, quick, folder)))
+    page = folder / "index.html"
+    page.write_text(_page(entries, quick), encoding="utf-8")
+    return page
+
+
+def _entry(chart, quick, folder):
+    """The chart as a part of the page; its picture is written beside it."""
+    heading = f'<h3 id="{slug(chart.name)}">{escape(chart.name)}</h3>'
+    try:
+        found = chart.make(quick, lambda fraction, words="": None)
+    except Exception as error:  # the other charts are not lost with it
+        return f"{heading}<p>Not drawn: {escape(str(error))}</p>"
+    name = f"{slug(chart.name)}.png"
+    found.figure.savefig(folder / name, dpi=110)
+    width, height = (round(110 * side) for side in found.figure.get_size_inches())
+    size = f'width="{width}" height="{height}" loading="lazy"'
+    picture = f'<img src="{name}" alt="{escape(found.alt)}" {size}>'
+    caption = f"<figcaption>{escape(found.caption)}</figcaption>"
+    numbers = f"<details><summary>Numbers</summary><pre>{escape(str(found))}</pre></details>"
+    return f"{heading}<figure>{picture}{caption}{numbers}</figure>"
+
+
+def _page(entries, quick):
+    groups = {q: [entry for entry in entries if entry[0].question == q] for q in ANSWERS}
+    groups = {q: found for q, found in groups.items() if found}
+    return Template(PAGE.read_text(encoding="utf-8")).substitute(
+        title=TITLE,
+        about=escape(_about(quick)),
+        contents="".join(_contents(q, found) for q, found in groups.items()),
+        sections="".join(_section(q, found) for q, found in groups.items()),
+    )
+
+
+def _about(quick):
+    where = f"{platform.machine()}, Python {platform.python_version()}"
+    when = f"Measured on {date.today():%d %B %Y} on {where}{', quickly' if quick else ''}. "
+    return when + (
+        "Cost is to the right and error upwards, so lower left is better. Points with rings are "
+        "the front: every other one costs more and is no more accurate. Closed forms and methods "
+        "that step have a front each. A grey bar ends at the time of the first run. Errors are "
+        "taken against a reference of 30 digits or more. Captions come from the measurements."
+    )
+
+
+def _contents(question, entries):
+    links = (f'<li><a href="#{slug(c.name)}">{escape(c.name)}</a></li>' for c, _ in entries)
+    return f"<h2>{question}</h2><ul>{''.join(links)}</ul>"
+
+
+def _section(question, entries):
+    parts = "".join(text for _, text in entries)
+    return f"<section><h2>{question}</h2><p>{ANSWERS[question]}</p>{parts}</section>"

@@ -1,0 +1,160 @@
+"""The charts of :mod:`..measurements.comparisons`, their captions, and tables of points."""
+
+from dataclasses import replace
+from itertools import groupby
+from operator import attrgetter
+
+from matplotlib.ticker import EngFormatter
+
+from ..measurements.measure import EQUAL_COST, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost
+from .axes import COLOURS, MARKERS, chart, log_log
+from .words import listed, number, seconds, times
+
+_error = attrgetter("error")
+WRONG = 1e-2  # a relative error
+NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
+
+
+def draw_comparison(comparison, points, figure):
+    """The fronts of all questions, one list, after drawing two charts in a row for each."""
+    rows, best = len(comparison.questions), []
+    figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
+    figure.suptitle(comparison.title)
+    axes = figure.subplots(rows, 2, squeeze=False)
+    for question, (left, right) in zip(comparison.questions, axes, strict=True):
+        best += _draw(question, [p for p in points if p.question is question], left, right)
+    return best
+
+
+def _draw(question, points, left, right):
+    """The front of the points, after drawing their errors against the setting (``left``) and
+    against the cost (``right``).
+    """
+    from matplotlib.ticker import LogLocator
+
+    points = [replace(p, error=max(p.error, ROUND_OFF)) for p in points]
+    by_method = [[p for p in points if p.method == name] for name in question.methods]
+    log_log(left, question.across[1], "relative error")
+    for n, own in enumerate(by_method):
+        style = {"marker": MARKERS[n], "color": COLOURS[n], "lw": 1}
+        # those drawn first are larger, to be seen behind others
+        left.plot([p.x for p in own], [p.error for p in own], ms=9 - 1.3 * n, **style)
+    worst = [max(own, key=_error) for own in by_method]
+    best = chart(worst if question.worst_only else points, right)
+    costs = [p.cost for p in points]
+    right.set(ylabel="", xlim=(min(costs) / 2, 2 * max(costs)))
+    against = "the worst of each, against its cost" if question.worst_only else "against the cost"
+    for ax, title in ((left, question.what), (right, against)):
+        ax.set_title(title, fontsize=10, loc="left")
+    # below one decade, powers of ten alone would leave fewer than two numbers on the axis
+    subs = (1, 2, 5) if max(costs) < 10 * min(costs) else (1,)
+    right.xaxis.set_major_locator(LogLocator(subs=subs))
+    return best
+
+
+def points_table(points, error="relative"):
+    """The points as a table: method, setting, time, error."""
+    engineering, width = EngFormatter(unit="s", places=1), max(len(p.setting) for p in points)
+    rows = [
+        f"  {p.method:44} {p.setting:{width}} {engineering(p.cost):>9}  {p.error:8.2g}"
+        for p in points
+    ]
+    return "\n".join([f"  {'':{45 + width}} {'time':>9}  error, {error}", *rows])
+
+
+def ways_caption(points):
+    """The cheapest and the most accurate of several ways to one result."""
+    floor = max(min(p.error for p in points), ROUND_OFF)
+    best = cheapest(points, EQUAL_WITHIN * floor)
+    text = [_of_best(best, len(points)), _cheaper(points, best), _prepared(points)]
+    return " ".join(filter(None, [*text, *_beaten(points, best)]))
+
+
+def _of_best(best, count):
+    equal = of_equal_cost(best)
+    error = f"(error {number(max(*(p.error for p in best), ROUND_OFF))} or less)"
+    text = f"Most accurate {error}: {listed(p.method for p in best)}."
+    if len(best) == 1:
+        return f"{text[:-1]}, which takes {seconds(best[0].cost)}."
+    if len(equal) > 1:
+        return f"{text} Of these {listed(p.method for p in equal)} cost about the same, least."
+    text += f" Of these {best[0].method} is the cheapest, {seconds(best[0].cost)}"
+    return f"{text}; next comes {best[1].method}, {times(best[1].cost / best[0].cost)} as long."
+
+
+def _cheaper(points, best):
+    """What costs less than the most accurate, and what that loses."""
+    least = min(points, key=lambda p: p.cost)
+    if len(of_equal_cost([least, best[0]])) > 1:
+        return ""
+    text = f"{least.method} takes {seconds(least.cost)}, {times(best[0].cost / least.cost)} less"
+    return f"{text.replace('times less', 'times faster')}, with an error of {number(least.error)}."
+
+
+def _prepared(points):
+    most = max(points, key=lambda p: p.prepared)
+    if most.prepared < 2e-3:
+        return ""
+    return f"The first call of {most.method} takes {seconds(most.prepared)} more, to prepare."
+
+
+def _beaten(points, best):
+    """Those that cost more than the best and are less accurate."""
+    accurate = {p.method for p in best}
+    lost = [
+        p.method for p in points if p.cost > EQUAL_COST * best[0].cost and p.method not in accurate
+    ]
+    if lost:
+        yield f"Dearer and less accurate than {best[0].method}: {listed(dict.fromkeys(lost))}."
+
+
+def comparison_caption(comparison, points):
+    """For each question the ways that are right for all settings, the cheapest of them, and where
+    the others fail.
+    """
+    text = [_answer(q, [p for p in points if p.question is q]) for q in comparison.questions]
+    return " ".join(text)
+
+
+def _answer(question, points):
+    methods = [[p for p in points if p.method == name] for name in question.methods]
+    worst = [max(own, key=_error) for own in methods]
+    right = [p for p in worst if p.error <= max(NEAR, EQUAL_WITHIN * min(q.error for q in worst))]
+    text = _right(sorted(right, key=lambda p: p.cost))
+    names = {p.method for p in right}
+    others = [_others(question, own) for own in methods if own[0].method not in names]
+    return f"{question.what[0].upper()}{question.what[1:]}: {'. '.join([text, *others])}."
+
+
+def _right(right):
+    error = number(max(*(p.error for p in right), ROUND_OFF))
+    text = f"{_quoted(right)} {'are' if len(right) > 1 else 'is'} within {error} at every setting"
+    equal = of_equal_cost(right)
+    if len(equal) > 1:
+        return f"{text}, {_quoted(equal)} at about the same cost"
+    if len(right) > 1:
+        return f"{text}, and {_quoted(equal)} is the cheapest of them, {seconds(right[0].cost)}"
+    return f"{text}, {seconds(right[0].cost)}"
+
+
+def _others(question, own):
+    """The best and the worst of a method that is not right everywhere."""
+    best, worst = min(own, key=_error), max(own, key=_error)
+    letter = question.across[0]
+    text = f"{_quoted(own[:1])}: at best {number(max(best.error, ROUND_OFF))}, at {letter} = "
+    text += number(best.x)
+    if best.error <= WRONG < worst.error:
+        return f"{text}; wrong by over 1 % at {letter} = {listed(_runs(own))}"
+    return f"{text}; at worst {number(worst.error)}, at {letter} = {number(worst.x)}"
+
+
+def _quoted(points):
+    return listed(f"“{p.method}”" for p in points)
+
+
+def _runs(own):
+    """The settings, in words, from which to which a method is wrong without a break."""
+    for wrong, run in groupby(own, lambda p: p.error > WRONG):
+        ends = [number(p.x) for p in run]
+        if wrong:
+            yield ends[0] if len(ends) == 1 else f"{ends[0]} to {ends[-1]}"

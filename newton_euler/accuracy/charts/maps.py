@@ -1,0 +1,105 @@
+"""The charts of the maps of parameter space: regions with their names, the borders of theory, and
+captions.
+"""
+
+from textwrap import fill
+
+import numpy as np
+
+from .axes import COLOURS
+from .islands import explained, parts
+from .words import number
+
+SMALLEST = 0.03  # of the map: a smaller region is named in the legend only
+WIDE = 18  # letters in a line of a name
+
+
+def draw_choices(chart, found, ax):
+    """Draw the choices of a map on ``ax``: each region with its name, a legend of the colours and
+    of the theoretical borders.
+    """
+    handles = [*_draw_cells(chart, found, ax), *_draw_borders(chart, found, ax)]
+    for choice in chart.choices:
+        _name_region(chart, found, choice, ax)
+    x, y = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
+    ax.set(xlabel=chart.x.label, xscale=chart.x.scale, xlim=x[[0, -1]], title=chart.title)
+    ax.set(ylabel=chart.y.label, yscale=chart.y.scale, ylim=y[[0, -1]])
+    place = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0)}
+    ax.legend(handles=handles, frameon=False, fontsize=9, **place)
+
+
+def _draw_cells(chart, found, ax):
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
+    numbers, top_number = np.vectorize(chart.choices.index)(found), len(chart.choices) - 0.5
+    colours = dict(zip(chart.choices, COLOURS, strict=False))
+    x, y = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
+    style = {"cmap": ListedColormap(colours.values()), "vmin": -0.5, "vmax": top_number}
+    ax.pcolormesh(x, y, numbers, alpha=0.75, linewidth=0, rasterized=True, **style)
+    shown = [(choice, colour) for choice, colour in colours.items() if (found == choice).any()]
+    return [Patch(color=colour, alpha=0.75, label=choice) for choice, colour in shown]
+
+
+def _draw_borders(chart, found, ax):
+    y, points = chart.y.edges(found.shape[0]), chart.x.centres(800)
+    for curve, dashes in zip(chart.curves, ("-", "--"), strict=False):
+        xs, ys = (points, curve.y(points)) if curve.y else ([curve.x] * 2, y[[0, -1]])
+        yield from ax.plot(xs, ys, color="black", lw=1.8, ls=dashes, label=curve.label)
+
+
+def _name_region(chart, found, choice, ax):
+    """Write the choice into the widest place of its largest part, if that is large enough."""
+    from scipy.ndimage import distance_transform_edt
+
+    largest = parts(found, choice)[:1]
+    if not largest or len(largest[0]) < SMALLEST * found.size:
+        return
+    inside = np.zeros(np.add(found.shape, 2))  # the frame of the map is a border as well
+    inside[tuple(np.array(largest[0]).T + 1)] = 1
+    row, column = np.unravel_index(distance_transform_edt(inside).argmax(), inside.shape)
+    x, y = chart.x.centres(found.shape[1])[column - 1], chart.y.centres(found.shape[0])[row - 1]
+    box = {"boxstyle": "round,pad=0.2", "fc": "white", "ec": "none", "alpha": 0.8}
+    words = fill(choice, WIDE)
+    side = "left" if column < 4 else "right" if column > found.shape[1] - 3 else "center"
+    ax.text(x, y, words, fontsize=9, ha=side, va="center", bbox=box, gid="region")
+
+
+def map_table(chart, found):
+    """The share of the map of each choice, as a table."""
+    rows = [f"  {choice:44} {share:6.1%} of the map" for choice, share in _shares(chart, found)]
+    return "\n".join([f"  {chart.words}", *rows])
+
+
+def _shares(chart, found):
+    shares = [(choice, float((found == choice).mean())) for choice in chart.choices]
+    return [(choice, share) for choice, share in shares if share]
+
+
+def map_caption(chart, found, smoothed=0):
+    """What the map shows: the share of each choice, what is met along its lower and upper edges,
+    and what its islands are.
+
+    smoothed : cells that changed when they were measured again
+    """
+    shares = "; ".join(f"{choice}: {_percent(share)}" for choice, share in _shares(chart, found))
+    edges = {"lowest": found[0], "highest": found[-1]}
+    met = [_along(chart, side, row) for side, row in edges.items()]
+    text = [chart.words, f"Shares of the map: {shares}.", *met]
+    if smoothed:
+        text.append(f"{smoothed} cells apart from their like were noise of the times: measured")
+        text.append("again they were not there, or they went to their neighbours.")
+    return " ".join([*text, *(() if chart.timed else explained(chart, found))])
+
+
+def _percent(share):
+    return f"{100 * share:.0f} %" if share > 0.005 else "less than 1 %"
+
+
+def _along(chart, side, row):
+    edges, parts = chart.x.edges(len(row)), [row[0]]
+    for n in range(1, len(row)):
+        if row[n] != row[n - 1]:
+            parts.append(f"from {number(float(edges[n]))} on {row[n]}")
+    letter = chart.y.label.partition(",")[0]
+    return f"At the {side} {letter}, from left to right: {'; '.join(parts)}."

@@ -1,0 +1,151 @@
+"""The time of a call, the error of a result, and the front of error against time.
+
+The *front* of a set of points (the Pareto front) are those that no other point beats, that is, for
+every other point one on the front is cheaper and no less accurate. Errors are taken against an
+exact solution or one of more digits, never against the method under test.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from operator import attrgetter
+from time import perf_counter
+from timeit import Timer
+from typing import Any
+
+from ...algebra.errors import ArgumentError, checked
+from ...algebra.scalars import Scalar, sqrt
+from ...algebra.vectors import dot3, sub3
+
+# errors that differ by less than this factor count as equal: round-off is not known better
+EQUAL_WITHIN = 2.0
+ROUND_OFF = 2.0**-52  # smaller relative errors are luck
+EQUAL_COST = 1.2  # times that differ by less count as equal: they vary so from run to run
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A point of a chart: ``method``, ``cost`` in seconds, relative ``error``, and ``setting`` as
+    "h = 1e-3". The points of one method are joined.
+
+    asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and
+        the largest drift of an invariant; else None
+    family : points are compared with others of their family, which has a front of its own
+    prepared : seconds that the first run took more than the next
+
+    >>> Measured("dop853", cost=2e-4, error=1e-9).cost
+    0.0002
+    """
+
+    method: str
+    cost: float
+    error: float
+    setting: str = ""
+    asked: float | None = None
+    calls: int | None = None
+    drift: float | None = None
+    family: str = ""
+    prepared: float = 0.0
+
+
+@checked
+def timed(
+    *calls: Callable[[], object],
+    runs: int = 9,
+    shortest: float = 2e-3,
+    clock: Callable[[], float] = perf_counter,
+) -> Any:
+    """The seconds that one call ``f()`` takes, a float; of several functions, a tuple.
+
+    The time is that of the fastest of ``runs`` runs. Each run has so many calls that it lasts
+    ``shortest`` seconds. The functions take turns. A first call is made before and does not count:
+    it may import or compile.
+
+    clock : a function without arguments that returns the time in seconds
+
+    >>> seconds = timed(lambda: sum(range(10)), lambda: sum(range(1000)))
+    >>> len(seconds), min(seconds) > 0
+    (2, True)
+    """
+    timers = [(Timer(f, timer=clock), _enough_calls(f, shortest, clock)) for f in calls]
+    rounds = [[timer.timeit(n) / n for timer, n in timers] for _ in range(runs)]
+    # the least: other work of the machine can only add to a time (measured on a busy machine: the
+    # medians of two measurements differed by up to a factor of four, the minima by a tenth)
+    times = tuple(map(min, zip(*rounds, strict=True)))
+    return times[0] if len(calls) == 1 else times
+
+
+def _enough_calls(f, shortest, clock):
+    """How many calls of ``f`` last about ``shortest`` seconds, after one that does not count."""
+    f()
+    timer, n = Timer(f, timer=clock), 1
+    while (took := timer.timeit(n)) < shortest:
+        # a single call is too short to extrapolate from
+        n = max(2 * n, math.ceil(n * shortest / max(took, 1e-9))) if n > 1 else 2
+    return n
+
+
+@checked
+def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
+    """|a - exact|/|exact| as a float, for two triples of components or Vectors of one frame.
+
+    It is right to the last digit if the components of ``exact`` are of type mpf.
+
+    >>> relative_error((3.0, 4.0, 0.5), (3.0, 4.0, 0.0))
+    0.1
+    """
+    exact = tuple(exact)
+    difference = sub3(tuple(a), exact)
+    return float(sqrt(dot3(difference, difference)) / sqrt(dot3(exact, exact)))
+
+
+def check_cost(cost: str) -> None:
+    """Refuse a cost that is neither the time nor the number of calls."""
+    if cost not in ("cost", "calls"):
+        raise ArgumentError(f'the cost is "cost", the time, or "calls"; got {cost!r}')
+
+
+@checked
+def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
+    """The points that no other beats, from the cheapest to the most accurate.
+
+    Errors within a factor of two count as equal.
+
+    cost : "cost", the time, or "calls"
+
+    >>> coarse, fine = Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)
+    >>> [p.method for p in front([fine, coarse, Measured("slow", 3e-3, 1e-9)])]
+    ['coarse', 'fine']
+    """
+    check_cost(cost)
+    best: list[Measured] = []
+    for p in sorted(points, key=attrgetter(cost, "error")):
+        if not best or p.error < best[-1].error / EQUAL_WITHIN:
+            best.append(p)
+    return best
+
+
+def fronts(points: Sequence[Measured], cost: str = "cost") -> dict[str, list[Measured]]:
+    """The front of each family of the points, by the name of the family."""
+    families = dict.fromkeys(p.family for p in points)
+    return {name: front([p for p in points if p.family == name], cost) for name in families}
+
+
+def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
+    """The cheapest point of each method within ``error``, the cheapest method first; empty if none
+    is as accurate.
+
+    >>> points = [Measured("a", 1e-3, 1e-9), Measured("a", 1e-4, 1e-3), Measured("b", 2e-3, 1e-9)]
+    >>> [p.method for p in cheapest(points, 1e-6)]
+    ['a', 'b']
+    """
+    within = sorted((p for p in points if p.error <= error), key=attrgetter("cost"))
+    best: dict[str, Measured] = {}
+    for p in within:
+        best.setdefault(p.method, p)
+    return list(best.values())
+
+
+def of_equal_cost(points: Sequence[Measured]) -> list[Measured]:
+    """The points, the cheapest first, whose costs cannot be distinguished from the least."""
+    return [p for p in points if p.cost <= EQUAL_COST * points[0].cost]

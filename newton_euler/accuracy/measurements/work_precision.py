@@ -1,0 +1,207 @@
+"""Work-precision data of the methods of integration on a scene: the time of each, and its error
+against 30 digits.
+
+>>> found = work_precision("sphere on an incline", (1e-3, 1e-9), ("exact", "dop853", "auto"))
+>>> max(p.error for p in found.points if p.method == "exact") < 1e-13
+True
+>>> max(p.drift for p in found.points) < 1e-13  # of the energy
+True
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, partial
+from importlib import import_module
+from time import perf_counter
+
+from ...motion.integration import integrate
+from ...motion.methods.base import SMALLEST_SCALE
+from ...motion.methods.table import METHODS
+from ...motion.model import ModelError
+from ...motion.prepared import PreparedModel
+from ...scenes import scene as scene_named
+from ...scenes.catalogue import Scene
+from .measure import Measured, timed
+from .reference import reference_solution
+
+TOLERANCES = tuple(10.0**-n for n in range(3, 14))
+QUICK = TOLERANCES[::2]
+LONGEST = 0.2  # seconds; a method whose run takes longer is not asked for more digits
+LONG = 0.03  # seconds; a longer run is timed once, a shorter one in many runs
+NAMES = (*METHODS, "auto")
+STEPPING, CLOSED = "stepping methods", "closed forms"  # the families
+
+
+@dataclass(frozen=True)
+class WorkPrecision:
+    """What was measured on one scene.
+
+    scene : a :class:`~newton_euler.scenes.catalogue.Scene`
+    points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance
+        ``asked`` for
+    ratios : {tolerance: (time of "auto" / time of the best other method, name of that method)},
+        measured in turns; the best method is the cheapest that was asked for the same tolerance and
+        reached it
+    preparing : {method: seconds that its first run took more than the next, to write and compile
+        code}; all imports were made before
+    too_slow : {method: after which run it was not asked for smaller tolerances}
+    unable : {method: why it cannot reach the smaller tolerances}; methods that the scene cannot use
+        have no points and are in neither
+    """
+
+    scene: Scene
+    points: tuple
+    ratios: dict
+    preparing: dict
+    too_slow: dict
+    unable: dict
+
+    def explain(self):
+        """The numbers as a table, then the ratios of "auto", and what was left out; a text."""
+        lines = [f"  {'method':13} {'rtol':>6} {'time':>11} {'calls':>8} {'error':>8} {'drift':>8}"]
+        for p in self.points:
+            drift = "" if p.drift is None else f"{p.drift:.1e}"
+            time = f"{p.method:13} {p.asked:6.0e} {1e6 * p.cost:8.1f} us"
+            lines.append(f"  {time} {p.calls:8} {p.error:8.1e} {drift:>8}")
+        for rtol, (ratio, best) in self.ratios.items():
+            lines.append(f"  auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}")
+        left_out = {**self.too_slow, **self.unable}
+        return "\n".join(lines + [f"  {method}: {why}" for method, why in left_out.items()])
+
+    __str__ = explain
+
+
+def work_precision(
+    name: str,
+    tolerances: Sequence[float] = TOLERANCES,
+    methods: Sequence[str] = NAMES,
+    longest: float = LONGEST,
+    progress: Callable[[float, str], object] = lambda fraction, words: None,
+) -> WorkPrecision:
+    """The :class:`WorkPrecision` of a scene: every method that it can use, measured at every
+    tolerance.
+
+    The cost is the time of one call of ``integrate`` after its model is prepared and its code
+    compiled. The error is that of the worst state at the end, relative to the largest size of this
+    state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
+
+    longest : a method whose run takes more seconds is not asked for more digits
+    """
+    scene = scene_named(name)
+    reference = Reference(scene)
+    points: list = []
+    preparing: dict = {}
+    too_slow: dict = {}
+    unable: dict = {}
+    for n, method in enumerate(methods):
+        if method != "auto" and METHODS[method].unusable_because(PreparedModel(reference.model)):
+            continue
+        for m, rtol in enumerate(tolerances):
+            progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
+            try:
+                point, first = reference.measured(method, rtol)
+            # the method cannot reach this tolerance, or not on this scene
+            except ModelError as error:
+                unable[method] = f"{rtol:.0e}: {error}"
+                break
+            if method not in preparing:
+                preparing[method] = _preparation(name, method, first, point.cost)
+                point = replace(point, prepared=preparing[method])
+            points.append(point)
+            if point.cost > longest and rtol != tolerances[-1]:
+                took = f"{rtol:.0e}, which took {point.cost:.2g} s"
+                too_slow[method] = f"not asked for less than {took}"
+                break
+    ratios = dict(_ratios(reference, points))
+    return WorkPrecision(scene, tuple(points), ratios, preparing, too_slow, unable)
+
+
+def _ratios(reference, points):
+    for rtol in sorted({p.asked for p in points if p.method == "auto"}, reverse=True):
+        reached = [p for p in points if p.asked == rtol and p.error <= rtol and p.method != "auto"]
+        if reached:
+            best = min(reached, key=lambda p: p.cost).method
+            runs = [partial(reference.run, method, rtol) for method in ("auto", best)]
+            auto, other = timed(*runs, runs=15, shortest=5e-4)
+            yield rtol, (auto / other, best)
+
+
+_PREPARATIONS: dict = {}
+
+
+def _preparation(name, method, first, cost):
+    """The seconds that the first run in this process took more, since code is compiled once; 0 if
+    it took less than twice the time, which may be noise.
+    """
+    return _PREPARATIONS.setdefault((name, method), first - cost if first > 2 * cost else 0.0)
+
+
+class Reference:
+    """The final state of a scene to 30 digits, against which the errors of methods are taken."""
+
+    def __init__(self, scene):
+        import_module("scipy.integrate")  # imports are not what is measured
+        self.model, self.t, self.start = scene.motion
+        self.end, self.sizes = final_state(scene), state_sizes(scene)
+
+    def run(self, method, rtol):
+        """The motion of the scene by a method."""
+        return integrate(self.model, self.t, self.start, rtol, method)
+
+    def error(self, motion):
+        """The true error of the last state, as ``Motion.error`` counts it."""
+        states = zip(self.model.states, self.end, self.sizes, strict=True)
+        return max(abs(motion.end[n] - x) / size for n, x, size in states)
+
+    def measured(self, method, rtol):
+        """The point of one method at one tolerance, and the seconds that its first run took."""
+        motion, cost, first = timed_run(partial(self.run, method, rtol), method)
+        numbers = rtol, motion.cost.calls, worst_drift(motion)
+        family = CLOSED if motion.method.name == "exact" else STEPPING
+        point = Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", *numbers, family)
+        return point, first
+
+
+def worst_drift(motion):
+    """The largest drift of an invariant at about a hundred ends of steps; None if no invariant is
+    known.
+    """
+    ends = motion.segments[0].stepper.step_times
+    sampled = replace(motion, samples=ends[:: len(ends) // 100 + 1]) if len(ends) > 100 else motion
+    return max(sampled.drift.values(), default=None)
+
+
+def timed_run(run, method):
+    """What a run by a method returns, the seconds that it takes, and those that the first took."""
+    result, first = _stopwatch(run)
+    cost = first
+    # a long first run is not repeated, unless it may have compiled code
+    if first <= LONGEST or method == "auto" or method in ("exact", "taylor"):
+        cost = _stopwatch(run)[1]
+        if cost <= LONG:
+            cost = timed(run, runs=3, shortest=1e-3)
+    return result, cost, first
+
+
+def _stopwatch(call):
+    begun = perf_counter()
+    return call(), perf_counter() - begun
+
+
+@cache
+def final_state(scene):
+    """The last state by :func:`.reference_solution`, rounded to
+    floats.
+    """
+    return tuple(map(float, reference_solution(*scene.motion)))
+
+
+@cache
+def state_sizes(scene):
+    """The largest size of each state during the motion, at least 1e-6, to which errors are
+    relative.
+    """
+    model, t, start = scene.motion
+    # without its exact solution, which gives no steps between
+    motion = integrate(replace(model, exact=None), t, start, 1e-6, "dop853")
+    return tuple(max(float(abs(x).max()), SMALLEST_SCALE) for x in motion.states.values())

@@ -1,0 +1,91 @@
+"""Worked examples of chapter 10: the spherical pendulum, the top, the gyrocompass."""
+
+import mpmath as mp
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import cos, moving, sin
+from newton_euler.chapters.examples.ch10 import (
+    body_quaternion,
+    compass_period,
+    precession_rate,
+    spherical_pendulum_momentum,
+)
+from newton_euler.kinematics.rotations import (
+    quaternion_from_euler,
+)
+from newton_euler.scenes.spatial import top
+from newton_euler.scenes.spatial.gyrocompass import gyrocompass
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def tolerance(kind):
+    """Absolute, for quantities of order 10: some round-offs of the kind."""
+    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
+
+
+MOTION = {
+    "psi": ("0.4", "1.2", "-0.7"),
+    "theta": ("0.9", "0.5", "0.3"),
+    "phi": ("1.3", "2.5", "0.8"),
+}
+
+
+@every_kind
+def test_eqn_10_11_to_10_14_angular_momentum_of_the_spherical_pendulum_in_body_axes(kind):
+    m, L = numbers(kind, 3, 2)
+    angles = [numbers(kind, *v) for v in MOTION.values()]
+    H, bar = spherical_pendulum_momentum(m, L, *(moving(*v) for v in angles))
+    (_, dpsi, _), (theta, dtheta, _), (phi, dphi, _) = angles
+    factor = m * L * L / 3
+    omega = (
+        dtheta * cos(phi) + dpsi * sin(theta) * sin(phi),
+        -dtheta * sin(phi) + dpsi * sin(theta) * cos(phi),
+        dphi + dpsi * cos(theta),
+    )
+    assert close(bar.angular_velocity(bar.parent.parent.parent), omega, tolerance(kind))
+    assert close(H.components(bar), (factor * omega[0], factor * omega[1], 0), 10 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_15_and_10_16_the_same_in_the_frame_that_does_not_spin(kind):
+    m, L = numbers(kind, 3, 2)
+    angles = [numbers(kind, *v) for v in MOTION.values()]
+    H, _ = spherical_pendulum_momentum(m, L, *(moving(*v) for v in angles))
+    (_, dpsi, _), (theta, dtheta, _), _ = angles
+    assert close(
+        H, (m * L * L / 3 * dtheta, m * L * L / 3 * dpsi * sin(theta), 0), 10 * tolerance(kind)
+    )
+
+
+def run(model, start, seconds, rtol=1e-12):
+    rhs = model.compiled_rhs()
+    out = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, seconds),
+        start,
+        method="DOP853",
+        rtol=rtol,
+        atol=1e-13,
+    )
+    return [tuple(state) for state in out.y.T.tolist()]
+
+
+def test_section_10_11_the_gyrocompass_swings_about_north_with_its_period():
+    data = (0.002, 0.003, 1000.0, 7.292e-5, 0.8)
+    period = compass_period(*data)
+    azimuth, rate = run(gyrocompass(*data), (1e-4, 0.0), period, 1e-11)[-1]
+    assert azimuth == pytest.approx(1e-4, rel=1e-6)
+    assert rate == pytest.approx(0, abs=1e-9)
+
+
+def test_eqn_10_24_the_precession_of_a_top_from_its_constants():
+    difference = top.momentum_difference(0.6, 0.25, 0.9, 1.2, 9.0)
+    assert precession_rate(0.6, 0.25, 0.9, 9.0, difference) == pytest.approx(1.2, rel=1e-14)
+
+
+def test_the_spin_turns_the_frame_that_does_not_spin_into_the_body():
+    state = (*quaternion_from_euler(0.3, 0.8, 0.0), 0.0, 0.0)
+    assert body_quaternion(state, 0.5) == pytest.approx(quaternion_from_euler(0.3, 0.8, 0.5))

@@ -1,0 +1,44 @@
+"""Who imports whom in exercises: the catalogue knows no problem, a device no chapter."""
+
+from exercises.catalogue.reading import EXERCISES
+from tests.imports import circle, imports, modules
+
+FILES = modules(EXERCISES)
+FLOORS = ("exercises.catalogue", "exercises.tools", "exercises.devices")  # chapters are above
+
+
+def floor(module):
+    """The height of a module: the catalogue 0, the chapters highest."""
+    below = (n for n, name in enumerate(FLOORS) if f"{module}.".startswith(f"{name}."))
+    return next(below, len(FLOORS))
+
+
+def climbing(module, source=None):
+    """The imports of a module from a higher floor, or from another chapter."""
+    targets = [target for target, _ in imports(module, FILES, source)]
+    return [
+        t
+        for t in targets
+        if floor(t) > floor(module) or (floor(t) == floor(module) == 3 and t != module)
+    ]
+
+
+def test_imports_go_down_only():
+    up = {module: climbing(module) for module in FILES.keys() - {"exercises"}}
+    assert {module: targets for module, targets in up.items() if targets} == {}
+
+
+def test_an_import_that_climbs_is_seen():
+    to_a_device = "from ..devices import crane"
+    assert climbing("exercises.catalogue.steps", to_a_device) == ["exercises.devices.crane"]
+    to_a_problem = "def f():\n    from exercises.ch04 import p16"
+    assert climbing("exercises.devices.crane", to_a_problem) == ["exercises.ch04.p16"]
+    assert climbing("exercises.ch04.p17", to_a_problem) == ["exercises.ch04.p16"]
+    assert climbing("exercises.ch04.p17", to_a_device.replace("..", "exercises.")) == []
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    """Through a package's __init__ too: a file of the catalogue imports the module that it needs."""
+    graph = {m: {t for t, _ in imports(m, FILES) if t in FILES and t != m} for m in FILES}
+    assert circle(graph) is None
+    assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]

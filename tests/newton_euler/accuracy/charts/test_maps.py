@@ -1,0 +1,115 @@
+"""charts/maps.py, islands.py: regions are named, islands explained or smoothed as noise."""
+
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from newton_euler.accuracy.charts.islands import explained, islands, settled
+from newton_euler.accuracy.charts.maps import draw_choices, map_caption
+from newton_euler.accuracy.measurements.regime_maps import MAPS, Axis, Map
+
+matplotlib.use("Agg")
+SEA, LAND = "sea", "land"
+
+
+def map_of(column, timed=False):
+    """A map of the square (0, 10) x (0, 10)."""
+    sides = Axis("x, m", 0.0, 10.0, "linear"), Axis("y, m", 0.0, 10.0, "linear")
+    choices = (SEA, LAND)
+    return Map("fake", "A sea", "Words.", *sides, choices, column, (), (10, 10), timed=timed)
+
+
+def strip_of_land(x, ys):
+    """Land on a strip of height 0.2 about y = x, and all of it where y is over 9."""
+    return [LAND if abs(y - x) < 0.1 or y > 9 else SEA for y in ys]
+
+
+def test_parts_that_touch_at_a_corner_are_one_and_others_are_islands():
+    found = np.full((4, 4), SEA, dtype=object)
+    found[0, 0] = found[1, 1] = found[3, 3] = LAND
+    (island,) = islands(found)
+    assert (island.choice, island.cells) == (LAND, ((3, 3),))
+
+
+def test_an_island_of_times_that_is_not_there_again_is_removed():
+    chart = map_of(lambda x, ys: [SEA] * len(ys), timed=True)
+    found = chart.measure()
+    found[:6, 0] = LAND
+    found[9, 9] = LAND
+    found[:5, 5] = LAND
+    better, changed = settled(chart, found)
+    assert (better[:, 1:] == SEA).all()
+    assert (better[:6, 0] == LAND).all()  # the largest part is no island
+    assert changed == 6
+    assert "noise of the times" in map_caption(chart, better, changed)
+
+
+def test_a_speck_that_is_there_again_goes_to_its_neighbours_and_a_large_island_stays():
+    def column(x, ys):
+        return [
+            LAND if (y < 5 and x < 4) or (x > 9 and y > 6) or (x > 6 and y < 1) else SEA for y in ys
+        ]
+
+    chart = map_of(column, timed=True)
+    better, changed = settled(chart, chart.measure())
+    assert changed == 4 + 4
+    assert (better[:5, :4] == LAND).all()
+    assert (better[6:, 9] == SEA).all()
+
+
+def test_an_island_where_no_times_decide_is_told_to_be_a_strip_thinner_than_a_cell():
+    def column(x, ys):
+        return [LAND if (abs(y - 4.5) < 0.2 and abs(x - 4.5) < 0.1) or y > 9 else SEA for y in ys]
+
+    chart = map_of(column)
+    (told,) = explained(chart, chart.measure())
+    assert told.startswith('The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y: a strip')
+    assert told in map_caption(chart, chart.measure())
+
+
+def test_an_island_larger_than_a_cell_is_told_to_be_a_region():
+    chart = map_of(lambda x, ys: [LAND if (2 < x < 5 and 2 < y < 5) or y > 9 else SEA for y in ys])
+    (told,) = explained(chart, chart.measure())
+    assert told.endswith("a region of its own.")
+
+
+def test_the_caption_follows_when_the_choices_are_swapped():
+    chart = map_of(lambda x, ys: [LAND if x < 3 else SEA for y in ys])
+    assert "sea: 70 %; land: 30 %." in map_caption(chart, chart.measure())
+    assert "At the lowest y, from left to right: land; from 3 on sea." in map_caption(
+        chart, chart.measure()
+    )
+    other = map_of(lambda x, ys: [SEA if x < 3 else LAND for y in ys])
+    assert "sea: 30 %; land: 70 %." in map_caption(other, other.measure())
+
+
+def regions(chart, found):
+    """{name: whether it is written inside its own region} of what is drawn."""
+    figure = Figure()
+    ax = figure.subplots()
+    draw_choices(chart, found, ax)
+    x, y = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
+    places = {t.get_text().replace("\n", " "): t.get_position() for t in ax.texts}
+    return {
+        name: found[np.searchsorted(y, b) - 1, np.searchsorted(x, a) - 1] == name
+        for name, (a, b) in places.items()
+    }
+
+
+@pytest.mark.parametrize("name", ["top", "projectile", "steady precession"])
+def test_every_large_region_has_its_name_inside_it(name):
+    chart = MAPS[name]
+    found = chart.measure((20, 20))
+    written = regions(chart, found)
+    assert all(written.values())
+    large = {choice for choice in chart.choices if (found == choice).mean() > 0.1}
+    assert large <= set(written)
+
+
+def test_a_region_of_few_cells_is_in_the_legend_only():
+    chart = map_of(strip_of_land)
+    found = chart.measure()
+    found[:] = SEA
+    found[0, 0] = LAND
+    assert set(regions(chart, found)) == {SEA}

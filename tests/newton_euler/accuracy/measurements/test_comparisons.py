@@ -1,0 +1,221 @@
+"""comparisons.py, baselines.py: what each comparison claims, measured; bounds on errors, none on
+times.
+"""
+
+import math
+from dataclasses import replace
+
+import mpmath
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from newton_euler.accuracy.charts.comparisons import draw_comparison
+from newton_euler.accuracy.measurements import baselines
+from newton_euler.accuracy.measurements.comparisons import COMPARISONS
+from newton_euler.accuracy.measurements.measure import ROUND_OFF, Measured
+
+
+@pytest.fixture(scope="module")
+def measured():
+    """All points of a comparison by its name, measured once."""
+    known = {}
+
+    def of(name):
+        if name not in known:
+            known[name] = COMPARISONS[name].measure()
+        return known[name]
+
+    return of
+
+
+def errors(points, method, question=0):
+    """The errors of a method by what was set."""
+    asked = list(dict.fromkeys(p.question for p in points))[question]
+    found = {p.x: p.error for p in points if p.method == method and p.question is asked}
+    assert found
+    return found
+
+
+# -- derivatives
+
+
+def test_the_best_first_difference_has_10_digits_and_the_best_second_one_7_and_the_engine_16(
+    measured,
+):
+    points = measured("derivatives")
+    assert 1e-12 < min(errors(points, "central difference").values()) < 1e-9
+    assert 1e-9 < min(errors(points, "forward difference").values()) < 1e-7
+    assert 1e-9 < min(errors(points, "central difference", 1).values()) < 1e-6
+    for question in (0, 1):
+        for way in ("engine, no step", "engine, traced"):
+            assert max(errors(points, way, question).values()) < 4 * ROUND_OFF
+
+
+def test_the_error_of_a_difference_falls_as_a_power_of_its_step_and_then_rises(measured):
+    points = measured("derivatives")
+    for question in (0, 1):
+        forward, central = (
+            errors(points, f"{way} difference", question) for way in ("forward", "central")
+        )
+        assert forward[1e-1] / forward[1e-2] == pytest.approx(10, rel=0.2)
+        assert central[1e-1] / central[1e-2] == pytest.approx(100, rel=0.05)
+        assert central[1e-12] > 1e4 * min(central.values())
+
+
+def test_the_complex_step_is_exact_for_a_first_derivative_and_cancels_in_a_second(measured):
+    points = measured("derivatives")
+    first, second = errors(points, "complex step"), errors(points, "complex step", 1)
+    assert max(first[h] for h in first if h < 1e-8) < 4 * ROUND_OFF
+    assert min(second.values()) > 1e-9
+
+
+# -- rotations
+
+
+def test_a_product_of_10000_matrices_drifts_and_one_of_quaternions_is_a_rotation(measured):
+    points = measured("rotations")
+    for way in ("3 x 3 matrices", "matrices, NumPy"):
+        assert errors(points, way, 1)[10000] > 1e-14 + 5 * errors(points, way, 1)[300]
+    for way in ("quaternions", "Euler angles"):
+        assert max(errors(points, way, 1).values()) < 1e-15
+    assert errors(points, "quaternions")[10000] < errors(points, "3 x 3 matrices")[10000] / 3
+    assert max(p.error for p in points if p.x >= 100) < 1e-12
+
+
+def test_past_the_vertical_the_rates_of_euler_angles_leave_an_error_as_large_as_a_step_and_a_quaternion_none(
+    measured,
+):
+    points = measured("rotations")
+    angles, quaternions = (
+        errors(points, "rates of Euler's angles", 2),
+        errors(points, "rate of a quaternion", 2),
+    )
+    assert angles[1.0] < 1e-10
+    assert all(angles[10.0**-n] > 30 * angles[10.0 ** (1 - n)] for n in (1, 2, 3))
+    assert all(1e-3 < angles[10.0**-n] < 0.1 for n in (3, 4, 5, 6))
+    assert max(quaternions.values()) < 1e-11
+
+
+# -- inertia
+
+
+def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_ways(measured):
+    points = measured("inertia")
+    random, grid = errors(points, "random points"), errors(points, "grid of points")
+    assert 1e-5 < random[10**6] < 1e-2
+    assert 1e-7 < grid[10**6] < 1e-4
+    assert random[100] / random[10**6] == pytest.approx(100, rel=9)  # as the root of their number
+    assert all(grid[n] < random[n] for n in grid)
+    for way in ("engine, quadrature", "engine, composition"):
+        assert max(errors(points, way).values()) < 4 * ROUND_OFF
+
+
+def test_the_reference_by_strips_is_the_closed_form_in_40_digits():
+    with mpmath.workdps(40):
+        r, h, rho = (mpmath.mpf(x) for x in (baselines.RADIUS, baselines.HEIGHT, baselines.DENSITY))
+        triangle, disk = (
+            rho * r * h**3 / 2,
+            rho * mpmath.pi * r**4 / 8
+            + 4 * rho * r**3 * h / 3
+            + rho * mpmath.pi * r * r * h * h / 2,
+        )
+        across = rho * h * r**3 / 6 + rho * mpmath.pi * r**4 / 8
+        exact = across, triangle + disk, across + triangle + disk
+        assert (
+            max(abs(a / b - 1) for a, b in zip(baselines.exact_inertia(), exact, strict=True))
+            < mpmath.mpf(10) ** -35
+        )
+
+
+# -- angle
+
+
+def test_the_arc_cosine_loses_8_digits_at_1e_minus_4_and_all_at_1e_minus_8(measured):
+    points = measured("angle")
+    found = errors(points, "arc cosine of the trace")
+    assert found[1.0] < 1e-15
+    assert 1e-11 < found[1e-4] < 1e-7
+    assert all(found[10.0**-n] == 1 for n in range(9, 13))
+    assert errors(points, "arc cosine of the trace", 1)[1e-8] > 1e-10  # of pi: half of the digits
+    for question in (0, 1):
+        for way in ("engine, atan2", "SciPy's Rotation"):
+            assert max(errors(points, way, question).values()) < 3 * ROUND_OFF
+
+
+# -- steady precession
+
+
+def test_the_printed_root_loses_a_digit_for_each_decade_and_the_engine_none(measured):
+    points = measured("steady precession")
+    found = errors(points, "printed root")
+    for a, error in found.items():
+        assert error < 1e-14 * 0.01 / a
+    assert found[1e-16] > 1e-3
+    assert found[1e-12] > 1e-7
+    assert max(errors(points, "engine").values()) < 3 * ROUND_OFF
+
+
+# -- all of them
+
+
+@pytest.mark.parametrize("name", COMPARISONS)
+def test_points_are_measured_with_cost_and_setting_and_progress_is_told(name, measured):
+    comparison, seen = COMPARISONS[name], []
+    points = (
+        comparison.measure(lambda fraction, words: seen.append((fraction, words)))
+        if name == "angle"
+        else measured(name)
+    )
+    assert all(
+        isinstance(p, Measured)
+        and p.cost > 0
+        and math.isfinite(p.error)
+        and p.error >= 0
+        and " = " in p.setting
+        for p in points
+    )
+    assert comparison.name == name
+    if seen:
+        assert len(seen) == len(points)
+        assert seen[-1][0] == 1
+        assert [fraction for fraction, _ in seen] == sorted(fraction for fraction, _ in seen)
+        assert "arc cosine of the trace, angle = 1" in [words for _, words in seen]
+
+
+@pytest.mark.parametrize("name", COMPARISONS)
+def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measured):
+    figure, comparison = Figure(), COMPARISONS[name]
+    best = draw_comparison(comparison, measured(name), figure)
+    assert len(figure.axes) == 2 * len(comparison.questions)
+    for question, left, right in zip(
+        comparison.questions, figure.axes[::2], figure.axes[1::2], strict=True
+    ):
+        assert len(left.lines) == len(question.methods)
+        assert [t.get_text() for t in right.get_legend().get_texts()] == [
+            *question.methods,
+            "front",
+        ]
+        assert any(p.question is question for p in best)
+        assert [line.get_color() for line in left.lines] == [
+            line.get_color() for line in right.lines[: len(left.lines)]
+        ]
+
+
+@pytest.mark.parametrize("apart", [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0, 30.0])
+def test_no_numbers_on_the_axes_overlap_however_near_or_far_the_costs_are(apart, measured):
+    figure, comparison = Figure(), COMPARISONS["rotations"]
+    ways = [way for q in comparison.questions for way in q.methods]
+    points = [replace(p, cost=3e-6 * apart ** ways.index(p.method)) for p in measured("rotations")]
+    draw_comparison(comparison, points, figure)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    for ax in figure.axes:
+        for axis in (ax.xaxis, ax.yaxis):
+            boxes = [
+                t.get_window_extent(canvas.get_renderer())
+                for t in axis.get_ticklabels(which="both")
+                if t.get_text() and t.get_visible()
+            ]
+            assert len(boxes) >= 2
+            assert not any(a.overlaps(b) for n, a in enumerate(boxes) for b in boxes[:n])

@@ -1,0 +1,134 @@
+"""measure.py: what is timed, what the front is, what the chart shows."""
+
+from itertools import cycle, pairwise
+
+import matplotlib
+import mpmath as mp
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from newton_euler import Frame
+from newton_euler.accuracy import chart
+from newton_euler.accuracy.measurements.measure import (
+    EQUAL_WITHIN,
+    Measured,
+    front,
+    relative_error,
+    timed,
+)
+
+matplotlib.use("Agg")
+positive = st.floats(1e-9, 1.0)
+point_lists = st.lists(
+    st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0)),
+    min_size=1,
+    max_size=12,
+)
+
+
+class Clock:
+    """A clock that goes on only when it is told to."""
+
+    now = 0.0
+
+    def __call__(self):
+        return self.now
+
+
+def test_a_time_is_that_of_one_call_and_the_first_call_does_not_count():
+    calls, clock = [], Clock()
+
+    def f():
+        clock.now += 1e-3 if calls else 0.05
+        calls.append(1)
+
+    assert timed(f, runs=3, shortest=3e-3, clock=clock) == pytest.approx(1e-3)
+    assert len(calls) > 3 * 2
+
+
+def test_other_work_of_the_machine_in_some_runs_does_not_count():
+    clock, delays = Clock(), cycle((0.0, 0.3, 0.02))
+
+    def f():
+        clock.now += 1e-3 + next(delays)
+
+    assert timed(f, runs=3, shortest=1e-3, clock=clock) == pytest.approx(1e-3)
+
+
+def test_several_functions_take_turns():
+    order = []
+    first, second = timed(
+        lambda: order.append("a"), lambda: order.append("b"), runs=2, shortest=1e-5
+    )
+    assert first > 0
+    assert second > 0
+    changes = sum(a != b for a, b in pairwise(order))
+    assert changes == 5  # a, b to see how many calls are enough, then two rounds of a, b
+
+
+@given(point_lists)
+def test_nothing_on_the_front_is_beaten_and_everything_else_is(points):
+    best = front(points)
+    costs, errors = [p.cost for p in best], [p.error for p in best]
+    assert costs == sorted(costs)
+    assert all(b < a / EQUAL_WITHIN for a, b in pairwise(errors))
+    for p in points:
+        rivals = [q for q in best if q.cost <= p.cost and q.error <= EQUAL_WITHIN * p.error]
+        assert p in best or rivals
+
+
+def test_round_off_that_differs_by_a_third_does_not_make_a_front():
+    quick, slow = Measured("quick", 1e-6, 4e-16), Measured("slow", 1e-3, 3e-16)
+    assert front([slow, quick]) == [quick]
+
+
+def test_errors_are_measured_in_the_digits_of_the_reference():
+    with mp.workdps(40):
+        third = mp.mpf(1) / 3
+        assert relative_error((third + mp.mpf(10) ** -30, 0, 0), (third, 0, 0)) == pytest.approx(
+            3e-30
+        )
+    ground = Frame("ground")
+    assert relative_error(ground.vector(0.0, 1.5, 0.0), (0.0, 1.0, 0.0)) == 0.5
+
+
+@pytest.fixture
+def ax():
+    import matplotlib.pyplot as plt
+
+    figure, ax = plt.subplots()
+    yield ax
+    plt.close(figure)
+
+
+def test_the_chart_names_every_method_once_and_returns_the_front(ax):
+    points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)] + [
+        Measured("fine", 1e-3, 1e-9),
+        Measured("beaten", 1e-2, 1e-9),
+    ]
+    assert chart(points, ax) == [points[1], points[2]]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+        "coarse",
+        "fine",
+        "beaten",
+        "front",
+    ]
+    assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
+    ax.figure.canvas.draw()
+
+
+def test_an_error_below_the_floor_is_drawn_there_with_its_value(ax):
+    chart([Measured("many digits", 1e-3, 3e-31), Measured("exact", 1e-4, 0.0)], ax)
+    assert {text.get_text() for text in ax.texts} == {"3e-31", "0", "better"}
+    lowest, _ = ax.get_ylim()
+    assert 0 < lowest < 1e-17
+    ax.figure.canvas.draw()
+
+
+def test_methods_beyond_the_colours_differ_by_marker_and_filling(ax):
+    chart([Measured(f"way {n}", 10.0**-n, 10.0 ** (n - 12)) for n in range(12)], ax)
+    looks = {
+        (line.get_color(), line.get_marker(), line.get_markerfacecolor()) for line in ax.lines[:12]
+    }
+    assert len(looks) == 12

@@ -1,0 +1,237 @@
+"""Maps of parameter space: choices at known points, borders where theory has them, and what is
+drawn.
+"""
+
+import math
+
+import matplotlib
+import mpmath
+import numpy as np
+import pytest
+
+from newton_euler.accuracy.charts.axes import COLOURS
+from newton_euler.accuracy.charts.maps import draw_choices
+from newton_euler.accuracy.measurements import regime_maps as maps
+from newton_euler.accuracy.measurements.regime_maps import MAPS
+from newton_euler.motion.integration import integrate
+from newton_euler.scenes.spatial import top
+
+matplotlib.use("Agg")
+
+
+@pytest.fixture
+def ax():
+    import matplotlib.pyplot as plt
+
+    figure, ax = plt.subplots()
+    yield ax
+    plt.close(figure)
+
+
+def border(chart, x, below, precision=0.02):
+    """The lowest y at which the choice is another one than ``below``, by halving."""
+    low, high = chart.y.low, chart.y.high
+    while high - low > precision * low:
+        middle = math.sqrt(low * high)
+        low, high = (
+            (middle, high) if next(iter(chart.column(x, [middle]))) in below else (low, middle)
+        )
+    return low
+
+
+@pytest.mark.parametrize("chart", MAPS.values(), ids=MAPS)
+def test_a_map_says_what_it_shows_with_units_and_has_a_colour_for_each_choice(chart):
+    assert len(set(chart.choices)) == len(chart.choices) <= len(COLOURS)
+    assert all(
+        any(unit in axis.label for unit in ("rad", "s", "m", "degrees", "over"))
+        for axis in (chart.x, chart.y)
+    )
+    assert chart.words.endswith(".")
+    for axis in (chart.x, chart.y):
+        edges, middles = axis.edges(7), axis.centres(7)
+        assert (edges[0], edges[-1]) == (pytest.approx(axis.low), pytest.approx(axis.high))
+        assert np.all((edges[:-1] < middles) & (middles < edges[1:]))
+
+
+def test_measuring_tells_how_far_it_is_and_gives_a_row_for_each_y():
+    told = []
+    found = MAPS["steady precession"].measure((4, 3), told.append)
+    assert told == [0.0, 0.25, 0.5, 0.75]
+    assert found.shape == (3, 4)
+    # at 30, 90 and 150 degrees
+    assert [row[0] for row in found] == [maps.NONE, maps.BOTH, maps.OPPOSED]
+
+
+# -- methods
+
+
+@pytest.mark.parametrize(("compiling", "short"), [(1e3, maps.DOP853), (-1e3, maps.TAYLOR)])
+def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_axis_for_the_exact_solution_alone(
+    compiling, short, monkeypatch
+):
+    """Which is cheaper depends on the machine: here the compilation takes a thousand seconds, or is
+    paid for.
+    """
+    pytest.importorskip("heyoka")
+    monkeypatch.setattr(maps, "compile_time", lambda: compiling)
+    near, far = (list(MAPS["free body"].column(tilt, [5.0, 1000.0])) for tilt in (1e-6, 0.5))
+    assert near == [short, maps.EXACT]
+    assert far[0] == short
+    assert far[1] in (maps.DOP853, maps.TAYLOR)
+
+
+def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
+    pytest.importorskip("heyoka")
+    compiling = maps.compile_time()
+    # the least of several runs: a busy machine may delay some, but not all by a compilation
+    runs = [integrate(maps.BODY, 1.0, maps.start_at(0.1), 1e-9, "taylor") for _ in range(20)]
+    assert compiling > min(motion.cost.seconds for motion in runs)
+
+
+def test_integration_fails_where_round_off_has_grown_to_what_is_wanted():
+    """Within a factor of five of the theory, on both sides of the bend: a random walk is only known
+    on average.
+    """
+    pytest.importorskip("heyoka")
+    for tilt in (1e-7, 1e-5, 3e-3, 1e-2):
+        times = np.geomspace(10.0, 2e4, 60)
+        right = np.isfinite(maps._taylor_seconds(times.tolist(), maps.start_at(tilt)))
+        assert 1 / 5 < times[right][-1] / maps._roundoff_time(tilt) < 5
+
+
+def test_errors_of_a_run_are_those_against_30_digits():
+    start = maps.start_at(0.01)
+    motion = integrate(maps.BODY, 60.0, start, 1e-6, "dop853", samples=50)
+    found = maps.errors_until([60.0], motion, start)[0]
+    with mpmath.workdps(30):
+        exact = [maps.BODY.solution(mpmath.mpf(t), start) for t in motion.times.tolist()]
+    worst = max(
+        abs(float(e[n] - w[k]))
+        for n, w in enumerate(motion.states.values())
+        for k, e in enumerate(exact)
+    )
+    assert found == pytest.approx(worst, rel=1e-3)
+
+
+def test_the_first_turnover_is_at_the_quarter_period_of_a_small_tilt():
+    for tilt in (1e-6, 1e-3):
+        t = maps._first_turnover(tilt)
+        # rad/s, of 1: it is on its way from +1 to -1
+        assert abs(maps.BODY.solution(t, maps.start_at(tilt))[1]) < 0.4
+        assert maps.BODY.solution(t / 2, maps.start_at(tilt))[1] > 0.99
+
+
+def test_without_heyoka_the_exact_solution_takes_its_place(monkeypatch):
+    monkeypatch.setattr(maps, "installed", lambda: False)
+    maps.compile_time.cache_clear()
+    found = list(maps._free_body(0.5, [2.0]))
+    maps.compile_time.cache_clear()
+    assert found == [maps.DOP853]
+
+
+# -- models
+
+
+@pytest.mark.parametrize("flight", [2.0, 10.0, 40.0])
+def test_a_flat_earth_at_rest_holds_until_the_centrifugal_acceleration_is_seen(flight):
+    chart = MAPS["projectile"]
+    below = {name for name in chart.choices if name != "projectile, flat"}
+    assert border(chart, flight, below) == pytest.approx(maps._centrifugal_error(flight), rel=0.15)
+
+
+@pytest.mark.parametrize("flight", [2.0, 10.0, 40.0])
+def test_a_uniform_field_holds_until_the_weight_is_seen_to_be_less_above(flight):
+    chart = MAPS["projectile"]
+    assert border(chart, flight, {"projectile, full"}) == pytest.approx(
+        maps._uniform_field_error(flight), rel=0.1
+    )
+
+
+@pytest.mark.parametrize("omega_z", [150.0, 400.0, 900.0])
+def test_a_top_let_go_nods_and_only_a_model_that_nods_is_within_less(omega_z):
+    chart = MAPS["top"]
+    nods = {"top, nutation and precession", chart.choices[-2], chart.choices[-1]}
+    assert border(chart, omega_z, nods) == pytest.approx(maps._nutation(omega_z), rel=0.1)
+
+
+def test_a_top_that_is_too_slow_has_no_rung_of_steady_precession():
+    assert "top, steady precession" not in maps.rung_names(maps.released_top(17.0))
+    assert "top, steady precession" in maps.rung_names(maps.released_top(19.0))
+    least = next(curve.x for curve in MAPS["top"].curves if curve.x)
+    assert 17.0 < least < 19.0
+
+
+# -- existence
+
+
+@pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])
+def test_a_top_below_the_critical_rate_falls_when_its_rate_of_growth_says(ratio):
+    assert maps.falling_time(ratio) == pytest.approx(
+        float(maps._theoretical_falling_time(np.array(ratio))), rel=0.02
+    )
+
+
+def test_beside_the_critical_rate_the_run_says_nothing_and_the_criterion_all():
+    chart = MAPS["sleeping top"]
+    assert list(chart.column(0.9999, [10.0, 99.0])) == [maps.UNDECIDED] * 2
+    assert list(chart.column(1.0001, [10.0, 99.0])) == [maps.STANDS] * 2
+    assert list(chart.column(0.9, [1.0, 50.0])) == [maps.UNDECIDED, maps.FALLS]
+
+
+@pytest.mark.parametrize("omega_z", [5.0, 12.0, 19.0])
+def test_steady_precession_ends_at_the_double_root(omega_z):
+    chart = MAPS["steady precession"]
+    edge = float(maps._limit_angle(np.array(omega_z)))
+    assert list(chart.column(omega_z, [edge - 0.01, edge + 0.01])) == [maps.NONE, maps.BOTH]
+
+
+def test_where_the_map_says_that_it_precesses_steadily_a_run_stays_at_its_angle():
+    """Independent of the quadratic: theta of the reduced top after a second, from rest at the rate
+    found.
+    """
+    from newton_euler.applications.gyroscopes import steady_precession
+
+    for omega_z, degrees in ((19.0, 40.0), (40.0, 60.0), (30.0, 140.0)):
+        theta = math.radians(degrees)
+        assert next(iter(MAPS["steady precession"].column(omega_z, [degrees]))) != maps.NONE
+        rate = steady_precession(maps.I0, maps.I, theta, omega_z=omega_z, mgr=maps.MGR).slow
+        model = top.nutation(
+            maps.I0,
+            maps.I,
+            maps.MGR,
+            omega_z,
+            top.momentum_difference(maps.I0, maps.I, theta, rate, omega_z),
+        )
+        assert integrate(model, 1.0, (theta, 0.0)).end["theta"] == pytest.approx(theta, abs=1e-9)
+
+
+# -- drawn
+
+
+@pytest.mark.parametrize("name", ["steady precession", "projectile", "sleeping top"])
+def test_a_map_is_drawn_with_a_legend_of_what_it_holds_and_the_curves_of_theory(name, ax):
+    chart = MAPS[name]
+    found = chart.measure((6, 6))
+    draw_choices(chart, found, ax)
+    told = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert told == [choice for choice in chart.choices if (found == choice).any()] + [
+        curve.label for curve in chart.curves
+    ]
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (chart.x.label, chart.y.label)
+    assert ax.get_xlim() == (chart.x.low, pytest.approx(chart.x.high))
+    ax.figure.canvas.draw()
+    mesh = ax.collections[0]
+    colours = {tuple(np.round(c[:3], 3)) for c in mesh.cmap(mesh.norm(mesh.get_array().ravel()))}
+    wanted = {
+        tuple(np.round(matplotlib.colors.to_rgb(COLOURS[chart.choices.index(c)]), 3))
+        for c in set(found.ravel())
+    }
+    assert colours == wanted
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MAPS)
+def test_every_map_is_drawn_at_its_own_resolution(name, ax):
+    found = MAPS[name].measure()
+    draw_choices(MAPS[name], found, ax)
+    assert len(set(found.ravel())) >= 3

@@ -1,0 +1,90 @@
+"""show.py: one chart in a notebook, and a comparison of one's own."""
+
+import math
+from types import SimpleNamespace
+
+import mpmath
+import pytest
+
+from newton_euler.accuracy import compare, show_chart
+from newton_euler.accuracy.catalogue import QUICK_METHODS
+from newton_euler.accuracy.charts import models, shown
+from newton_euler.accuracy.charts.comparisons import ways_caption
+from newton_euler.accuracy.measurements.measure import Measured
+from newton_euler.algebra.errors import ArgumentError
+
+
+@pytest.fixture
+def displayed(monkeypatch):
+    """What a notebook would show: alt texts and the HTML of captions."""
+    seen = []
+    monkeypatch.setattr(shown, "show_figure", lambda figure, alt: seen.append(alt))
+    page = SimpleNamespace(HTML=str, display=seen.append)
+    monkeypatch.setitem(__import__("sys").modules, "IPython.display", page)
+    return seen
+
+
+def test_a_chart_is_shown_once_with_alt_text_and_caption(displayed, monkeypatch):
+    seconds = iter((1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6))  # of the models, from the coarsest
+    monkeypatch.setattr(models, "timed", lambda run, runs: next(seconds))
+    found = show_chart("models of projectile", tolerance=1.0)
+    alt, caption = displayed
+    assert caption == f"<figcaption>{found.caption}</figcaption>"
+    assert found.caption in alt
+    assert "Within 1 m the cheapest model is 3 (projectile, Coriolis and effective" in found.caption
+    assert len(found.points) == 6
+    assert "projectile, flat" in str(found)
+    assert found._ipython_display_() is None  # as the last value of a cell
+    assert displayed == [alt, caption]
+
+
+def test_a_quick_chart_of_methods_leaves_some_out_and_says_so(displayed):
+    found = show_chart("sliding sphere")
+    assert "scipy Radau" not in {p.method for p in found.points} < {*QUICK_METHODS}
+    assert found.caption.endswith("only these methods were measured; quick=False measures all.")
+
+
+def test_hyphens_may_stand_for_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
+    assert show_chart("steady-precession").points
+    with pytest.raises(ArgumentError, match=r"no chart 'topp'; there are .*; models of projectile"):
+        show_chart("topp")
+
+
+def test_a_tolerance_is_for_models_only_and_positive():
+    for name, tolerance in (("top", 1.0), ("models of top", -1.0)):
+        with pytest.raises(ArgumentError, match="tolerance is positive"):
+            show_chart(name, tolerance=tolerance)
+
+
+def test_ways_of_ones_own_are_compared_with_the_reference(displayed):
+    with mpmath.workdps(40):
+        exact = 1 - mpmath.cos(mpmath.mpf(1e-4))
+    naive, stable = (lambda: 1 - math.cos(1e-4)), (lambda: 2 * math.sin(5e-5) ** 2)
+    found = compare({"naive": naive, "stable": stable}, exact, "1 - cos x")
+    errors = {p.method: p.error for p in found.points}
+    assert errors["stable"] < 3e-16 < 1e-10 < errors["naive"] < 1e-6
+    assert found.caption.startswith("Most accurate (error 2.2 × 10⁻¹⁶ or less): stable")
+
+
+def test_a_result_of_another_length_than_the_reference_is_refused():
+    with pytest.raises(ArgumentError, match="returns 2 numbers, exact has 3"):
+        compare({"short": lambda: (1.0, 2.0)}, (1.0, 2.0, 3.0))
+
+
+def test_the_caption_of_ways_follows_when_two_are_swapped():
+    told = ways_caption([Measured("a", 1e-6, 1e-16), Measured("b", 1e-5, 1e-16)])
+    assert "Of these a is the cheapest, 1 µs; next comes b, 10 times as long." in told
+    told = ways_caption([Measured("b", 1e-6, 1e-16), Measured("a", 1e-5, 1e-16)])
+    assert "Of these b is the cheapest, 1 µs; next comes a, 10 times as long." in told
+    told = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 1e-5, 1e-16)])
+    assert told == (
+        "Most accurate (error 2.2 × 10⁻¹⁶ or less): b, which takes 10 µs. "
+        "a takes 1 µs, 10 times faster, with an error of 0.001."
+    )
+
+
+def test_ways_of_equal_cost_are_called_so_and_the_dearer_are_named():
+    points = [Measured("a", 1e-6, 1e-16), Measured("b", 1.1e-6, 1e-16), Measured("c", 1e-5, 1e-6)]
+    told = ways_caption(points)
+    assert "Of these a and b cost about the same, least." in told
+    assert "Dearer and less accurate than a: c." in told

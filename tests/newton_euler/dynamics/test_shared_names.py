@@ -1,0 +1,143 @@
+"""Sums of forces, moments and energies whose terms share their names: every term counts."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from newton_euler import Couple, Force, ForceSystem, Frame, composite, kinetic_energy, moving
+from newton_euler.algebra.linear import solve_linear
+from newton_euler.bodies import particle
+from newton_euler.dynamics import (
+    acceleration_by,
+    angular_momentum,
+    audit,
+    equations_of_motion,
+    reaction,
+    relative_acceleration,
+)
+from tests.named_sums import NAMES, TRIPLES, by_any_names, check_terms, value
+
+LOADS = st.lists(st.tuples(NAMES, TRIPLES, TRIPLES | st.none()), min_size=1, max_size=5)
+
+
+def system(loads, ground):
+    """Forces at points, and a couple where there is no point."""
+    return [
+        Couple(ground.vector(*v), name)
+        if r is None
+        else Force(ground.vector(*v), ground.point("P", *r), name)
+        for name, v, r in loads
+    ]
+
+
+def added(parts, ground):
+    """The system of these parts as one, in pairs, nested to the left and to the right, and with
+    their order kept.
+    """
+    one = [ForceSystem([part], ground) for part in parts]
+    left = right = ForceSystem([], ground)
+    for first, last in zip(one, one[::-1], strict=True):
+        left, right = left + first, last + right
+    half = len(one) // 2
+    pairs = ForceSystem([ForceSystem(one[:half], ground), ForceSystem(one[half:], ground)], ground)
+    return ForceSystem(parts, ground), left, right, pairs
+
+
+@by_any_names
+@given(LOADS, TRIPLES)
+def test_resultant_and_moment_are_sums_over_all_forces_however_they_were_added(loads, about):
+    ground = Frame("ground")
+    O = ground.point("O", *about)
+    forces = [(name, np.array(v)) for name, v, r in loads if r is not None]
+    moments = [
+        np.array(v) if r is None else np.cross(np.subtract(r, about), v) for _, v, r in loads
+    ]
+    for s in added(system(loads, ground), ground):
+        check_terms(s.force, [v for _, v in forces], [name for name, _ in forces])
+        check_terms(s.moment(O), moments, [name for name, _, _ in loads])
+        assert len({line.partition(":")[0] for line in str(s).split("\n")}) == len(loads)
+
+
+@by_any_names
+@given(st.permutations([(1, 0, 0), (0, 2, 0), (0, 0, 4)]), NAMES)
+def test_a_ball_is_accelerated_by_every_force_on_it(vectors, name):
+    ground = Frame("ground")
+    loads = [ForceSystem([Force(ground.vector(*v), ground.origin, name)]) for v in vectors]
+
+    def laws(x, y, z):
+        G = ground.point("G", moving(0, 0, x), moving(0, 0, y), moving(0, 0, z))
+        ball = particle(2.0, G)
+        return equations_of_motion(ball, [loads[0] + loads[1], loads[2]], ground)[
+            "force on particle"
+        ]
+
+    assert tuple(solve_linear(laws)) == (0.5, 1.0, 2.0)
+
+
+def test_equations_of_two_bodies_of_one_name_are_both_kept():
+    ground = Frame("ground")
+    along, over = ground.i, ground.point("P", 1.0, 0, 0)
+
+    def laws(a, R):
+        first, second = (particle(m, ground.point("G", moving(0, 0, a), 0, 0)) for m in (1.0, 3.0))
+        return equations_of_motion(first, [(R * along, over)], ground) | equations_of_motion(
+            second, [(8.0 * along, over), (-R * along, over)], ground
+        )
+
+    found = solve_linear(laws)
+    assert (found.a, found.R) == (2.0, 2.0)
+
+
+@by_any_names
+@given(st.lists(st.tuples(NAMES, TRIPLES, TRIPLES), min_size=1, max_size=4))
+def test_kinetic_energy_and_angular_momentum_are_sums_over_all_bodies(bodies):
+    ground = Frame("ground")
+    parts = [particle(2.0, ground.point("P", *map(moving, r, v)), name) for name, r, v in bodies]
+    energies = [np.dot(v, v) for _, _, v in bodies]
+    check_terms(kinetic_energy(parts, ground), energies, [name for name, _, _ in bodies])
+    spin = sum(2 * np.cross(r, v) for _, r, v in bodies)
+    about = ground.point("O", 0, 0, 0)
+    total = sum(value(angular_momentum(p, ground, about)) for p in parts)
+    assert np.allclose(total, spin, atol=1e-12)
+
+
+def test_the_angular_momentum_of_a_composite_has_all_parts_of_one_name():
+    ground = Frame("ground")
+    body = ground.rotate("body", "z", rate=2.0)
+    whole = composite("whole", [particle(3.0, body.point("P", x, 0, 0)) for x in (1.0, 2.0)])
+    assert angular_momentum(whole, ground, body).z == pytest.approx(2 * 3 * (1 + 4))
+    assert kinetic_energy(whole, ground).value == pytest.approx(3 * (1 + 4) * 4 / 2)
+
+
+@pytest.mark.parametrize("name", ["inertia", "origin", "coriolis", "euler", "centrifugal"])
+def test_a_force_may_have_the_name_of_a_term_of_the_motion(name):
+    ground = Frame("ground")
+    disk = ground.rotate("disk", "z", rate=2.0, acceleration=1.0)
+    P = disk.point("P", moving(3.0, rate=1.0), 0, 0)
+    F = 5.0 * disk.i
+    R = reaction(2.0, P.acceleration(ground), **{name: F})
+    assert np.allclose(value(R), value(2.0 * P.acceleration(ground) - F))
+    assert np.allclose(value(sum(R.terms.values())), value(R))
+    a = relative_acceleration(2.0, P, ground, **{name: F})
+    assert np.allclose(value(a), value(relative_acceleration(2.0, P, ground, spring=F)))
+    assert np.allclose(value(sum(a.terms.values())), value(a))
+    check_terms(acceleration_by(2.0, **{name: F}), [value(F) / 2], [name])
+
+
+@by_any_names
+@given(st.dictionaries(NAMES, TRIPLES, max_size=4), st.dictionaries(NAMES, TRIPLES, max_size=4))
+def test_an_energy_balance_counts_every_potential_and_every_work(potentials, powers):
+    powers = {name: c for name, c in powers.items() if name not in potentials}
+    found = audit(
+        lambda t: 2.0 * t,
+        0.0,
+        2.0,
+        {name: (lambda t, c=c: c[0] + c[1] * t) for name, c in potentials.items()},
+        {name: (lambda t, c=c: c[0] + c[1] * t) for name, c in powers.items()},
+    )
+    change = 4.0 + sum(2 * c[1] for c in potentials.values())
+    work = sum(2 * c[0] + 2 * c[1] for c in powers.values())
+    assert float(found.energy) == pytest.approx(change, abs=1e-9)
+    assert float(found.residual) == pytest.approx(change - work, abs=1e-9)
+    assert float(found.heat()) == pytest.approx(-work, abs=1e-9)

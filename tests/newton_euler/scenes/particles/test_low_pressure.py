@@ -1,0 +1,83 @@
+"""Air near a low: its closed form, the sense of storms, and steady winds."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import at
+from newton_euler.applications import earth as e
+from newton_euler.scenes.particles.low_pressure import air_near_low
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def small(kind, scale=1):
+    return scale * (1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26)
+
+
+def low(kind, latitude="0.8"):
+    latitude, rate, push = numbers(kind, latitude, "0.00007", "0.00000001")
+    return air_near_low(latitude, push, rate=rate), numbers(kind, 1000, -2000, "1.5", "0.7")
+
+
+@every_kind
+@pytest.mark.parametrize("latitude", ["0.8", "-0.5"])
+def test_air_near_a_low_solves_its_equations_and_keeps_its_invariants(kind, latitude):
+    model, start = low(kind, latitude)
+    t = numbers(kind, 30000)
+    state = model.solution(t, start)
+    rates = [at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(4)]
+    assert close(rates, model.derivative(state), small(kind, 10))
+    assert close(model.solution(0 * t, start), start, small(kind, 1e3))
+    for name in model.invariants:
+        assert close(model.invariant(name, state), model.invariant(name, start), small(kind, 1e4))
+
+
+@pytest.mark.parametrize("latitude", [0.8, -0.8])
+def test_storms_turn_counterclockwise_in_the_north_and_clockwise_in_the_south(latitude):
+    """Air at rest is drawn in, and turned aside; with friction it spirals into the low."""
+    model = air_near_low(latitude, pressure_gradient=1e-8)
+    for t in np.linspace(1e3, 2e4, 5):
+        x, y, dx, dy = model.solution(t, (1e5, 0.0, 0.0, 0.0))
+        assert (x * dy - y * dx) * latitude > 0
+    rhs = air_near_low(latitude, pressure_gradient=1e-8, friction=2e-5).compiled_rhs()
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()), (0, 6e5), (1e5, 0.0, 0.0, 0.0), rtol=1e-10, atol=1e-6
+    )
+    x, y, dx, dy = run.y[:, -1]
+    assert math.hypot(x, y) < 1e4
+    assert np.all((run.y[0] * run.y[3] - run.y[1] * run.y[2])[1:] * latitude > 0)
+
+
+def test_free_air_runs_in_a_circle_clockwise_in_the_north():
+    v, latitude = 10.0, 0.8
+    model = air_near_low(latitude)
+    radius = v / e.coriolis_parameter(latitude)
+    centre = np.array([0.0, -radius])
+    period = 2 * math.pi * radius / v
+    for part in (0.25, 0.6, 1.0):
+        x, y, *_ = model.solution(part * period, (0.0, 0.0, v, 0.0))
+        assert math.dist((x, y), centre) == pytest.approx(radius, rel=1e-12)
+    x, y, *_ = model.solution(0.25 * period, (0.0, 0.0, v, 0.0))
+    assert (x, y) == pytest.approx((radius, -radius))
+
+
+@pytest.mark.parametrize("latitude", [0.8, -0.8])
+@pytest.mark.parametrize("G", [1e-3, 3e-3, -1e-3])
+def test_steady_wind_on_a_circle(latitude, G):
+    """At this speed the equations of motion give the acceleration v^2/r toward the centre; on a
+    large circle it is the geostrophic wind.
+    """
+    radius = 5e5
+    v = e.gradient_wind(G, radius, latitude)
+    sense = math.copysign(1, latitude)
+    model = air_near_low(latitude, pressure_gradient=G / radius)
+    assert close(model.derivative((radius, 0.0, 0.0, sense * v))[2:], (-(v**2) / radius, 0), 1e-15)
+    assert math.copysign(1, v) == math.copysign(1, G)
+    geostrophic = G / abs(e.coriolis_parameter(latitude))
+    assert e.gradient_wind(G, 1e12, latitude) == pytest.approx(geostrophic, rel=1e-3)
+    assert abs(e.gradient_wind(abs(G), radius, latitude)) < abs(geostrophic)

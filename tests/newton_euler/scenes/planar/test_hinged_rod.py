@@ -1,0 +1,62 @@
+"""Section 10.7: a body hinged to a turning shaft, on both sides of the rate at which it swings out."""
+
+import math
+
+import mpmath as mp
+import pytest
+
+from newton_euler import Frame
+from newton_euler.applications.gyroscopes import (
+    GyroError,
+    steady_precession,
+)
+from newton_euler.bodies.inertia import Inertia
+from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, rod, stiffness, swing_out
+
+
+def test_section_10_7_rod_on_a_turning_shaft():
+    data = rod(3.0, 2.0, 4.0, 9.81)
+    theta = swing_out(**data)
+    assert math.cos(theta) == pytest.approx(3 * 9.81 / (2 * 16.0 * 2.0), rel=1e-15)
+    assert least_rate(**data) == pytest.approx(math.sqrt(3 * 9.81 / 4.0), rel=1e-15)
+    assert hinged(**data).derivative((theta, 0.0))[1] == pytest.approx(0, abs=1e-14)
+    # (10.31) with r = -L/2, I = 0, k up along the rod
+    found = steady_precession(4.0, 0, theta, spin=0, mgr=-3.0 * 9.81 * 1.0)
+    assert abs(found.slow) == pytest.approx(4.0, rel=1e-14)
+
+
+@pytest.mark.parametrize(("part", "swings_out"), [(0.999, False), (1.001, True)])
+def test_section_10_7_on_both_sides_of_the_least_rate(part, swings_out):
+    data = rod(3.0, 2.0, part * least_rate(**rod(3.0, 2.0, 1.0, 9.81)), 9.81)
+    assert (stiffness(0.0, **data) < 0) == swings_out
+    if swings_out:
+        theta = swing_out(**data)
+        assert stiffness(theta, **data) == pytest.approx(
+            (data["omega"] * math.sin(theta)) ** 2, rel=1e-9
+        )
+    else:
+        with pytest.raises(GyroError, match="hangs straight down; it swings out above"):
+            swing_out(**data)
+
+
+def test_section_10_7_stiffness_is_the_slope_of_the_model():
+    data = rod(*(mp.mpf(x) for x in ("3", "2", "4", "9.81")))
+    theta = swing_out(**data)
+    slope = mp.diff(lambda x: hinged(**data).derivative((x, 0))[1], theta)
+    assert abs(slope + stiffness(theta, **data)) < mp.mpf(10) ** -12
+
+
+def test_exercise_9_9_ring_on_a_turning_shaft():
+    a, omega, g, m = 0.5, 8.0, 9.81, 2.0
+    body = Frame("ring")
+    about = Inertia(
+        body.origin, (m * a * a / 2, m * a * a, m * a * a / 2), mass=m, centre=body.origin
+    ).about(body.point("A", 0, 0, a))
+    data = {
+        "weight_moment": m * g * a,
+        "inertia_difference": about.moments[1] - about.moments[2],
+        "omega": omega,
+        "about_hinge": about.moments[0],
+    }
+    assert math.cos(swing_out(**data)) == pytest.approx(2 * g / (3 * a * omega**2), rel=1e-14)
+    assert least_rate(**data) == pytest.approx(math.sqrt(2 * g / (3 * a)), rel=1e-14)

@@ -1,0 +1,35 @@
+"""What stands in the repository: nothing by accident."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+AT_THE_ROOT = {
+    "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "README.md", "pyproject.toml",
+    "chapters", "exercises", "grader", "newton_euler", "tests", "website",
+    ".ci", ".gitignore", ".pre-commit-config.yaml",
+}  # fmt: skip
+KINDS = {
+    ".css", ".html", ".in", ".ipynb", ".j2", ".js", ".json", ".md", ".py", ".pyi", ".svg",
+    ".toml", ".txt", ".typed", ".yaml", "",
+}  # fmt: skip
+
+
+def tracked():
+    """The paths that git tracks; skips the test outside of a checkout."""
+    done = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True)
+    if done.returncode:
+        pytest.skip("not a checkout")
+    return [Path(name) for name in done.stdout.split("\0") if name]
+
+
+def test_nothing_stands_at_the_root_that_is_not_listed():
+    assert {path.parts[0] for path in tracked()} - AT_THE_ROOT == set()
+
+
+def test_file_names_are_plain_and_of_known_kinds():
+    for path in tracked():
+        assert not any(part.startswith("-") or part != part.strip() for part in path.parts), path
+        assert path.suffix in KINDS, path
