@@ -15,7 +15,7 @@ from .causes import DIRECTION, NEAR, Cause
 from .fit import Fit
 from .notation import list_symbol, matrix_symbol
 from .reading import Budget, are_one_vector, formulas, numbers
-from .slips import PURE, Models, factors, of_interval, of_matrix, of_vector
+from .slips import PURE, Models, exchanged, factors, of_interval, of_matrix, of_vector
 from .sympy_formulas import read_formula
 from .tolerance import (
     COMPONENT,
@@ -25,6 +25,7 @@ from .tolerance import (
     NOISE,
     RTOL,
     SAME_SIZE,
+    Point,
     Points,
     distance,
     formula_is_near,
@@ -128,6 +129,10 @@ class Kind:
     def like(self, points: Points, others: Points) -> Points:
         """Of all points that mean the same answer, those nearest to ``others``."""
         return points
+
+    def sealed(self, point: Point) -> list[Point]:
+        """All points by which a seal may be opened; the first is the one that is sealed."""
+        return [point]
 
     # -- hints
 
@@ -281,11 +286,16 @@ class Direction(VectorKind):
     def like(self, points, others):
         return tuple(map(_along, points, others))
 
-    def normal(self, points):
-        return self.like(points, tuple((1.0, 0.0, 0.0) for _ in points))
+    def sealed(self, point):
+        return [_along(point, unit) for unit in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0))]
 
     def factors(self, unit):
         return {}  # its length says nothing
+
+    def slips(self, fit):
+        yield from of_vector(fit)
+        other_sense = tuple(tuple(-x for x in point) for point in fit.key)
+        yield from exchanged(Fit(fit.given, other_sense, fit.rtol))
 
     def observed(self, given, key):
         return Kind.observed(self, given, key)

@@ -32,6 +32,7 @@ def seal(
     salt = os.urandom(8).hex()
     if isinstance(numbers, (str, int)):
         return {"salt": salt, "hashes": [_hash(salt, 0, numbers)]}
+    numbers = kind.sealed(tuple(numbers))[0]
     size = math.hypot(*numbers)
     exponent = round(math.log2(size)) if size > ZERO else None
     width = _width(kind, exponent)
@@ -45,12 +46,16 @@ def opens(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> bool:
     """True if an answer, as it was read, is the one that was sealed: to 0.5 % of its size and a
     little more, formulas to 0.0005 %.
     """
-    salt, hashes = sealed["salt"], sealed["hashes"]
     if kind.is_word:
-        return bool(_hash(salt, 0, tree) == hashes[0])
+        return bool(_hash(sealed["salt"], 0, tree) == sealed["hashes"][0])
     if isinstance(tree, dict):  # components in several frames
         return any(opens(sealed, kind, part) for part in tree.values())
-    numbers = [float(evaluate(t, sealed.get("at", {}))) for t in kind.parts(tree)]
+    point = tuple(float(evaluate(t, sealed.get("at", {}))) for t in kind.parts(tree))
+    return any(_opens(sealed, kind, numbers) for numbers in kind.sealed(point))
+
+
+def _opens(sealed, kind, numbers):
+    salt, hashes = sealed["salt"], sealed["hashes"]
     width, size = _width(kind, sealed["size"]), math.hypot(*numbers)
     if not width:
         return size <= 1e3 * ZERO

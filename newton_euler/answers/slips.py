@@ -82,7 +82,7 @@ def of_vector(fit: Fit) -> Models:
     """The key with components reversed, left out or exchanged, as the first point suggests."""
     if fit.index is not None:
         yield from _signs(fit)
-        yield from _orders(fit)
+        yield from exchanged(fit)
 
 
 def _signs(fit):
@@ -105,8 +105,8 @@ def _signed(signs, points):
     return tuple(tuple(s * x for s, x in zip(signs, p, strict=True)) for p in points)
 
 
-def _orders(fit):
-    """Two components exchanged, or all three."""
+def exchanged(fit: Fit) -> Models:
+    """Two components of a vector exchanged, or all three."""
     given, key, size = fit.first
     near = fit.rtol * size + fit.rounding
     if abs(sum(given) - sum(key)) > 3 * near:

@@ -13,11 +13,12 @@ from exercises import problem
 from exercises.catalogue import Answer, Given, variants
 from exercises.catalogue.checks import alike, check
 from newton_euler import atan, pi, sin, sqrt
+from newton_euler.answers.kinds import KINDS
 
 EMPTY = replace(
     problem("4/16"), id="7/28", givens={}, symbols={}, mistakes={}, struck={}, checked={}
 )
-LENGTH = Answer("x", "number", "m", "a length")
+LENGTH = Answer("x", KINDS["number"], "m", "a length")
 RADIUS = Given("r", 0.3, "m", "radius", (0.2, 0.4))
 
 
@@ -40,7 +41,7 @@ def problem_with(monkeypatch):
 
 
 def cone(solve, prove, problem_with):
-    answers = (Answer("alpha", "number", "deg", "half angle of the cone"),)
+    answers = (Answer("alpha", KINDS["number"], "deg", "half angle of the cone"),)
     return problem_with(
         lambda g: {"alpha": solve(g)}, lambda g: {"alpha": prove(g)}, answers=answers
     )

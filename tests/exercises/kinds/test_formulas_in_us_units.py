@@ -13,6 +13,7 @@ from exercises.catalogue import Answer, Symbol, variants
 from exercises.catalogue.checks import check
 from newton_euler import Frame, cos, sin, sqrt
 from newton_euler.algebra.units import SI, US, Dimension, Unit, UnitError
+from newton_euler.answers.kinds import KINDS
 
 
 def symbols(**units):
@@ -48,7 +49,7 @@ def jump(g):
 
 
 def test_a_formula_in_feet_and_seconds_has_no_factors_of_metres(problem_with):
-    answers = [Answer("v_min", "expression", "ft/s", "speed")]
+    answers = [Answer("v_min", KINDS["expression"], "ft/s", "speed")]
     p = problem_with(jump, WHEEL, answers)
     s = p.sympy_symbols()
     assert p.formulas()["v_min"] == sqrt(
@@ -61,7 +62,10 @@ def test_inches_and_ounces_keep_their_factors_of_feet_and_pounds(problem_with):
     def solve(g):
         return {"F": g.W * g.r / g.e, "alpha": g.W * g.r / (g.m * g.r**2)}
 
-    answers = [Answer("F", "expression", "lb", ""), Answer("alpha", "expression", "rad/s^2", "")]
+    answers = [
+        Answer("F", KINDS["expression"], "lb", ""),
+        Answer("alpha", KINDS["expression"], "rad/s^2", ""),
+    ]
     p = problem_with(solve, {"W": "oz", "r": "in", "e": "ft", "m": "slug"}, answers)
     s = p.sympy_symbols()
     found = p.formulas()
@@ -70,7 +74,7 @@ def test_inches_and_ounces_keep_their_factors_of_feet_and_pounds(problem_with):
 
 
 def test_givens_in_numbers_are_the_same_in_either_system(problem_with):
-    answers = [Answer("v_min", "expression", "ft/s", "speed")]
+    answers = [Answer("v_min", KINDS["expression"], "ft/s", "speed")]
     p = problem_with(jump, WHEEL, answers)
     metric = problem_with(jump, {**WHEEL, "r": "m"}, answers)
     assert (p.system, metric.system) == (US, SI)
@@ -85,7 +89,7 @@ def test_symbols_are_positive_where_their_range_is(problem_with):
     p = problem_with(
         lambda g: {"d": sqrt(g.r**2) + sqrt(g.x**2)},
         {"r": "m", "x": "m"},
-        [Answer("d", "expression", "m", "")],
+        [Answer("d", KINDS["expression"], "m", "")],
     )
     r, x = sympy.Symbol("r", positive=True), sympy.Symbol("x", real=True)
     assert p.formulas()["d"] == r + abs(x)
@@ -97,7 +101,10 @@ def test_components_that_vanish_are_dropped(problem_with):
         nothing = sin(g.theta) ** 2 + cos(g.theta) ** 2 - 1
         return {"a": ground.vector(g.r, g.r * nothing, 0), "b": g.r * nothing}
 
-    answers = [Answer("a", "vector_expression", "m", ""), Answer("b", "expression", "m", "")]
+    answers = [
+        Answer("a", KINDS["vector_expression"], "m", ""),
+        Answer("b", KINDS["expression"], "m", ""),
+    ]
     p = problem_with(solve, {"r": "m", "theta": "rad"}, answers)
     found = p.formulas()
     assert list(found["a"]) == [p.sympy_symbols()["r"], 0, 0]

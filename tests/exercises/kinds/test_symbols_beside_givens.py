@@ -15,8 +15,9 @@ from exercises.catalogue.format import read_problem
 from exercises.catalogue.variants import apart, at_points, draw, objection
 from grader.scoring import score_receipt
 from newton_euler import sin, sqrt
+from newton_euler.answers.kinds import KINDS
 
-HEIGHT = Answer("h", "expression", "m", "height at the time t")
+HEIGHT = Answer("h", KINDS["expression"], "m", "height at the time t")
 P = replace(
     problem("4/16"),
     id="3/1",
@@ -136,7 +137,7 @@ def at_thirty(made, same):
             "beta": Given("beta", 30, "deg", "slope", (20, 70)),
         },
         symbols={},
-        answers=(replace(HEIGHT, kind="number"),),
+        answers=(replace(HEIGHT, kind=KINDS["number"]),),
         same_in_book=frozenset(same),
     )
 

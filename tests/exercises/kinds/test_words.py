@@ -15,10 +15,11 @@ from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
 from newton_euler import where
 from newton_euler.answers.causes import OR
+from newton_euler.answers.kinds import KINDS
 
-SENSE = Answer("sense", "choice", "1", "whether it rises", ("rises", "falls", "rests"))
-DOF = Answer("dof", "count", "1", "degrees of freedom")
-SPEED = Answer("v", "number", "m/s", "speed upward")
+SENSE = Answer("sense", KINDS["choice"], "1", "whether it rises", ("rises", "falls", "rests"))
+DOF = Answer("dof", KINDS["count"], "1", "degrees of freedom")
+SPEED = Answer("v", KINDS["number"], "m/s", "speed upward")
 BLANK = replace(
     problem("4/16"), id="2/8", givens={}, symbols={}, mistakes={}, struck={}, checked={}, figure=""
 )
@@ -95,7 +96,7 @@ def test_of_an_array_of_instants_each_has_its_word(made):
 def test_a_word_is_chosen_where_symbols_have_no_number(made):
     p = made(
         lambda g: {"sense": sense(g.a), "v": g.a * g.t},
-        answers=(SENSE, replace(SPEED, kind="expression")),
+        answers=(SENSE, replace(SPEED, kind=KINDS["expression"])),
         symbols={"a": Symbol("a", "m/s^2", (1, 2)), "t": Symbol("t", "s", (1, 2))},
     )
     assert p.formulas()["sense"] == "rises"

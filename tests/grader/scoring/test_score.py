@@ -148,7 +148,11 @@ def test_counts_and_words_have_one_way_to_be_right(monkeypatch, state, freedom, 
 
 def test_a_listed_wrong_word_or_count_is_told_and_another_is_not(monkeypatch):
     wrong = [
-        ("state", listed("sign", "takes the sign of the stiffness the other way"), (("unstable",),)),
+        (
+            "state",
+            listed("sign", "takes the sign of the stiffness the other way"),
+            (("unstable",),),
+        ),
         ("freedom", listed("pin", "counts the pin as rigid"), ((2,),)),
         ("freedom", listed("rod", "forgets that the rod turns about itself"), ((2,),)),
     ]
