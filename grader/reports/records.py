@@ -6,6 +6,8 @@ import json
 from collections import Counter
 from dataclasses import dataclass
 
+from newton_euler.answers import Cause
+
 from ..assignment.released import released_notebooks
 from ..assignment.sheet import tasks
 from ..course import CourseError
@@ -23,6 +25,7 @@ class Entry:
     verdict: str
     message: str = ""
     diagnosis: str | None = None
+    causes: tuple[Cause, ...] = ()
 
 
 def entries(course, assignment):
@@ -79,7 +82,8 @@ def questions(course, assignment, parts):
 
 
 def _known(part):
-    return {k: v for k, v in part.items() if k in Entry.__dataclass_fields__}
+    known = {k: v for k, v in part.items() if k in Entry.__dataclass_fields__}
+    return known | {"causes": tuple(Cause(*c) for c in part.get("causes", ()))}
 
 
 @dataclass(frozen=True)
