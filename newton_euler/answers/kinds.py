@@ -6,13 +6,14 @@ and hinted at. Everything else asks it, so that a new kind is a class here.
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.vectors import Vector
 from .causes import DIRECTION, NEAR, Cause
 from .fit import Fit
+from .messages import Stated
 from .notation import list_symbol, matrix_symbol
 from .reading import Budget, are_one_vector, formulas, numbers
 from .slips import PURE, Models, exchanged, factors, of_interval, of_matrix, of_vector
@@ -33,9 +34,6 @@ from .tolerance import (
 )
 from .trees import TreeError
 from .values import components, read_number
-
-if TYPE_CHECKING:
-    from .forms import Form
 
 FRAMES = 4  # in which a vector is read: its own, the ground, and two between
 
@@ -75,7 +73,7 @@ class Kind:
 
     # -- reading
 
-    def read(self, value: Any, form: "Form", symbols: Mapping[str, str], budget: Budget) -> Any:
+    def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> Any:
         """The JSON of an answer that a student computed by any library: a number, a formula tree,
         or a list of them. Raises :class:`~.messages.AnswerError`.
 
@@ -97,7 +95,7 @@ class Kind:
         return tree if self.length > 1 else [tree]
 
     def readings(
-        self, tree: Any, form: "Form", symbols: Mapping[str, Any], budget: Budget
+        self, tree: Any, form: Stated, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
         """What an answer in JSON may mean: several answers of a vector that is given in several
         frames, none of something that is not of this kind. Raises :class:`~.trees.TreeError`.

@@ -2,7 +2,7 @@
 
 import reprlib
 import textwrap
-from typing import Any
+from typing import Any, Protocol
 
 from ..algebra.errors import NewtonEulerError
 
@@ -14,6 +14,20 @@ class AnswerError(NewtonEulerError, ValueError):
         """What IPython shows: the message alone, in lines that nbgrader's Validate does not cut."""
         lines = f"AnswerError: {self}".splitlines()
         return [textwrap.fill(line, 70) for line in lines]
+
+
+class Stated(Protocol):
+    """The form in which an answer is asked for, as far as reading needs it: the unit, the words to
+    choose from, and the error of an answer that does not have this form.
+    """
+
+    @property
+    def unit(self) -> str: ...
+    @property
+    def of(self) -> tuple[str, ...]: ...
+    @property
+    def words(self) -> str: ...
+    def error(self, fault: str) -> AnswerError: ...
 
 
 _bounded = reprlib.Repr()
