@@ -34,7 +34,7 @@ class PracticeError(CourseError):
 
 
 @dataclass(frozen=True)
-class Left:
+class LeftOut:
     """A problem that is not in the file, and why."""
 
     problem: str
@@ -42,7 +42,7 @@ class Left:
 
 
 def write_practice(path, problems, count=10, help="solution", graded=None, workers=None, done=None):
-    """Write the practice file of ``problems``; returns the :class:`Left` ones.
+    """Write the practice file of ``problems``; returns the :class:`LeftOut` ones.
 
     count : how many sets of numbers each has, the book's among them
     help : the most that a student is shown: one of ``HELP``
@@ -56,7 +56,7 @@ def write_practice(path, problems, count=10, help="solution", graded=None, worke
     jobs = [(p.id, count, help, graded.get(p.id)) for p in problems]
     with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
         for found in pool.map(_packed, jobs):
-            if isinstance(found, Left):
+            if isinstance(found, LeftOut):
                 left.append(found)
             else:
                 pages.append(found)
@@ -84,21 +84,22 @@ def _write(path, pages, help):
 
 
 def _packed(job):
-    """(page, figures) of a problem, or why it is :class:`Left`."""
+    """(page, figures) of a problem, or why it is :class:`LeftOut`."""
     return page_of(*job)
 
 
 def page_of(name, count, help, graded=None, draw=figure_png):
-    """(page, figures) of the problem of this number, or why it is :class:`Left`; ``graded`` are the
-    numbers that students have of it, None where it is in no course.
+    """(page, figures) of the problem of this number, or why it is :class:`LeftOut`.
+
+    graded : the numbers that students have of it, None where it is in no course
     """
     p = twin(problem(name))
     sets = sets_of_numbers(p, count, graded or ())
     computed = [quantities(p, values) for values in sets]
     if graded is not None and (same := _same_for_all(p, computed)):
-        return Left(name, f"its {' and '.join(same)} would tell a graded answer")
+        return LeftOut(name, f"its {' and '.join(same)} would give away a graded answer")
     if not sets:
-        return Left(name, "all its numbers are graded ones")
+        return LeftOut(name, "all its numbers are graded ones")
     figures, variants = {}, []
     for values, (described, right) in zip(sets, computed, strict=True):
         variants.append(_variant(p, values, described, right, help))

@@ -23,7 +23,7 @@ from newton_euler.answers.tolerance import is_apart
 from newton_euler.classroom.practising.problems import PracticeProblem
 from newton_euler.classroom.practising.progress import Progress
 
-from .build import Left, page_of
+from .build import LeftOut, page_of
 from .quantities import NOISE
 
 LISTED, SLIPS, RANDOM = "listed mistakes", "slips in steps", "random numbers"
@@ -52,7 +52,7 @@ def practice_shares(problems, variants, progress=None):
 def _measured(name, variants):
     found, times = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}, []
     page = page_of(name, variants, "solution", draw=_no_figure)
-    for n in range(0 if isinstance(page, Left) else len(page[0]["variants"])):
+    for n in range(0 if isinstance(page, LeftOut) else len(page[0]["variants"])):
         _measure(page[0], n, found, times)
     return found, times
 
@@ -138,7 +138,7 @@ def _equal(x, other):
 
 def slips(kind, right):
     """[(cause, numbers)] of slips that are made anywhere: signs, components exchanged or left out.
-    Those that do not differ from the key are none.
+    Those that do not differ from the key are left out.
     """
     found = [(OPPOSITE, [-x for x in right])]
     size = math.hypot(*right)

@@ -72,7 +72,7 @@ def _numbers(x, kind):
 
 
 def wrong_numbers(p, values, described, right):
-    """[(key, cause, numbers)] of the wrong models of all quantities that can be told from the
+    """[(key, cause, numbers)] of the wrong models of all quantities that differ from the
     right ones.
     """
     g = p.base(values)
@@ -85,7 +85,9 @@ def wrong_numbers(p, values, described, right):
             with contextlib.suppress(ArithmeticError, ValueError):
                 found += general_models(p, g, compute(g), compute)
     kinds = {q["key"]: KINDS[q["kind"]] for q in described}
-    return [(key, cause, _short(x)) for key, cause, x in found if _tells(kinds[key], x, right[key])]
+    return [
+        (key, cause, _short(x)) for key, cause, x in found if _differs(kinds[key], x, right[key])
+    ]
 
 
 def _listed(p, values):
@@ -125,7 +127,7 @@ def _steps_of(p):
     return compute
 
 
-def _tells(kind, x, right):
+def _differs(kind, x, right):
     """True if a model has numbers, and others than the key."""
     if kind.is_word:
         return isinstance(x, (str, int)) and x != right

@@ -1,5 +1,5 @@
 """A problem with numbers in place of its symbols: what is practised is computed, and a formula that
-is asked for in an assignment is not told.
+is asked for in an assignment is not given away.
 """
 
 from dataclasses import replace

@@ -189,7 +189,7 @@ def _run_wrong(problem, sample):
     for values in (sample, _as_arrays(sample)):
         with contextlib.suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
             return _wrong_at(problem, values)
-    return [], []  # some wrong model has no value, not even nan: none is told
+    return [], []  # some wrong model has no value, not even nan: none is compared
 
 
 def _wrong_at(problem, values):

@@ -5,16 +5,7 @@ problem (a term left out or turned, degrees for radians, axes of another frame).
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.causes import (
-    CORIOLIS_HALVED,
-    listed,
-    other_axes,
-    rate,
-    term_left_out,
-    term_reversed,
-    turned_the_wrong_way,
-    unconverted,
-)
+from newton_euler.answers import causes
 
 
 def wrong_models(problem, values):
@@ -26,7 +17,7 @@ def wrong_models(problem, values):
     found = []
     for name, answers in problem.code.mistakes(g).items():
         for key, x in problem.in_units(answers).items():
-            found.append((key, listed(name, problem.mistakes[name]), flat(x)))
+            found.append((key, causes.listed(name, problem.mistakes[name]), flat(x)))
     found += general_models(problem, g, right, lambda g: problem.in_units(problem.code.solve(g)))
     return [model for model in found if not problem.answer(model[0]).kind.is_word]
 
@@ -51,26 +42,26 @@ def _terms(right, problem):
     """
     for name in right.terms or ():
         term = term_text(name, right.equation, problem)
-        yield term_left_out(name, term), right.reweighted(**{name: 0})
-        yield term_reversed(name, term), right.reweighted(**{name: -1})
+        yield causes.term_left_out(name, term), right.reweighted(**{name: 0})
+        yield causes.term_reversed(name, term), right.reweighted(**{name: -1})
     # spherical components have three of them
     halved = {name: 0.5 for name in right.terms or () if name.startswith("coriolis")}
     if halved:
-        yield CORIOLIS_HALVED, right.reweighted(**halved)
+        yield causes.CORIOLIS_HALVED, right.reweighted(**halved)
 
 
 def _rates(right):
     """The rates of turning whose sum is an angular velocity."""
     if right.terms and right.equation.kind == "angular velocity":
         for name, term in right.terms.items():
-            yield rate(name), term.expressed_in(right.frame)
+            yield causes.rate(name), term.expressed_in(right.frame)
 
 
 def _units(problem, g):
     """Givens used with their number in degrees or revolutions, without conversion."""
     for name, quantity in problem.givens.items():
         if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
-            yield unconverted(name, quantity.unit), {name: g.stated(name)}
+            yield causes.unconverted(name, quantity.unit), {name: g.stated(name)}
 
 
 def _frames(right, problem):
@@ -78,7 +69,10 @@ def _frames(right, problem):
     for place, frame in enumerate(right.frame.tree):
         if frame is right.frame:
             continue
-        said = named_in_text(frame.name, problem) and not frame.name.startswith("about ")
-        name = body_text(frame.name) if said else "another frame"
-        yield other_axes(place, name), right.components(frame)
-        yield turned_the_wrong_way(place, name), Vector(right.c, frame).components(right.frame)
+        known = named_in_text(frame.name, problem) and not frame.name.startswith("about ")
+        name = body_text(frame.name) if known else "another frame"
+        yield causes.other_axes(place, name), right.components(frame)
+        yield (
+            causes.turned_the_wrong_way(place, name),
+            Vector(right.c, frame).components(right.frame),
+        )

@@ -18,7 +18,7 @@ class Cause:
 
     group : listed (a mistake of the problem's own list), term, unit, axes or turned (of another
         frame), rate, book, factor, slip, both (two listed ones at once), follows (from an earlier
-        answer), seen (what can be observed without an explanation)
+        answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
     text : its words
     """
@@ -29,7 +29,7 @@ class Cause:
 
     @property
     def is_observation(self) -> bool:
-        """True where something can be said of the answer, but no mistake explains it."""
+        """True of a remark on an answer that no mistake explains."""
         return self.group == "seen"
 
     @property

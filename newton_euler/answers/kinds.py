@@ -11,27 +11,14 @@ from typing import Any, ClassVar
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.vectors import Vector
+from . import slips, tolerance
 from .causes import DIRECTION, NEAR, Cause
 from .fit import Fit
 from .messages import Stated
 from .notation import list_symbol, matrix_symbol
 from .reading import Budget, are_one_vector, formulas, numbers
-from .slips import PURE, Models, exchanged, factors, of_interval, of_matrix, of_vector
 from .sympy_formulas import read_formula
-from .tolerance import (
-    COMPONENT,
-    FORMULA_RTOL,
-    MAJORITY,
-    NEARLY,
-    NOISE,
-    RTOL,
-    SAME_SIZE,
-    Point,
-    Points,
-    distance,
-    formula_is_near,
-    is_near,
-)
+from .tolerance import Point, Points, distance, formula_is_near, is_near
 from .trees import TreeError
 from .values import components, read_number
 
@@ -48,7 +35,7 @@ class Kind:
     name: ClassVar[str]
     words: ClassVar[str]  # for a reader
     length: ClassVar[int] = 1  # number of components
-    rtol: ClassVar[float] = RTOL
+    rtol: ClassVar[float] = tolerance.RTOL
     is_word: ClassVar[bool] = False  # without unit, size and components
     is_formula: ClassVar[bool] = False  # in the symbols of the problem
     is_vector: ClassVar[bool] = False  # has components along axes
@@ -136,16 +123,16 @@ class Kind:
 
     def factors(self, unit: str) -> Mapping[str, float]:
         """{words: factor} of the units that the answer may be in by mistake."""
-        return factors(unit)
+        return slips.factors(unit)
 
-    def slips(self, fit: Fit) -> Models:
+    def slips(self, fit: Fit) -> slips.Models:
         """The key with components turned, exchanged or left out: [(cause, points)]."""
         return iter(())
 
     def observed(self, given: Points, key: Points) -> Cause | None:
-        """What can be said of a wrong answer that no mistake explains."""
+        """A remark on a wrong answer that no mistake explains, or None."""
         size = math.hypot(*key[0])
-        return NEAR if size and math.dist(given[0], key[0]) <= NEARLY * size else None
+        return NEAR if size and math.dist(given[0], key[0]) <= tolerance.NEARLY * size else None
 
     # -- other numbers
 
@@ -158,7 +145,7 @@ class Kind:
                 return f"= {x}"
             whole = math.hypot(*x)
             for share in (abs(part) / whole for part in x if whole):
-                if NOISE < share < COMPONENT:
+                if tolerance.NOISE < share < tolerance.COMPONENT:
                     return f"with a component of {share:.1e} of the whole"
         return None
 
@@ -232,14 +219,14 @@ class VectorKind(Kind):
         return found
 
     def slips(self, fit):
-        return of_vector(fit)
+        return slips.of_vector(fit)
 
     def observed(self, given, key):
         if seen := super().observed(given, key):
             return seen
         fit, size = Fit(given, key, self.rtol), math.hypot(*key[0])
         off = abs(math.hypot(*given[0]) - size)
-        return DIRECTION if size and off <= max(SAME_SIZE * size, fit.rounding) else None
+        return DIRECTION if size and off <= max(tolerance.SAME_SIZE * size, fit.rounding) else None
 
 
 def _chain(frame):
@@ -291,9 +278,9 @@ class Direction(VectorKind):
         return {}  # its length says nothing
 
     def slips(self, fit):
-        yield from of_vector(fit)
+        yield from slips.of_vector(fit)
         other_sense = tuple(tuple(-x for x in point) for point in fit.key)
-        yield from exchanged(Fit(fit.given, other_sense, fit.rtol))
+        yield from slips.exchanged(Fit(fit.given, other_sense, fit.rtol))
 
     def observed(self, given, key):
         return Kind.observed(self, given, key)
@@ -316,7 +303,7 @@ class Matrix(Kind):
     length = 9
 
     def slips(self, fit):
-        return of_matrix(fit)
+        return slips.of_matrix(fit)
 
     def nested(self, parts):
         return [list(parts[n : n + 3]) for n in (0, 3, 6)]
@@ -338,13 +325,13 @@ class Interval(Kind):
         return all(is_near((x,), (k,), atol) for x, k in zip(given[0], key[0], strict=True))
 
     def slips(self, fit):
-        return of_interval(fit)
+        return slips.of_interval(fit)
 
 
 class _Formula(Kind):
     """Formulas in the symbols of the problem, which are exact whatever their values."""
 
-    rtol = FORMULA_RTOL
+    rtol = tolerance.FORMULA_RTOL
     is_formula = True
     has_size = False
 
@@ -358,14 +345,18 @@ class _Formula(Kind):
         return formula_is_near(given, key, atol)
 
     def factors(self, unit):
-        return PURE  # a formula is in no unit
+        return slips.PURE  # a formula is in no unit
 
     def observed(self, given, key):
         return None
 
     def unfit(self, points):
         real = sum(math.isfinite(math.hypot(*x)) for x in points)
-        return None if real >= MAJORITY * len(points) else "= nan at most points of its symbols"
+        return (
+            None
+            if real >= tolerance.MAJORITY * len(points)
+            else "= nan at most points of its symbols"
+        )
 
     def change(self, moved, points):
         return 0.0

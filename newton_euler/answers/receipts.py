@@ -85,7 +85,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
             "configuration; use its nbgrader_config.py, or python -m grader grade"
         )
     others = {key for forms, *_ in _expected.values() for key in forms}
-    sealed = {} if execution else seals.get(problem, {})  # it is slow, and grading needs it not
+    sealed = {} if execution else seals.get(problem, {})  # slow, and not needed in grading
     verdicts = {
         key: opens(seal, forms[key].kind, read[key])
         for key, seal in sealed.items()
@@ -188,8 +188,8 @@ class Receipt:
         blank = _blank(self.forms, self._given)
         remarks = "Form checked only; the key is not here."
         if self.verdicts:
-            told = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
-            remarks = f"{'; '.join(told)}."
+            stated = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
+            remarks = f"{'; '.join(stated)}."
         return remarks + (f" Still open: {blank}." if blank else "")
 
 
@@ -211,7 +211,7 @@ def record(
             read[key] = None if value is None else form.kind.read(value, form, symbols, budget)
         except AnswerError as error:
             faults[key], budget[0] = str(error), left
-        # objects of any library may fail in any way; the student is told, the rest goes on
+        # objects of any library may fail in any way: that answer is refused, the others are read
         except Exception as error:
             fault = form.error(f"the value given cannot be read: {type(error).__name__}: {error}")
             faults[key], budget[0] = str(fault)[:500], left

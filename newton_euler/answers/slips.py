@@ -9,19 +9,8 @@ from functools import cache
 from itertools import combinations
 
 from ..algebra.units import unit
-from .causes import (
-    AS_SCALARS,
-    BOUNDS,
-    OFF_DIAGONAL,
-    OPPOSITE,
-    OPPOSITE_NUMBER,
-    TRANSPOSED,
-    Cause,
-    exchanged_components,
-    left_out_component,
-    multiplied,
-    reversed_components,
-)
+from . import causes
+from .causes import Cause
 from .fit import Fit, written
 from .tolerance import NOISE, NUMBER_RTOL, Points
 
@@ -55,12 +44,12 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
     given, key, size = fit.first
     ratio = math.hypot(*given) / (size or math.inf)
     if 0.9 < ratio < 1.1:
-        yield OPPOSITE if len(key) > 1 else OPPOSITE_NUMBER, _times(-1.0, fit.key)
+        yield causes.OPPOSITE if len(key) > 1 else causes.OPPOSITE_NUMBER, _times(-1.0, fit.key)
     for words, factor in found.items():
         if 0.9 * factor < ratio < 1.1 * factor:
-            yield multiplied(words, factor, True), _times(factor, fit.key)
+            yield causes.multiplied(words, factor, True), _times(factor, fit.key)
         if 0.9 / factor < ratio < 1.1 / factor:
-            yield multiplied(words, factor, False), _times(1 / factor, fit.key)
+            yield causes.multiplied(words, factor, False), _times(1 / factor, fit.key)
 
 
 def _times(factor, points):
@@ -69,13 +58,13 @@ def _times(factor, points):
 
 def of_matrix(fit: Fit) -> Models:
     """A matrix transposed, or with products of inertia of the other sign."""
-    yield TRANSPOSED, _ordered((0, 3, 6, 1, 4, 7, 2, 5, 8), fit.key)
-    yield OFF_DIAGONAL, _signed((1, -1, -1, -1, 1, -1, -1, -1, 1), fit.key)
+    yield causes.TRANSPOSED, _ordered((0, 3, 6, 1, 4, 7, 2, 5, 8), fit.key)
+    yield causes.OFF_DIAGONAL, _signed((1, -1, -1, -1, 1, -1, -1, -1, 1), fit.key)
 
 
 def of_interval(fit: Fit) -> Models:
     """The bounds of an interval exchanged."""
-    yield BOUNDS, _ordered((1, 0), fit.key)
+    yield causes.BOUNDS, _ordered((1, 0), fit.key)
 
 
 def of_vector(fit: Fit) -> Models:
@@ -95,10 +84,10 @@ def _signs(fit):
         return
     if all(abs(given[n] + key[n]) <= near for n in off):
         signs = [-1 if n in off else 1 for n in range(len(key))]
-        yield reversed_components(off), _signed(signs, fit.key)
+        yield causes.reversed_components(off), _signed(signs, fit.key)
     if len(off) == 1 and abs(given[off[0]]) <= NOISE * size:
         kept = [0 if n in off else 1 for n in range(len(key))]
-        yield left_out_component(off[0]), _signed(kept, fit.key)
+        yield causes.left_out_component(off[0]), _signed(kept, fit.key)
 
 
 def _signed(signs, points):
@@ -114,7 +103,7 @@ def exchanged(fit: Fit) -> Models:
     for order in ((1, 0, 2), (2, 1, 0), (0, 2, 1), (1, 2, 0), (2, 0, 1)):
         if all(abs(given[n] - key[m]) <= near for n, m in enumerate(order)):
             moved = [n for n in range(3) if order[n] != n]
-            yield exchanged_components(moved), _ordered(order, fit.key)
+            yield causes.exchanged_components(moved), _ordered(order, fit.key)
 
 
 def _ordered(order, points):
@@ -136,7 +125,7 @@ def rates_as_scalars(fit: Fit, rates: Sequence[Points]) -> Models:
         if all(own):
             scaled = [s / size for s, size in zip(sums, own, strict=True)]
             yield (
-                AS_SCALARS,
+                causes.AS_SCALARS,
                 tuple(tuple(x * f for x in p) for p, f in zip(points, scaled, strict=True)),
             )
 

@@ -14,7 +14,7 @@ Points = tuple[Point, ...]
 RTOL = 0.005  # of the size of the key: accepts three significant figures, rounded up or down
 FORMULA_RTOL = 3e-5  # formulas are exact; this accepts 3.1416 for pi, 6.283 for 2 pi, 0.33333
 NOISE = 1e-9  # a component smaller than this, relative to the whole, is round-off for zero
-# a mistake must differ from the key by this much of its size, or it could not be told from rounding
+# a mistake differs from the key by this much of its size, or it might be rounding
 SEPARATION = 0.02
 MAJORITY = 0.5  # of the points at which formulas are compared: so many must show a difference
 # a component of a key is zero, or at least this share of the whole: one left out must show

@@ -17,7 +17,7 @@ INSTALL = (
 
 def show_form(p: Any) -> Any:
     """A practice problem with a field for each answer, a field for any step, and buttons
-    for hints, the solution and other numbers. What was said last stands below them.
+    for hints, the solution and other numbers. The last message stands below them.
 
     Needs ipywidgets. Tab goes from field to button, Space presses a button.
     """
@@ -27,12 +27,12 @@ def show_form(p: Any) -> Any:
     except ImportError:
         raise ImportError(INSTALL) from None
 
-    top, said = Output(), Output()
+    top, below = Output(), Output()
     wide = Layout(width="100%", max_width="48em")
     labelled = {"description_width": "9em"}
 
-    def say(what):
-        with said:
+    def show_message(what):
+        with below:
             clear_output(wait=True)
             display(what)
 
@@ -73,9 +73,9 @@ def show_form(p: Any) -> Any:
         try:
             given = {k: read(k, t) for k, t in texts.items()}
             given = {k: x for k, x in given.items() if x is not None}
-            say(check(**given) if given else HTML("Write a value first."))
+            show_message(check(**given) if given else HTML("Write a value first."))
         except (AnswerError, ValueError) as error:
-            say(HTML(f"<div>{escape(str(error))}</div>"))
+            show_message(HTML(f"<div>{escape(str(error))}</div>"))
 
     def check_answers():
         checked(p.check, {k: w.value for k, w in answers.items()})
@@ -94,20 +94,20 @@ def show_form(p: Any) -> Any:
             w.value = ""
         chosen.options = tuple(p.steps)
         show()
-        say(HTML(""))
+        show_message(HTML(""))
 
     rows = [
         top,
         *answers.values(),
         HBox([
             button("Check", check_answers, "Check the answers"),
-            button("Next step", lambda: say(p.next_step()), "Where to go on; again: more"),
-            button("Solution", lambda: say(p.solution()), "The solution in these numbers"),
+            button("Next step", lambda: show_message(p.next_step()), "Where to go on; again: more"),
+            button("Solution", lambda: show_message(p.solution()), "The solution in these numbers"),
             button("New numbers", new, "The same problem with other numbers"),
         ], layout=Layout(flex_flow="row wrap")),
         *([chosen, means, step, HBox([button("Check step", check_step, "Check one step")])]
           if p.steps else []),
-        said,
+        below,
     ]  # fmt: skip
     show()
     return VBox(rows)

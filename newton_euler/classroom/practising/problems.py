@@ -26,8 +26,8 @@ WIDTH = 80  # of lines in a terminal
 
 
 @dataclass(frozen=True, repr=False)
-class Said:
-    """Something told: ``text`` in a terminal, ``markdown`` in a notebook."""
+class Message:
+    """A message: ``text`` in a terminal, ``markdown`` in a notebook."""
 
     text: str
     markdown: str
@@ -40,7 +40,7 @@ class Said:
 
 
 @dataclass(frozen=True, repr=False)
-class Checked(Said):
+class Checked(Message):
     """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``explained``
     is {key: the causes that explain a wrong one}.
     """
@@ -170,8 +170,8 @@ class PracticeProblem:
         return self._check(answers, self.answers, "answer", "p.check_step")
 
     def check_step(self, **steps: object) -> Checked:
-        """The same for steps on the way, any of ``p.steps`` in any order. A later step that follows
-        rightly from a wrong one is told so.
+        """The same for steps on the way, any of ``p.steps`` in any order. The message says so where
+        a later step follows rightly from a wrong one.
         """
         return self._check(steps, self.steps, "step", "p.check")
 
@@ -195,17 +195,17 @@ class PracticeProblem:
                 self._asked[key], form, tree, fault, self._numbers, [NODES]
             )  # fmt: skip
         self._numbers.tried = self._found
-        said = [(key, *self._explained(key)) for key in given]
+        found = [(key, *self._explained(key)) for key in given]
         verdicts = {key: self._found[key].verdict for key in given}
         for key, verdict in verdicts.items():
             if verdict in ("right", "wrong"):
                 self._progress.tried(self.id, self.number, key, verdict == "right")
         return Checked(
-            "\n".join(f"{key}: {text}" for key, text, _ in said),
+            "\n".join(f"{key}: {text}" for key, text, _ in found),
             "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
-                      for key, text, _ in said),
+                      for key, text, _ in found),
             verdicts,
-            {key: causes for key, _, causes in said},
+            {key: causes for key, _, causes in found},
         )  # fmt: skip
 
     def _read(self, key):
@@ -243,7 +243,7 @@ class PracticeProblem:
 
     # -- help
 
-    def next_step(self) -> Said:
+    def next_step(self) -> Message:
         """Where to go on: the first quantity that is not right yet, and the section it needs. Asked
         again, its equation and what it is computed from; then its value.
         """
@@ -260,7 +260,7 @@ class PracticeProblem:
         self._progress.helped(self.id, self.number, q.key, level)
         if level == 3:
             self._passed.add(q.key)
-        return Said(self._hint(q, level, False), self._hint(q, level, True))
+        return Message(self._hint(q, level, False), self._hint(q, level, True))
 
     def _hint(self, q, level, typeset):
         name = f"`{q.key}`" if typeset else q.key
@@ -296,7 +296,7 @@ class PracticeProblem:
         stated = q.kind.typeset([number_symbol(part) for part in x])
         return f"${q.latex and q.latex + ' = '}{stated}{unit_symbol(q.unit)}$"
 
-    def solution(self) -> Said:
+    def solution(self) -> Message:
         """The solution in the numbers at hand: all steps, the terms of sums, the answers."""
         if self._file.help != HELP[2]:
             return _plain("this practice file has no solutions")
@@ -306,7 +306,7 @@ class PracticeProblem:
         lines = [f"{q.key} = {self._value(q, False)}  {q.plain}" + (
                     f", section {q.section}" if q.step and q.section else "")
                  for q in self._asked.values()]  # fmt: skip
-        return Said("\n".join(lines), self._variant["solution"])
+        return Message("\n".join(lines), self._variant["solution"])
 
 
 _A = {"answer": "an answer", "step": "a step"}
@@ -331,4 +331,4 @@ def _wrapped(text):
 
 
 def _plain(text):
-    return Said(text, text)
+    return Message(text, text)

@@ -58,8 +58,8 @@ def test_mastery_needs_enough_right_at_first_go():
     ("content", "words"),
     [
         (None, "there is no practice file"),
-        (b"", "is no practice file"),
-        (b"text", "is no practice"),
+        (b"", "is not a practice file"),
+        (b"text", "is not a practice"),
     ],
 )
 def test_a_file_that_is_no_practice_file_is_told(tmp_path, content, words):
