@@ -11,7 +11,7 @@ from functools import cached_property
 
 from newton_euler.algebra.scalars import integer_like, is_numeric, scalar
 from newton_euler.algebra.units import SI, unit
-from newton_euler.answers.forms import Form
+from newton_euler.answers.forms import Form, kind_named
 from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import symbol
 
@@ -74,8 +74,8 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a problem asks for. ``atol`` is the absolute tolerance, in ``unit``, for a key that is
-    zero; ``weight`` is its share of the problem's points, beside those of the other answers;
+    """What a problem asks for. ``kind`` may be given by name; ``atol`` is the absolute tolerance, in
+    ``unit``, for a key that is zero; ``weight`` is its share of the problem's points, beside those of the other answers;
     ``follow_through`` the part of them that it earns where it is wrong, but follows from a
     student's own earlier answers; ``latex`` is how it is printed, where its key does not say it.
     """
@@ -89,6 +89,10 @@ class Answer:
     weight: float = 1.0
     follow_through: float = 0.0
     latex: str = ""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.kind, str):
+            object.__setattr__(self, "kind", kind_named(self.kind))
 
     @property
     def form(self) -> Form:

@@ -132,7 +132,7 @@ def test_every_listed_mistake_is_well_away_from_the_key(p, data):
 
 
 def vectors(kind="vector"):
-    return [(p, a) for p in CH04 for a in p.answers if a.kind == kind]
+    return [(p, a) for p in CH04 for a in p.answers if a.kind.name == kind]
 
 
 def told(p, a, given, value):

@@ -22,7 +22,8 @@ KINDS = {
     "vector_expression": VECTORS_OF_FORMULAS,
 }
 ASKED = {
-    kind: [(p, a) for p in problems("ch04") for a in p.answers if a.kind == kind] for kind in KINDS
+    kind: [(p, a) for p in problems("ch04") for a in p.answers if a.kind.name == kind]
+    for kind in KINDS
 }
 EVERY = [(kind, name, p, a) for kind in KINDS for name in KINDS[kind] for p, a in ASKED[kind]]
 VALUES = {p.id: draw(p, b"honest forms") for p in problems("ch04")}
