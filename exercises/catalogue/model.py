@@ -74,10 +74,12 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a problem asks for. ``kind`` may be given by name; ``atol`` is the absolute tolerance, in
-    ``unit``, for a key that is zero; ``weight`` is its share of the problem's points, beside those of the other answers;
-    ``follow_through`` the part of them that it earns where it is wrong, but follows from a
-    student's own earlier answers; ``latex`` is how it is printed, where its key does not say it.
+    """What a problem asks for.
+
+    kind : may be given by its name. atol : the absolute tolerance, in ``unit``, for a key that is
+    zero. weight : its share of the problem's points, beside those of the other answers.
+    follow_through : the part of them that it earns where it is wrong, but follows from a student's
+    own earlier answers. latex : how it is printed, where its key does not say it.
     """
 
     key: str
