@@ -27,7 +27,7 @@ def test_solve_answers_all_43_problems_as_json(all43):
         for a in p.answers:
             entry = all43[p.id][a.key]
             assert set(entry) == {"kind", "unit", "expr" if a.kind.is_formula else "value"}
-            assert (entry["kind"], entry["unit"]) == (a.kind, a.unit)
+            assert (entry["kind"], entry["unit"]) == (a.kind.name, a.unit)
 
 
 @pytest.mark.parametrize("p", problems("ch04"), ids=lambda p: p.id)
