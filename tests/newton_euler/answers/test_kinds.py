@@ -51,6 +51,26 @@ def test_a_kind_is_one_object_also_after_copying(name):
     assert KINDS[name].numeric.is_formula is False
 
 
+@pytest.mark.parametrize(
+    ("point", "words"),
+    [
+        ((0.0, 1e-17, 3.0), None),
+        ((0.0, 0.04, 3.0), None),
+        ((0.0, 0.02, 3.0), "with a component of 6.7e-03 of the whole"),
+        ((0.0, 0.0, 0.0), None),
+        ((0.0, math.nan, 1.0), "= (0.0, nan, 1.0)"),
+    ],
+)
+def test_a_key_with_a_component_that_could_be_left_out_is_unfit(point, words):
+    assert KINDS["vector"].unfit((point,)) == words
+
+
+def test_a_formula_is_unfit_where_it_is_real_at_fewer_than_half_of_its_points():
+    real, nan = (1.0,), (math.nan,)
+    assert KINDS["expression"].unfit((real, nan)) is None
+    assert "nan at most points" in KINDS["expression"].unfit((real, nan, nan))
+
+
 @pytest.mark.parametrize("text", ["choice", "choice, right wrong", "number: m", "tensor, m"])
 def test_a_form_that_names_no_kind_or_a_choice_without_words_is_refused(text):
     with pytest.raises(AnswerError):
@@ -119,7 +139,13 @@ def test_other_numbers_move_a_direction_by_the_angle_alone():
 
 
 @pytest.mark.parametrize(
-    ("tree", "right"), [([-6, 0, 8], True), ([0.6, 0, -0.8], True), ([6, 0, 8], False)]
+    ("key", "tree", "right"),
+    [
+        (KEY[0], [-6, 0, 8], True),
+        (KEY[0], [0.6, 0, -0.8], True),
+        (KEY[0], [6, 0, 8], False),
+        ((0.0, 3.0, 0.0), [0, -2, 0], True),
+    ],
 )
-def test_the_seal_of_a_direction_opens_for_either_sense(tree, right):
-    assert opens(seal(DIRECTION, KEY[0]), DIRECTION, tree) is right
+def test_the_seal_of_a_direction_opens_for_either_sense(key, tree, right):
+    assert opens(seal(DIRECTION, key), DIRECTION, tree) is right
