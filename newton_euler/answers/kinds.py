@@ -272,7 +272,8 @@ class Direction(VectorKind):
         return tuple(map(_along, points, others))
 
     def sealed(self, point):
-        return [_along(point, unit) for unit in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0))]
+        unit = _along(point, (1.0, 0.0, 0.0))
+        return [unit, tuple(-x for x in unit)]
 
     def factors(self, unit):
         return {}  # its length says nothing
