@@ -6,9 +6,7 @@ from .commands import COMMANDS
 
 
 class _Commands(click.Group):
-    """Prints an error that the user can correct as one sentence, with exit code 2, instead of a
-    traceback.
-    """
+    """Prints an error that the user can correct as a sentence, with exit code 2."""
 
     def list_commands(self, context):
         return list(self.commands)
@@ -34,7 +32,7 @@ class _Commands(click.Group):
     cls=_Commands,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
 )
-def main():
+def main() -> None:
     """Build nbgrader assignments from the exercises and grade what students submit.
 
     \b

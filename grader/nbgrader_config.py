@@ -1,6 +1,4 @@
-"""The import path of :func:`configure` that stands in the nbgrader_config.py of every course; it
-must not change.
-"""
+"""The fixed import path of :func:`configure`: every course's nbgrader_config.py has it."""
 
 from .nbgrader_hooks.config import configure
 

@@ -5,6 +5,7 @@ import re
 import shutil
 import tempfile
 import warnings
+from collections.abc import Callable, Collection
 from pathlib import Path
 
 import nbformat
@@ -12,20 +13,20 @@ import nbformat
 from . import chapter_pages, contents, problem_pages, reference
 from .execution import WebsiteError, with_outputs
 from .kept import ROOT
-from .notebooks import FOLDER, chapters
+from .notebooks import FOLDER, Chapter, chapters
 
 THEME = Path(__file__).with_name("theme")
 CACHE = ROOT / ".site_cache"
 
 
 def build(
-    out,
-    names=(),
-    run=lambda chapter: True,
-    folder=FOLDER,
-    cache=CACHE,
-    progress=lambda step, done, number: None,
-):
+    out: str | Path,
+    names: Collection[str] = (),
+    run: Callable[[Chapter], bool] = lambda chapter: True,
+    folder: Path = FOLDER,
+    cache: Path = CACHE,
+    progress: Callable[[str, int, int], object] = lambda step, done, number: None,
+) -> list[str]:
     """Build the site in the folder ``out``; returns the chapters that are in it without outputs.
 
     names : of chapters, as "ch04"; by default all
@@ -101,17 +102,17 @@ def _write_problems(folder, names, found, pictures):
 
 
 def _sphinx(source, out, partial, progress):
-    """Call Sphinx; whatever it warns of is an error, but for links out of a part of the site."""
+    """Call Sphinx; every warning is an error, except for links out of a part of the site."""
     from sphinx.application import Sphinx
 
-    told = io.StringIO()
+    output = io.StringIO()
     changed = {"suppress_warnings": ["myst.xref_missing", "toc.not_readable"]} if partial else {}
     progress("pages", 0, 1)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of Sphinx's extensions about each other
-        app = Sphinx(source, THEME, out, out.parent / "doctrees", "html", changed, None, told)
+        warnings.simplefilter("ignore")  # Sphinx's extensions warn about each other
+        app = Sphinx(source, THEME, out, out.parent / "doctrees", "html", changed, None, output)
         app.build(force_all=True)
     progress("pages", 1, 1)
-    said = re.sub(r"\x1b\[[\d;]*m", "", told.getvalue()).replace(f"{source}/", "").strip()
-    if said or app.statuscode:
-        raise WebsiteError(f"Sphinx does not accept the pages:\n{said}")
+    warned = re.sub(r"\x1b\[[\d;]*m", "", output.getvalue()).replace(f"{source}/", "").strip()
+    if warned or app.statuscode:
+        raise WebsiteError(f"Sphinx does not accept the pages:\n{warned}")

@@ -1,8 +1,10 @@
-"""An executed notebook made ready for Sphinx: folded code, folded answers, alternative texts;
-without widgets, which want a kernel.
+"""Prepares an executed notebook for Sphinx: folded code, folded answers, alternative texts; without
+widgets, which need a kernel.
 """
 
 import re
+
+from nbformat import NotebookNode
 
 from .notebooks import section_anchor
 
@@ -13,8 +15,8 @@ TRY = "**Try problem {number}.** In the notebook the cell at this place checks y
 NO_OUTPUTS = "*The cells of this page have not been run.*"
 
 
-def page(notebook, ran=True):
-    """The notebook as Sphinx is to read it."""
+def page(notebook: NotebookNode, ran: bool = True) -> NotebookNode:
+    """The notebook as input of Sphinx."""
     notebook.metadata.pop("widgets", None)
     cells = notebook.cells
     for cell, after in zip(cells, [*cells[1:], {}], strict=True):
@@ -31,7 +33,7 @@ def page(notebook, ran=True):
     return notebook
 
 
-def markdown(text):
+def markdown(text: str) -> str:
     """The text of a cell with an anchor at each numbered section, with <details> on lines of their
     own, so that Markdown goes on within, and with formulas in each <summary>.
     """
@@ -55,7 +57,7 @@ def _inline(match):
 
 
 def _say_where(cell, number):
-    """A cell that checks an answer: here the link to the problem stands in its place."""
+    """Replace a cell that checks an answer by a link to the problem."""
     cell.cell_type, cell.source = "markdown", TRY.format(number=number)
     cell.pop("outputs", None)
     cell.pop("execution_count", None)
@@ -68,13 +70,13 @@ def _fold(cell):
         tags.append("hide-input")
 
 
-def caption(text):
-    """What a caption says: "*Figure 3. A bead on a rod.*" as plain words."""
+def caption(text: str) -> str:
+    """The text of a caption, "*Figure 3. A bead on a rod.*", in plain words."""
     found = re.match(r"\s*\*((?:Figure|Film)\b.+?)\*(?:\s|$)", text, re.S)
     return plain(found[1]) if found else ""
 
 
-def plain(text):
+def plain(text: str) -> str:
     """Markdown as one line of plain text."""
     return " ".join(re.sub(r"[*`$]|\\(?=[a-z])", "", text).split())
 

@@ -29,7 +29,7 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     is_flag=True,
     help="Run no notebook: one whose outputs are not kept is shown without them.",
 )
-def main(out, names, no_run):
+def main(out: Path, names: tuple[str, ...], no_run: bool) -> None:
     """Build the course as static pages, to read in a browser without network and without Python.
 
     The pages are the chapters with all that their cells print and draw, films included; the
@@ -46,7 +46,7 @@ def main(out, names, no_run):
       python -m website --chapters ch04 --out _ch04     one chapter with its problems
       python -m website --no-run                        the texts as they are now, at once
 
-    An error in a cell, and a link that leads nowhere, ends the build and is told with its place.
+    An error in a cell or a broken link ends the build; its place is reported.
     """
     from . import build as steps
     from .execution import WebsiteError

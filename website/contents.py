@@ -1,7 +1,10 @@
 """The first page: what this is, the chapters, how to run and to build them."""
 
+from collections.abc import Iterable, Mapping
+
 from exercises.catalogue import chapter, problems
 
+from .notebooks import Chapter
 from .problem_pages import heading
 
 WHAT = """\
@@ -46,7 +49,9 @@ TREE = """\
 """
 
 
-def page(chapters, problem_names, reference):
+def page(
+    chapters: Iterable[Chapter], problem_names: Iterable[str], reference: Mapping[str, str]
+) -> str:
     """The text of the first page."""
     lines = [WHAT, "## Chapters", "", *map(_chapter, chapters), "", "## Problems", ""]
     lines += [*map(_problems, problem_names), "", "## Reference", ""]

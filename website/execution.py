@@ -1,14 +1,16 @@
-"""Runs notebooks in clean kernels, several at a time, and keeps what came out of them."""
+"""Runs notebooks in clean kernels, several at a time, and keeps their outputs."""
 
 import os
 import subprocess
 import tempfile
+from collections.abc import Callable, Collection
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import nbformat
 
 from .kept import ROOT, fingerprint, kept_name, store
+from .notebooks import Chapter
 
 LONGEST = 600  # seconds for one cell, on a busy machine
 
@@ -17,12 +19,16 @@ class WebsiteError(Exception):
     """The site cannot be built; says where."""
 
 
-def with_outputs(chapters, cache, run, done):
-    """{stem: executed notebook}; None for a chapter that is not to be run and whose outputs are not
-    kept.
+def with_outputs(
+    chapters: Collection[Chapter],
+    cache: Path,
+    run: Callable[[Chapter], bool],
+    done: Callable[[str], object],
+) -> dict[str, nbformat.NotebookNode | None]:
+    """{stem: executed notebook}; None for a chapter that may not be run and has no kept outputs.
 
     run : function of a chapter, whether it may be run
-    done : called with the stem of each chapter as soon as it is there
+    done : called with the stem of each finished chapter
     """
     names = {c.stem: cache / _name(c) for c in chapters}
     jobs = [c for c in chapters if not names[c.stem].exists() and run(c)]
@@ -37,7 +43,7 @@ def with_outputs(chapters, cache, run, done):
     return {stem: _read(path) if path.exists() else None for stem, path in names.items()}
 
 
-def keep(chapter, text, cache):
+def keep(chapter: Chapter, text: str, cache: Path) -> None:
     """Keep the text of a notebook that was run, here or by the tests of the chapters."""
     store(cache / _name(chapter), text.encode())
 
@@ -63,7 +69,7 @@ def _executed(path):
             notebook, timeout=LONGEST, kernel_name="python3", resources=resources
         )
         try:
-            # what the kernel itself says to the terminal is nothing about the notebook
+            # messages of the kernel itself are not about the notebook
             client.execute(env=_environment(folder), stderr=subprocess.DEVNULL)
         except (CellExecutionError, CellTimeoutError) as error:
             raise WebsiteError(f"{path.name}, {_place(notebook, error)}") from None
@@ -80,7 +86,7 @@ def _environment(folder):
 
 
 def _place(notebook, error):
-    """In which cell it stopped, and what was said there."""
+    """The cell in which it stopped, and the error."""
     for n, cell in enumerate(notebook.cells, 1):
         for output in cell.get("outputs", ()):
             if output.output_type == "error":

@@ -1,4 +1,6 @@
-"""Results that are kept between builds, each under a name that changes with all it depends on."""
+"""Results that are kept between builds, each under a name that changes with everything it depends
+on.
+"""
 
 import hashlib
 import sys
@@ -9,8 +11,8 @@ ROOT = Path(__file__).parents[1]
 
 
 @cache
-def fingerprint(*folders):
-    """What changes when a file of the engine changes, or of these folders beside it."""
+def fingerprint(*folders: str) -> str:
+    """A hash of the files of the engine, the chapters and these other folders."""
     digest = hashlib.sha256(sys.version.encode())
     for folder in ("newton_euler", "chapters", *folders):
         for path in sorted((ROOT / folder).rglob("*")):
@@ -19,14 +21,14 @@ def fingerprint(*folders):
     return digest.hexdigest()
 
 
-def kept_name(stem, suffix, *contents):
-    """A file name made of ``stem`` and of all that the contents say."""
+def kept_name(stem: str, suffix: str, *contents: str) -> str:
+    """A file name of ``stem`` and a hash of the contents."""
     digest = hashlib.sha256("\0".join(contents).encode()).hexdigest()[:16]
     return f"{stem}-{digest}{suffix}"
 
 
-def store(path, data):
-    """Write bytes to ``path`` and delete what was kept of the same thing before."""
+def store(path: Path, data: bytes) -> None:
+    """Write bytes to ``path`` and delete earlier versions."""
     path.parent.mkdir(parents=True, exist_ok=True)
     stem, suffix = path.stem.rpartition("-")[0], path.suffix
     for old in path.parent.glob(f"{stem}-{'?' * 16}{suffix}"):

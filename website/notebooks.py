@@ -2,9 +2,11 @@
 
 import json
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from .kept import ROOT
 
@@ -18,22 +20,22 @@ class Chapter:
     path: Path
 
     @property
-    def stem(self):
+    def stem(self) -> str:
         """The name of its page: "ch04_relative_motion"."""
         return self.path.stem
 
     @property
-    def name(self):
+    def name(self) -> str:
         """The name of its problems' folder: "ch04"."""
         return self.stem.partition("_")[0]
 
     @cached_property
-    def cells(self):
+    def cells(self) -> list[dict[str, Any]]:
         """Its cells as they are stored."""
         return json.loads(self.path.read_text(encoding="utf-8"))["cells"]
 
     @cached_property
-    def opening(self):
+    def opening(self) -> tuple[str, str]:
         """(title, first paragraph), in Markdown."""
         text = "".join(self.cells[0]["source"])
         title, _, rest = text.partition("\n")
@@ -41,7 +43,7 @@ class Chapter:
         return title.lstrip("# ").strip(), paragraphs[0].strip() if paragraphs else ""
 
 
-def chapters(names=(), folder=FOLDER):
+def chapters(names: Collection[str] = (), folder: Path = FOLDER) -> list[Chapter]:
     """All chapters, or those of these names ("ch04"), in the order of the book: the appendices come
     last, after the notebooks without a number.
     """
@@ -53,11 +55,11 @@ def _place(chapter):
     return place(chapter.stem)
 
 
-def place(name):
+def place(name: str) -> tuple[int, str]:
     """For sorting: chapters, other notebooks, appendices."""
     return {"ch": 0, "ap": 2}.get(name[:2], 1), name
 
 
-def section_anchor(number):
+def section_anchor(number: str) -> str:
     """Where a section stands on its page: "section-4-10"."""
     return f"section-{number.replace('.', '-')}"

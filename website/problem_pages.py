@@ -4,7 +4,9 @@
 
 import os
 import re
+from collections.abc import Callable, Collection, Iterable
 from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
 
 from exercises.catalogue import chapter, chapters, problem, problems
 from grader.assignment.figures import figure_png
@@ -25,17 +27,17 @@ NUMBERS = """\
 """
 
 
-def names(wanted=()):
+def names(wanted: Collection[str] = ()) -> list[str]:
     """The chapters that have problems, in the order of the book."""
     return sorted((c for c in chapters() if not wanted or c in wanted), key=place)
 
 
-def anchor(number):
+def anchor(number: str) -> str:
     """Where a problem stands on its page: "p4-16", "pa-3"."""
     return f"p{slug(number)}".lower()
 
 
-def page(name, notebook=""):
+def page(name: str, notebook: str = "") -> str:
     """The text of the page of a chapter's problems; ``notebook``: the file name of its chapter."""
     found = chapter(name)
     lines = [f"# {heading(found.title)}", ""]
@@ -45,7 +47,7 @@ def page(name, notebook=""):
     return "\n".join([*lines, *map(_text, problems(name))])
 
 
-def heading(title):
+def heading(title: str) -> str:
     """ "Chapter 4: relative motion" as the title of its problems."""
     what, _, words = title.partition(": ")
     return f"Problems of {what[:1].lower()}{what[1:]}: {words}"
@@ -59,7 +61,7 @@ def _text(p):
     return f"({anchor(p.id)})=\n{text}\n\n{data if p.givens or p.symbols else ''}"
 
 
-def figures(wanted, cache, done):
+def figures(wanted: Iterable[str], cache: Path, done: Callable[[int], object]) -> dict[str, bytes]:
     """{file name: PNG} of the problems of these chapters that have a figure, kept in ``cache``."""
     ids = [p.id for name in wanted for p in problems(name) if p.figure]
     found = {number: cache / _kept(problem(number)) for number in ids}

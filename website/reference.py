@@ -7,6 +7,7 @@ import importlib
 import inspect
 import re
 import tomllib
+from collections.abc import Iterable
 
 import newton_euler
 from newton_euler.answers.notation import symbol
@@ -19,29 +20,25 @@ SYMBOLS = "symbols"
 NAMES = ("omega", "theta_dot", "rddot", "alpha_CD", "omega_2_dot", "l_OA", "x1", "v_max", "lead")
 
 
-def pages():
+def pages() -> dict[str, str]:
     """{name of the page: its text in reStructuredText}, in the order of the reader's way."""
-    return {
-        "newton_euler": _top(),
-        **{room: _room(room) for room in rooms()},
-        SYMBOLS: _symbols(),
-    }
+    return {"newton_euler": _top(), **{room: _room(room) for room in rooms()}, SYMBOLS: _symbols()}
 
 
-def titles(names):
+def titles(names: Iterable[str]) -> dict[str, str]:
     """{name of the page: its title}."""
     special = {"newton_euler": "Names at the top", SYMBOLS: "Symbols and equations"}
     return {name: special.get(name, f"Room {name}") for name in names}
 
 
-def rooms():
+def rooms() -> list[str]:
     """The rooms of the engine."""
     return sorted(
         p.parent.name for p in ENGINE.glob("*/__init__.py") if p.parent.name != "chapters"
     )
 
 
-def public(room):
+def public(room: str) -> dict[str, list[str]]:
     """{file of the room: its public names}, read from what ``__init__`` imports and defines."""
     tree = ast.parse((ENGINE / room / "__init__.py").read_text(encoding="utf-8"))
     defined = [

@@ -36,10 +36,7 @@ def prove(g):
 
 def mistakes(g):
     right = solve(g)
-    return {
-        "A_from_B": {"r_BA": -right["r_BA"]},
-        "sum": {"r_BA": right["r_A"] + right["r_B"]},
-    }
+    return {"A_from_B": {"r_BA": -right["r_BA"]}, "sum": {"r_BA": right["r_A"] + right["r_B"]}}
 
 
 def draw(g, ax):

@@ -70,5 +70,4 @@ def draw(g, ax):
     s.line(P, G, style="solid")
     s.arrow(A, B)
     for C in (P, G, A, B):
-        s.dot(C)
-        s.label(C, C.name)
+        s.dot(C, C.name)

@@ -28,11 +28,7 @@ def prove(g):
 
 def mistakes(g):
     _, j, _ = triad(g)
-    return {
-        "k_to_plus_j": {"iij": j},
-        "associative": {"iij": 0 * j},
-        "i_x_i_is_one": {"ii_j": j},
-    }
+    return {"k_to_plus_j": {"iij": j}, "associative": {"iij": 0 * j}, "i_x_i_is_one": {"ii_j": j}}
 
 
 def draw(g, ax):

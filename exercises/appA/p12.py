@@ -49,9 +49,7 @@ def steps(g):
 
 def prove(g):
     """The dot product multiplied out, its slopes along slanted lines."""
-    return {
-        "grad": proofs.gradient(lambda x, y, z: -x * y**2 - y * z**2 - z * x**2, point(g)),
-    }
+    return {"grad": proofs.gradient(lambda x, y, z: -x * y**2 - y * z**2 - z * x**2, point(g))}
 
 
 def mistakes(g):

@@ -7,7 +7,7 @@ AXES = Frame("axes")
 
 
 def point(g):
-    """At R, with its two derivatives as velocity and acceleration."""
+    """The place R, with its two derivatives as velocity and acceleration."""
     return AXES.point(
         "P",
         moving(g.x, g.xdot, g.xddot),

@@ -21,8 +21,8 @@ def solve(g):
 
 
 def steps(g):
-    said = "A x B at the time t, of which each component is integrated"
-    yield Step("integrand", A(g, g.t).cross(B(g, g.t)), "1", said)
+    means = "A x B at the time t, of which each component is integrated"
+    yield Step("integrand", A(g, g.t).cross(B(g, g.t)), "1", means)
 
 
 def prove(g):

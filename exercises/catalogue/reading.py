@@ -1,19 +1,20 @@
 """Finds and reads chapters and problems: ``chNN/chapter.yaml`` and ``chNN/pMM.yaml``."""
 
 import re
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
 import yaml
 
 from .format import read_chapter, read_problem
-from .model import CatalogueError, place
+from .model import CatalogueError, Chapter, Problem, place
 
 EXERCISES = Path(__file__).parents[1]
 
 
 @cache
-def chapters():
+def chapters() -> tuple[str, ...]:
     """The names of the chapters that have problems here."""
     return tuple(
         sorted(folder.name for folder in EXERCISES.iterdir() if any(folder.glob("p*.yaml")))
@@ -21,7 +22,7 @@ def chapters():
 
 
 @cache
-def chapter(name):
+def chapter(name: str) -> Chapter:
     """The chapter of this name: ``chapter("ch04").title``."""
     path = EXERCISES / name / "chapter.yaml"
     if not path.exists():
@@ -33,7 +34,7 @@ def chapter(name):
 
 
 @cache
-def problems(name):
+def problems(name: str) -> tuple[Problem, ...]:
     """All problems of the chapter of this name, in the order of the book: ``problems("ch04")``."""
     if name not in chapters():
         raise CatalogueError(f"there is no chapter {name!r}; there are {', '.join(chapters())}")
@@ -48,7 +49,7 @@ def problems(name):
 
 
 @cache
-def problem(problem_id):
+def problem(problem_id: str) -> Problem:
     """The problem with this number: ``problem("4/16")``. Only its own file is read."""
     name, stem = place(problem_id)
     path = EXERCISES / name / f"{stem}.yaml"
@@ -64,7 +65,7 @@ def problem(problem_id):
     )
 
 
-def select(names):
+def select(names: Iterable[str]) -> list[Problem]:
     """The problems that ``names`` stand for: problem numbers, chapter names, or "all"."""
     chosen = []
     for name in names:
@@ -81,8 +82,8 @@ def select(names):
 
 
 # the C parser reads a chapter 10 times faster
-class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
-    """The safe loader, which also refuses a key that is there twice: YAML itself would drop the
+class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
+    """The safe loader, which also refuses a repeated key: YAML itself would drop the
     first without a word.
     """
 
@@ -103,7 +104,7 @@ _Loader.add_implicit_resolver(
 
 
 @cache
-def _problem_at(path):
+def _problem_at(path: Path) -> Problem:
     return _read(path, read_problem)
 
 
@@ -114,15 +115,15 @@ def _read(path, build):
         return build(yaml.load(path.read_bytes().decode("utf-8"), _Loader), path)
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
-        told = (
+        message = (
             f"{name} is not in UTF-8: line {line} has the byte "
             f"{error.object[error.start]:#04x}; save the file as UTF-8"
         )
-        raise CatalogueError(told) from error
+        raise CatalogueError(message) from error
     except yaml.YAMLError as error:
-        told = " ".join(str(error).replace('"<unicode string>", ', "").split())
+        reason = " ".join(str(error).replace('"<unicode string>", ', "").split())
         raise CatalogueError(
-            f"{name} is not YAML: {told}; a text with a colon, a # or quotation marks in it "
+            f"{name} is not YAML: {reason}; a text with a colon, a # or quotation marks in it "
             "wants quotes around it"
         ) from error
     except ValueError as error:

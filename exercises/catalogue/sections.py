@@ -10,11 +10,13 @@ from urllib.parse import quote
 
 from newton_euler import chapters
 
+from .model import Problem
+
 # where `python -m newton_euler chapters` puts them, seen from the folder of an assignment
 FOLDER = "../chapters"
 
 
-def section_line(p):
+def section_line(p: Problem) -> str:
     """The line of a statement: "*Section* [4.10 Summary of the method](...)", or "*Appendix* A"."""
     if not p.section:
         return ""
@@ -28,7 +30,7 @@ def section_line(p):
 
 
 @cache
-def headings():
+def headings() -> dict[str, tuple[str, str]]:
     """{section: (name of the notebook, its heading there)} of the notebooks of the chapters."""
     found = {}
     for path in sorted(Path(chapters.__path__[0]).glob("ch*.ipynb")):

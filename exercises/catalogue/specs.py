@@ -4,7 +4,9 @@ as ``pNN.yaml`` and for each a ``pNN.py`` that says what is to be written.
 
 import re
 import textwrap
+from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -21,7 +23,9 @@ EMPTY_WORDS = {
 }  # fmt: skip
 
 
-def write_chapter(name, spec, only=(), folder=None):
+def write_chapter(
+    name: str, spec: str | Path, only: Sequence[str] = (), folder: Path | None = None
+) -> list[Path]:
     """Write the files of chapter ``name`` from the file ``spec``; returns their paths.
 
     only : numbers of the problems to write; default: all. folder : of the chapters. Raises
@@ -94,7 +98,7 @@ def _of_the_chapter(name, spec, target):
 # -- the text
 
 
-def problem_yaml(entry):
+def problem_yaml(entry: dict[str, Any]) -> str:
     """The text of ``pNN.yaml`` from one entry of a spec, without its comments."""
     lines = [f"id: {quoted(entry['id'])}", f"title: {_plain(entry['title'])}"]
     lines += [f"section: {quoted(str(entry['section']))}", *_folded("text", entry["text"])]
@@ -115,7 +119,7 @@ def problem_yaml(entry):
     return "\n".join(lines) + "\n"
 
 
-def mistake_names(texts):
+def mistake_names(texts: Iterable[str]) -> dict[str, str]:
     """{name: text} of mistakes that have no names yet, from their first words."""
     named = {}
     for text in texts:
@@ -154,7 +158,7 @@ def _plain(text):
     return text if same else quoted(text)
 
 
-def quoted(text):
+def quoted(text: str) -> str:
     """A text as a YAML string in double quotation marks."""
     inner = " ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"')
     return f'"{inner}"'
@@ -170,7 +174,7 @@ def _folded(key, text):
 CODE = Path(__file__).with_name("new_problem.txt")  # what an author of a problem begins with
 
 
-def problem_code(entry):
+def problem_code(entry: dict[str, Any]) -> str:
     """The text of ``pNN.py``: the functions, each with what it must return."""
     keys = [a["key"] for a in entry["answers"]]
     figure = " ".join((entry.get("figure") or "none").split())

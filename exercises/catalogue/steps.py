@@ -3,7 +3,7 @@ with its unit and the sentence that introduces it.
 
 The code of a problem lists them in ``steps(g)``, a generator of :class:`Step` in base units:
 
-    def steps(g):
+    def steps(p: Problem, values: Mapping[str, Scalar], one: Scalar = 1.0) -> list[Step]:
         ground, arm, rod, D = arm_and_rod(g)
         yield Step("omega_CD", rod.angular_velocity(ground), "rad/s",
                    "angular velocity of CD in the ground", "4.9", "4.22")
@@ -13,13 +13,15 @@ A problem without ``steps`` has the terms of its answers that are named sums. ``
 steps too, by their keys, found by its own way.
 """
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
-from newton_euler.algebra.scalars import is_numeric, to_plain
-from newton_euler.algebra.units import Dimension, DimensionError, unit
+from newton_euler.algebra.scalars import Scalar, is_numeric, to_plain
+from newton_euler.algebra.units import Dimension, DimensionError, System, unit
 from newton_euler.algebra.vectors import Vector
 
-from .model import CatalogueError
+from .model import CatalogueError, Givens, Problem
 from .variants import flat
 from .wording import term_text
 from .words import word
@@ -46,17 +48,21 @@ class Step:
     term: tuple = ()
 
     @property
-    def is_vector(self):
+    def is_vector(self) -> bool:
         """True if it has components."""
         return isinstance(self.value, Vector)
 
 
-def terms(vector, key, stated_in, section="", number=""):
+def terms(
+    vector: Vector, key: str, stated_in: str, section: str = "", number: str = ""
+) -> Iterator[Step]:
     """The named terms of a velocity, an acceleration or another sum as steps: of ``a_D`` the steps
-    ``a_D_coriolis`` and so on. A term that is zero is none. ``number``: of the equation, where the
-    chapter has it under another one than the engine says, as (2.25) for (4.18).
+    ``a_D_coriolis`` and so on. Terms that are zero are left out. ``number``: of the equation, where
+    the chapter numbers it differently from the engine, as (2.25) for (4.18).
     """
     equation = vector.equation
+    if equation is None:
+        return
     for name, term in vector.terms.items():
         if is_zero(term):
             continue
@@ -71,7 +77,7 @@ def terms(vector, key, stated_in, section="", number=""):
         )
 
 
-def is_zero(vector):
+def is_zero(vector: Vector) -> bool:
     """True if all components are the number zero, and not only for some values."""
     return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
 
@@ -91,10 +97,10 @@ def steps(p, values, one=1.0):
     g = p.base(values, one)
     found = listed_steps(p, g)
     _check_names(p, found)
-    return [_said(s, p) for s in found]
+    return [_stated(s, p) for s in found]
 
 
-def listed_steps(p, g):
+def listed_steps(p: Problem, g: Givens) -> list[Step]:
     """The steps of ``p`` for givens ``g`` of any kind, in base units: those that its code lists, or
     the terms of its answers.
     """
@@ -102,7 +108,7 @@ def listed_steps(p, g):
     return list(own(g) if own else _from_answers(p, g))
 
 
-def _said(step, p):
+def _stated(step, p):
     """A step in its unit, a term of a sum in the words of the problem."""
     value = in_unit(step.value, step.unit, p.system)
     if not step.term:
@@ -110,7 +116,7 @@ def _said(step, p):
     return replace(step, value=value, means=f"{term_text(*step.term, p)}, in {step.means}")
 
 
-def in_unit(value, stated_in, system):
+def in_unit(value: Any, stated_in: str, system: System) -> Any:
     """The value of a step in its unit; a whole number, a word, or what a function gives that waits
     for numbers, is itself.
     """
@@ -138,7 +144,7 @@ def _check_names(p, found):
         taken.add(s.key)
 
 
-def faults(p, values):
+def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
     """What is wrong with the steps of ``p``, as sentences: their names, and their dimensions."""
     try:
         steps(p, values)

@@ -2,6 +2,10 @@
 
 import re
 
+from newton_euler.algebra.ledger import Equation
+
+from .model import Problem
+
 # the terms of the equations of relative motion, whose symbols v_B, a_B would be taken for the
 # velocity and acceleration of a point B of the problem, and of (4.15)
 RELATIVE_MOTION = {
@@ -16,18 +20,20 @@ RELATIVE_MOTION = {
 }
 
 
-def term_text(name, equation, problem=None, latex=False):
+def term_text(
+    name: str, equation: Equation, problem: Problem | None = None, latex: bool = False
+) -> str:
     """A term in the words of the problem, with its formula if it has one: as text or in LaTeX."""
     if (equation.kind, name) in RELATIVE_MOTION:
-        said = RELATIVE_MOTION[equation.kind, name]
-        bold = re.sub(r"\b([av])_r", r"$\\mathbf{\1}_r$", said)
-        return bold.replace("dQ/dt", r"$d\mathbf{Q}/dt$") if latex else said
+        text = RELATIVE_MOTION[equation.kind, name]
+        bold = re.sub(r"\b([av])_r", r"$\\mathbf{\1}_r$", text)
+        return bold.replace("dQ/dt", r"$d\mathbf{Q}/dt$") if latex else text
     if name in equation.terms:
-        said, *of = name.split("_")  # coriolis_theta_phi, of two coordinates
-        said = {"coriolis": "Coriolis", "euler": "Euler"}.get(said, said)
+        kind, *of = name.split("_")  # coriolis_theta_phi, of two coordinates
+        kind = {"coriolis": "Coriolis", "euler": "Euler"}.get(kind, kind)
         whose = f" of {' and '.join(of)}," * bool(of)
         formula = f"${equation.terms[name][1]}$" if latex else equation.terms[name][0]
-        return f"the {said} term{whose} {formula}"
+        return f"the {kind} term{whose} {formula}"
     if not equation.kind.startswith("angular"):
         return f"the term {name}"
     if " x " not in name:
@@ -42,15 +48,15 @@ def _of_frame(name, problem):
     """A frame in the words of the problem, after "the turning": "of the arm", "about y"."""
     if name.startswith("about ") or name in ("x", "y", "z"):
         return f"about {name.removeprefix('about ')}"
-    return f"of {body_text(name)}" if is_said(name, problem) else "of a moving frame"
+    return f"of {body_text(name)}" if named_in_text(name, problem) else "of a moving frame"
 
 
-def body_text(name):
+def body_text(name: str) -> str:
     """A body or frame in a sentence: "the arm", "CD"."""
     return name if not name.islower() or len(name) == 1 else f"the {name}"
 
 
-def is_said(name, problem):
+def named_in_text(name: str, problem: Problem | None) -> bool:
     """True if the name of a frame is a word of the problem, and not of its solution only."""
     if problem is None:
         return True

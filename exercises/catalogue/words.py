@@ -4,10 +4,22 @@ without arguments, which are called once there are numbers: they may compare and
     {"sense": lambda: "ascending" if v_y > 0 else "descending"}
 """
 
-from newton_euler.algebra.scalars import is_numeric
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol
+
+from newton_euler.algebra.scalars import Scalar, is_numeric
 
 
-def word(value):
+class Stated(Protocol):
+    """A problem, as its words need it: the ranges of its symbols, and givens for its code."""
+
+    symbols: Mapping[str, Any]
+
+    def base(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> Any:
+        """The values as the code of the problem takes them."""
+
+
+def word(value: Any) -> Any:
     """The word or whole number that the code of a problem returns, or a function that does."""
     value = value() if callable(value) else value
     if isinstance(value, str):
@@ -18,7 +30,12 @@ def word(value):
         return value
 
 
-def words_at(p, compute, values, one):
+def words_at(
+    p: Stated,
+    compute: Callable[[Any], Mapping],
+    values: Mapping[str, Scalar],
+    one: Scalar,
+) -> dict:
     """The words and counts of ``compute(g)``, {key: answer}, for ``values`` in the units of the
     text: computed in numbers of which none is an array, so that they may branch.
 

@@ -57,7 +57,6 @@ def draw(g, ax):
     s.path([place(far * n / 40) for n in range(-30, 41)])
     s.line((g.x, 0, 0), here)
     s.dimension(O, (g.x, 0, 0), "x")
-    s.dot(here)
     s.vector(here, ground.i * g.c, "c")
     s.label(O, "O", offset=(-8, -8))
-    s.label(here, "P", offset=(-8, 8))
+    s.dot(here, "P", offset=(-8, 8))

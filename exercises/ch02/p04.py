@@ -5,12 +5,12 @@ from newton_euler import Frame, sqrt
 
 
 def fall_time(g):
-    """From rest through the height h."""
+    """The time of the fall from rest through the height h."""
     return sqrt(2 * g.h / g.g)
 
 
 def speeds(g, T):
-    """To the near and to the far edge in the time T."""
+    """The speeds that reach the near and the far edge in the time T."""
     return g.d / T, (g.d + g.w) / T
 
 

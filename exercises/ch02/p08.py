@@ -1,11 +1,17 @@
 """2/8: a ball that hits a wall as high as it can: whether it rises or falls."""
 
-from exercises.devices import thrown_ball
-from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_path
+from exercises.devices.thrown_ball import (
+    at_wall,
+    best_slope,
+    draw,
+    forward,
+    proved_angle,
+    proved_path,
+)
 from exercises.tools import Step, mp, rate, root
 from newton_euler import atan, sqrt
 
-draw = thrown_ball.draw
+draw = draw
 
 
 def sense(slope):
@@ -34,7 +40,7 @@ def prove(g):
     slope = upward / ahead
 
     def speed(angle):
-        """With which the ball comes to the foot of the wall."""
+        """The speed with which the ball comes to the foot of the wall."""
         return root(lambda v: v * mp.sin(angle) - g.g / 2 * g.d / (v * mp.cos(angle)), 1e-3, 1e3)
 
     # least where it no longer changes with the angle

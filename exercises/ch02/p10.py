@@ -17,7 +17,7 @@ def speed(g):
 
 
 def acceleration(g, v, a_t):
-    """Of a point on the circle, along e_r and e_theta."""
+    """The acceleration of a point on the circle, along e_r and e_theta."""
     ground = Frame("ground")
     angle = moving(g.s / g.R, rate=v / g.R, acceleration=a_t / g.R)
     return polar(ground, "P", g.R, angle).acceleration(ground)

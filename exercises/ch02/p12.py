@@ -13,7 +13,7 @@ def direction(g):
 
 
 def normal_acceleration(g):
-    """At the nozzle, whatever the speed."""
+    """The normal acceleration at the nozzle, whatever the speed."""
     ground, e = direction(g)
     return jet.motion(g, ground, e).acceleration.y
 

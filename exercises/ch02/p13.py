@@ -28,7 +28,7 @@ def solve(g):
 
 
 def a(g, v):
-    """From the speed."""
+    """The acceleration at the speed v."""
     return v.frame.vector(-g.b, v.dot(v) / g.rho, 0)
 
 
@@ -78,11 +78,9 @@ def draw(g, ax):
 
     s.path([on_path(n / 30) for n in range(-24, 31)])
     s.line(C, P)
-    s.dot(P)
-    s.dot(C)
     s.vector(P, e_t, "$e_t$", kind="plain")
     s.vector(P, e_n, "$e_n$", kind="plain")
     s.axes((0.5 * g.rho, -0.8 * g.rho, 0), ground, length=0.4 * g.rho, labels=["i", "j", ""])
     s.dimension(P, C, r"$\rho$", offset=0.12 * g.rho)
-    s.label(C, "C")
-    s.label(P, "P")
+    s.dot(C, "C")
+    s.dot(P, "P")

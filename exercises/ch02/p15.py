@@ -5,7 +5,7 @@ from newton_euler import Frame, cos, frenet, sin, sqrt
 
 
 def airplane(g, total):
-    """Its motion at A, from the magnitude of the acceleration; x forward, y up."""
+    """The airplane's motion at A, from the size of the acceleration; x forward, y up."""
     ground = Frame("ground")
     upward = sqrt(total**2 - g.v_dot**2)
     return frenet(ground.vector(g.v, 0, 0), ground.vector(g.v_dot, upward, 0))
@@ -64,7 +64,5 @@ def draw(g, ax):
     s.plate([(rho * x, rho * y, 0) for x, y in outline])
     s.vector((0.19 * rho, 0, 0), ground.i, "v")
     s.dimension(C, A, label=r"$\rho$", offset=0)
-    s.dot(A)
-    s.dot(C)
-    s.label(A, "A", offset=(0, -18))
-    s.label(C, "C")
+    s.dot(A, "A", offset=(0, -18))
+    s.dot(C, "C")

@@ -5,7 +5,7 @@ from newton_euler import Frame, sqrt
 
 
 def speed(g):
-    """From the normal acceleration v^2/r_1 at pulley 1."""
+    """The speed, from the normal acceleration v^2/r_1 at pulley 1."""
     return sqrt(g.a_n1 * g.r_1)
 
 
@@ -76,10 +76,8 @@ def draw(g, ax):
     B = s.pulley((0.9 * apart, -down, 0), k, 0.6 * r)
     first, second = s.pulley(one, k, r), s.pulley(two, k, q)
     s.cable(A, first, second, B, turns=(-1, -1, -1, -1))
-    s.dot((0, r, 0))
-    s.dot((apart + q, 0, 0))
-    s.label((0, r, 0), "P1")
-    s.label((apart + q, 0, 0), "P2")
+    s.dot((0, r, 0), "P1")
+    s.dot((apart + q, 0, 0), "P2")
     s.dimension(one, (-r * 3**0.5 / 2, r / 2, 0), label="$r_1$", offset=0)
     s.dimension(two, (apart - q * 3**0.5 / 2, q / 2, 0), label="$r_2$", offset=0)
     s.label((0.1 * apart, -down, 0), "A")

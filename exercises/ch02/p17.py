@@ -54,9 +54,8 @@ def draw(g, ax):
     end = P.position(ground) * 1.5
     s.rod(O, end)
     s.hinge(O)
-    s.dot(P)
     s.arc(O, (size, 0, 0), P, label=r"$\theta$")
     s.swing(O, end, ground.k, label=r"$\omega$")
     s.dimension(O, P, label="r", offset=0.12 * size)
     s.label(O, "O", offset=(-10, -10))
-    s.label(P, "P", offset=(10, -8))
+    s.dot(P, "P", offset=(10, -8))

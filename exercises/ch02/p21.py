@@ -75,9 +75,8 @@ def draw(g, ax):
     wide, high = 0.02 * g.r, 0.07 * g.r
     sides = [(-wide, -high), (wide, -high), (wide, high / 2), (0, high), (-wide, high / 2)]
     s.plate([(x + u, y + w, 0) for u, w in sides])
-    s.dot(O)
     s.arc(O, (x, 0, 0), P, label=r"$\theta$")
     s.label((0.6 * x, 0.6 * y, 0), "$r$", offset=ground.vector(-y, x, 0), bold=False)
     s.swing(O, (0.4 * x, 0.4 * y, 0), ground.k, label=r"$\dot\theta$")
-    s.label(O, "O", offset=(-12, 10))
+    s.dot(O, "O", offset=(-12, 10))
     s.label(P, "P", offset=(16, 0))

@@ -57,10 +57,9 @@ def draw(g, ax):
     tip = [1.15 * g.R * x for x in (cos(here), sin(here), 0)]
     s.line(P, tip)
     s.swing(O, tip, ground.k, label=r"$\omega$")
-    s.dot(P)
     s.dot(end)
     s.arc(O, (g.R, 0, 0), P, label=r"$\theta$")
-    s.label(P, "P", offset=(sin(here), -cos(here), 0))
+    s.dot(P, "P", offset=(sin(here), -cos(here), 0))
     s.label([0.8 * x for x in P], "$r$", offset=(-sin(here), cos(here), 0), bold=False)
     s.dimension(O, (-r_0 * 0.8, -r_0 * 0.6, 0), label="$r_0$", offset=0)
     s.dimension(O, (g.R * 0.5, -g.R * 3**0.5 / 2, 0), label="R", offset=0)

@@ -39,12 +39,12 @@ def steps(g):
 
 
 def r_ddot(g, theta_dot):
-    """From the radial acceleration, which is zero."""
+    """r'', from the radial acceleration, which is zero."""
     return motion(g)[0].x * theta_dot**2
 
 
 def theta_ddot(g, r_dot, theta_dot):
-    """From the transverse acceleration, which is zero."""
+    """theta'', from the transverse acceleration, which is zero."""
     return -2 * r_dot * theta_dot / motion(g)[0].x
 
 
@@ -95,11 +95,10 @@ def draw(g, ax):
     s.cylinder((left - 0.7 * g.h, y, 0), (left, y, 0), 0.13 * g.h)
     s.rod((left, y, 0), A)
     s.hinge(O)
-    s.dot(A)
     s.vector(A, ground.i, "v")
     s.arc(O, (x + 0.9 * g.h, 0, 0), A, label=r"$\theta$")
     s.dimension(O, A, label="r", offset=-0.25 * g.h)
     s.dimension((-0.3 * g.h, 0, 0), (-0.3 * g.h, y, 0), label="h", offset=0)
     s.line((-0.45 * g.h, 0, 0), O)
     s.label(O, "O", offset=(0, -16))
-    s.label(A, "A", offset=(-14, 10))
+    s.dot(A, "A", offset=(-14, 10))

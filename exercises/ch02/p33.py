@@ -70,5 +70,4 @@ def draw(g, ax):
     s.line((R, 0, 0), (1.4 * R, 0, 0), style="centre")
     s.vector((0.16, 0, 0), disk.i, r"$\dot x$")
     s.label((1.4 * R, 0, 0), "x", offset=(10, 0), bold=False)
-    s.dot(P)
-    s.label(P, "O", offset=(0, -18))
+    s.dot(P, "O", offset=(0, -18))

@@ -9,11 +9,7 @@ GROUND = Frame("ground")
 
 def acceleration(g):
     """The components of a, each a function of time."""
-    return (
-        lambda t: g.a0 + g.a1 * t,
-        lambda t: g.b2 * t**2,
-        lambda t: g.c3 * t**3 - g.c0,
-    )
+    return (lambda t: g.a0 + g.a1 * t, lambda t: g.b2 * t**2, lambda t: g.c3 * t**3 - g.c0)
 
 
 def start(g):
@@ -67,6 +63,5 @@ def draw(g, ax):
         if tuple(B) != A:
             s.line(A, B, style="dotted")
     s.path([motion(g, 1.6 * n / 40)[0] for n in range(41)], style="dashed")
-    s.dot(start(g))
-    s.label(start(g), "$P_0$")
+    s.dot(start(g), "$P_0$")
     s.label((0, 0, 0), "O")

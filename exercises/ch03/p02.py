@@ -72,7 +72,6 @@ def draw(g, ax):
     n = 0.6 * far * direction(g).direction()
     s.arrow((0, 0, 0), n)
     s.label(n, "$\\mathbf{n}$")
-    s.dot(P)
     s.vector(P, P.velocity(GROUND), "$\\mathbf{v}$")
-    s.label(P, "P")
+    s.dot(P, "P")
     s.label((0, 0, 0), "O")

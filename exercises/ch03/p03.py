@@ -67,7 +67,6 @@ def draw(g, ax):
         s.line(A, B)
         s.dimension(A, B, label=label)
     s.dimension(O, X, label="a")
-    s.dot(P)
     s.vector(P, v, "$\\mathbf{v}$")
-    s.label(P, "P")
+    s.dot(P, "P")
     s.label(O, "O")

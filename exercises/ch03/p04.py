@@ -7,7 +7,7 @@ from newton_euler.kinematics import at_speed
 
 
 def rise(g):
-    """For one radian."""
+    """The rise for one radian."""
     return g.p / (2 * pi(g.p))
 
 

@@ -7,7 +7,7 @@ from newton_euler.kinematics import frenet
 
 
 def rise(p):
-    """For one radian."""
+    """The rise for one radian."""
     return p / (2 * pi(p))
 
 
@@ -93,14 +93,14 @@ def proved_times(g):
     scale = c / n / mp.sqrt(g.A_1 / n)
 
     def time(share):
-        """With u = s*s of the largest."""
+        """The time to u = s*s, as a share of the largest."""
         return proofs.integral(lambda s: scale / mp.sqrt(1 - s**4), 0, mp.sqrt(share))
 
     return {"t_h": time(share_at(reached(0, c, n) / 2, c, n)), "t_1": time(1)}
 
 
 def stretch_and_bend(a, p):
-    """Of the helix as a path in theta: sizes of first and second derivative; and its rise."""
+    """Sizes of the first and second derivative by theta of the helix as a path, and its rise."""
     h = p / (2 * mp.pi)
 
     def place(s):

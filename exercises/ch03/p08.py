@@ -71,6 +71,5 @@ def draw(g, ax):
     s.path([path(g)(end * n / 160) for n in range(161)])
     P = path(g)(0.62 * end)
     s.dimension((0, 0, high), (0, g.r, high), label="r")
-    s.dot(P)
-    s.label(P, "P")
+    s.dot(P, "P")
     s.label((0, 0, 1.05 * high), "z", bold=False)

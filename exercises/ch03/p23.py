@@ -9,7 +9,7 @@ draw = ride.section
 
 
 def velocity(g):
-    """Its cylindrical components, the elevation, and the spherical axes."""
+    """The velocity in cylindrical components, the elevation, and the spherical axes."""
     ground, P, _ = ride.car(g)
     phi = ride.coordinates(g)[3]
     return P.velocity(ground), phi, P.local.rotate("e_R, e_theta, e_phi", "-y", phi)

@@ -9,7 +9,7 @@ draw = ride.section
 
 
 def acceleration(g):
-    """Its spherical components, the elevation, and the cylindrical axes."""
+    """The acceleration in spherical components, the elevation, and the cylindrical axes."""
     ground, in_cylindrical, P = ride.car(g)
     return P.acceleration(ground), P.coordinates[2], in_cylindrical.local
 

@@ -32,11 +32,7 @@ def prove(g):
     P = tip_in_time(g)
     phi, v = elevation_in_time(P), rate(P)
     answers = {"speed": size(v), "acc_mag": size(second_rate(P))}
-    return answers | {
-        "phi": phi(0),
-        "phi_dot": rate(phi),
-        "v": times(spherical_axes(P(0)), v),
-    }
+    return answers | {"phi": phi(0), "phi_dot": rate(phi), "v": times(spherical_axes(P(0)), v)}
 
 
 def mistakes(g):

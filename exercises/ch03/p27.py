@@ -13,7 +13,7 @@ def coordinates(g):
 
 
 def answers(g, phi, turned=lambda T: T):
-    """For the elevation phi; ``turned`` is what is done to the matrices."""
+    """The answers for the elevation phi; ``turned`` is what is done to the matrices."""
     _, theta, *_ = coordinates(g)
     ground = Frame("ground")
     to_cylindrical, to_spherical = turned(T_theta(theta)), turned(T_phi(phi))
@@ -77,7 +77,6 @@ def draw(g, ax):
     s.line(Q, P)
     s.arc(O, (g.x, 0, 0), Q, label=r"$\theta$")
     s.arc(O, Q, P, label=r"$\phi$")
-    s.dot(P)
-    s.label(P, "P")
+    s.dot(P, "P")
     s.label(Q, "Q")
     s.label(O, "O")

@@ -19,13 +19,13 @@ def solve(g):
 def steps(g):
     ground, rising, A = screw_in_nut(g, rise(g), g.n)
     yield Step("omega", g.n, "rad/s", "rate of the screw, 2 pi for each turn")
-    said = "speed at which B, on the axis at the height of A, rises: one lead in each turn"
-    yield Step("v_B", rise(g), "in/s", said)
+    means = "speed at which B, on the axis at the height of A, rises: one lead in each turn"
+    yield Step("v_B", rise(g), "in/s", means)
     frame = "the moving frame, which rises with B and does not turn"
     yield from seen_in(rising, A, ground, "in", frame, "B, with x toward A and z up")
-    said = "velocity of A: v_B upward and v_r together, as the moving frame does not turn"
+    means = "velocity of A: v_B upward and v_r together, as the moving frame does not turn"
     v = A.velocity(ground, via=rising).expressed_in(ground)
-    yield Step("v_A", v, "in/s", said, "4.8", "4.17")
+    yield Step("v_A", v, "in/s", means, "4.8", "4.17")
 
 
 def prove(g):

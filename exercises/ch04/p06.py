@@ -31,8 +31,8 @@ def steps(g):
     yield Step("v_O", v_O, "ft/s", "velocity of O, down the plane", "4.8")
     yield from turning_of(rod, ground, ground, "rod", "the moving frame, fixed in the rod,")
     r = rod.vector(g.b, 0, 0).expressed_in(ground)
-    said = "position of P from A, which is on the axis of turning and moves as O does"
-    yield Step("r", r, "ft", said, "4.8", "4.16")
+    means = "position of P from A, which is on the axis of turning and moves as O does"
+    yield Step("r", r, "ft", means, "4.8", "4.16")
     yield from terms(solve(g)["v_P"], "v_P", "ft/s", "4.8")
 
 
@@ -75,13 +75,12 @@ def draw(g, ax):
     s.disk(O, ground.j, radius)
     s.rod(O, A)
     s.rod(A, P)
-    s.dot(O)
     s.vector(O, rod.origin.velocity(ground), "u")
     s.line(foot, level)
     s.arc(foot, level, top, label=r"$\gamma$")
     s.turn((0, 0, 0.5 * height(g)), ground.k, label=r"$\omega$")
     s.dimension(A, P, label="b")
     s.axes((g.b, 0, 0), ground, length=0.3 * g.b)
-    s.label(O, "O")
+    s.dot(O, "O")
     s.label(A, "A")
     s.label(P, "P")

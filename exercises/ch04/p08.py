@@ -52,10 +52,10 @@ def steps(g):
     ground, frame, B = line_AB(g)
     AB, omega = ground.vector(g.L, 0, 0), frame.angular_velocity(ground).expressed_in(ground)
     v_AB = B.velocity(ground).expressed_in(ground) - frame.origin.velocity(ground)
-    said = r"$\mathbf{v}_B - \mathbf{v}_A$, which is omega x r with r from A to B"
-    yield Step("v_AB", v_AB, "in/s", f"difference {said}", "4.4", "4.11")
-    said = r"the part of omega square to AB, $\hat\imath \times (\mathbf{v}_B - \mathbf{v}_A)/{L}$"
-    yield Step("omega_across", AB.cross(v_AB) / g.L**2, "rad/s", said, "4.4", "4.11")
+    means = r"$\mathbf{v}_B - \mathbf{v}_A$, which is omega x r with r from A to B"
+    yield Step("v_AB", v_AB, "in/s", f"difference {means}", "4.4", "4.11")
+    means = r"the part of omega square to AB, $\hat\imath \times (\mathbf{v}_B - \mathbf{v}_A)/{L}$"
+    yield Step("omega_across", AB.cross(v_AB) / g.L**2, "rad/s", means, "4.4", "4.11")
     yield Step("omega_along", omega.x * ground.i, "rad/s", "the part of omega along AB, its spin")
     yield from terms(solve(g)["a_B"], "a_B", "in/s^2", "4.8")
 
@@ -77,7 +77,7 @@ def prove(g):
 
     def B(t):
         A = plus(scaled(t, v_A), scaled(t**2 / 2, a_A))
-        # of omega from 0 to t: exact to t^2 in the angle
+        # the turning with omega from 0 to t: exact to t^2 in the angle
         mean = plus(omega, scaled(t / 2, omega_dot))
         return plus(A, proofs.times(proofs.rot(mean, t * proofs.size(mean)), [g.L, 0, 0]))
 
@@ -107,7 +107,5 @@ def draw(g, ax):
     s.vector(A, A.velocity(ground), "$v_A$")
     s.vector(B, B.velocity(ground), "$v_B$")
     s.dimension(A, B, label="L", offset=-0.12 * g.L)
-    s.dot(A)
-    s.dot(B)
-    s.label(A, "A")
-    s.label(B, "B")
+    s.dot(A, "A")
+    s.dot(B, "B")

@@ -49,8 +49,8 @@ def steps(g):
     yield Step("y", y, "in", "y of B, likewise")
     v_A, v_B = (P.velocity(ground).expressed_in(ground) for P in (A, B))
     yield Step("v_A", v_A, "in/s", "velocity of the upper end A, given")
-    said = r"velocity of B, along the ellipse; $\mathbf{v}_B - \mathbf{v}_A$ is square to the rod"
-    yield Step("v_B", v_B, "in/s", said, "4.4", "4.11")
+    means = r"velocity of B, along the ellipse; $\mathbf{v}_B - \mathbf{v}_A$ is square to the rod"
+    yield Step("v_B", v_B, "in/s", means, "4.4", "4.11")
 
 
 def prove(g):
@@ -93,10 +93,9 @@ def draw(g, ax):
     s.axes(O, ground, length=1.2 * g.b)
     s.path(quarter)
     s.rod(A, B)
-    s.dot(M)
     s.vector(A, A.velocity(ground), r"$\dot z$")
     s.dimension(O, A, label="$z_1$")
     s.dimension(A, B, label="L", offset=0.2 * g.L)
     s.label(quarter[0], "$a$", offset=(-2, 10))
     s.label(quarter[-1], "$b$", offset=(2, 10))
-    s.label(M, "M", offset=(10, 8))
+    s.dot(M, "M", offset=(10, 8))

@@ -20,13 +20,15 @@ def steps(g):
     for n, side, turning, axle in (1, 1, g.omega_1, "BB"), (2, -1, g.omega_2, "CC"):
         gear = ground.rotate("gear", AXIS, rate=turning)
         speeds.append(gear.point("tooth", side * g.r, g.R, 0).velocity(ground).z)
-        said = f"velocity along z of the gear of {axle} where the +y pinion meshes with it"
-        yield Step(f"v_{n}", speeds[-1], "m/s", said, "4.4", "4.11")
+        means = f"velocity along z of the gear of {axle} where the +y pinion meshes with it"
+        yield Step(f"v_{n}", speeds[-1], "m/s", means, "4.4", "4.11")
     v = cage.point("centre", 0, g.R, 0).velocity(ground).z
-    said = r"velocity along z of the centre of the +y pinion, $(v_1 + v_2)/2$, which is $\Omega R$"
-    yield Step("v_0", v, "m/s", said, "4.4", "4.11")
-    said = r"velocity of the tooth at the gear of BB against this centre, $v_1 - v_0 = -r \omega_A$"
-    yield Step("v_10", speeds[0] - v, "m/s", said, "4.4", "4.11")
+    means = r"velocity along z of the centre of the +y pinion, $(v_1 + v_2)/2$, which is $\Omega R$"
+    yield Step("v_0", v, "m/s", means, "4.4", "4.11")
+    means = (
+        r"velocity of the tooth at the gear of BB against this centre, $v_1 - v_0 = -r \omega_A$"
+    )
+    yield Step("v_10", speeds[0] - v, "m/s", means, "4.4", "4.11")
 
 
 follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}

@@ -48,15 +48,17 @@ def steps(g):
         ("B", B, on_B, r"\omega_x \sin\beta_B + \omega_y \cos\beta_B"),
     ):
         v = cone.point("", *contact).velocity(ground).expressed_in(ground)
-        said = f"velocity of {name} and C where they touch, at the distance 1 from O; along z it is"
-        yield Step(f"v_{name}", v, "1/s", f"{said} ${component}$", "4.4", "4.11")
+        means = (
+            f"velocity of {name} and C where they touch, at the distance 1 from O; along z it is"
+        )
+        yield Step(f"v_{name}", v, "1/s", f"{means} ${component}$", "4.4", "4.11")
     yield from terms(solve(g)["omega_C"], "omega_C", "rad/s", "4.9")
 
 
 def prove(g):
     """C's axis goes round x while C turns on it; equal arcs on C and A, and on C and B."""
     half_gap = (mp.pi - g.beta_A - g.beta_B) / 2
-    tilt = g.beta_A + half_gap  # of the axis of C from x
+    tilt = g.beta_A + half_gap  # inclination of the axis of C to x
     # pitch radii at the distance 1 from the apex
     a, b, c = mp.sin(g.beta_A), mp.sin(g.beta_B), mp.sin(half_gap)
     # so that (omega - round_x) a = (omega + round_x) b, the arcs laid off in unit time on A and B
@@ -95,11 +97,7 @@ def draw(g, ax):
     ground, _, _, on_A, on_B = cones(g, -g.omega)
     O, half_gap, x = ground.point("O", 0, 0, 0), on_A.angle_to(on_B) / 2, ground.i
     s = Sketch(ax, ground, azimuth=20, elevation=15, up="y")
-    for axis, half_angle in (
-        (x, g.beta_A),
-        (-x, g.beta_B),
-        ((on_A + on_B).direction(), half_gap),
-    ):
+    for axis, half_angle in ((x, g.beta_A), (-x, g.beta_B), ((on_A + on_B).direction(), half_gap)):
         s.cone(O, axis, cos(half_angle), sin(half_angle))
     s.label(x * cos(g.beta_A), "A", offset=(0, -14))
     s.label(ground.vector(-cos(g.beta_B), -sin(g.beta_B), 0) * 0.8, "B", offset=-ground.j)

@@ -26,11 +26,11 @@ def solve(g):
 def steps(g):
     ground, axle, disk = axle_and_disk(g)
     v = disk.origin.velocity(ground).expressed_in(axle)
-    said = "velocity of the disk's centre A, which goes round a circle of radius R"
-    yield Step("v_A", v, "m/s", said, "4.4", "4.11")
+    means = "velocity of the disk's centre A, which goes round a circle of radius R"
+    yield Step("v_A", v, "m/s", means, "4.4", "4.11")
     spin = disk.angular_velocity(axle).expressed_in(axle)
-    said = "rate of the disk on the axle: it rolls, so that r times this rate is the speed of A"
-    yield Step("omega_spin", spin, "rad/s", said, "4.4", "4.11")
+    means = "rate of the disk on the axle: it rolls, so that r times this rate is the speed of A"
+    yield Step("omega_spin", spin, "rad/s", means, "4.4", "4.11")
     yield from terms(solve(g)["omega_A"], "omega_A", "rad/s", "4.9")
 
 
@@ -82,5 +82,4 @@ def draw(g, ax):
     s.turn(top, ground.k, label=r"$\omega$")
     s.dimension(M, A, label="R")
     s.dimension(other, contact, label="r", offset=axle.i * (-0.5 * g.r))
-    s.dot(A)
-    s.label(A, "A")
+    s.dot(A, "A")

@@ -22,8 +22,8 @@ def solve(g):
 
 def steps(g):
     ground, _, bracket, A = arm_bracket_tip(g)
-    said = "the moving frame, fixed in the bracket,"
-    yield from turning_of(bracket, ground, ground, "bracket", said)
+    phrase = "the moving frame, fixed in the bracket,"
+    yield from turning_of(bracket, ground, ground, "bracket", phrase)
     start = "D, the origin of the moving frame"
     yield from seen_in(bracket, A, ground, "mm", "the bracket", start)
     v, a = solve(g).values()

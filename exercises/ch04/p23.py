@@ -27,8 +27,10 @@ def solve(g):
 def steps(g):
     yield from rolling_steps(g)
     _, axle, _, A = axle_and_disk(g, rolling_spin(g))
-    said = "the moving frame, fixed in the axle"
-    yield from seen_in(axle, A, axle, "m", said, "C, the origin of the moving frame", "r_A", False)
+    phrase = "the moving frame, fixed in the axle"
+    yield from seen_in(
+        axle, A, axle, "m", phrase, "C, the origin of the moving frame", "r_A", False
+    )
     yield from terms(solve(g)["v_A"], "v_A", "m/s", "4.8")
 
 

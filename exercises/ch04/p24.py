@@ -19,11 +19,11 @@ def solve(g):
 def steps(g):
     ground, fuselage, rotor = fuselage_and_rotor(g)
     omega = fuselage.angular_velocity(ground)
-    said = "angular velocity of the fuselage in the ground, about -x as the nose goes down"
-    yield Step("omega_fuselage", omega, "rad/s", said, "4.9", "4.19")
+    means = "angular velocity of the fuselage in the ground, about -x as the nose goes down"
+    yield Step("omega_fuselage", omega, "rad/s", means, "4.9", "4.19")
     omega = rotor.angular_velocity(fuselage).expressed_in(fuselage)
-    said = "angular velocity of the rotor relative to the fuselage"
-    yield Step("omega_rotor", omega, "rad/s", said, "4.9", "4.19")
+    means = "angular velocity of the rotor relative to the fuselage"
+    yield Step("omega_rotor", omega, "rad/s", means, "4.9", "4.19")
     yield from terms(solve(g)["alpha_rotor"], "alpha_rotor", "rad/s^2", "4.9")
 
 

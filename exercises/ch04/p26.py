@@ -35,14 +35,14 @@ def solve(g):
 def steps(g):
     _, _, mounting, _ = simulator(g)
     e = mounting.j.expressed_in(mounting.parent)
-    said = r"direction of the drum's axis, $\cos\theta$ along y and $\sin\theta$ along z"
-    yield Step("e", e, "1", said)
+    means = r"direction of the drum's axis, $\cos\theta$ along y and $\sin\theta$ along z"
+    yield Step("e", e, "1", means)
     _, Omega, theta_dot, P = turns(g)
-    said = "angular velocity of the axes, which turn with the shaft"
-    yield Step("omega_axes", Omega, "rad/s", said, "4.9", "4.19")
+    means = "angular velocity of the axes, which turn with the shaft"
+    yield Step("omega_axes", Omega, "rad/s", means, "4.9", "4.19")
     omega = Omega + theta_dot + P
-    said = "angular velocity of the drum in the ground, which is Q in the last equation"
-    yield Step("omega_drum", omega, "rad/s", said, "4.9", "4.22")
+    means = "angular velocity of the drum in the ground, which is Q in the last equation"
+    yield Step("omega_drum", omega, "rad/s", means, "4.9", "4.22")
     yield from terms(solve(g)["alpha_drum"], "alpha_drum", "rad/s^2", "4.6")
 
 

@@ -26,8 +26,8 @@ def solve(g):
 
 def steps(g):
     ground, bracket, _, A = bracket_and_disk(g)
-    said = "the moving frame, fixed in the bracket,"
-    yield from turning_of(bracket, ground, ground, "bracket", said)
+    phrase = "the moving frame, fixed in the bracket,"
+    yield from turning_of(bracket, ground, ground, "bracket", phrase)
     yield from seen_in(bracket, A, ground, "mm", "the bracket", "O", "r_A")
     v, a = solve(g).values()
     yield from terms(v, "v_A", "mm/s", "4.8")

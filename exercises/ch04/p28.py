@@ -27,7 +27,7 @@ def solve(g):
 
 
 def place(g, frame):
-    """Of A, on the axes of the spacecraft."""
+    """The place of A, on the axes of the spacecraft."""
     return frame.vector(-g.d * sin(g.theta_1), g.L, g.d * cos(g.theta_1))
 
 
@@ -48,8 +48,8 @@ def steps(g):
     omega, alpha, v, a = solve(g).values()
     yield from terms(omega, "omega_panel", "rad/s", "4.9")
     yield from terms(alpha, "alpha_panel", "rad/s^2", "4.9")
-    said = "the moving frame, fixed in the spacecraft,"
-    yield from turning_of(craft, space, craft, "spacecraft", said)
+    phrase = "the moving frame, fixed in the spacecraft,"
+    yield from turning_of(craft, space, craft, "spacecraft", phrase)
     yield from seen_in(craft, A, craft, "ft", "the spacecraft", "the centre of the spacecraft")
     yield from terms(v, "v_A", "ft/s", "4.8")
     yield from terms(a, "a_A", "ft/s^2", "4.8")
@@ -118,5 +118,4 @@ def draw(g, ax):
     s.arc(end, up, A, label=r"$\theta$")
     s.dimension(end, A, label="d")
     s.dimension(craft.point("", 0, 0, -1.3 * g.d), craft.point("", 0, g.L, -1.3 * g.d), label="L")
-    s.dot(A)
-    s.label(A, "A")
+    s.dot(A, "A")

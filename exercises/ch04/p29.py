@@ -25,9 +25,9 @@ def steps(g):
         (shaft.parent, fork, "omega_block", "angular velocity of the block relative to the fork"),
         (shaft, shaft.parent, "omega_shaft", "angular velocity of the shaft relative to the block"),
     )
-    for frame, observer, key, said in turns:
+    for frame, observer, key, means in turns:
         omega = frame.angular_velocity(observer).expressed_in(fork)
-        yield Step(key, omega, "rad/s", said, "4.9", "4.19")
+        yield Step(key, omega, "rad/s", means, "4.9", "4.19")
     yield from terms(angular_acceleration(g), "alpha_A", "rad/s^2", "4.9", "4.26")
 
 

@@ -32,8 +32,8 @@ def steps(g):
     alpha, a = solve(g).values()
     yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9")
     _, axle, _, A = axle_and_disk(g, rolling_spin(g))
-    said = "the moving frame, fixed in the axle"
-    yield from seen_in(axle, A, axle, "m", said, "C, the origin of the moving frame", "r_A")
+    phrase = "the moving frame, fixed in the axle"
+    yield from seen_in(axle, A, axle, "m", phrase, "C, the origin of the moving frame", "r_A")
     yield from terms(a, "a_A", "m/s^2", "4.8")
 
 

@@ -1,10 +1,9 @@
 """5/1: the centre of mass of a triangle by integration."""
 
 from exercises.devices import plate_under_curve as plate
-from exercises.devices import triangular_plate
-from exercises.devices.triangular_plate import area_points, height
+from exercises.devices.triangular_plate import area_points, figure, height
 
-draw = triangular_plate.figure
+draw = figure
 
 
 def moments(g):

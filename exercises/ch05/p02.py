@@ -1,12 +1,11 @@
 """5/2: the centre of mass of two spheres that touch."""
 
-from exercises.devices import satellite
 from exercises.devices.put_together import centre, problem_of, proved
-from exercises.devices.satellite import SATELLITE, parts, spheres
+from exercises.devices.satellite import SATELLITE, figure, parts, spheres
 from exercises.tools import proofs
 
 solve, steps = problem_of(SATELLITE, parts, content="mass", mass="slug", length="ft")
-draw = satellite.figure
+draw = figure
 
 
 def prove(g):

@@ -1,11 +1,10 @@
 """5/3: the centre of mass of a block and a cylinder that stands on it."""
 
-from exercises.devices import block_with_cylinder
-from exercises.devices.block_with_cylinder import BLOCK, parts
+from exercises.devices.block_with_cylinder import BLOCK, figure, parts
 from exercises.devices.put_together import centre, chord, problem_of, sliced, unweighed
 
 solve, steps = problem_of(BLOCK, parts, content="volume", length="in")
-draw = block_with_cylinder.figure
+draw = figure
 
 
 def prove(g):

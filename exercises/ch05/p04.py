@@ -1,11 +1,10 @@
 """5/4: the centre of mass of a cone by integration."""
 
-from exercises.devices import cone
-from exercises.devices.cone import CONE, radius, tube
+from exercises.devices.cone import CONE, figure, radius, tube
 from exercises.tools import Step, proofs
 from newton_euler import integral, pi
 
-draw = cone.figure
+draw = figure
 
 
 def moments(g, radius=radius):

@@ -1,11 +1,10 @@
 """5/5: the centre of mass of a plate with six holes."""
 
-from exercises.devices import plate_with_holes
-from exercises.devices.plate_with_holes import PLATE, parts
+from exercises.devices.plate_with_holes import PLATE, figure, parts
 from exercises.devices.put_together import centre, chord, sliced, sums
 from exercises.tools import Step
 
-draw = plate_with_holes.figure
+draw = figure
 
 
 def solve(g):

@@ -1,11 +1,10 @@
 """5/6: the centre of mass of half a disk by integration."""
 
-from exercises.devices import half_disk
-from exercises.devices.half_disk import DISK, in_polar, top
+from exercises.devices.half_disk import DISK, figure, in_polar, top
 from exercises.tools import Step, proofs
 from newton_euler import pi, sin
 
-draw = half_disk.figure
+draw = figure
 
 
 def moments(g, element=lambda r: r):

@@ -1,12 +1,11 @@
 """5/7: the centre of mass of a wire along an arc."""
 
-from exercises.devices import wire_arc
-from exercises.devices.wire_arc import WIRE, along, over
+from exercises.devices.wire_arc import WIRE, along, figure, over
 from exercises.tools import Step
 from newton_euler import cos
 from newton_euler.bodies import sector
 
-draw = wire_arc.figure
+draw = figure
 
 
 def moments(g):

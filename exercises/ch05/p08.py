@@ -1,12 +1,11 @@
 """5/8: the centre of mass of a hemispherical shell."""
 
-from exercises.devices import dome
-from exercises.devices.dome import SHELL, area_of_ring, over_rings, shadow
+from exercises.devices.dome import SHELL, area_of_ring, figure, over_rings, shadow
 from exercises.tools import Step, proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import half_ring, hemisphere
 
-draw = dome.figure
+draw = figure
 
 
 def moments(g, width=lambda g, phi: g.R):

@@ -1,11 +1,10 @@
 """5/9: the centre of mass of an L-shaped block with a bore."""
 
-from exercises.devices import bored_bracket
-from exercises.devices.bored_bracket import BRACKET, block, parts
+from exercises.devices.bored_bracket import BRACKET, block, figure, parts
 from exercises.devices.put_together import centre, chord, problem_of, sliced
 
 solve, steps = problem_of(BRACKET, parts, holes=True, content="volume", length="in")
-draw = bored_bracket.figure
+draw = figure
 
 
 def prove(g):

@@ -2,12 +2,11 @@
 
 from itertools import pairwise
 
-from exercises.devices import chain_of_rods
-from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, path, rods
+from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, figure, path, rods
 from exercises.devices.put_together import centre, sums, unweighed, walked
 from exercises.tools import Step
 
-draw = chain_of_rods.figure
+draw = figure
 
 
 def solve(g):

@@ -1,12 +1,11 @@
 """5/12: the centre of mass of a disk with a hole beside its centre."""
 
-from exercises.devices import disk_with_hole
-from exercises.devices.disk_with_hole import DISK, parts, rim
+from exercises.devices.disk_with_hole import DISK, figure, parts, rim
 from exercises.devices.put_together import centre, problem_of, proved
 from exercises.tools import mp, proofs
 
 solve, steps = problem_of(DISK, parts, holes=True, content="area", length="m")
-draw = disk_with_hole.figure
+draw = figure
 
 
 def prove(g):

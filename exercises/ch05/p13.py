@@ -1,11 +1,10 @@
 """5/13: the centre of mass of three welded rods of different lengths."""
 
-from exercises.devices import welded_rods
 from exercises.devices.put_together import centre, problem_of, unweighed, walked
-from exercises.devices.welded_rods import WELDED, parts, path
+from exercises.devices.welded_rods import WELDED, figure, parts, path
 
 solve, steps = problem_of(WELDED, parts, content="length", length="m")
-draw = welded_rods.figure
+draw = figure
 
 
 def prove(g):

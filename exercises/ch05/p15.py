@@ -1,11 +1,10 @@
 """5/15: the centre of mass of four particles on light rods."""
 
-from exercises.devices import four_particles
-from exercises.devices.four_particles import masses, particles, rods
+from exercises.devices.four_particles import figure, masses, particles, rods
 from exercises.tools import Step, rate, root
 from newton_euler import centre_of_mass
 
-draw = four_particles.figure
+draw = figure
 
 
 def centre(ground, parts):

@@ -1,11 +1,10 @@
 """5/16: a centre of mass by integration."""
 
-from exercises.devices import parabola_plate
 from exercises.devices import plate_under_curve as plate
-from exercises.devices.parabola_plate import height, start
+from exercises.devices.parabola_plate import figure, height, start
 from exercises.tools import proofs
 
-draw = parabola_plate.figure
+draw = figure
 
 
 def moments(g):

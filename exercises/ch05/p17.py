@@ -7,7 +7,7 @@ from newton_euler.dynamics import gravity_at_height
 
 
 def solve(g):
-    # of one person, weight and acceleration of gravity fall alike
+    # weight and acceleration of gravity fall alike
     return {"W": gravity_at_height(g.h, g.R_e, g=g.W0)}
 
 

@@ -27,11 +27,7 @@ def prove(g):
     earth = pull(1, 1, 1)
     moon = pull(1 / g.n_M, 1 / g.n_R, 1 / g.n_R)
     large_moon = pull(1 / g.n_M, 1, 1)
-    return {
-        "W": g.W0 * moon / earth,
-        "W_1": g.W0 * large_moon / earth,
-        "growth": moon / large_moon,
-    }
+    return {"W": g.W0 * moon / earth, "W_1": g.W0 * large_moon / earth, "growth": moon / large_moon}
 
 
 def mistakes(g):

@@ -60,7 +60,6 @@ def draw(g, ax):
         s.disk((x, 0, -0.25 * L), ground.j, 0.1 * L)
     s.rod(C, P)
     s.hinge(C)
-    s.dot(P)
     s.dimension(C, P, label="L", offset=0.12 * L)
-    s.label(P, "P")
+    s.dot(P, "P")
     s.label(C, "C", offset=(-12, 4))

@@ -17,8 +17,8 @@ def solve(g):
 
 
 def steps(g):
-    said = "coordinates: the heights of three masses and of the movable pulley"
-    return steps_to_count(HEIGHTS, ROPES, said)
+    means = "coordinates: the heights of three masses and of the movable pulley"
+    return steps_to_count(HEIGHTS, ROPES, means)
 
 
 def prove(g):

@@ -19,8 +19,8 @@ def solve(g):
 
 
 def steps(g):
-    said = "coordinates: the heights of five masses and of three movable pulleys"
-    return steps_to_count(HEIGHTS, ROPES, said)
+    means = "coordinates: the heights of five masses and of three movable pulleys"
+    return steps_to_count(HEIGHTS, ROPES, means)
 
 
 def prove(g):

@@ -8,12 +8,12 @@ TWO = {"P1": "particle", "P2": "particle"}
 
 
 def length(P):
-    """From the tip."""
+    """The distance from the tip."""
     return sqrt(sum(x * x for x in P))
 
 
 def cone(P1):
-    """With the half angle of 45 deg, about z."""
+    """Zero on the cone about z with the half angle of 45 deg."""
     x, y, z = P1
     return x * x + y * y - z * z
 

@@ -74,5 +74,4 @@ def draw(g, ax):
         s.path(arc)
         at = arc[3 * len(arc) // 4 if n == 3 else len(arc) // 2]
         s.label(at, rf"$\theta_{n}$", offset=at, bold=False)
-    s.dot(P)
-    s.label(P, "P", offset=(9, -10))
+    s.dot(P, "P", offset=(9, -10))

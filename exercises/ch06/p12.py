@@ -15,18 +15,18 @@ def road(g):
 
 
 def flexure(g, x):
-    """Of the road at x."""
+    """The flexure of the road at x."""
     return frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
 
 
 def speed(g):
-    """At which the weight alone is the normal force that the hump needs."""
+    """The speed at which the weight alone is the normal force that the hump needs."""
     _, needed = path_force(g.m, sqrt(g.g * g.L), 0, flexure(g, g.L / 4))
     return sqrt(g.g * g.L) * sqrt(g.m * g.g / needed)
 
 
 def force(g, v_max):
-    """Of the road at the dip, less the weight turned up."""
+    """The force of the road at the dip, less the weight turned up."""
     return path_force(g.m, v_max, 0, flexure(g, 3 * g.L / 4))[1] + g.m * g.g
 
 

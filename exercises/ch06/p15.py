@@ -22,7 +22,7 @@ def hoop_force(g, theta):
 
 
 def along_hoop(g, theta):
-    """Its component that a hoop without friction cannot give."""
+    """The component along the hoop, which one without friction cannot give."""
     N = hoop_force(g, theta)
     return N.dot(N.frame.vector(cos(theta), 0, sin(theta)))
 

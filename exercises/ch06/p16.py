@@ -55,7 +55,7 @@ def prove(g):
     """r as a power series in t, whose coefficients the equation along the tube gives in turn; the
     path in the ground is then differentiated.
     """
-    r, sine = [g.a, mp.mpf(0)], [mp.mpf(0), g.omega]  # of r and of sin(omega t)
+    r, sine = [g.a, mp.mpf(0)], [mp.mpf(0), g.omega]  # series of r and of sin(omega t)
     for n in range(3 * DIGITS):
         both = (n + 1) * (n + 2)
         r.append((g.omega**2 * r[n] - g.g * sine[n]) / both)

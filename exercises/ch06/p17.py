@@ -85,14 +85,13 @@ def draw(g, ax):
     rho_C = g.h_B  # the drawing's own, large enough to be smooth
     dip = bend((0, g.rho_B - g.h_B), g.rho_B, -DOWN, UP)
     (x_0, _, z_0), (x_1, _, z_1) = dip[0], dip[-1]
-    rise = -g.h_C - rho_C * (1 - cos(UP)) - z_1  # of the straight piece to the crest
+    rise = -g.h_C - rho_C * (1 - cos(UP)) - z_1  # height of the straight piece before the crest
     x_C = x_1 + rise / tan(UP) + rho_C * sin(UP)
     crest = bend((x_C, -g.h_C - rho_C), -rho_C, UP, -0.3)
     A, B, C = (x_0 + z_0 / tan(DOWN), 0, 0), (0, 0, -g.h_B), (x_C, 0, -g.h_C)
     s.road([A, *dip, *crest])
     for P, name in ((A, "A"), (B, "B"), (C, "C")):
-        s.dot(P)
-        s.label(P, name)
+        s.dot(P, name)
     s.arrow((0, 0, g.rho_B - g.h_B), B, label=r"$\rho_B$")
     s.line(A, (1.1 * x_C, 0, 0))
     level = 0.6 * A[0]

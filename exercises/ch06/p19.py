@@ -1,12 +1,6 @@
 """6/19: where a stone lands that is dropped on the turning Earth."""
 
-from exercises.devices.turning_earth import (
-    flight,
-    globe,
-    ground_axes,
-    shot,
-    to_first_order,
-)
+from exercises.devices.turning_earth import flight, globe, ground_axes, shot, to_first_order
 from exercises.tools import Step, root
 from newton_euler import pi, sqrt
 from newton_euler.applications import earth_rate

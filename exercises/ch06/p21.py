@@ -4,11 +4,7 @@ from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_
 from exercises.tools import Sketch, Step, mp
 from exercises.tools import root as place_of
 from newton_euler import Frame, cos, pi, root, sin
-from newton_euler.applications import (
-    flight_time,
-    launch_velocity,
-    range_east,
-)
+from newton_euler.applications import flight_time, launch_velocity, range_east
 
 
 def elevation(g):

@@ -1,12 +1,6 @@
 """6/22: where a shot straight up comes down on the turning Earth, a word and a formula."""
 
-from exercises.devices.turning_earth import (
-    flight,
-    globe,
-    ground_axes,
-    shot,
-    to_first_order,
-)
+from exercises.devices.turning_earth import flight, globe, ground_axes, shot, to_first_order
 from exercises.tools import Step, root
 from newton_euler import pi
 
@@ -23,7 +17,7 @@ def answers(x):
 
 
 def way(g):
-    """From the launch until it is back, to first order after the time 2 v_0/g; with its terms."""
+    """The displacement from the launch until the shot is back, to first order, with its terms."""
     return shot(g, 2 * g.v_0 / g.g, g.v_0 * ground_axes(g).k)
 
 

@@ -1,11 +1,6 @@
 """6/23: the force of a locomotive on its track, on the turning Earth."""
 
-from exercises.devices.turning_earth import (
-    RADIUS,
-    axes_turned,
-    from_above,
-    ground_axes,
-)
+from exercises.devices.turning_earth import RADIUS, axes_turned, from_above, ground_axes
 from exercises.tools import Step, minus, plus, scaled, second_rate, times
 from newton_euler import Frame, pi, sqrt
 from newton_euler.applications import coriolis_acceleration, earth_rate

@@ -1,12 +1,11 @@
 """7/1: the inertia matrix of a triangle by integration."""
 
 from exercises.catalogue.proofs.digits import weighted
-from exercises.devices import triangular_plate
 from exercises.devices.inertia import matrix, turned
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
-from exercises.devices.triangular_plate import area_points, height
+from exercises.devices.triangular_plate import area_points, figure, height
 
-draw = triangular_plate.figure
+draw = figure
 
 
 def moments(g):

@@ -1,11 +1,10 @@
 """7/2: the inertia matrix of two spheres that touch."""
 
-from exercises.devices import satellite
 from exercises.devices.inertia import added, answer, matrix, of_points, steps_of, together
-from exercises.devices.satellite import SATELLITE, parts, spheres
+from exercises.devices.satellite import SATELLITE, figure, parts, spheres
 from newton_euler.bodies import spherical_shell
 
-draw = satellite.figure
+draw = figure
 
 
 def solve(g):
@@ -19,11 +18,7 @@ def steps(g):
 
 def prove(g):
     larger, smaller = (of_points(*sphere) for sphere in spheres(g))
-    return {
-        "I_O": added((1, larger), (1, smaller)),
-        "I_larger": larger,
-        "I_smaller": smaller,
-    }
+    return {"I_O": added((1, larger), (1, smaller)), "I_larger": larger, "I_smaller": smaller}
 
 
 def mistakes(g):

@@ -1,7 +1,6 @@
 """7/3: the inertia matrix of a block and a cylinder that stands on it."""
 
-from exercises.devices import block_with_cylinder
-from exercises.devices.block_with_cylinder import BLOCK, parts
+from exercises.devices.block_with_cylinder import BLOCK, figure, parts
 from exercises.devices.inertia import (
     added,
     answer,
@@ -14,7 +13,7 @@ from exercises.devices.inertia import (
 )
 from exercises.tools import mp, proofs
 
-draw = block_with_cylinder.figure
+draw = figure
 
 
 def inertia(g, **changed):
@@ -32,9 +31,7 @@ def steps(g):
 
 def prove(g):
     block = of_points(
-        g.rho * g.a * g.b * g.c,
-        proofs.box(g.a, g.b, g.c, order=2),
-        [g.a / 2, g.b / 2, g.c / 2],
+        g.rho * g.a * g.b * g.c, proofs.box(g.a, g.b, g.c, order=2), [g.a / 2, g.b / 2, g.c / 2]
     )
     cylinder = of_points(
         g.rho * mp.pi * g.r_c**2 * g.l_c,

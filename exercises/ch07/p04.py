@@ -1,13 +1,12 @@
 """7/4: the inertia matrix of a cone at its apex by integration."""
 
-from exercises.devices import cone
-from exercises.devices.cone import CONE, radius, tube
+from exercises.devices.cone import CONE, figure, radius, tube
 from exercises.devices.inertia import added, matrix, of_points, raised
 from exercises.tools import Step, proofs
 from newton_euler import integral, pi
 from newton_euler.bodies import disk
 
-draw = cone.figure
+draw = figure
 
 
 def density(g, radius=radius):

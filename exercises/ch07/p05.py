@@ -1,6 +1,5 @@
 """7/5: the inertia matrix of a plate with six holes."""
 
-from exercises.devices import plate_with_holes
 from exercises.devices.inertia import (
     added,
     answer,
@@ -10,10 +9,10 @@ from exercises.devices.inertia import (
     untransferred,
     wrong_sign,
 )
-from exercises.devices.plate_with_holes import PLATE, parts, places
+from exercises.devices.plate_with_holes import PLATE, figure, parts, places
 from exercises.tools import Step, mp, proofs
 
-draw = plate_with_holes.figure
+draw = figure
 
 
 def solve(g):

@@ -1,12 +1,11 @@
 """7/6: the inertia matrix of half a disk by integration."""
 
-from exercises.devices import half_disk
-from exercises.devices.half_disk import DISK, in_polar, top
+from exercises.devices.half_disk import DISK, figure, in_polar, top
 from exercises.devices.inertia import added, matrix, of_points
 from exercises.tools import Step, proofs
 from newton_euler import cos, pi, sin
 
-draw = half_disk.figure
+draw = figure
 
 
 def density(g, element=lambda r: r):

@@ -1,12 +1,11 @@
 """7/7: the inertia matrix of a wire along an arc."""
 
-from exercises.devices import wire_arc
 from exercises.devices.inertia import added, matrix, turned
-from exercises.devices.wire_arc import WIRE, along, over
+from exercises.devices.wire_arc import WIRE, along, figure, over
 from exercises.tools import Step
 from newton_euler import cos, sin
 
-draw = wire_arc.figure
+draw = figure
 
 
 def moments(g, start=None):

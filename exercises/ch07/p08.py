@@ -1,13 +1,12 @@
 """7/8: the inertia matrix of a hemispherical shell."""
 
-from exercises.devices import dome
-from exercises.devices.dome import SHELL, area_of_ring, over_rings, shadow
+from exercises.devices.dome import SHELL, area_of_ring, figure, over_rings, shadow
 from exercises.devices.inertia import added, matrix, of_points
 from exercises.tools import Step, proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import hemisphere, ring, spherical_shell
 
-draw = dome.figure
+draw = figure
 
 
 def density(g):

@@ -1,7 +1,6 @@
 """7/9: the inertia matrix of an L-shaped block with a bore."""
 
-from exercises.devices import bored_bracket
-from exercises.devices.bored_bracket import BRACKET, block, parts
+from exercises.devices.bored_bracket import BRACKET, block, figure, parts
 from exercises.devices.inertia import (
     added,
     answer,
@@ -13,7 +12,7 @@ from exercises.devices.inertia import (
 )
 from exercises.tools import mp, proofs
 
-draw = bored_bracket.figure
+draw = figure
 
 
 def solve(g):

@@ -2,13 +2,12 @@
 
 from itertools import pairwise
 
-from exercises.devices import chain_of_rods
-from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, path, rods
+from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, figure, path, rods
 from exercises.devices.inertia import added, along_path, answer, together, wrong_sign
 from exercises.tools import Step
 from newton_euler.bodies import particle
 
-draw = chain_of_rods.figure
+draw = figure
 
 
 def parts(g):

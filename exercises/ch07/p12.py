@@ -1,7 +1,6 @@
 """7/12: the inertia matrix of a disk with a hole beside its centre."""
 
-from exercises.devices import disk_with_hole
-from exercises.devices.disk_with_hole import DISK, parts, rim
+from exercises.devices.disk_with_hole import DISK, figure, parts, rim
 from exercises.devices.inertia import (
     added,
     answer,
@@ -14,7 +13,7 @@ from exercises.devices.inertia import (
 )
 from exercises.tools import mp, proofs
 
-draw = disk_with_hole.figure
+draw = figure
 
 
 def solve(g):

@@ -1,6 +1,5 @@
 """7/13: the inertia matrix of three welded rods of different lengths."""
 
-from exercises.devices import welded_rods
 from exercises.devices.inertia import (
     added,
     along_path,
@@ -10,9 +9,9 @@ from exercises.devices.inertia import (
     together,
     wrong_sign,
 )
-from exercises.devices.welded_rods import WELDED, parts, path
+from exercises.devices.welded_rods import WELDED, figure, parts, path
 
-draw = welded_rods.figure
+draw = figure
 
 
 def solve(g):

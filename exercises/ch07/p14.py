@@ -1,7 +1,6 @@
 """7/14: the inertia matrix of a bent plate with a hole and a round top."""
 
-from exercises.devices import bent_plate
-from exercises.devices.bent_plate import PART, parts
+from exercises.devices.bent_plate import PART, figure, parts
 from exercises.devices.inertia import (
     added,
     answer,
@@ -14,7 +13,7 @@ from exercises.devices.inertia import (
 from exercises.tools import mp, proofs
 from newton_euler.bodies import Body
 
-draw = bent_plate.figure
+draw = figure
 
 
 def solve(g):

@@ -1,12 +1,11 @@
 """7/15: the inertia matrix of four particles on light rods."""
 
-from exercises.devices import four_particles
-from exercises.devices.four_particles import masses, particles, places, rods
+from exercises.devices.four_particles import figure, masses, particles, places, rods
 from exercises.devices.inertia import answer, matrix, together, wrong_sign
 from exercises.tools import Step, cross, plus, rate, rot, scaled, times, transposed
 from newton_euler.bodies import particle
 
-draw = four_particles.figure
+draw = figure
 
 
 def inertia(ground, pairs):

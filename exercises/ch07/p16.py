@@ -1,12 +1,11 @@
 """7/16: the inertia matrix of a plate under a parabola by integration."""
 
-from exercises.devices import parabola_plate
 from exercises.devices.inertia import added, matrix, of_points
-from exercises.devices.parabola_plate import height, start
+from exercises.devices.parabola_plate import figure, height, start
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
 from exercises.tools import proofs
 
-draw = parabola_plate.figure
+draw = figure
 
 
 def moments(g, area):

@@ -42,7 +42,7 @@ def prove(g):
     def excess(r_a):
         return mean_square([g.L - x for x in two_masses(g.I_AA / g.m, r_a)]) - g.I_BB / g.m
 
-    nearly = 1 - mp.mpf(10) ** -9  # of the distance at which all the mass would be at G
+    nearly = 1 - mp.mpf(10) ** -9  # share of the distance that puts all the mass at G
     r_a = proof_root(excess, 0, nearly * mp.sqrt(g.I_AA / g.m))
     near, far = two_masses(g.I_AA / g.m, r_a)
     return {"r_a": r_a, "k_G": (far - near) / 2, "r_b": g.L - r_a}

@@ -76,19 +76,12 @@ def prove(g):
                 if abs(gap(*by_points(body))) < mp.mpf(10) ** -10}  # fmt: skip
         return zero.pop() if len(zero) == 1 else "never"
 
-    return {
-        "gap": gap(*by_points(points)),
-        "when_zero": word,
-        "gap_sym": gap_sym(*by_points(spun)),
-    }
+    return {"gap": gap(*by_points(points)), "when_zero": word, "gap_sym": gap_sym(*by_points(spun))}
 
 
 def mistakes(g):
     return {
-        "squares_for_moments": {
-            "gap": gap(g.Jx, g.Jy, g.Jz),
-            "gap_sym": gap_sym(g.Jx, g.Jy, g.Jz),
-        },
+        "squares_for_moments": {"gap": gap(g.Jx, g.Jy, g.Jz), "gap_sym": gap_sym(g.Jx, g.Jy, g.Jz)},
         "no_symmetry": {"gap_sym": gap_sym(*moments(g.Jx, g.Jy, g.Jz))},
         "line_for_plane": {"when_zero": LINE},
     }

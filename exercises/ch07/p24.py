@@ -13,7 +13,7 @@ def body(g):
 
 
 def distance(part):
-    """From OO' to GG'."""
+    """The distance from OO' to GG'."""
     return part.centre.position(WEDGE).x
 
 

@@ -60,7 +60,6 @@ def draw(g, ax):
     s = chain_of_rods.figure(g, ax)
     G = composite("assembly", parts(g)).centre
     x, y, z = G.position(CHAIN).components()
-    s.dot(G)
-    s.label(G, "G")
+    s.dot(G, "G")
     s.line((x - 1.6 * g.a, y, z), (x + 0.9 * g.a, y, z), style="centre")
     s.arrow((x + 0.9 * g.a, y, z), (x + 1.2 * g.a, y, z), "$x'$")

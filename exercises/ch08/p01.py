@@ -16,7 +16,7 @@ from newton_euler.bodies import rod
 
 
 def offset(g):
-    """From the pin to the centre of mass."""
+    """The distance from the pin to the centre of mass."""
     return (1 - 2 * g.k) * g.L / 2
 
 

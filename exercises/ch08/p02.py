@@ -26,11 +26,7 @@ def a_C(g, alpha):
 
 
 def answers(g, alpha):
-    return {
-        "alpha_plate": alpha,
-        "a_C": a_C(g, alpha),
-        "R_A": pin_force(g, square(g), alpha),
-    }
+    return {"alpha_plate": alpha, "a_C": a_C(g, alpha), "R_A": pin_force(g, square(g), alpha)}
 
 
 def solve(g):

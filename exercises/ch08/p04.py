@@ -36,10 +36,7 @@ def forces(g, F_x=None):
         return equations_of_motion(bar, {"B": (at_B, B), "O": (at_O, O)}, ground)
 
     found = solve_linear(laws)
-    return {
-        "F_B": ground.vector(found.B_x, found.B_y, 0),
-        "F_O": ground.vector(F_x, found.O_y, 0),
-    }
+    return {"F_B": ground.vector(found.B_x, found.B_y, 0), "F_O": ground.vector(F_x, found.O_y, 0)}
 
 
 def solve(g):

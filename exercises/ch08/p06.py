@@ -62,7 +62,7 @@ def contact(g, phi, square):
         ]
 
     def power(a):
-        """Of these forces; the surface, where the wheel does not slip, gives none."""
+        """The power of these forces; the surface, where the wheel does not slip, gives none."""
         return sum(
             F * w
             for half, velocity in zip(missing(a), rate(places(a)), strict=True)
@@ -101,7 +101,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    tilt, other = 0.35, 0.9  # of the slope, and of OG: not as asked for
+    tilt, other = 0.35, 0.9  # angles of the slope and of OG: not as asked for
     ground = Frame("ground")
     slope = ground.rotate("slope", "-z", angle=tilt)
     s = Sketch(ax, ground, plane="xy")
@@ -114,10 +114,8 @@ def draw(g, ax):
     s.line(right, level.point("m", -2 * r, 0, 0))
     s.arc(right, left, level.point("m", -2 * r, 0, 0), label=r"$\theta$", radius=1.2 * r)
     s.disk(C, ground.k, r)
-    s.dot(C)
-    s.dot(G)
     s.dimension(C, G, label="e", offset=0)
     s.dimension(C, slope.point("rim", -0.8 * r, 0.6 * r, 0), label="r", offset=0)
     s.vector(C, 1.5 * r * slope.i, "v")
-    s.label(C, "O", offset=(2, 10))
-    s.label(G, "G", offset=(4, -11))
+    s.dot(C, "O", offset=(2, 10))
+    s.dot(G, "G", offset=(4, -11))

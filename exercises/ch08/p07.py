@@ -50,7 +50,6 @@ def draw(g, ax):
     s.disk(O, ground.k, g.R)
     s.ground(top, -ground.j)
     s.line(top, (-g.R, 0, 0), style="solid")
-    s.dot(O)
-    s.label(O, "G", offset=(-8, -8))
+    s.dot(O, "G", offset=(-8, -8))
     s.dimension(O, (g.R * 0.8, g.R * 0.6, 0), label="R", offset=0)
     s.vector(O, (0, -0.6 * g.R, 0), "$a_G$", kind="acceleration")

@@ -6,7 +6,7 @@ from newton_euler import Frame
 
 
 def no_slip(g, condition=None):
-    """For the unit of mass."""
+    """The motion on the slab without slip, for unit mass."""
     return rolls(g.one, g.r, (0, -g.g), g.n * g.g, no_slip=condition)
 
 
@@ -43,7 +43,7 @@ def prove(g):
         return by_one * F
 
     def lag(F):
-        """Of the contact behind the slab, in acceleration."""
+        """The acceleration of the contact behind that of the slab."""
         alpha = turning(F)
 
         def contact(t):

@@ -13,7 +13,7 @@ def motion(g, shape=disk):
 
 
 def distance(g, a):
-    """To rest, with the constant acceleration a up the slope."""
+    """The distance to rest, with the constant acceleration a up the slope."""
     _, place = from_speed(lambda _: a, 0 * g.v_0, g.v_0)
     return {"d_OP": place}
 
@@ -72,9 +72,7 @@ def draw(g, ax):
     s.arc(foot, level.point("right", 5 * r, 0, 0), end, label=r"$\theta$", radius=4 * r)
     s.disk(C, ground.k, r)
     s.line(C, P)
-    s.dot(C)
-    s.dot(P)
     s.vector(C, 1.6 * r * slope.i, "$v_0$")
     s.dimension(C, slope.point("rim", -0.6 * r, 0.8 * r, 0), label="a", offset=0)
-    s.label(C, "O", offset=(2, -11))
-    s.label(P, "P", offset=(6, 8))
+    s.dot(C, "O", offset=(2, -11))
+    s.dot(P, "P", offset=(6, 8))

@@ -19,18 +19,18 @@ def door(g, theta, alpha):
 
 
 def moment(g, theta, alpha):
-    """That the door needs about the hinge as a point of the door, counterclockwise, by terms."""
+    """The moment that the door needs about the hinge, counterclockwise, by terms."""
     ground, hinge, body = door(g, theta, alpha)
     return resultant_moment(body, ground, about=hinge)
 
 
 def alpha(g, theta):
-    """With which no moment is needed, as the hinge gives none."""
+    """The angular acceleration that needs no moment, as the hinge gives none."""
     return solve_linear(lambda alpha: moment(g, theta, alpha).z).alpha
 
 
 def answers(g, alpha):
-    """From the angular acceleration at any angle."""
+    """The answers, from the angular acceleration at any angle."""
 
     def speed(theta):
         return sqrt(2 * integral(alpha, 0, theta))

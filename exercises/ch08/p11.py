@@ -42,8 +42,8 @@ def mistakes(g):
     return {
         "no_products": momentum(g, turning_body.without_products(I)),
         "wrong_sign": momentum(g, turning_body.wrong_sign(I)),
-        "no_distances": less(1 + 2),  # of AB and of BC
-        "about_middles": less(g.one / 3 + g.one / 3 - g.one / 12 - g.one / 12),  # of OA and of AB
+        "no_distances": less(1 + 2),  # shares of AB and BC
+        "about_middles": less(g.one / 3 + g.one / 3 - g.one / 12 - g.one / 12),  # of OA, AB
     }
 
 

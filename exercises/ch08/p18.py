@@ -11,7 +11,7 @@ AXIS = "x"
 
 
 def inertia(g):
-    """Of a sector about its line of symmetry, which is turned to the axes."""
+    """The inertia of a sector about its line of symmetry, turned to the axes."""
     symmetric = PLATE.rotate("symmetric", "z", angle=pi(g.one) / 4)
     quarter = sector(g.r, pi(g.one) / 4, symmetric, "z", "x", mass=g.m, name="plate")
     return quarter.about(PLATE.origin, PLATE)

@@ -8,7 +8,7 @@ from newton_euler.bodies import disk
 
 
 def fixed_disk(g):
-    """Its axes: x along the normal, y in the x, y plane of the shaft."""
+    """The disk; its axes: x along the normal, y in the x, y plane of the shaft."""
     _, shaft = rotor.turning_shaft(g)
     tilted = shaft.rotate("disk", "z", angle=g.alpha)
     return rotor.in_bearings(shaft, [disk(g.r, tilted, "x", mass=g.m)], -g.c, g.c)
@@ -20,9 +20,7 @@ def solve(g):
 
 def steps(g):
     return rotor.steps(
-        fixed_disk(g),
-        ("I_n", "x", "about the normal"),
-        ("I_d", "y", "about a diameter"),
+        fixed_disk(g), ("I_n", "x", "about the normal"), ("I_d", "y", "about a diameter")
     )
 
 

@@ -6,7 +6,7 @@ from newton_euler.bodies import plate
 
 
 def fixed_plate(g):
-    """Its axes: x along the slanting edges, y along the normal."""
+    """The plate; its axes: x along the slanting edges, y along the normal."""
     _, shaft = rotor.turning_shaft(g)
     tilted = shaft.rotate("plate", "z", angle=g.theta)
     return rotor.in_bearings(shaft, [plate(g.h, g.b, tilted, "y", mass=g.m)], -g.c, g.c)

@@ -17,7 +17,7 @@ from exercises.tools import Sketch, terms
 
 
 def place(g):
-    """Of C, along the axes of the arm."""
+    """The place of C, along the axes of the arm."""
     return g.L, 0, g.h
 
 

@@ -13,13 +13,9 @@ from newton_euler.applications.gyroscopes import fast_spin
 
 
 def leading_terms(g, moment):
-    """With c/h and h/a for the roots, the correction is a c/h^2, the ratio of the two."""
+    """The leading terms: with c/h and h/a for the roots, the correction is a c/h^2."""
     found = fast_spin(g.I0, g.Iz, g.theta, g.phi_dot, moment=moment)
-    return {
-        "psi_slow": found.slow,
-        "psi_fast": found.fast,
-        "eps_slow": found.slow / found.fast,
-    }
+    return {"psi_slow": found.slow, "psi_fast": found.fast, "eps_slow": found.slow / found.fast}
 
 
 def solve(g):

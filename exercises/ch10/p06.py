@@ -89,6 +89,5 @@ def draw(g, ax):
     s.turn((0, 0, 0.45 * g.L), ground.k, label=r"$\dot\psi$")
     s.dimension(A, B, label="L", offset=-1.6 * g.R)
     s.dimension(A, axes.point("", 0, g.R, -g.L / 2), label="R", offset=axes.k * (-0.1 * g.L))
-    s.dot(O)
-    s.label(O, "O")
+    s.dot(O, "O")
     s.label(C, "C")

@@ -14,7 +14,7 @@ def frames(g):
 
 
 def gyroscopic_moment(g):
-    """That the spinning parts need; all else that turns needs none, as the precession is steady."""
+    """The moment that the spinning parts need; in steady precession no others need any."""
     ground, head, rotor = frames(g)
     return normal_moment(
         head.angular_velocity(ground), rotor.angular_velocity(head), g.m * g.k**2
@@ -28,7 +28,7 @@ def moment_of_block(g, b):
 
 
 def distance(g, M, b_0):
-    """Where the weights have the moment M, if that at b_0 makes none with the weight of the fan."""
+    """The distance at which the weights have the moment M, if that at b_0 balances the fan."""
     return solve_linear(lambda b: moment_of_block(g, b) - moment_of_block(g, b_0) - M).b
 
 
@@ -93,7 +93,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    """With the block anywhere, the fan before the post at about the same distance."""
+    """The block is drawn anywhere, the fan before the post at about the same distance."""
     ground, _, _ = frames(g)
     d = g.b_0
     s = Sketch(ax, ground, up="y", azimuth=-62, elevation=16)

@@ -63,7 +63,7 @@ def prove(g):
         return [(share, times(orientation, place)) for share, place in turned]
 
     def moment(x):
-        """About the place x on AB, of the supports."""
+        """The moment of the supports about the place x on AB."""
         of_weight = x * g.m * g.g
         return moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - of_weight
 
@@ -93,7 +93,7 @@ def mistakes(g):
 def draw(g, ax):
     ground, *_ = motor(g)
     s = Sketch(ax, ground, plane="xy")
-    h = 0.25 * (g.a + g.b)  # of the shaft of the motor above the table
+    h = 0.25 * (g.a + g.b)  # height of the motor shaft above the table
     low, thick = -h, 0.12 * h
     left, right = -g.a - 0.6 * h, g.b + 0.6 * h
     A, B, G = (-g.a, low, 0), (g.b, low, 0), (0, 0, 0)
@@ -107,11 +107,10 @@ def draw(g, ax):
         s.rod((x, low - thick, 0), (x, 0, 0))
     s.shaft((-g.a - 0.4 * h, 0, 0), (g.b + 0.4 * h, 0, 0))
     s.line((0, low - 2.2 * h, 0), (0, 1.4 * h, 0), style="centre")
-    s.dot(G)
     s.turn((0, low - 1.2 * h, 0), ground.j, label=r"$\Omega$")
     s.label(A, "A", offset=(-10, 8))
     s.label(B, "B", offset=(10, 8))
-    s.label(G, "G", offset=(10, 10))
+    s.dot(G, "G", offset=(10, 10))
     top = 0.95 * h
     s.dimension((-g.a, top, 0), (0, top, 0), label="a", offset=0)
     s.dimension((0, top, 0), (g.b, top, 0), label="b", offset=0)

@@ -27,7 +27,7 @@ def rolling_spin(g):
 
 
 def moment(g, spin, wheel=wheel):
-    """That the disk needs about O, in the axes of the axle."""
+    """The moment that the disk needs about O, in the axes of the axle."""
     ground, axle, body = wheel(g, spin)
     return dynamics.resultant_moment(body, ground, about=axle.point("O", 0, 0, 0), via=axle)
 
@@ -113,9 +113,8 @@ def draw(g, ax):
     s.rod(O, C)
     s.hinge(O, axis=axle.j)
     s.disk(C, axle.i, g.r)
-    s.dot(C)
     s.turn((0, 0, 0.55 * g.R), ground.k, label=r"$\Omega$")
     s.dimension(foot, contact, label="R", offset=0)
     s.dimension(C, contact, label="r", offset=0)
     s.label(O, "O")
-    s.label(C, "C")
+    s.dot(C, "C")

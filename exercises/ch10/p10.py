@@ -7,7 +7,7 @@ from newton_euler.bodies import cylinder, cylindrical_shell, rod
 
 
 def shell(g, ratio):
-    """Of the mass and the radius 1; its frame has the origin at its centre and z along the axis."""
+    """A shell of the mass and the radius 1; its frame is at its centre, z along the axis."""
     return cylindrical_shell(g.one, ratio, Frame("shell"), "z", mass=g.one)
 
 

@@ -16,7 +16,7 @@ def assembly(g, b, part=None):
 
 
 def length(g, across, axial):
-    """Where the transverse moment, which grows as the length squared, equals the axial one."""
+    """The length at which the transverse moment, quadratic in it, equals the axial one."""
     flat, apart = across(0 * g.r), across(g.r)
     share = solve_linear(lambda square: flat + (apart - flat) * square - axial).square
     return {"b": g.r * sqrt(share)}

@@ -7,7 +7,7 @@ from newton_euler.bodies import cone, cylinder
 
 
 def cones(g, ratio):
-    """Of the mass and the base radius 1 each; the origin of the frame is their common vertex."""
+    """Two cones of the mass and the base radius 1; the frame is at their common vertex."""
     frame = Frame("cones")
     O = frame.point("O", 0, 0, 0)
     upper = cone(g.one, ratio, O, "z", mass=g.one, name="upper")

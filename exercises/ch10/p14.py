@@ -124,7 +124,7 @@ def prove(g):
     )
 
     def force_across(x):
-        """At a distance c from the place x on the shaft, from the moment about that place."""
+        """The force at the distance c from the place x on the shaft, by the moment about x."""
         about = (x, 0, 0)
         _, M_y, M_z = minus(moment(level, rate, acceleration, about), of_weights(level, about))
         return scaled(-1 / (2 * x), [0, M_z, -M_y])

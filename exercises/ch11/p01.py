@@ -14,13 +14,13 @@ def scene(g):
 
 
 def normal_force(g):
-    """Of the chute: the cart does not move across it."""
+    """The normal force of the chute: the cart does not move across it."""
     ground, chute, *_ = scene(g)
     return -weight(g.m, ground.j, g.g).dot(chute.j)
 
 
 def work(g, N=None):
-    """Of the weight and of the friction; N: another normal force than the right one."""
+    """The work of the weight and the friction; N: another normal force than the right one."""
     ground, chute, A, B = scene(g)
     N = normal_force(g) if N is None else N
     return summed(
@@ -59,7 +59,7 @@ def prove(g):
         return lambda t: scaled(g.v_A * t + a * t**2 / 2, down)
 
     def parts(a):
-        """Of the force of the chute, up it and across it."""
+        """The parts of the force of the chute, up it and across it."""
         F = scaled(g.m, minus(proofs.second_rate(place(a)), [0, -g.g]))
         return tuple(sum(f * e for f, e in zip(F, line, strict=True)) for line in (down, across))
 
@@ -95,12 +95,10 @@ def draw(g, ax):
     cart = chute.point("cart", 0, high / 2, 0)
     s.box(cart, chute, (long, high, high))
     s.vector(chute.point("front", long / 2, high / 2, 0), chute.i, "$v_A$")
-    s.dot(A)
-    s.dot(B)
     s.dimension(A, B, label="L", offset=-0.2 * g.L)
     x, y, _ = end.position(ground).components()
     foot = (x - 0.4 * g.L, y, 0)
     s.line(end, foot)
     s.arc(end, foot, A, label=r"$\theta$")
-    s.label(A, "A", offset=(9, -16))
-    s.label(B, "B", offset=(0, 12))
+    s.dot(A, "A", offset=(9, -16))
+    s.dot(B, "B", offset=(0, 12))

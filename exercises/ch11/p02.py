@@ -14,7 +14,7 @@ def scene(g):
 
 
 def cable(g):
-    """Its length as far as C, at the start and at the end."""
+    """The length of the cable as far as C, at the start and at the end."""
     _, A, B, C = scene(g)
     return (C - A).norm(), (C - B).norm()
 
@@ -82,10 +82,9 @@ def draw(g, ax):
     s.box(A, ground, (size, size, size))
     s.vector(end, along, "F", kind="force")
     s.line(B, C, style="centre")
-    s.dot(B)
     s.dimension(A, B, label="d", offset=-0.2 * g.d)
     s.dimension(B, C, label="h", offset=-0.15 * g.d)
     s.label(A, "A", offset=(0, 16))
-    s.label(B, "B", offset=(-12, 8))
+    s.dot(B, "B", offset=(-12, 8))
     s.label(C, "C", offset=(0, 14))
     s.label((wall / 2, 0, 0), "k", offset=(0, 14), bold=False)

@@ -93,8 +93,6 @@ def draw(g, ax):
     s.wire([A, B, end])  # without hatching, so that the small angles are free
     s.box(first.point("car", 0, high / 2, 0), first, (long, high, high))
     s.vector(first.point("front", long / 2, high / 2, 0), first.i, "F", kind="force")
-    s.dot(A)
-    s.dot(B)
     level = second.rotate("level", "z", angle=-g.theta_2)
     for P, name, along, up in (
         (A, "1", ground.point("level at A", 0.75 * g.s_AB, 0, 0), B),
@@ -103,5 +101,5 @@ def draw(g, ax):
         s.line(P, along)
         s.arc(P, along, up, label=rf"$\theta_{name}$", radius=0.6 * g.s_AB)
     s.dimension(A, B, label="$s_{AB}$", offset=0.2 * g.s_AB)
-    s.label(A, "A", offset=(0, -14))
-    s.label(B, "B", offset=(4, -16))
+    s.dot(A, "A", offset=(0, -14))
+    s.dot(B, "B", offset=(4, -16))

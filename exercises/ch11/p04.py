@@ -7,7 +7,7 @@ from newton_euler.dynamics import speed_after, spring_potential
 
 
 def compression(g, v):
-    """Where the spring, its energy k x^2/2, has taken the energy of the collar at the speed v."""
+    """The compression at which the spring has taken the collar's energy at the speed v."""
     T = g.m * v**2 / 2
     return sqrt(T / spring_potential(g.k, g.one))
 

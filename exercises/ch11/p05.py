@@ -11,7 +11,7 @@ def pin(g, ground):
 
 
 def stretches(g):
-    """Of the spring, at A and at B."""
+    """The stretches of the spring, at A and at B."""
     ground, _, *ends = hoop(g)
     return [(end - pin(g, ground)).norm() - g.l_0 for end in ends]
 
@@ -66,9 +66,8 @@ def draw(g, ax):
     P = pin(g, ground)
     s.spring(P, A)
     s.ground((g.R, 0, 0), -ground.i)
-    s.dot(P)
     s.dot(O)
     s.dimension(O, B, label="R", offset=0)
     s.dimension(O, P, label="R", offset=0.2 * g.R)
-    s.label(P, "P", offset=(-8, -16))
+    s.dot(P, "P", offset=(-8, -16))
     s.label((0.55 * g.R, 0, 0), "k", offset=(0, -16), bold=False)

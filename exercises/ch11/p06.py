@@ -38,7 +38,7 @@ def mass(g):
 
 
 def potentials(g, theta):
-    """Of the two weights together, and of the spring."""
+    """The potentials of the two weights together, and of the spring."""
     ground, ((P, left), (Q, right)) = scene(g, theta)
     heights = (X.position(ground).y for X in (P, Q))
     weights = sum(weight_potential(mass(g), y, g.g) for y in heights)

@@ -17,7 +17,7 @@ def scene(g, theta, side=1):
 
 
 def heights(g, theta):
-    """Of the knees and of the collar."""
+    """The heights of the knees and of the collar."""
     ground, K, C = scene(g, theta)
     return K.position(ground).y, C.position(ground).y
 
@@ -65,7 +65,7 @@ def prove(g):
         return y + mp.sqrt(g.b**2 - x**2)
 
     def powers(state):
-        """Of the collar's weight, of the balls' and of the spring."""
+        """The powers of the collar's weight, of the balls' and of the spring."""
         x, y = ball(state[0])
         h = collar(x, y)
         # the centre is (x h/y, h), and both of its distances are multiplied by y

@@ -18,13 +18,13 @@ def ends(g):
 
 
 def lengths(g):
-    """Of the spring, at the release and at theta_1."""
+    """The lengths of the spring, at the release and at theta_1."""
     _, C, places = ends(g)
     return [(B - C).norm() for B in places]
 
 
 def drop(g):
-    """Of the particle, from the release."""
+    """The drop of the particle since the release."""
     ground, _, (first, last) = ends(g)
     return (first - last).expressed_in(ground).z
 
@@ -36,7 +36,7 @@ def energies(g):
 
 
 def speed(g, U):
-    """At theta_1, after the work U."""
+    """The speed at theta_1, after the work U."""
     return {"v": speed_after(0, U, g.m)}
 
 
@@ -99,13 +99,12 @@ def draw(g, ax):
     s.spring(C, B)
     s.line(O, C, style="centre")
     s.hinge(O)
-    s.dot(C)
     s.sphere(B, w)
     s.dot(last)
     s.arc(O, C, last, label=r"$\theta$")
     s.dimension(O, last, label="b", offset=-0.2 * g.b)
     s.dimension(O, C, label="d", offset=0.2 * g.b)
     s.label(O, "O", offset=(14, 12))
-    s.label(C, "C", offset=(-14, -10))
+    s.dot(C, "C", offset=(-14, -10))
     s.label(B, "B", offset=(16, 14))
     s.label(B, "m", offset=(24, -4), bold=False)

@@ -8,12 +8,12 @@ from newton_euler.dynamics import mass_from_weight, path_force, speed_after, wei
 
 
 def mass(g):
-    """Of the rider."""
+    """The mass of the rider."""
     return mass_from_weight(g.W, g.g)
 
 
 def speed(g, height):
-    """At a height above B."""
+    """The speed at a height above B."""
     return speed_after(0, weight_potential(mass(g), g.h - height, g.g), mass(g))
 
 
@@ -26,13 +26,13 @@ def at_D(g, v, r=None, **shares):
 
 
 def least_radius(g, v):
-    """Where the weight is just the force that the crest needs."""
+    """The radius at which the weight is just the force that the crest needs."""
 
     return root(lambda rho: g.W - path_force(mass(g), v, 0, 1 / rho)[1], g.h / 100, 10 * g.h)
 
 
 def speeds(g):
-    """At B, D and E."""
+    """The speeds at B, D and E."""
     return speed(g, 0), speed(g, g.d), speed(g, g.h_E)
 
 
@@ -47,9 +47,9 @@ def steps(g):
     yield Step("v_D", v_D, "ft/s", "speed at D, after the drop h - d", "11.12", "11.32")
     yield Step("v_E", v_E, "ft/s", "speed at E, after the drop h - h_E", "11.12", "11.32")
     for key, v in (("B", v_B), ("D", v_D)):
-        said = f"force toward the centre of the loop that the rider needs at {key}, m v^2/r"
+        means = f"force toward the centre of the loop that the rider needs at {key}, m v^2/r"
         needed = path_force(mass(g), v, 0, 2 / g.d)[1]
-        yield Step(f"F_{key}", needed, "lb", said, "6.4", "6.5")
+        yield Step(f"F_{key}", needed, "lb", means, "6.4", "6.5")
 
 
 def prove(g):
@@ -97,7 +97,7 @@ def draw(g, ax):
     r, h, crest = g.d / 2, g.h, 0.8 * g.d + 0.55 * g.h
     start, far = -0.9 * h, crest + 0.6 * h
     ways = [n / 40 for n in range(41)]
-    level = 0.2 * h  # of the track before the loop
+    level = 0.2 * h  # height of the track before the loop
     fall = [(start + (-level - start) * q, 0, h * (1 - q) ** 2) for q in ways]
     hump = [(crest + 0.5 * h * (2 * q - 1), 0, g.h_E * (16 * q**2 * (1 - q) ** 2)) for q in ways]
     s.road([*fall, *hump, (far, 0, 0)])

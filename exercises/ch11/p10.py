@@ -4,12 +4,7 @@ from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
 from exercises.tools import ProofError, Sketch, Step, after, mp, mpf, until
 from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root, sqrt
-from newton_euler.dynamics import (
-    mass_from_weight,
-    speed_after,
-    spring_potential,
-    weight_potential,
-)
+from newton_euler.dynamics import mass_from_weight, speed_after, spring_potential, weight_potential
 
 
 def mass(g):
@@ -17,7 +12,7 @@ def mass(g):
 
 
 def least_speed(g, r):
-    """At the top of a loop of radius r, where the contact is just not lost."""
+    """The speed at the top of a loop of radius r at which contact is just kept."""
     fast = 10 * sqrt(g.g * r)
     return root(lambda v: contact(mass(g), g.g, r, pi(r), v), fast / 1000, fast)
 
@@ -27,7 +22,7 @@ def kinetic(g, v):
 
 
 def compression(g, v, rise):
-    """With which the pellet has the speed v after the rise."""
+    """The compression that gives the pellet the speed v after the rise."""
     needed = kinetic(g, v) + weight_potential(mass(g), rise, g.g)
     most = g.W / g.k + 10 * rise
     return {"x_min": root(lambda x: spring_potential(g.k, x) - needed, most / 10**4, most)}

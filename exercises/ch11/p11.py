@@ -14,19 +14,19 @@ def scene(g):
 
 
 def length(g, name):
-    """Of the spring, with the collar at A, B or C."""
+    """The length of the spring, with the collar at A, B or C."""
     _, points = scene(g)
     return (points[name] - points["P"]).norm()
 
 
 def energy(g, name):
-    """Of the spring."""
+    """The energy of the spring."""
     _, points = scene(g)
     return spring_between(g.k, length(g, "A"), points["P"], points[name])
 
 
 def work(g, end):
-    """Of the spring, from C."""
+    """The work of the spring, from C."""
     return energy(g, "C") - energy(g, end)
 
 
@@ -50,9 +50,7 @@ def steps(g):
     yield Step("T_C", m * g.v_C**2 / 2, "ft*lb", "kinetic energy at C", "11.7", "11.13")
 
 
-follows = {
-    "v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g)),
-}
+follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g))}
 
 
 def prove(g):

@@ -14,19 +14,19 @@ def scene(g):
 
 
 def length(g, name):
-    """Of the spring, with the collar at A, B or C."""
+    """The length of the spring, with the collar at A, B or C."""
     _, points = scene(g)
     return (points[name] - points["D"]).norm()
 
 
 def energy(g, name):
-    """Of the spring."""
+    """The energy of the spring."""
     _, points = scene(g)
     return spring_between(g.k, g.l_0, points["D"], points[name])
 
 
 def work(g, name):
-    """Of the spring, from A."""
+    """The work of the spring, from A."""
     return energy(g, "A") - energy(g, name)
 
 

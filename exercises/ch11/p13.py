@@ -123,7 +123,7 @@ def prove(g):
     slope = gradient(V, place)[0]
 
     def forces(*c):
-        """Of the potential with these coefficients, at three places."""
+        """The forces of the potential with these coefficients, at three places."""
 
         def quadratic(x, y, z):
             terms = (x * x, y * y, z * z, x * y, y * z, z * x)
@@ -146,7 +146,7 @@ def mistakes(g):
     F, none = field(g), 0 * g.x
 
     def in_three_legs(x, y, z, x_0, y_0):
-        """Less the work along x, along y at ``x_0``, and along z at ``x_0`` and ``y_0``."""
+        """Less the work along x, then y at ``x_0``, then z at ``x_0`` and ``y_0``."""
         ways = (
             lambda s: F(s * x, none, none)[0] * x,
             lambda s: F(x_0, s * y, none)[1] * y,

@@ -13,7 +13,7 @@ def collar(g, r, v_r, omega):
 
 
 def momentum(g, r, omega):
-    """About the shaft, which exerts no moment about its axis."""
+    """The angular momentum about the shaft, which exerts no moment about its axis."""
     ground, body = collar(g, r, 0, omega)
     return angular_momentum(body, ground, ground).expressed_in(ground).z
 
@@ -37,7 +37,7 @@ def energy(g):
 
 
 def speed(g):
-    """Of the collar at B."""
+    """The speed of the collar at B."""
     return sqrt(2 * (energy(g) - potential(g, g.r_B)) / (g.W / g.g))
 
 
@@ -140,9 +140,8 @@ def draw(g, ax):
     cord = 0.05 * r
     s.line((0, 0, cord), (g.r_A - size / 2, 0, cord), style="solid")
     s.label((g.r_A / 2, 0, cord), "cord", offset=(0, 9), bold=False)
-    s.dot(B)
     s.turn((0, 0, 0.35 * r), z, label=r"$\omega$")
     s.dimension((0, 0, 0), A, label="$r_A$", offset=-0.16 * r)
     s.dimension((0, 0, 0), B, label="$r_B$", offset=-0.3 * r)
     s.label((g.r_A, 0, 0.75 * size), "A", offset=(0, 10))
-    s.label(B, "B", offset=(0, 12))
+    s.dot(B, "B", offset=(0, 12))

@@ -7,7 +7,7 @@ from newton_euler.bodies import disk
 
 
 def energy(g, Omega, spin):
-    """With the terms of translation and rotation."""
+    """The kinetic energy, with the terms of translation and rotation."""
     d = spinning(Omega, spin, g.L)
     return kinetic_energy(disk(g.r, d.body, "x", mass=g.M), d.ground)
 
@@ -59,11 +59,10 @@ def draw(g, ax):
     s.ground((0, 0, -0.5), k)
     s.rod(O, C)
     s.disk(C, d.shaft.i, r)
-    s.dot(C)
     s.turn((0, 0, 0.5), k, label=r"$\Omega$")
     s.turn((1.3, 0, 0), d.shaft.i, label=r"$\omega_s$")
     s.line(C, (1.55, 0, 0), style="centre")
     s.dimension(O, C, label="L")
     s.dimension(C, (1, 0, r), label="r", offset=0)
     s.label(O, "O", offset=(-12, 8))
-    s.label(C, "C", offset=(8, -10))
+    s.dot(C, "C", offset=(8, -10))

@@ -43,10 +43,7 @@ def about_O(g, omega):
 def answers(g, energy):
     """``energy``: as a function of the angular velocity, along x, y, z."""
     axes, _ = hung()
-    return {
-        "T_omega": energy(by_components(g, axes)),
-        "T_euler": energy(by_euler(g, axes)),
-    }
+    return {"T_omega": energy(by_components(g, axes)), "T_euler": energy(by_euler(g, axes))}
 
 
 def solve(g):
@@ -127,8 +124,7 @@ def draw(g, ax):
         s.arrow(O, tip)
         s.label(tip, name, offset=(10, 2), bold=False)
     s.ball_joint(O)
-    s.dot(G)
     s.arc(O, top, G, label=r"$\theta$", radius=0.6 * R)
     s.dimension(G, (G[0] - 0.8 * R, 0, G[2] - 0.6 * R), label="R", offset=0)
     s.label(O, "O", offset=(12, 13))
-    s.label(G, "G", offset=(10, 8))
+    s.dot(G, "G", offset=(10, 8))

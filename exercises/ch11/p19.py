@@ -1,11 +1,6 @@
 """11/19: the kinetic energies of two disks that roll on one shaft round the vertical."""
 
-from exercises.devices.disk_on_shaft import (
-    energy_of_disk,
-    rolling,
-    spinning,
-    unrolled,
-)
+from exercises.devices.disk_on_shaft import energy_of_disk, rolling, spinning, unrolled
 from exercises.tools import Sketch, Step
 from newton_euler import Body, kinetic_energy
 from newton_euler.bodies import disk

@@ -29,7 +29,7 @@ def rolls(g):
 
 
 def axial(d):
-    """Of the angular velocity; the spin is against the turning of the arm, and larger."""
+    """The axial angular velocity; the spin is against the turning of the arm, and larger."""
     return -d.body.angular_velocity(d.ground).expressed_in(d.shaft).x
 
 
@@ -141,13 +141,11 @@ def draw(g, ax):
     s.ball_joint(O)
     s.arc(O, ground.k, A, label=r"$\theta$", radius=0.35 * g.L)
     G = d.shaft.point("G", g.c, 0, 0)
-    s.dot(G)
-    s.dot(P)
     s.dimension((0, 0, low), (-R, 0, low), label="R", offset=0)
     s.dimension(O, A, label="L", offset=-0.5 * g.L)
     s.dimension(O, G, label="c", offset=-0.2 * g.L)
     s.dimension(A, contact(d, -g.r), label="r", offset=-0.2 * g.L)
     s.label(O, "O", offset=(-14, 6))
     s.label(A, "A", offset=(12, 5))
-    s.label(P, "P", offset=(12, 0))
-    s.label(G, "G", offset=(-12, 8))
+    s.dot(P, "P", offset=(12, 0))
+    s.dot(G, "G", offset=(-12, 8))

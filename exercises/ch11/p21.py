@@ -2,13 +2,7 @@
 
 import math
 
-from exercises.devices.disk_on_shaft import (
-    contact,
-    energy_of_disk,
-    rolling,
-    spinning,
-    unrolled,
-)
+from exercises.devices.disk_on_shaft import contact, energy_of_disk, rolling, spinning, unrolled
 from exercises.tools import Sketch, Step, angular_velocity, mp, rot, size, times
 from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk
@@ -120,9 +114,8 @@ def draw(g, ax):
         [(reach * math.cos(t / 20), reach * math.sin(t / 20), 0) for t in range(-14, 17)],
         style="dashed",
     )
-    s.dot(C)
     s.turn((0, 0, 0.65), d.ground.k, label="n")
     s.dimension(D, C, label="b", offset=0.25)
     s.dimension(C, P, label="a", offset=0)
     s.label(D, "D", offset=(-12, -10))
-    s.label(C, "C", offset=(10, 8))
+    s.dot(C, "C", offset=(10, 8))

@@ -90,12 +90,11 @@ def draw(g, ax):
     s.disk(O, platform.k, g.a)
     for y in (-half, half):
         s.line((0, y, 0), (g.a, y, 0), style="solid")
-    s.dot(O)
     s.dot(P)
     s.vector(P, platform.i, "v", kind="velocity")
     s.axes(O, platform, length=1.35 * g.a, labels=["x", "y", ""])
     s.turn(O, platform.k, label=r"$\omega$")
     s.dimension(O, P, label="r", offset=0.2 * g.a)
     s.arrow(O, (-0.8 * g.a, -0.6 * g.a, 0), label="a")
-    s.label(O, "O", offset=(-14, 14))
+    s.dot(O, "O", offset=(-14, 14))
     s.label(P, "m", offset=(0, -16), bold=False)

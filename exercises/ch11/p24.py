@@ -16,7 +16,7 @@ def scene(g, theta):
 
 
 def potentials(g, theta):
-    """Of rod and bob, zero at the level of the hinge."""
+    """The potentials of rod and bob, zero at the level of the hinge."""
     ground, _, *bodies = scene(g, theta)
     return [weight_potential(b.mass, b.centre.position(ground).z, g.g) for b in bodies]
 
@@ -34,7 +34,7 @@ def moments(g):
 
 
 def speed(g, T, I):
-    """Of the bob, where the pendulum with this moment of inertia has the kinetic energy T."""
+    """The speed of the bob, where the pendulum of this inertia has the kinetic energy T."""
     return speed_after(0, T, I / g.l**2)
 
 

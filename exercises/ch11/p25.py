@@ -23,7 +23,7 @@ def from_origin(g, theta):
 
 
 def speed_from(g, V):
-    """At theta = 0, with the potential energy V at the release."""
+    """The speed at theta = 0, with the potential energy V at the release."""
     return speed_after(0, V - potential(g, g.R_0), g.m)
 
 

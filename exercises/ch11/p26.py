@@ -13,7 +13,7 @@ def potential(g, depth):
 
 
 def ratio(g):
-    """Of the kinetic energies at c and b, with one angular momentum about the vertical."""
+    """The ratio of the kinetic energies at c and b, with the same angular momentum."""
 
     def per_square(depth):  # of the angular momentum, whatever the rate is
         T, H = level_motion(g.m, g.a, depth, sqrt(g.g / g.a))
@@ -23,7 +23,7 @@ def ratio(g):
 
 
 def kinetic(g, at_c):
-    """At the level b, if the kinetic energy at c is this multiple of it."""
+    """The kinetic energy at the level b, if that at c is this multiple of it."""
 
     (T_b,) = solve_rates(lambda T_b: (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c), 1)
     return T_b

@@ -11,7 +11,7 @@ from newton_euler import Frame, acos, asin, cos, pi, sin
 
 
 def cosine(g, share=1):
-    """Of the smallest angle: the sine of the angle below the level."""
+    """The cosine of the smallest angle, which is the sine of the angle below the level."""
     return sine_of_descent(g.m, g.a, g.omega, g.g, share)
 
 

@@ -17,17 +17,13 @@ def car(g):
     """Ground, with z up, and the car by its cylindrical and by its spherical coordinates."""
     ground = Frame("ground")
     r, theta, z, phi = coordinates(g)
-    return (
-        ground,
-        cylindrical(ground, "P", r, theta, z),
-        spherical(ground, "P", g.R, theta, phi),
-    )
+    return (ground, cylindrical(ground, "P", r, theta, z), spherical(ground, "P", g.R, theta, phi))
 
 
 def steps(g, section, *names):
     """The steps of these names, r, z and phi and their rates, for a section of the book."""
     r, _, z, phi = coordinates(g)
-    said = {
+    means = {
         "z": (z.value, "m", "height of the car at theta = pi/4"),
         "z_dot": (z.rate, "m/s", "rate of the height, h sin(2 theta) omega"),
         "r": (r.value, "m", "distance of the car from the axis, sqrt(R^2 - z^2)"),
@@ -43,7 +39,7 @@ def steps(g, section, *names):
         ),
     }
     for name in names:
-        yield Step(name, *said[name], section, "3.24" if name == "sin_phi" else "")
+        yield Step(name, *means[name], section, "3.24" if name == "sin_phi" else "")
 
 
 def car_in_time(g):

@@ -7,7 +7,7 @@ and what hangs there, the name of a mass or another pulley.
 from exercises.tools import Step
 from newton_euler.dynamics import degrees_of_freedom
 
-SIZE = 0.45  # of a mass
+SIZE = 0.45  # size of a mass
 
 
 def rope(pulley, left, right):
@@ -22,9 +22,9 @@ def count(names, **ropes):
     return degrees_of_freedom(dict.fromkeys(names, 1), ropes).count
 
 
-def steps_to_count(heights, ropes, said):
-    """``said``: what the heights are."""
-    yield Step("heights", count(heights), "1", said, "5.11")
+def steps_to_count(heights, ropes, phrase):
+    """``phrase``: what the heights are."""
+    yield Step("heights", count(heights), "1", phrase, "5.11")
     yield Step("ropes", len(ropes), "1", "constraints: each rope keeps its length", "5.11", "5.28")
 
 

@@ -8,7 +8,7 @@ BRACKET = Frame("bracket")
 
 
 def block(g, name, x, low, high, density=1):
-    """From 0 to x and over all of the width, between two heights."""
+    """A block from 0 to x, over all of the width, between two heights."""
     middle = BRACKET.point(name, x / 2, g.l_y / 2, (low + high) / 2)
     return box(x, g.l_y, high - low, middle, "x", density=density, name=name)
 

@@ -42,7 +42,7 @@ def falls(g, shape):
 
 
 def moment_of_weight(g, shape):
-    """About z through the pin."""
+    """The moment of the weight about z through the pin."""
     ground = Frame("ground")
     body = shape(ground)
     return body.centre.position(ground).cross(weight(body, ground.j, g.g)).z

@@ -57,7 +57,7 @@ def prove(g, r, theta):
 
 
 def common_mistakes(g, r, theta):
-    """Those that can be made in both problems."""
+    """The mistakes that can be made in both problems."""
     a = motion(g, r, theta)["a"]
     return {
         "no_coriolis": {"a": a.without("coriolis")},

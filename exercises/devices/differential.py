@@ -19,7 +19,7 @@ def next_axis(axis):
 
 
 def coordinates(axis, along, across):
-    """Of a place at ``along`` on the axis of the gears and ``across`` on the axis of the pinion."""
+    """Coordinates ``along`` the axis of the gears and ``across``, on that of the pinion."""
     x = [0, 0, 0]
     x[AXES.index(axis)], x[AXES.index(next_axis(axis))] = along, across
     return x

@@ -93,8 +93,8 @@ def rim_steps(g, name):
     """What is seen from the bracket of A or B, then the terms of its velocity and acceleration."""
     ground, bracket, disk = frames = disk_in_bracket(g)
     length, start = ("mm", "O") if hasattr(g, "b") else ("m", "the disk's centre")
-    said = "the moving frame, fixed in the bracket,"
-    yield from turning_of(bracket, ground, bracket, "bracket", said)
+    phrase = "the moving frame, fixed in the bracket,"
+    yield from turning_of(bracket, ground, bracket, "bracket", phrase)
     S = rim_point(disk, name, g.r)
     yield from seen_in(bracket, S, bracket, length, "the bracket", start, f"r_{name}")
     v, a = rim_motion(frames, name, g.r).values()
@@ -201,8 +201,7 @@ def figure(g, ax, rim="AB", omega_name=r"\omega"):
     (_draw_axle if hasattr(g, "b") else _draw_fork)(s, bracket, disk, r, *letters)
     points = [rim_point(disk, name, r) for name in rim]
     for point in points:
-        s.dot(point)
-        s.label(point, point.name)
+        s.dot(point, point.name)
     if hasattr(g, "r"):
         s.dimension(disk.origin, points[0], label="r")
 

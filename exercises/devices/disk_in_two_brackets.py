@@ -170,8 +170,7 @@ def draw_two_brackets(g, ax):
     s.turn(B.point("", arm, 0, 0), B.i, label=r"$\omega_2$")
     s.turn(A.point("", 0, 1.5 * g.r, 0), A.j, label=r"$\omega_3$")
     for name in PLACES:
-        s.dot(rim_point(g, disk, name))
-        s.label(rim_point(g, disk, name), name)
+        s.dot(rim_point(g, disk, name), name)
     s.label(B.point("", arm, 0, low), "B")
     s.label(A.point("", 0.7 * ring, -0.7 * ring, 0), "A")
     s.dimension(O, rim_point(g, disk, "C"), label="r")

@@ -28,8 +28,8 @@ def steps(g):
     ground, arm, rod, D = arm_and_rod(g)
     omega, v_r = rod.angular_velocity(ground).expressed_in(ground), D.velocity(arm)
     yield Step("omega_CD", omega, "rad/s", "angular velocity of CD in the ground", "4.9", "4.22")
-    said = "velocity of D relative to the moving frame, fixed in BC"
-    yield Step("v_r", v_r.expressed_in(ground), "mm/s", said, "4.8", "4.17")
+    phrase = "velocity of D relative to the moving frame, fixed in BC"
+    yield Step("v_r", v_r.expressed_in(ground), "mm/s", phrase, "4.8", "4.17")
     for key, value in solve(g).items():
         yield from terms(value, key, {"alpha_CD": "rad/s^2", "v_D": "mm/s"}.get(key, "mm/s^2"))
 
@@ -68,7 +68,7 @@ def prove(g):
 
 
 def common_mistakes(g):
-    """Those that can be made in both problems."""
+    """The mistakes that can be made in both problems."""
     ground, arm, rod, D = arm_and_rod(g)
     return in_frame(ground, {
         "no_cross_product": {"alpha_CD": rod.angular_acceleration(ground).without("BC x CD")},

@@ -13,7 +13,7 @@ def half(g):
 
 
 def depth(part):
-    """From the diameter down to G."""
+    """The depth of G below the diameter."""
     return -part.centre.position(RING).y
 
 

@@ -27,7 +27,7 @@ def data(g):
 
 
 def spin(g, transverse=None, theta=None):
-    """With the values of a mistake, where they are given."""
+    """The spin, with the values of a mistake where they are given."""
     I_0, I_z, M = data(g)
     transverse = I_0 if transverse is None else transverse
     theta = pi(g.beta) - g.beta if theta is None else theta
@@ -94,7 +94,6 @@ def draw(g, ax):
     s.rod(A, B)
     s.disk(B, axes.k, g.D / 2)
     s.ball_joint(A)
-    s.dot(B)
     s.arc(A, C, B, label=r"$\beta$")
     s.turn((0, 0, -0.58 * g.L), ground.k, label=r"$\dot\psi$")
     s.turn(axes.point("", 0, 0, g.L + 0.6 * g.D), axes.k, label=r"$\dot\phi$")
@@ -103,5 +102,5 @@ def draw(g, ax):
     ends = [axes.point("", 0, side * g.D / 2, g.L) for side in (-1, 1)]
     s.dimension(*ends, label="D", offset=axes.k * (0.2 * g.D))
     s.label(A, "A")
-    s.label(B, "B")
+    s.dot(B, "B")
     s.label(C, "C")

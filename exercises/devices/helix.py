@@ -47,6 +47,5 @@ def figure(ax, ground, radius, rise, theta, name, turns=1.25):
     P = helix(radius, rise)(theta)
     s.axes((0, 0, 0), ground, length=1.6 * radius, labels=["x", "y", ""])
     s.dimension((0, 0, high), (0, radius, high), label=name)
-    s.dot(P)
-    s.label(P, "P")
+    s.dot(P, "P")
     return s, (0, 0, 0), (P[0], P[1], 0), P

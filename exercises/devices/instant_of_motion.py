@@ -41,10 +41,9 @@ def figure(ax, v, a, angle, **view):
     T = v.norm() / a.norm()
     s.path([v * (T * n / 20) + a * (T * n / 20) ** 2 / 2 for n in range(-16, 20)])
     O = (0, 0, 0)
-    s.dot(O)
     s.vector(O, v, "$\\mathbf{v}$")
     s.vector(O, a, "$\\mathbf{a}$", kind="acceleration")
     if angle:
         s.arc(O, v, a, label=angle)
-    s.label(O, "P")
+    s.dot(O, "P")
     return s, T

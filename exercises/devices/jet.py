@@ -34,6 +34,5 @@ def sketch(g, ax, ground, v):
     s.vector(A, (u, 0, w), "$v_0$")
     s.rod((-0.06 * u * T, 0, -0.06 * w * T), A)
     for P, name, offset in ((A, "A", (-9, 8)), (B, "B", (0, 10))):
-        s.dot(P)
-        s.label(P, name, offset=offset)
+        s.dot(P, name, offset=offset)
     return s, A, u * T

@@ -5,20 +5,20 @@ from exercises.catalogue.wording import body_text
 from exercises.tools import Step, terms
 
 
-def turning_of(frame, ground, axes, name, said):
-    """omega and alpha, if not zero, along ``axes`` of a frame called ``said`` ("the arm")."""
+def turning_of(frame, ground, axes, name, phrase):
+    """omega and alpha, if not zero, along ``axes`` of the frame of this ``phrase`` ("the arm")."""
     omega = frame.angular_velocity(ground).expressed_in(axes)
     alpha = frame.angular_acceleration(ground).expressed_in(axes)
     within = body(ground)
     yield Step(
-        f"omega_{name}", omega, "rad/s", f"angular velocity of {said} in {within}", "4.9", "4.22"
+        f"omega_{name}", omega, "rad/s", f"angular velocity of {phrase} in {within}", "4.9", "4.22"
     )
     if not is_zero(alpha):
-        told = f"angular acceleration of {said} in {within}"
-        yield Step(f"alpha_{name}", alpha, "rad/s^2", told, "4.9", "4.25")
+        means = f"angular acceleration of {phrase} in {within}"
+        yield Step(f"alpha_{name}", alpha, "rad/s^2", means, "4.9", "4.25")
 
 
-def seen_in(frame, P, axes, length, said, start, r="r", acceleration=True):
+def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
     """Place, velocity and acceleration (if it is needed) of P in a frame with its origin at
     ``start``, along ``axes``; ``length`` is the unit of lengths. What is zero is left out.
     """
@@ -28,19 +28,19 @@ def seen_in(frame, P, axes, length, said, start, r="r", acceleration=True):
     )
     yield Step(r, place, length, f"position of {name} from {start}", "4.8", "4.16")
     if not is_zero(v):
-        told = f"velocity of {name} as seen from {said}"
-        yield Step("v_r", v, f"{length}/s", told, "4.8", "4.17")
+        means = f"velocity of {name} as seen from {phrase}"
+        yield Step("v_r", v, f"{length}/s", means, "4.8", "4.17")
     if acceleration and not is_zero(a):
-        told = f"acceleration of {name} as seen from {said}"
-        yield Step("a_r", a, f"{length}/s^2", told, "4.8", "4.18")
+        means = f"acceleration of {name} as seen from {phrase}"
+        yield Step("a_r", a, f"{length}/s^2", means, "4.8", "4.18")
 
 
-def motion_via(frame, P, ground, key, said, start, moved="P"):
-    """How the frame turns, which is fixed in what is ``said`` ("the arm"), and what is seen in it
+def motion_via(frame, P, ground, key, phrase, start, moved="P"):
+    """How the frame turns, fixed in what ``phrase`` names ("the arm"), and what is seen in it
     of P, called ``moved``; then (4.17) and (4.18) with their terms, along its axes, in m.
     """
-    yield from turning_of(frame, ground, frame, key, f"the moving frame, fixed in {said},")
-    yield from seen_in(frame, P, frame, "m", said, start)
+    yield from turning_of(frame, ground, frame, key, f"the moving frame, fixed in {phrase},")
+    yield from seen_in(frame, P, frame, "m", phrase, start)
     v, a = P.velocity(ground, via=frame), P.acceleration(ground, via=frame)
     yield from terms(v, "v_P", "m/s", "4.8")
     yield Step("v_P", v, "m/s", f"velocity of {moved} in the ground", "4.8", "4.17")

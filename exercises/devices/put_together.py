@@ -22,10 +22,7 @@ def problem_of(frame, parts, holes=False, **units):
     def bodies(g):
         return parts(g) if holes else (parts(g),)
 
-    return (
-        lambda g: centre(frame, *bodies(g)),
-        lambda g: steps_of(frame, *bodies(g), **units),
-    )
+    return (lambda g: centre(frame, *bodies(g)), lambda g: steps_of(frame, *bodies(g), **units))
 
 
 def unweighed(frame, one, points):

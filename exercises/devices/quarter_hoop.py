@@ -54,9 +54,8 @@ def sketch(g, ax):
     s.wire(s.around(O, A, ground.k, pi(1.0) / 2))
     s.box(A, ground, (3 * half, 4 * half, 2 * half))
     s.line(O, B)
-    s.dot(B)
     s.label(A, "A", offset=(-22, 8))
     s.label(A, "m", offset=(-22, -10), bold=False)
-    s.label(B, "B", offset=(-2, -14))
+    s.dot(B, "B", offset=(-2, -14))
     s.label(O, "O", offset=(8, 10))
     return s, points

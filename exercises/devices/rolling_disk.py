@@ -36,14 +36,14 @@ def rolling_steps(g):
     """The turning of the axle and the condition of rolling."""
     ground, axle, disk, _ = axle_and_disk(g, rolling_spin(g))
     omega = axle.angular_velocity(ground).expressed_in(axle)
-    said = "angular velocity of the axle, once round in T"
-    yield Step("omega_axle", omega, "rad/s", said, "4.4", "4.9")
+    means = "angular velocity of the axle, once round in T"
+    yield Step("omega_axle", omega, "rad/s", means, "4.4", "4.9")
     v = axle.origin.velocity(ground).expressed_in(axle)
-    said = "velocity of the disk's centre C, which goes round the circle of radius R"
-    yield Step("v_C", v, "m/s", said, "4.4", "4.11")
+    means = "velocity of the disk's centre C, which goes round the circle of radius R"
+    yield Step("v_C", v, "m/s", means, "4.4", "4.11")
     spin = disk.angular_velocity(axle).expressed_in(axle)
-    said = "rate of the disk on the axle: it rolls, so that r times this rate is the speed of C"
-    yield Step("omega_spin", spin, "rad/s", said, "4.4", "4.11")
+    means = "rate of the disk on the axle: it rolls, so that r times this rate is the speed of C"
+    yield Step("omega_spin", spin, "rad/s", means, "4.4", "4.11")
 
 
 def proved_steps(g):
@@ -107,5 +107,4 @@ def sketch(g, ax, with_A=True):
     s.dimension(foot, contact, label="R")
     s.dimension(contact, C, label="r", offset=0)
     if with_A:
-        s.dot(A)
-        s.label(A, "A")
+        s.dot(A, "A")

@@ -80,7 +80,7 @@ def by_energy(g, W_A, W_B, places, reach):
     """
 
     def gain(W, place, a):
-        """Of the energy of a block in the first unit of time, s = a t^2/2 from rest."""
+        """The gain in energy of a block in the first unit of time, s = a t^2/2 from rest."""
 
         def moved(t):
             return place(a * t**2 / 2)
@@ -113,7 +113,7 @@ def draw_wedge(ax, left, right=None):
     """
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
-    height, half, long = 0.55, 0.09, 0.13  # of the wedge; of a block, across and along
+    height, half, long = 0.55, 0.09, 0.13  # of the wedge; half sizes of a block
     top, foot = (0, 0, 0), (-height / tan(left[0]), -height, 0)
     heel = (height / tan(right[0]) if right else 0, -height, 0)
     s.plate([top, foot, heel], shade="light")

@@ -73,7 +73,7 @@ def shaft_steps(r, products="xy"):
 
 
 def steps(r, *axes):
-    """Of a body of one part with its mass centre on the axis: ``axes`` as for principal_steps."""
+    """The steps of a body of one part, its mass centre on the axis; see principal_steps."""
     yield from principal_steps(r.body.parts[0], *axes)
     yield from shaft_steps(r)
 

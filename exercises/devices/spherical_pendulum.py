@@ -67,5 +67,5 @@ def way(g, depth, radius, speed, duration, pieces=60):
 
 
 def depth_angle(place):
-    """Of the line from O to this place, below the horizontal plane."""
+    """The angle of the line from O to this place, below the horizontal plane."""
     return mp.atan2(-place[2], mp.hypot(*place[:2]))

@@ -44,7 +44,6 @@ def figure(g, ax, distance="", theta=0.9):
     if distance:
         s.label([0.6 * x for x in P], f"${distance}$", offset=axes.k, bold=False)
     s.axes(P, axes, length=0.35, labels=["$e_R$", r"$e_\theta$", r"$e_\phi$"])
-    s.dot(P)
     s.label(O, "O")
-    s.label(P, "P")
+    s.dot(P, "P")
     s.label(Q, "Q", offset=(8, -10))

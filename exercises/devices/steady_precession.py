@@ -18,7 +18,7 @@ def frames(theta, psi=0, phi=0, name="top"):
 
 
 def weight_moment(m, g, ground, axes, r):
-    """Of the mass m with its centre at r k, about O and the line of nodes (10.30)."""
+    """The moment of the weight of m at r k, about O and the line of nodes (10.30)."""
     G = axes.point("G", 0, 0, r)
     return (G - axes.origin).cross(weight(m, ground.k, g)).expressed_in(axes).x
 

@@ -38,7 +38,6 @@ def figure(ax, ground, A):
     s.turn((0, 0, -0.3 * l), ground.k, label=r"$\omega$")
     s.arc(O, up, end, label=r"$\beta$")
     s.label(end * 0.5 - axes.k * (0.13 * l), "$l$", offset=(0, 0), bold=False)
-    s.dot(end)
     s.label(O, "O", offset=(-12, -4))
-    s.label(end, "A")
+    s.dot(end, "A")
     return s

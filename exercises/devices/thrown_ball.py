@@ -58,9 +58,8 @@ def draw(g, ax):
     s.line(O, foot)
     end = 0.5 * g.d
     s.path([place(end * n / 40) for n in range(41)])
-    s.dot(O)
     s.dot(hit)
     s.vector(O, (vx, 0, u * vx), "$v_0$")
     s.dimension(O, foot, "d")
-    s.label(O, "O")
+    s.dot(O, "O")
     return s, O, foot, hit, (0.4 * g.d, 0, 0.4 * g.d * u)

@@ -4,14 +4,9 @@ look at the motion from the stars, where there is no Coriolis term; the globe.
 
 from exercises.tools import Sketch, minus, mp, mpf, plus, rate, rot, scaled, times, transposed
 from newton_euler import Frame, cos, sin
-from newton_euler.applications import (
-    earth_frame,
-    earth_rate,
-    ground_frame,
-    projectile_position,
-)
+from newton_euler.applications import earth_frame, earth_rate, ground_frame, projectile_position
 
-RADIUS = mpf(6_400_000)  # of the Earth in proofs, any: to first order in its rate it drops out
+RADIUS = mpf(6_400_000)  # m, of the Earth in proofs: to first order in its rate, any will do
 
 
 def ground_axes(g):

@@ -60,21 +60,21 @@ def acceleration_steps(ground, car, B):
     """What enters (2.25)."""
     yield from velocity_steps(ground, car, B)
     v_rel = seen_velocity(ground, car, B)
-    said = "velocity of B as seen from the car A, v_B - v_A - omega x r"
-    yield Step("v_rel", v_rel, "m/s", said, "2.10", "2.24")
+    means = "velocity of B as seen from the car A, v_B - v_A - omega x r"
+    yield Step("v_rel", v_rel, "m/s", means, "2.10", "2.24")
     terms = place(ground, car, B, v_rel).acceleration(ground).expressed_in(ground).terms
     alpha = car.angular_acceleration(ground)
     yield Step("alpha_A", alpha, "rad/s^2", "angular acceleration of the car A", "2.8")
-    said = "acceleration of {} in the ground, tangential and normal"
-    yield Step("a_A", terms["origin"], "m/s^2", said.format("A"), "2.3", "2.14")
+    means = "acceleration of {} in the ground, tangential and normal"
+    yield Step("a_A", terms["origin"], "m/s^2", means.format("A"), "2.3", "2.14")
     a_B = B.acceleration(ground).expressed_in(ground)
-    yield Step("a_B", a_B, "m/s^2", said.format("B"), "2.3", "2.14")
-    for name, said in (
+    yield Step("a_B", a_B, "m/s^2", means.format("B"), "2.3", "2.14")
+    for name, means in (
         ("euler", "the term alpha x r"),
         ("coriolis", "the Coriolis term 2 omega x v_rel"),
         ("centripetal", "the term omega x (omega x r)"),
     ):
-        yield Step(f"a_{name}", terms[name], "m/s^2", said, "2.10", "2.25")
+        yield Step(f"a_{name}", terms[name], "m/s^2", means, "2.10", "2.25")
 
 
 def prove(g, a_A=0, a_B=0):

@@ -17,13 +17,13 @@ def fork_and_shaft(g):
 
 
 def angular_velocity(g):
-    """Of the shaft in the ground, along the axes of the fork."""
+    """The shaft's angular velocity in the ground, along the axes of the fork."""
     ground, fork, shaft = fork_and_shaft(g)
     return in_frame(fork, shaft.angular_velocity(ground))
 
 
 def angular_acceleration(g):
-    """Of the shaft in the ground, along the axes of the fork."""
+    """The shaft's angular acceleration in the ground, along the axes of the fork."""
     ground, fork, shaft = fork_and_shaft(g)
     return in_frame(fork, shaft.angular_acceleration(ground))
 
@@ -31,8 +31,8 @@ def angular_acceleration(g):
 def direction(g):
     """The step that gives the direction of the shaft, along the axes of the fork."""
     _, fork, shaft = fork_and_shaft(g)
-    said = "direction of the shaft, $\\sin\\gamma$ along y and $\\cos\\gamma$ along z"
-    return Step("e", shaft.k.expressed_in(fork), "1", said)
+    means = "direction of the shaft, $\\sin\\gamma$ along y and $\\cos\\gamma$ along z"
+    return Step("e", shaft.k.expressed_in(fork), "1", means)
 
 
 def orientation(g):

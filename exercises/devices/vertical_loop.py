@@ -19,7 +19,7 @@ def track_force(m, g, r, phi, v):
 
 
 def contact(m, g, r, phi, v, **shares):
-    """Its part toward the centre; the track cannot pull. ``shares`` of its terms, for mistakes."""
+    """The part toward the centre; the track cannot pull. ``shares`` of its terms, for mistakes."""
     N, inward = track_force(m, g, r, phi, v)
     return N.reweighted(**shares).dot(inward)
 

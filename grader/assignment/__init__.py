@@ -1,6 +1,4 @@
-"""Builds the notebook of an assignment, and each student's copy of it with their own numbers and
-figures.
-
+"""Builds the notebook of an assignment, and each student's copy with their own numbers and figures.
 ``fetch`` is not imported here: it imports nbgrader, which takes two seconds.
 """
 
@@ -10,17 +8,3 @@ from .notebook import build_notebook, personal_notebook
 from .personal import copy_to_exchange, exchange_outbound, make_personal_copies
 from .released import master_notebook
 from .sheet import problems_of
-
-__all__ = [
-    "build_assignment",
-    "build_notebook",
-    "contact_sheet",
-    "copy_to_exchange",
-    "exchange_outbound",
-    "figure_faults",
-    "figure_png",
-    "make_personal_copies",
-    "master_notebook",
-    "personal_notebook",
-    "problems_of",
-]

@@ -1,21 +1,19 @@
-"""Another attempt at an assignment, with fresh numbers, where the instructor allows it.
-
-What belongs to the earlier attempt moves to COURSE/attempts/ASSIGNMENT/STUDENT/N and can be put
-back. The gradebook keeps its grade until the new sheet is handed in and graded; then that one
-counts.
+"""Another attempt at an assignment, with fresh numbers. The files of the earlier one move to
+COURSE/attempts/ASSIGNMENT/STUDENT/N and can be put back; its grade stands until the new sheet is
+graded.
 """
 
 import shutil
+from pathlib import Path
 
-from ..course import CourseError, check_id
+from ..course import Course, CourseError, check_id
 from .numbers import keep_numbers, numbers_path
 from .personal import make_personal_copies
-from .released import released_notebooks
-from .sheet import problems_of
+from .released import released
 
 
-def parts(course, assignment, student):
-    """{name in the folder of an attempt: where it is while the attempt counts}."""
+def parts(course: Course, assignment: str, student: str) -> dict[str, Path]:
+    """{name in the folder of an attempt: path while the attempt counts}."""
     return {
         "submitted": course.path / "submitted" / student / assignment,
         "autograded": course.path / "autograded" / student / assignment,
@@ -26,22 +24,20 @@ def parts(course, assignment, student):
     }
 
 
-def attempts_folder(course, assignment, student):
-    """Where a student's earlier attempts are."""
+def attempts_folder(course: Course, assignment: str, student: str) -> Path:
+    """The folder of a student's earlier attempts."""
     return course.path / "attempts" / assignment / check_id(student)
 
 
-def earlier_attempts(course, assignment, student):
-    """The folders of the attempts that do not count any more, by their numbers."""
+def earlier_attempts(course: Course, assignment: str, student: str) -> dict[int, Path]:
+    """The folders of the attempts that no longer count, by number."""
     folder = attempts_folder(course, assignment, student)
     found = [f for f in folder.glob("*") if f.name.isdigit()] if folder.is_dir() else []
     return dict(sorted((int(f.name), f) for f in found))
 
 
-def new_attempt(course, assignment, student):
-    """Set a student's attempt aside and make a sheet with fresh numbers; returns (number of the new
-    attempt, path of its notebook).
-    """
+def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Path]:
+    """Set an attempt aside and make a sheet with fresh numbers: (number of the attempt, path)."""
     if student not in course.roster():
         raise CourseError(f"{student} is not on the roster")
     now = parts(course, assignment, student)
@@ -50,18 +46,17 @@ def new_attempt(course, assignment, student):
             f"{student} has not handed in {assignment}, so that there is nothing to try again"
         )
     done = max(earlier_attempts(course, assignment, student), default=0) + 1
-    _move(now, attempts_folder(course, assignment, student) / str(done))
-    problems = {
-        p.id: p for n in released_notebooks(course, assignment).values() for p in problems_of(n)
-    }
-    drawn = course.values(f"{assignment}, attempt {done + 1}", student, list(problems.values()))
-    keep_numbers(course, assignment, student, list(problems.values()), drawn)
+    _set_aside(now, attempts_folder(course, assignment, student) / str(done))
+    asked = {i: t for r in released(course, assignment).values() for i, t in r.tasks.items()}
+    problems = [task.exercise for task in asked.values()]
+    drawn = course.values(f"{assignment}, attempt {done + 1}", student, problems)
+    keep_numbers(course, assignment, student, problems, drawn)
     paths = make_personal_copies(course, assignment, [student], workers=1)
     return done + 1, paths[student]
 
 
-def put_back(course, assignment, student, number):
-    """Let an earlier attempt count again; the present one, if there is any, is set aside."""
+def put_back(course: Course, assignment: str, student: str, number: int) -> None:
+    """Let an earlier attempt count again; the current one, if any, is set aside."""
     earlier = earlier_attempts(course, assignment, student)
     if number not in earlier:
         raise CourseError(
@@ -70,17 +65,20 @@ def put_back(course, assignment, student, number):
         )
     now = parts(course, assignment, student)
     if now["submitted"].is_dir():
-        _move(now, attempts_folder(course, assignment, student) / str(max(earlier) + 1))
-    for path in now.values():  # a sheet that nobody handed in
-        _remove(path)
+        _set_aside(now, attempts_folder(course, assignment, student) / str(max(earlier) + 1))
     for name, path in now.items():
-        _move({name: earlier[number] / name}, path.parent, {name: path.name})
+        _remove(path)  # of a sheet that was not handed in
+        if (earlier[number] / name).exists():
+            path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+            (earlier[number] / name).rename(path)
     shutil.rmtree(earlier[number])
 
 
-def is_work_of_earlier(course, assignment, student, name, content):
-    """The number of the earlier attempt that has the same notebook, else None: nbgrader collects
-    the last one that was handed in, also if that was before the new sheet.
+def is_work_of_earlier(
+    course: Course, assignment: str, student: str, name: str, content: bytes
+) -> int | None:
+    """The number of the earlier attempt with the same notebook, else None: nbgrader collects the
+    last submission, even one made before the new sheet was handed out.
     """
     for number, folder in earlier_attempts(course, assignment, student).items():
         path = folder / "submitted" / f"{name}.ipynb"
@@ -89,14 +87,14 @@ def is_work_of_earlier(course, assignment, student, name, content):
     return None
 
 
-def _move(places, target, names=None):
-    target.mkdir(parents=True, exist_ok=True, mode=0o700)
+def _set_aside(places: dict[str, Path], folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True, mode=0o700)
     for name, path in places.items():
         if path.exists():
-            path.rename(target / (names or {}).get(name, name))
+            path.rename(folder / name)
 
 
-def _remove(path):
+def _remove(path: Path) -> None:
     if path.is_dir():
         shutil.rmtree(path)
     else:

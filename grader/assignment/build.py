@@ -1,11 +1,13 @@
 """Writes the source notebook of an assignment into a course folder."""
 
 import contextlib
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from exercises import catalogue
-from exercises.catalogue import CatalogueError, problems
+from exercises.catalogue import CatalogueError, Problem, problems
 
 from ..course import Course, read_roster, write_json
 from ..course.creation import new_course, refuse_existing, write_pinned
@@ -16,9 +18,7 @@ from .notebook import build_notebook
 
 @dataclass(frozen=True)
 class Built:
-    """What a build made: the course, the path of the source notebook, how many students are new,
-    and how the roster was read.
-    """
+    """The course, the source notebook, the number of new students, and how the roster was read."""
 
     course: Course
     path: Path
@@ -26,7 +26,7 @@ class Built:
     read_as: str = ""
 
 
-def select_problems(chapter, only):
+def select_problems(chapter: str, only: Collection[str]) -> list[Problem]:
     """The problems of a chapter, or those of them whose numbers are in ``only``."""
     found = problems(chapter)
     unknown = set(only) - {p.id for p in found}
@@ -38,16 +38,16 @@ def select_problems(chapter, only):
 
 
 def build_assignment(
-    course_path,
-    chapter,
-    students=None,
-    only=(),
-    update=False,
-    bar=None,
-    name=None,
-    exchange=None,
-    id_column=None,
-):
+    course_path: str | Path,
+    chapter: str,
+    students: str | Path | None = None,
+    only: Collection[str] = (),
+    update: bool = False,
+    bar: Any = None,
+    name: str | None = None,
+    exchange: str | Path | None = None,
+    id_column: str | None = None,
+) -> Built:
     """Write the source notebook of a chapter into a new course, or with ``update`` into an existing
     one; returns :class:`Built`.
 
@@ -64,7 +64,7 @@ def build_assignment(
         if update
         else new_course(course_path, name, exchange)
     )
-    # before the folder is made, so that a failure leaves nothing behind
+    # drawn before the folder is made, so that a failure leaves nothing behind
     figures = _figures(selected, bar)
     with opened as course:
         path = course.source(chapter)
@@ -75,7 +75,7 @@ def build_assignment(
     return Built(Course(course_path), path, enrolled, roster.read_as if roster else "")
 
 
-def _figures(selected, bar):
+def _figures(selected: list[Problem], bar: Any) -> dict[str, bytes | None]:
     task = bar.add_task("drawing figures", total=len(selected)) if bar else None
     figures = {}
     for p in selected:

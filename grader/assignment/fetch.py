@@ -15,22 +15,20 @@ from nbgrader.utils import get_username
 FOLDER = ".personal"
 
 
-def personal_name(course_id, assignment, student):
+def personal_name(course_id: str, assignment: str, student: str) -> str:
     """The name of the folder of a student's own copy, in ``outbound/.personal/<assignment>``."""
     return hashlib.sha256(f"{course_id}\0{assignment}\0{student}".encode()).hexdigest()[:32]
 
 
-def who_submits(student_id):
-    """The id under which nbgrader submits, so that a student fetches as who they will hand in."""
+def who_submits(student_id: str) -> str:
+    """The id under which nbgrader will submit: a student fetches under the same one."""
     return student_id if student_id not in ("", "*") else get_username()
 
 
 class PersonalFetch(ExchangeFetchAssignment):
-    """Copies the released assignment, then the student's own notebooks over it; never over a file
-    that the student already has.
-    """
+    """Copies the released assignment and the student's own notebooks, and overwrites no work."""
 
-    def copy_files(self):
+    def copy_files(self) -> None:
         student = who_submits(self.coursedir.student_id)
         name = personal_name(self.coursedir.course_id, self.coursedir.assignment_id, student)
         own = os.path.join(self.outbound_path, FOLDER, self.coursedir.assignment_id, name)

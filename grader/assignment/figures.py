@@ -1,17 +1,20 @@
-"""Draws the figure of a problem to scale, from a student's own numbers, as a PNG; and those of many
-problems on one sheet.
-"""
+"""Draws the figures of problems to scale, from a student's own numbers, as PNG."""
 
 import io
+from collections.abc import Callable, Iterable
 
 from exercises.catalogue import Problem
 
+from .cells import Values
+
 SIZE = 5.2, 4.0  # inches
-COLUMNS = 5  # of a sheet
+COLUMNS = 5  # of a contact sheet
 
 
-def figure_png(problem: Problem, values, size=SIZE, dpi=100):
-    """The figure of a problem as PNG bytes, None of one without a figure; ``values`` in the units
+def figure_png(
+    problem: Problem, values: Values, size: tuple[float, float] = SIZE, dpi: int = 100
+) -> bytes | None:
+    """The figure of a problem as PNG bytes, None for a problem without one; ``values`` in the units
     of the text. A symbol without a number is drawn at the middle of its range.
     """
     if not problem.figure:
@@ -19,17 +22,17 @@ def figure_png(problem: Problem, values, size=SIZE, dpi=100):
     return _png(_drawn(problem, values, size).figure, dpi)
 
 
-def figure_faults(problem: Problem, values):
-    """What is hard to read in the figure of a problem, in sentences."""
+def figure_faults(problem: Problem, values: Values) -> list[str]:
+    """Sentences on what is hard to read in the figure of a problem."""
     from newton_euler.drawing.page.legibility import faults
 
     return faults(_drawn(problem, values, SIZE))
 
 
-def contact_sheet(problems, values_of, dpi=72):
-    """One PNG, as bytes, of the figures of many problems, each with its number; ``values_of`` gives
-    the values of a problem.
-    """
+def contact_sheet(
+    problems: Iterable[Problem], values_of: Callable[[Problem], Values], dpi: int = 72
+) -> bytes:
+    """One PNG of the figures of many problems, each with its number."""
     from matplotlib.figure import Figure
 
     problems = list(problems)
@@ -67,8 +70,6 @@ def _png(figure, dpi):
     return out.getvalue()
 
 
-def drawing_values(problem, values):
-    """A value for every given and symbol: the student's, or the middle of the range where there is
-    none.
-    """
+def drawing_values(problem: Problem, values: Values) -> Values:
+    """A value for every given and symbol; the middle of its range where ``values`` has none."""
     return {**{n: sum(s.vary) / 2 for n, s in problem.symbols.items()}, **values}

@@ -2,10 +2,10 @@
 numbers.
 
 Notebooks are plain dicts here (the JSON of the format), because nbformat validates at every step
-and a class has hundreds. Each problem has four
-cells: the statement and the givens (with a student's own numbers, without an nbgrader id), the
-    answer (editable; of a submission, the only text
-that is used) and the receipt (locked, no points, checks the form of the answer).
+and a class has hundreds. Each problem has four cells: the statement; the givens, with a student's
+own numbers and without an nbgrader id; the answer, which is editable and the only text of a
+submission that is used; and the receipt, which is locked, has no points, and checks the form of the
+answer.
 
 Courses keep what is written here: a change of cell ids, of grade ids, of MASTER_COPY or of the
 numbers and units in :func:`givens` makes assignments that are already handed out impossible to
@@ -14,8 +14,10 @@ grade.
 
 import base64
 import re
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache, lru_cache
 
+from exercises.catalogue import Answer, Problem
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.sanity import sane_answers
 from exercises.catalogue.sections import section_line
@@ -29,7 +31,16 @@ from newton_euler.answers.notation import (
     unit_symbol,
 )
 
-from .sheet import own_metadata
+from .cells import (
+    NbgraderMetadata,
+    Notebook,
+    OwnMetadata,
+    SheetValues,
+    Values,
+    code_cell,
+    markdown_cell,
+    own_metadata,
+)
 
 SETUP = """\
 from math import pi
@@ -62,12 +73,12 @@ compared after you hand in, part by part, with a hint where a common slip explai
 """  # noqa: E501  # a text that students have
 
 
-def number(x):
+def number(x: float) -> str:
     """The text of a number, floats with six significant digits."""
     return f"{x:.6g}" if isinstance(x, float) else str(x)
 
 
-def statement(p, values, figure=True):
+def statement(p: Problem, values: Values, figure: bool = True) -> str:
     """The text of a problem with the student's numbers, as Markdown with formulas of LaTeX between
     dollar signs; the figure is the attachment ``figure.png``.
     """
@@ -88,7 +99,8 @@ def statement(p, values, figure=True):
         listed = (f"{_quantity(p, n, values)}, {typeset(p.givens[n].means, p)}" for n in others)
         lines += ["", f"Given: {'; '.join(listed)}."]
     if figure:
-        lines += ["", f"![Figure: {_alt(p.figure)}](attachment:figure.png)"]
+        words = re.sub(r"[\[\]()\n]", " ", p.figure).strip()
+        lines += ["", f"![Figure: {words}](attachment:figure.png)"]
     if p.frame:
         lines += ["", f"*Components:* {typeset(p.frame, p)}"]
     lines += ["", "*Find*", ""]
@@ -107,13 +119,13 @@ def _in_unit(unit):
     return "" if unit == "1" else f", in ${bare_unit(unit)}$"
 
 
-def typeset(text, p, replaced=None):
-    """Our own text with its names in LaTeX: each ``{name}`` by what ``replaced`` makes of the match
-    (in a formula between dollar signs: its symbol), and Greek letters that are written out.
+def typeset(text: str, p: Problem, replaced: Callable[[re.Match[str]], str] | None = None) -> str:
+    """A text of the catalogue in LaTeX: each ``{name}`` by ``replaced(match)``, in a formula
+    between dollar signs by its symbol; Greek letters that are written out as letters.
     """
     parts = re.split(r"(\$[^$]*\$)", text)
     for n, part in enumerate(parts):
-        if n % 2:  # a formula; {i} of a command stays
+        if n % 2:  # a formula; the {i} of a command remains
             parts[n] = _NAMED.sub(lambda m: p.notation.get(m[1], m[0]), part)
         else:
             part = typeset_names(part, p.notation)
@@ -124,19 +136,15 @@ def typeset(text, p, replaced=None):
 _NAMED = re.compile(r"\{(\w+)\}")
 
 
-def _alt(text):
-    return re.sub(r"[\[\]()\n]", " ", text).strip()
-
-
-def givens(p, values):
+def givens(p: Problem, values: Values) -> str:
     """The source of the cell that defines a student's numbers, and the symbols of a formula."""
     lines = definitions(p, values)
-    if p.givens:  # from which a receipt knows whether these numbers were used
+    if p.givens:  # lets a receipt check whether these numbers were used
         lines.append(f'given("{p.id}", {", ".join(f"{n}={n}" for n in p.givens)})')
     return "\n".join(lines)
 
 
-def definitions(p, values):
+def definitions(p: Problem, values: Values) -> list[str]:
     """The lines that define a student's numbers, and the symbols of a formula."""
     lines = [f"# {p.id}: what is given", *givens_lines(p, values)]
     if p.symbols:
@@ -148,7 +156,7 @@ def definitions(p, values):
     return lines
 
 
-def givens_lines(p, values):
+def givens_lines(p: Problem, values: Values) -> list[str]:
     """The line of each given: its name, number, unit and meaning."""
     width = max((len(f"{n} = {number(values[n])}") for n in p.givens), default=0)
     return [
@@ -158,7 +166,7 @@ def givens_lines(p, values):
     ]
 
 
-def starter(p):
+def starter(p: Problem) -> str:
     """The source of the answer cell as it is handed out."""
     width = max(len(a.key) for a in p.answers)
     lines = [f"# {p.id}: your work; then a value for each name"]
@@ -166,12 +174,12 @@ def starter(p):
     return "\n".join(lines)
 
 
-def form(a):
+def form(a: Answer) -> str:
     """The form of an answer as the notebook states it: "vector, mm/s"."""
     return str(Form(a.kind, a.unit, a.of))
 
 
-def receipt_cell(p):
+def receipt_cell(p: Problem) -> str:
     """The source of the locked cell that checks the form of the answers."""
     forms = ", ".join(f'{a.key}="{form(a)}"' for a in p.answers)
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
@@ -181,12 +189,12 @@ def receipt_cell(p):
     return f'expect("{p.id}", {symbols}{notation}{sane}{forms})\nreceipt("{p.id}", globals())'
 
 
-def slug(problem_id):
+def slug(problem_id: str) -> str:
     """The number of a problem as part of a cell id: "4-16" for "4/16"."""
     return problem_id.replace("/", "-")
 
 
-def answer_id(problem_id):
+def answer_id(problem_id: str) -> str:
     """The id of an answer cell, also in nbgrader's gradebook: "answer-4-16"."""
     return f"answer-{slug(problem_id)}"
 
@@ -194,17 +202,23 @@ def answer_id(problem_id):
 # -- the whole notebook
 
 
-def build_notebook(problems, title, seconds, total, figures=None):
+def build_notebook(
+    problems: Iterable[Problem],
+    title: str,
+    seconds: float,
+    total: float,
+    figures: Mapping[str, bytes | None] | None = None,
+) -> Notebook:
     """The source notebook of an assignment with the numbers of the book; ``figures``: {problem id:
     PNG}; ``seconds``: the time limit of a cell; ``total``: of all.
     """
     cells = [
-        _markdown(
+        markdown_cell(
             "introduction",
             INTRODUCTION.format(title=title, seconds=seconds, total=total, whose=MASTER_COPY),
             {"role": "introduction"},
         ),
-        _code(
+        code_cell(
             "setup",
             SETUP.strip(),
             {"role": "setup"},
@@ -225,39 +239,29 @@ def build_notebook(problems, title, seconds, total, figures=None):
 
 
 def _problem_cells(p, values, figure):
-    n, points = slug(p.id), len(p.answers)
+    n = slug(p.id)
     # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell
     # without one would lose its text
     answer = starter(p).replace("\n", "\n### BEGIN SOLUTION\n### END SOLUTION\n", 1)
-    graded = {
-        "grade": True,
-        "solution": True,
-        "locked": False,
-        "grade_id": answer_id(p.id),
-        "points": points,
-    }
-    locked = {
-        "grade": True,
-        "solution": False,
-        "locked": True,
-        "grade_id": f"receipt-{n}",
-        "points": 0,
-    }
+    asked = {a.key: form(a) for a in p.answers}
+    own: OwnMetadata = {"role": "answer", "problem": p.id, "asked": asked}
+    marks: NbgraderMetadata = {
+        "grade": True, "solution": True, "locked": False, "grade_id": answer_id(p.id),
+        "points": len(asked),
+    }  # fmt: skip
+    locked: NbgraderMetadata = {
+        "grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0,
+    }  # fmt: skip
     return [
         _statement_cell(p, values, figure),
-        _code(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
-        _code(
-            answer_id(p.id),
-            answer,
-            {"role": "answer", "problem": p.id, "asked": {a.key: form(a) for a in p.answers}},
-            graded,
-        ),
-        _code(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, locked),
+        code_cell(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
+        code_cell(answer_id(p.id), answer, own, marks),
+        code_cell(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, locked),
     ]
 
 
 def _statement_cell(p, values, figure):
-    cell = _markdown(
+    cell = markdown_cell(
         f"statement-{slug(p.id)}",
         statement(p, values, figure is not None),
         {"role": "statement", "problem": p.id},
@@ -271,34 +275,13 @@ def _attached(figure):
     return {"figure.png": {"image/png": base64.b64encode(figure).decode()}}
 
 
-def _markdown(cell_id, text, own):
-    return {
-        "cell_type": "markdown",
-        "id": cell_id,
-        "metadata": {"newton_euler": own},
-        "source": text,
-    }
-
-
-def _code(cell_id, text, own, nbgrader=None):
-    metadata = {"newton_euler": own}
-    if nbgrader:
-        metadata["nbgrader"] = {"schema_version": 3, "task": False, "cell_type": "code", **nbgrader}
-    return {
-        "cell_type": "code",
-        "id": cell_id,
-        "metadata": metadata,
-        "source": text,
-        "outputs": [],
-        "execution_count": None,
-    }
-
-
-def personal_notebook(released, student, values, figures):
+def personal_notebook(
+    released: Notebook, student: str, values: SheetValues, figures: Mapping[str, bytes | None]
+) -> Notebook:
     """The released notebook with a student's own numbers and figures; ``values`` and ``figures`` by
     problem.
 
-    What an instructor wrote into a text or a cell of ours stays: only the numbers in it change.
+    What an instructor has written into one of our cells remains: only the numbers in it change.
     """
     cells = []
     for cell in released["cells"]:
@@ -328,8 +311,8 @@ def _statement_with(p, text, values):
 
 @lru_cache(maxsize=1000)
 def _around_numbers(p, text):
-    """A text, the same for all students, cut at the numbers that it gives: (the pieces around them,
-    [(name, function that writes the number)]).
+    """A text, the same for all students, split at the numbers of its givens: (the pieces around
+    them, [(name, function that writes the number)]).
     """
     if not p.givens:
         return [text], []
@@ -348,8 +331,8 @@ def _around_numbers(p, text):
 
 @cache
 def _givens_in(p):
-    """Where a text gives a number for a given of ``p``, as its symbol and as in earlier releases;
-    group 1 is the symbol, and not there in ``\\bar b = 8``, which is another symbol.
+    """Patterns of "symbol = number" for the givens of ``p``, as written now and by earlier
+    releases; group 1 is the symbol. It is empty in ``\\bar b = 8``, which is another symbol.
     """
     digits = r"[-+]?\d[\d.]*(?: \\times 10\^\{-?\d+\}|e[-+]?\d+)?"
     symbols = "|".join(re.escape(p.notation[name]) for name in p.givens)
@@ -360,9 +343,7 @@ def _givens_in(p):
 
 
 def _earlier_markup(name):
-    """A name as statements had it that were released before they were typeset: omega_1 as an italic
-    omega with an index.
-    """
+    """A name as in statements of earlier releases: omega_1 as an italic omega with an index."""
     base, *indices = name.split("_")
     dots = {"dot": "\u0307", "ddot": "\u0308"}
     mark = "".join(dots[i] for i in indices if i in dots)
@@ -371,7 +352,7 @@ def _earlier_markup(name):
 
 
 def _quantity(p, name, values):
-    """A given with its number, and the name that it has in the code where that is another word."""
+    """A given with its number, and its name in the code where that differs from the symbol."""
     in_code = f" (`{name}`)" if (p.givens | p.symbols)[name].latex else ""
     if name in p.symbols:
         return f"${p.notation[name]}${in_code}"
@@ -384,7 +365,7 @@ def _givens_with(p, source, values):
     for name, book, own in zip(p.givens, _book_lines(p), givens_lines(p, values), strict=True):
         if book in source:
             source = source.replace(book, own)
-        else:  # an instructor changed the line
+        else:  # an instructor has changed the line
             source = re.sub(rf"(?m)^{name} = [-+.\w]+", f"{name} = {number(values[name])}", source)
     return source
 

@@ -1,20 +1,28 @@
-"""The numbers of each student's sheet. They are drawn once, kept in COURSE/numbers, and are what is
-graded from then on, whatever the ranges of an exercise say later.
+"""The numbers of each student's sheet. They are drawn once, kept in COURSE/numbers, and graded from
+then on, whatever the ranges of an exercise are later.
 """
 
 import json
 import re
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
 
+from exercises.catalogue import Problem
 from newton_euler.algebra.units import unit
 
-from ..course import CourseError, write_json
-from .sheet import own_metadata, tasks
+from ..course import Course, CourseError, write_json
+from .cells import SheetValues, own_metadata
+from .sheet import tasks
+
+# a file of numbers: {problem: {name: [number, unit]}}
+KeptNumbers = dict[str, dict[str, list[Any]]]
 
 
-def kept_numbers(course, assignment, student, problems):
-    """One student's numbers in the units that the exercises have today: {problem id: {name:
-    number}}. What is not kept yet is drawn, and kept.
-    """
+def kept_numbers(
+    course: Course, assignment: str, student: str, problems: Iterable[Problem]
+) -> SheetValues:
+    """One student's numbers in today's units; those that are not kept yet are drawn, and kept."""
     path = numbers_path(course, assignment, student)
     kept = _read(path)
     missing = [p for p in problems if p.id not in kept]
@@ -26,10 +34,15 @@ def kept_numbers(course, assignment, student, problems):
     return {p.id: _today(p, kept[p.id], path) for p in problems}
 
 
-def keep_numbers(course, assignment, student, problems, values, before=None):
-    """Write the numbers of these problems, with those that were kept ``before``; returns what the
-    file holds: {problem id: {name: [number, unit]}}.
-    """
+def keep_numbers(
+    course: Course,
+    assignment: str,
+    student: str,
+    problems: Iterable[Problem],
+    values: SheetValues,
+    before: KeptNumbers | None = None,
+) -> KeptNumbers:
+    """Write the numbers of these problems, in addition to ``before``; returns them all."""
     kept = {
         **(before or {}),
         **{
@@ -41,7 +54,7 @@ def keep_numbers(course, assignment, student, problems, values, before=None):
     return kept
 
 
-def numbers_path(course, assignment, student):
+def numbers_path(course: Course, assignment: str, student: str) -> Path:
     """The file that keeps the numbers of a student's sheet."""
     return course.path / "numbers" / assignment / f"{student}.json"
 
@@ -83,7 +96,7 @@ def _converted(p, name, number, text):
 
 
 def _handed_out(course, assignment, student):
-    """{problem id: {name: number}} in a copy that was made before numbers were kept."""
+    """The numbers in a copy that was made before numbers were kept."""
     path = course.personal_path(assignment, student)
     if not path.exists():
         return {}
@@ -93,9 +106,7 @@ def _handed_out(course, assignment, student):
         own = own_metadata(cell)
         if own.get("role") == "givens":
             lines = re.findall(r"(?m)^(\w+) = (-?[\d.]+(?:e[-+]?\d+)?)\b", "".join(cell["source"]))
-            found[own["problem"]] = {name: _number(text) for name, text in lines}
+            found[own["problem"]] = {
+                name: float(text) if re.search("[.e]", text) else int(text) for name, text in lines
+            }
     return {i: values for i, values in found.items() if i in tasks(notebook)}
-
-
-def _number(text):
-    return int(text) if re.fullmatch(r"-?\d+", text) else float(text)

@@ -3,26 +3,32 @@
 import os
 import shutil
 import subprocess
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from exercises.catalogue import problem
 
-from ..course import CourseError, check_id, write_json
+from ..course import Course, CourseError, check_id, write_json
 from .figures import figure_png
 from .notebook import personal_notebook
-from .released import personal_path, released_notebooks, sheet_numbers
+from .released import personal_path, released, sheet_numbers
 from .seals import with_seals
-from .sheet import problems_of
 
 
 def make_personal_copies(
-    course, assignment, students=None, progress=None, workers=None, right_or_wrong=False
-):
+    course: Course,
+    assignment: str,
+    students: Iterable[str] | None = None,
+    progress: Callable[[float], object] | None = None,
+    workers: int | None = None,
+    right_or_wrong: bool = False,
+) -> dict[str, Path]:
     """Write the personal copies of an assignment for ``students`` (default: the roster); returns
-    {student: path}. Those of other notebooks of the assignment with problems are beside it.
+    {student: path}. Copies of the assignment's other notebooks with problems are in the same
+    folder.
 
-    right_or_wrong : let receipts say whether an answer is right; what that gives away stands in
+    right_or_wrong : let receipts say whether an answer is right; what that reveals is described in
         :mod:`newton_euler.answers.seals`
 
     Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes
@@ -39,8 +45,8 @@ def make_personal_copies(
             "nobody is on the roster; add students with: nbgrader db student add ID, or build "
             "--students roster.csv"
         )
-    notebooks = {n: x for n, x in released_notebooks(course, assignment).items() if problems_of(x)}
-    asked = sorted({p.id for x in notebooks.values() for p in problems_of(x)})
+    notebooks = {n: r for n, r in released(course, assignment).items() if r.tasks}
+    asked = sorted({number for r in notebooks.values() for number in r.tasks})
     values = {s: sheet_numbers(course, assignment, check_id(s)) for s in students}
     drawn = {(i, _hashable(values[s][i])): None for s in students for i in asked}
     with ProcessPoolExecutor(workers or os.cpu_count()) as pool:
@@ -52,9 +58,9 @@ def make_personal_copies(
     for s in students:
         figures = {i: drawn[i, _hashable(values[s][i])] for i in asked}
         paths[s] = course.personal_path(assignment, s)
-        for name, released in notebooks.items():
+        for name, original in notebooks.items():
             path = personal_path(course, assignment, s, name)
-            notebook = personal_notebook(released, s, values[s], figures)
+            notebook = personal_notebook(original.notebook, s, values[s], figures)
             write_json(path, with_seals(notebook, values[s]) if right_or_wrong else notebook)
     return paths
 
@@ -71,10 +77,8 @@ def _draw(figure):
 # -- the exchange
 
 
-def exchange_outbound(course, assignment):
-    """The folder of a released assignment in the exchange that the course's nbgrader_config.py
-    names.
-    """
+def exchange_outbound(course: Course, assignment: str) -> Path:
+    """The folder of a released assignment in the exchange of the course's configuration."""
     from nbgrader.exchange.default import Exchange
 
     outbound = Path(Exchange(config=course.config()).root) / course.name / "outbound" / assignment
@@ -85,12 +89,14 @@ def exchange_outbound(course, assignment):
     return outbound
 
 
-def copy_to_exchange(course, assignment, outbound, paths):
-    """Copy personal notebooks ({student: path}) beside ``outbound``, the exchange's folder of the
+def copy_to_exchange(
+    course: Course, assignment: str, outbound: str | Path, paths: Mapping[str, Path]
+) -> None:
+    """Copy personal notebooks ({student: path}) next to ``outbound``, the exchange's folder of the
     released assignment.
 
-    Beside and not in it, so that a fetch without the course's configuration gets the released
-    notebook and nobody's numbers.
+    They are not within it, so that a fetch without the course's configuration gets the released
+    notebook and no student's numbers.
     """
     from .fetch import FOLDER, personal_name
 
@@ -106,13 +112,12 @@ def copy_to_exchange(course, assignment, outbound, paths):
         os.chmod(target, 0o755)
         _restrict_to_user(student, target)
     for place in (folder, folder.parent):
-        os.chmod(place, 0o711)  # can be entered by those who know a name, not listed
+        os.chmod(place, 0o711)  # may be entered under a known name, but not listed
 
 
 def _restrict_to_user(student, target):
-    """Make the copy readable by the student only, if the student is a user of the machine: root
-    gives it away, as on most hubs; others may name the student in an access list, where ``setfacl``
-    is installed.
+    """Make the copy readable by the student alone, if they are a user of this machine: root
+    transfers ownership; others use an access list, where ``setfacl`` is installed.
     """
     try:
         import pwd

@@ -1,108 +1,103 @@
-"""The notebooks that nbgrader generated for release, and the student's copies of them that grading
-trusts.
-"""
+"""The notebooks as generated for release, and the student's copies that grading trusts."""
 
 import hashlib
 import json
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import Any
 
-from ..course import CourseError, load_json, read_json
+from ..course import Course, CourseError, load_json, read_json
+from .cells import Cell, Notebook, SheetValues
 from .notebook import personal_notebook
 from .numbers import kept_numbers
-from .sheet import problems_of, tasks
+from .sheet import Task, tasks
+
+# metadata of a cell that change what the work in it is worth, not how it runs
+WORTH = ("points", "weights", "follow_through", "checksum")
 
 
-def released_notebooks(course, assignment):
-    """{name: notebook} of an assignment as it was generated for release; raises
-    :class:`CourseError` if there is none. The result must not be modified.
-    """
+class Released:
+    """A notebook as generated for release: shared by all students, so not to be modified."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    @cached_property
+    def notebook(self) -> Notebook:
+        """Its cells, each with its source as one string."""
+        return read_json(self.path)
+
+    @cached_property
+    def tasks(self) -> dict[str, Task]:
+        """The problems that it asks for."""
+        return tasks(self.notebook)
+
+    @cached_property
+    def hashes(self) -> tuple[str, str]:
+        """(hash of the file, hash of what decides its run: all but points, weights and figures)."""
+        ran = json.dumps([_as_run(c) for c in self.notebook["cells"]], sort_keys=True)
+        return _hash(self.path.read_bytes()), _hash(ran.encode())
+
+
+def _as_run(cell: Cell) -> dict[str, Any]:
+    metadata = {
+        key: {k: v for k, v in marks.items() if k not in WORTH}
+        for key, marks in cell["metadata"].items()
+        if isinstance(marks, dict)
+    }
+    return {**cell, "attachments": None, "metadata": metadata}
+
+
+def _hash(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:20]
+
+
+def released(course: Course, assignment: str) -> dict[str, Released]:
+    """The notebooks of an assignment by name; raises :class:`CourseError` if there are none."""
     folder = course.released_path(assignment).parent
-    found = {f.stem: _read_once(f, f.stat().st_mtime_ns) for f in sorted(folder.glob("*.ipynb"))}
+    found = {f.stem: _released(f, f.stat().st_mtime_ns) for f in sorted(folder.glob("*.ipynb"))}
     if not found:
-        course.released(assignment)  # raises, with what to do
+        course.require_released(assignment)
     return found
 
 
 @lru_cache(maxsize=16)
-def _read_once(path, changed):
-    """:func:`read_json` with a cache, since a run reads the same notebooks for every student."""
-    return read_json(path)
+def _released(path: Path, changed: int) -> Released:
+    return Released(path)
 
 
-def released_tasks(course, assignment):
-    """{name: :func:`~grader.assignment.sheet.tasks`} of the notebooks of an assignment; not to be
-    modified.
-    """
-    folder = course.released_path(assignment).parent
-    names = released_notebooks(course, assignment)
-    return {n: _tasks_once(f, f.stat().st_mtime_ns) for n in names for f in [folder / f"{n}.ipynb"]}
-
-
-@lru_cache(maxsize=16)
-def _tasks_once(path, changed):
-    return tasks(_read_once(path, changed))
-
-
-# marks of a cell that change what its work is worth, and not what it is
-WORTH = ("points", "weights", "follow_through", "checksum")
-
-
-def released_hashes(course, assignment, name):
-    """(hash of a released notebook, hash of what of it the outcome of a run depends on: all but
-    points, weights and figures).
-    """
-    path = course.released_path(assignment).with_name(f"{name}.ipynb")
-    return _hashes(path, path.stat().st_mtime_ns)
-
-
-@lru_cache(maxsize=16)
-def _hashes(path, changed):
-    cells = [
-        {
-            **cell,
-            "attachments": None,
-            "metadata": {
-                key: {k: v for k, v in marks.items() if k not in WORTH}
-                for key, marks in cell["metadata"].items()
-                if isinstance(marks, dict)
-            },
-        }
-        for cell in _read_once(path, changed)["cells"]
-    ]
-    ran = json.dumps(cells, sort_keys=True).encode()
-    return tuple(hashlib.sha256(x).hexdigest()[:20] for x in (path.read_bytes(), ran))
-
-
-def personal_path(course, assignment, student, name):
+def personal_path(course: Course, assignment: str, student: str, name: str) -> Path:
     """The path of a student's own copy of one notebook of an assignment."""
     return course.personal_path(assignment, student).with_name(f"{name}.ipynb")
 
 
-def sheet_numbers(course, assignment, student):
+def sheet_numbers(course: Course, assignment: str, student: str) -> SheetValues:
     """A student's numbers for all problems of an assignment: {problem id: {name: number}}."""
-    return kept_numbers(course, assignment, student, _all_problems(course, assignment))
+    asked = {i: t for r in released(course, assignment).values() for i, t in r.tasks.items()}
+    return kept_numbers(course, assignment, student, [task.exercise for task in asked.values()])
 
 
-def _all_problems(course, assignment):
-    asked = released_tasks(course, assignment).values()
-    return [task.exercise for task in {i: t for own in asked for i, t in own.items()}.values()]
+def master_notebook(
+    course: Course,
+    assignment: str,
+    student: str,
+    name: str | None = None,
+    values: SheetValues | None = None,
+) -> Notebook:
+    """The trusted notebook of a student: the released one as it is now, with the student's numbers,
+    and the figures of the copy that was handed out.
 
-
-def master_notebook(course, assignment, student, name=None, values=None):
-    """The trusted notebook of a student: the released one as it is now, with the texts, numbers and
-    figures of the copy that was handed out where it has the cell.
-
-    name : of the notebook; default: that of the assignment. values : the student's numbers, where
-        they are known; default: they are read
+    name : of the notebook; default: that of the assignment. values : the student's numbers;
+        default: they are read
     """
     name = name or assignment
-    released = released_notebooks(course, assignment).get(name)
-    if released is None:
+    found = released(course, assignment).get(name)
+    if found is None:
         raise CourseError(f"{assignment} has no notebook {name}.ipynb")
-    if not problems_of(released):
-        return released
+    if not found.tasks:
+        return found.notebook
     values = values or sheet_numbers(course, assignment, student)
-    master = personal_notebook(released, student, values, {})
+    master = personal_notebook(found.notebook, student, values, {})
     path = personal_path(course, assignment, student, name)
     if path.exists():
         theirs = {c.get("id"): c for c in load_json(path.read_bytes())["cells"]}

@@ -5,14 +5,13 @@ from newton_euler.answers.forms import WORDS
 from newton_euler.answers.seals import seal
 
 from ..scoring.numbers import numbers_of
+from .cells import Notebook, SheetValues, own_metadata
 from .notebook import form
-from .sheet import own_metadata, tasks
+from .sheet import tasks
 
 
-def with_seals(notebook, values):
-    """A student's copy in which the cells of numbers hold seals of the answers to their problems;
-    ``values`` by problem.
-    """
+def with_seals(notebook: Notebook, values: SheetValues) -> Notebook:
+    """A student's copy with seals of the right answers in its cells of numbers."""
     cells, asked = [], tasks(notebook)
     for cell in notebook["cells"]:
         own = own_metadata(cell)
@@ -20,7 +19,9 @@ def with_seals(notebook, values):
         if own.get("role") == "givens" and number in values and number in asked:
             p = problem(number)
             seals = _seals(p, values[number], asked[number].asked)
-            cell = {**cell, "source": f"{cell['source']}\n{_line(p, seals)}"}
+            names = "".join(f", {n}={n}" for n in p.givens)
+            line = f'given("{p.id}", sealed={seals!r}{names})'
+            cell = {**cell, "source": f"{cell['source']}\n{line}"}
         cells.append(cell)
     return {**notebook, "cells": cells}
 
@@ -31,11 +32,6 @@ def _seals(p, values, asked):
     return {
         a.key: _seal(a, numbers) for a in p.answers if asked is None or asked.get(a.key) == form(a)
     }
-
-
-def _line(p, seals):
-    names = "".join(f", {n}={n}" for n in p.givens)
-    return f'given("{p.id}", sealed={seals!r}{names})'
 
 
 def _seal(answer, numbers):

@@ -1,9 +1,9 @@
-"""The worked solution of a problem in a student's own numbers: the text, the steps one after the
-other, the terms of each sum, the answers. Markdown.
-"""
+"""The worked solution of a problem in Markdown: text, steps, terms of each sum, answers."""
 
 import re
+from typing import Any
 
+from exercises.catalogue import Problem
 from exercises.catalogue.steps import steps
 from exercises.catalogue.wording import term_text
 from newton_euler.algebra.scalars import is_numeric, to_plain
@@ -17,10 +17,11 @@ from newton_euler.answers.notation import (  # fmt: skip
     unit_symbol,
 )
 
+from .cells import Values
 from .notebook import statement, typeset
 
 
-def worked_solution(p, values, text=True):
+def worked_solution(p: Problem, values: Values, text: bool = True) -> str:
     """The worked solution as Markdown, for ``values`` in the units of the text, with SymPy symbols
     for quantities without a number; ``text``: with the text of the problem before it.
     """
@@ -38,12 +39,12 @@ def worked_solution(p, values, text=True):
 
 
 def _is_sum(answer):
-    """True if an answer is shown with a table of its terms, which are then no steps of the list."""
+    """True if an answer is shown with a table of its terms, which are then not listed as steps."""
     return isinstance(answer, Vector) and len(answer.terms) > 1
 
 
 def _means(step, p):
-    """What a step is, with formulas in LaTeX."""
+    """The description of a step, with formulas in LaTeX."""
     if not step.term:
         return typeset(step.means, p)
     of = step.means.rpartition(", in ")[-1]  # the sum
@@ -52,7 +53,7 @@ def _means(step, p):
 
 
 def _words(name, equation, p):
-    """A term in words; its formula is LaTeX of the engine, in which {a} is no given."""
+    """A term in words; its formula is LaTeX of the engine, in which {a} is not a given."""
     parts = re.split(r"(\$[^$]*\$)", term_text(name, equation, p, latex=True))
     return "".join(x if n % 2 else typeset(x, p) for n, x in enumerate(parts))
 
@@ -92,12 +93,12 @@ def _latex(value, notation):
 
 
 def _without_noise(vector):
-    """What is left of cos(60 deg) - 1/2 is no component of a vector of this size."""
+    """The vector without components that are round-off, such as cos(60 deg) - 1/2."""
     numbers = [abs(x) for x in vector.components() if is_numeric(x)]
     return vector.rounded(1e-12 * float(max(numbers))) if numbers else vector
 
 
-def formatted(value):
+def formatted(value: Any) -> str:
     """An answer as text, numbers with six significant digits."""
     if isinstance(value, (Vector, tuple, list)):
         return "[" + ", ".join(formatted(v) for v in value) + "]"
@@ -121,8 +122,8 @@ def _answer(p, a, value, found):
 
 
 def _ledger(explained, unit, p, number):
-    """The terms of an answer as a table, each in words and with its value. That a frame or a force
-    adds nothing is not said; that a term of an equation of relative motion is zero is.
+    """The terms of an answer as a table, each in words and with its value. A zero term is left out
+    if it comes from a frame or a force, and listed if it belongs to an equation of relative motion.
     """
     equation = explained.equation
     yield f"*By equation ({number or equation.number}) the sum of*"
@@ -132,5 +133,5 @@ def _ledger(explained, unit, p, number):
     for name, term in explained.terms.items():
         if name in equation.terms or any(x != 0 for x in map(to_plain, term.c)):
             cells = _words(name, equation, p), f"${_latex(term, p.notation)}{unit_symbol(unit)}$"
-            # a bar would end the cell
-            yield f"| {' | '.join(c.replace('|', chr(92) + 'vert ') for c in cells)} |"
+            cells = (c.replace("|", r"\vert ") for c in cells)  # a bar would end the cell
+            yield f"| {' | '.join(cells)} |"

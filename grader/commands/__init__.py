@@ -6,21 +6,6 @@ from .practice import practice
 from .results import export, stats
 
 COMMANDS = (
-    solve,
-    solution,
-    prove,
-    figure,
-    diagnose,
-    new,
-    practice,
-    build,
-    personal,
-    take_in,
-    grade,
-    retry,
-    stats,
-    export,
-    demo,
-)
-
-__all__ = ["COMMANDS"]
+    solve, solution, prove, figure, diagnose, new, practice,
+    build, personal, take_in, grade, retry, stats, export, demo,
+)  # fmt: skip

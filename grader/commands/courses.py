@@ -7,9 +7,12 @@ from pathlib import Path
 import click
 from rich.panel import Panel
 
-from .shared import COURSE, console, progress_bar
+from .shared import COURSE, PROBLEMS, console, progress_bar
 
 UNSANDBOXED = 3  # exit code
+STUDENTS = click.option(
+    "--student", "students", multiple=True, help="Only this student; may be repeated."
+)
 
 
 @click.command()
@@ -26,13 +29,7 @@ UNSANDBOXED = 3  # exit code
     help="The column of the roster that holds the ids; they must be the names under which the "
     "students log in, if they use nbgrader's exchange. Default: the first of the usual ones.",
 )
-@click.option(
-    "--problem",
-    "only",
-    multiple=True,
-    metavar="4/16",
-    help="Only these problems of the chapter; may be repeated.",
-)
+@PROBLEMS
 @click.option("--due", metavar="'2027-01-31 23:59 Europe/Berlin'", help="The due date.")
 @click.option("--name", help="The name of a new course; default: that of the folder.")
 @click.option(
@@ -46,7 +43,17 @@ UNSANDBOXED = 3  # exit code
     is_flag=True,
     help="Add the assignment to a course that exists; replaces a source notebook of the same name.",
 )
-def build(chapter, course_path, students, id_column, only, due, name, exchange, update):
+def build(
+    chapter: str,
+    course_path: Path,
+    students: str | None,
+    id_column: str | None,
+    only: tuple[str, ...],
+    due: str | None,
+    name: str | None,
+    exchange: Path | None,
+    update: bool,
+) -> None:
     """Make an nbgrader assignment from a chapter.
 
     The course folder is new, or with --update an existing one.
@@ -56,7 +63,7 @@ def build(chapter, course_path, students, id_column, only, due, name, exchange, 
 
     if update and (name or exchange):
         raise click.UsageError(
-            "--name and --exchange are for a new course; of this one they stand in course.json "
+            "--name and --exchange are for a new course; those of this one are in course.json "
             "and nbgrader_config.py"
         )
     when = due_date(due) if due else None
@@ -87,12 +94,7 @@ def build(chapter, course_path, students, id_column, only, due, name, exchange, 
 @click.command()
 @click.argument("assignment")
 @COURSE
-@click.option(
-    "--student",
-    "students",
-    multiple=True,
-    help="Only for this student; may be repeated. Default: all on the roster.",
-)
+@STUDENTS
 @click.option(
     "--exchange",
     is_flag=True,
@@ -103,9 +105,15 @@ def build(chapter, course_path, students, id_column, only, due, name, exchange, 
     is_flag=True,
     help="Let the receipts in these copies say whether an answer is right, from a salted slow hash "
     "of it. A program finds a number from its hash in a minute, a formula in a day; the size of an "
-    "answer is told. Copies written later need the option again.",
+    "answer is revealed. Copies written later need the option again.",
 )
-def personal(assignment, course_path, students, exchange, right_or_wrong):
+def personal(
+    assignment: str,
+    course_path: Path,
+    students: tuple[str, ...],
+    exchange: bool,
+    right_or_wrong: bool,
+) -> None:
     """Write each student's own copy of an assignment.
 
     The assignment must be generated for release; each copy has its student's own numbers and
@@ -136,7 +144,7 @@ def personal(assignment, course_path, students, exchange, right_or_wrong):
 @click.command()
 @click.argument("assignment")
 @COURSE
-@click.option("--student", "students", multiple=True, help="Only this student; may be repeated.")
+@STUDENTS
 @click.option("--force", is_flag=True, help="Also grade submissions again that have not changed.")
 @click.option(
     "--workers",
@@ -157,7 +165,16 @@ def personal(assignment, course_path, students, exchange, right_or_wrong):
     "trust.",
 )
 @click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
-def grade(assignment, course_path, students, force, workers, scheduler, unsandboxed, verbose):
+def grade(
+    assignment: str,
+    course_path: Path,
+    students: tuple[str, ...],
+    force: bool,
+    workers: int | None,
+    scheduler: str | None,
+    unsandboxed: bool,
+    verbose: bool,
+) -> None:
     """Grade the submissions of an assignment.
 
     Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes
@@ -232,7 +249,9 @@ def _warn_unsandboxed():
     "--back", type=click.IntRange(1), metavar="N", help="Let the earlier attempt N count again."
 )
 @click.option("--exchange", is_flag=True, help="Also copy the new sheet to nbgrader's exchange.")
-def retry(assignment, course_path, student, back, exchange):
+def retry(
+    assignment: str, course_path: Path, student: str, back: int | None, exchange: bool
+) -> None:
     """Give a student another sheet, with fresh numbers.
 
     The earlier attempt is set aside in COURSE/attempts; its grade stands until the new sheet is
@@ -265,12 +284,12 @@ def retry(assignment, course_path, student, back, exchange):
     is_flag=True,
     help="Take the times of the files in the archive, as UTC, for the times of submission.",
 )
-def take_in(assignment, archive, course_path, replace, times):
+def take_in(assignment: str, archive: Path, course_path: Path, replace: bool, times: bool) -> None:
     """Take students' work from a zip archive, without nbgrader's exchange.
 
     ARCHIVE is what a learning platform gives as "download all submissions". A notebook is a
     student's if its name, or that of its folder, holds their id or their whole name and nobody
-    else's; the table says what fitted whom. Exit code 1 if something was left out.
+    else's; the table lists the matches. Exit code 1 if a file was left out.
     """
     from ..course import Course
     from ..course import take_in as take
@@ -293,16 +312,10 @@ def take_in(assignment, archive, course_path, replace, times):
     default=Path("demo-course"),
     type=click.Path(path_type=Path),
     show_default=True,
-    help="A folder that does not exist yet; an earlier demo in it is made anew.",
+    help="A folder that does not exist yet, or holds an earlier demo, which is replaced.",
 )
-@click.option(
-    "--problem",
-    "only",
-    multiple=True,
-    metavar="4/16",
-    help="Only these problems, which is faster; may be repeated.",
-)
-def demo(course_path, only):
+@PROBLEMS
+def demo(course_path: Path, only: tuple[str, ...]) -> None:
     """Run all steps on an example course, of chapter 4 or of that of the problems that are named.
 
     Builds and releases an assignment, plays six students who fetch and submit it, grades them, and

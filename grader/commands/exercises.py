@@ -8,12 +8,12 @@ from pathlib import Path
 import click
 from rich.markup import escape
 
-from .shared import console, progress_bar
+from .shared import SEED, console, progress_bar
 
 
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 | all …")
-@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
+@SEED
 @click.option(
     "--given",
     "changed",
@@ -23,7 +23,9 @@ from .shared import console, progress_bar
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
 @click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
-def solve(names, seed, changed, as_json, explain):
+def solve(
+    names: tuple[str, ...], seed: int | None, changed: tuple[str, ...], as_json: bool, explain: bool
+) -> None:
     """Print the answers of problems.
 
     The numbers are those of the book, of a variant (--seed), or your own (--given). Formulas are
@@ -85,7 +87,7 @@ def _pair(text):
 @click.option(
     "--workers", type=click.IntRange(1), help="How many processes; default: one for each core."
 )
-def prove(names, seeds, workers):
+def prove(names: tuple[str, ...], seeds: int, workers: int | None) -> None:
     """Check the keys, units and mistakes of problems.
 
     Every key must agree with its independent proof, every formula with its unit, and every listed
@@ -98,10 +100,12 @@ def prove(names, seeds, workers):
     from exercises.catalogue.checks import AGREEMENT
 
     problems, failed, steps, proved = select(names or ("all",)), 0, 0, 0
-    names = [p.id for p in problems]
+    numbers = [p.id for p in problems]
     with progress_bar() as bar, ProcessPoolExecutor(workers) as pool:
         task = bar.add_task("proving", total=len(problems))
-        for p, found in zip(problems, pool.map(_proved, names, [seeds] * len(names)), strict=True):
+        for p, found in zip(
+            problems, pool.map(_proved, numbers, [seeds] * len(numbers)), strict=True
+        ):
             faults, warnings, *counts = found
             failed += bool(faults)
             steps, proved = steps + counts[0], proved + counts[1]
@@ -113,15 +117,11 @@ def prove(names, seeds, workers):
     click.echo(f"{len(problems) - failed} passed, {failed} failed")
     if failed:
         sys.exit(1)
-    click.echo(
-        f"Every key agrees with its proof to {AGREEMENT:g} (floats) and {AGREEMENT**2:g} (50 "
-        f"digits) for {seeds} sets of numbers;"
-    )
-    click.echo(
-        f"of {steps} steps {proved} are proved by themselves, the terms of sums with their sums;"
-    )
     mistakes = sum(len(p.mistakes) for p in problems)
     click.echo(
+        f"Every key agrees with its proof to {AGREEMENT:g} (floats) and {AGREEMENT**2:g} (50 "
+        f"digits) for {seeds} sets of numbers;\n"
+        f"of {steps} steps {proved} are proved by themselves, the terms of sums with their sums;\n"
         f"all units are right; {mistakes} listed mistakes give answers that differ from the key."
     )
 
@@ -141,7 +141,7 @@ def _proved(name, seeds):
 
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
-@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
+@SEED
 @click.option(
     "--to",
     "folder",
@@ -150,7 +150,7 @@ def _proved(name, seeds):
     help="Folder to write to; default: here.",
 )
 @click.option("--sheet", is_flag=True, help="Write one contact sheet for each chapter instead.")
-def figure(names, seed, folder, sheet):
+def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) -> None:
     """Write the figure of each problem as a PNG file, and say what is hard to read in it."""
     from exercises.catalogue import select
 
@@ -175,7 +175,8 @@ def figure(names, seed, folder, sheet):
         return
     for p in problems:
         path = folder / f"{p.id.replace('/', '_')}.png"
-        path.write_bytes(figure_png(p, values_of(p)))
+        if png := figure_png(p, values_of(p)):
+            path.write_bytes(png)
         click.echo(path)
         for fault in figure_faults(p, values_of(p)):
             console.print(f"[yellow]{p.id}[/]: {escape(fault)}")
@@ -183,8 +184,8 @@ def figure(names, seed, folder, sheet):
 
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
-@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
-def solution(names, seed):
+@SEED
+def solution(names: tuple[str, ...], seed: int | None) -> None:
     """Print the worked solution of each problem, as Markdown: text, steps, terms, answers."""
     from exercises.catalogue import select
 
@@ -210,7 +211,7 @@ def solution(names, seed):
     type=click.Path(path_type=Path, file_okay=False),
     help="Folder of the chapters; default: the exercises.",
 )
-def new(chapter, spec, only, folder):
+def new(chapter: str, spec: Path, only: tuple[str, ...], folder: Path | None) -> None:
     """Write the files of a new chapter's problems from a spec.
 
     Each problem becomes pNN.yaml, and a pNN.py that says what is to be written. Files that are
@@ -237,7 +238,7 @@ def new(chapter, spec, only, folder):
     help="Measure the checks of practice files instead: listed mistakes given to check, common "
     "slips to check_step, and random numbers to both.",
 )
-def diagnose(names, draws, practice):
+def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     """Print how often the listed mistakes of problems are recognised.
 
     Each mistake is made with each set of numbers and scored as a student's answer: it is named, or

@@ -40,7 +40,9 @@ from .shared import console, progress_bar
     help="A course that grades such problems: none of its students' numbers is in the file, and no "
     "problem whose answers are the same for everybody.",
 )
-def practice(names, path, variants, level, course_path):
+def practice(
+    names: tuple[str, ...], path: Path, variants: int, level: str, course_path: Path | None
+) -> None:
     """Write a practice file for students.
 
     A student opens it with the engine alone: practice("ch04.practice")["4/16"] shows text and

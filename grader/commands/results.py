@@ -14,7 +14,7 @@ FILE = click.Path(path_type=Path, dir_okay=False)
 @COURSE
 @click.option("--csv", "csv_path", type=FILE, help="Also write them to this file.")
 @click.option("--png", "png_path", type=FILE, help="Also draw them into this file.")
-def stats(assignment, course_path, csv_path, png_path):
+def stats(assignment: str, course_path: Path, csv_path: Path | None, png_path: Path | None) -> None:
     """Print statistics of a graded assignment, part by part.
 
     The difficulty is the mean share of the points, so that 1 is easy; the discrimination is the
@@ -22,12 +22,7 @@ def stats(assignment, course_path, csv_path, png_path):
     frequency.
     """
     from ..course import Course
-    from ..reports import (
-        part_statistics,
-        statistics_csv,
-        statistics_figure,
-        statistics_table,
-    )
+    from ..reports import part_statistics, statistics_csv, statistics_figure, statistics_table
 
     parts = part_statistics(Course(course_path), assignment)
     console.print(statistics_table(parts))
@@ -53,7 +48,7 @@ def stats(assignment, course_path, csv_path, png_path):
 @click.option(
     "--to", "path", type=FILE, help="The file to write; default: ASSIGNMENT-FORMAT.csv, here."
 )
-def export(assignment, course_path, form, path):
+def export(assignment: str, course_path: Path, form: str, path: Path | None) -> None:
     """Write the results of a graded assignment as CSV.
 
     The points are those of the gradebook, with what a person gave and extra credit, and without

@@ -4,7 +4,14 @@ from pathlib import Path
 
 import click
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    TextColumn,
+    TimeElapsedColumn,
+)
 
 console = Console(highlight=False)
 COURSE = click.option(
@@ -15,8 +22,13 @@ COURSE = click.option(
     help="The course folder.",
 )
 
+PROBLEMS = click.option(
+    "--problem", "only", multiple=True, metavar="4/16", help="Only these problems; may be repeated."
+)
+SEED = click.option("--seed", type=int, help="Draw a variant of the numbers, not the book's.")
 
-def progress_bar(*columns):
+
+def progress_bar(*columns: ProgressColumn) -> Progress:
     """A progress bar on the shared console, with how many of how many and the time."""
     return Progress(
         TextColumn("{task.description}"),

@@ -14,17 +14,3 @@ from .folder import Course
 from .identity import CourseError, check_id, same_student
 from .roster import Roster, read_roster
 from .take_in import take_in
-
-__all__ = [
-    "Course",
-    "CourseError",
-    "Roster",
-    "check_id",
-    "load_json",
-    "read_json",
-    "read_roster",
-    "same_student",
-    "take_in",
-    "write_json",
-    "write_notebook",
-]

@@ -5,6 +5,7 @@ import hashlib
 import os
 import secrets
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 from .files import write_json, write_text
@@ -13,14 +14,14 @@ from .identity import CourseError, course_id
 
 TEMPLATES = Path(__file__).with_name("templates")
 FETCH = Path(__file__).parents[1] / "assignment" / "fetch.py"
-MADE = {  # what a build puts into a folder
+MADE = {  # the files that a build writes
     UNFINISHED, ".course_secret", ".gitignore", "course.json", "gradebook.db",
     "gradebook.db-journal", "nbgrader_config.json", "nbgrader_config.py", "source", "student",
 }  # fmt: skip
 
 
-def refuse_existing(path):
-    """Raise :class:`CourseError` if the folder holds more than what a killed build left."""
+def refuse_existing(path: str | Path) -> None:
+    """Raise :class:`CourseError` if the folder holds more than the remains of a killed build."""
     path = Path(path)
     if not path.exists():
         return
@@ -35,14 +36,16 @@ def refuse_existing(path):
 
 
 @contextlib.contextmanager
-def new_course(path, name=None, exchange=None):
-    """A new course without students or assignments, in a folder that is empty or does not exist
-    yet. If the block does not end well, nothing is left of it.
+def new_course(
+    path: str | Path, name: str | None = None, exchange: str | Path | None = None
+) -> Iterator[Course]:
+    """A context with a new course without students or assignments, in a folder that is empty or
+    does not exist yet. If the block raises, nothing of it remains.
 
     name : of the course, from which its id follows; default: the folder's. exchange : nbgrader's
         exchange folder, if it is not nbgrader's default.
-    The folder is marked until the block has ended: what a killed build leaves is made again by the
-    next one.
+    The folder is marked as unfinished until the block has ended, so that the next build replaces
+    what a killed one has left.
     """
     refuse_existing(path)
     path = Path(path).resolve()
@@ -66,7 +69,7 @@ def new_course(path, name=None, exchange=None):
 
 def _write_all(path, name, exchange):
     (path / UNFINISHED).touch()
-    path.chmod(0o700)  # personal copies, submissions and the secret are nobody else's business
+    path.chmod(0o700)  # personal copies, submissions and the secret are private
     secret = secrets.token_bytes(SECRET_BYTES)
     write_text(path / ".course_secret", secret.hex() + "\n")
     write_json(
@@ -88,15 +91,15 @@ def _write_all(path, name, exchange):
     write_text(path / "nbgrader_config.py", _template("nbgrader_config.py.in") + root, 0o644)
 
 
-def write_pinned(path):
-    """Write nbgrader_config.json: the classes without which nbgrader must not go on."""
+def write_pinned(path: Path) -> None:
+    """Write nbgrader_config.json: the classes without which nbgrader must not run."""
     write_text(path / "nbgrader_config.json", _template("nbgrader_config.json"), 0o644)
 
 
 def _make_exchange(folder):
     if not folder.exists():
         folder.mkdir(parents=True)
-        folder.chmod(0o777)  # nbgrader asks for it: everybody submits there
+        folder.chmod(0o777)  # as nbgrader requires: everybody submits there
     elif not os.access(folder, os.W_OK | os.X_OK):
         raise CourseError(f"the exchange {folder} cannot be written; name a folder of your own")
 

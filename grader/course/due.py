@@ -3,17 +3,18 @@
 from datetime import UTC, datetime
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
+from .folder import Course
 from .identity import CourseError
 
 
-def due_date(text):
+def due_date(text: str) -> datetime:
     """The time that a text names, in UTC: "2027-01-31 23:59 Europe/Berlin",
     "2027-01-31T23:59+01:00"; without a zone, in that of this machine.
     """
     text = text.strip()
     when, _, zone = text.rpartition(" ")
     try:
-        if zone and ":" not in zone:  # not the time of the day
+        if zone and ":" not in zone:  # otherwise it is the time of day
             found = datetime.fromisoformat(when).replace(tzinfo=ZoneInfo(zone))
         else:
             found = datetime.fromisoformat(text)
@@ -25,7 +26,7 @@ def due_date(text):
         ) from error
 
 
-def set_due(course, assignment, when):
+def set_due(course: Course, assignment: str, when: datetime) -> None:
     """Set the due date of an assignment in nbgrader's gradebook, which keeps it without a zone."""
     with course.gradebook() as book:
         book.update_or_create_assignment(assignment, duedate=when.replace(tzinfo=None))

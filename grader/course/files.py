@@ -1,53 +1,51 @@
-"""Reads and writes files: our own as JSON, and those of students, of which nothing is believed."""
+"""Reads and writes files: our own as JSON, and those of students, which are not trusted."""
 
 import contextlib
 import json
 import os
 import shutil
 import stat
+from collections.abc import Collection, Mapping
 from pathlib import Path
+from typing import Any
 
 try:
     import orjson
 except ImportError:  # the standard library does the same, and takes three times as long for figures
-    orjson = None
+    orjson = None  # type: ignore[assignment]
 
 PRIVATE = 0o600
 MAX_FILES = 1000  # in one submission
 MAX_DEPTH = 8  # of its folders
 
 
-def read_json(path):
-    """A notebook that this package or nbgrader wrote, as a plain dict with each cell's source as
-    one string.
-    """
+def read_json(path: str | Path) -> Any:
+    """A notebook that this package or nbgrader wrote, each cell's source as one string."""
     notebook = load_json(Path(path).read_bytes())
     for cell in notebook["cells"]:
         cell["source"] = "".join(cell["source"])  # nbgrader writes lists of lines
     return notebook
 
 
-def load_json(data):
-    """The value of JSON in UTF-8, as ``json.loads`` reads it, but for integers of more than 64
-    bits, which may come as floats: notebooks have none.
+def load_json(data: bytes) -> Any:
+    """The value of JSON in UTF-8, as from ``json.loads``; integers of more than 64 bits, which
+    notebooks do not have, may become floats.
     """
     if orjson:
-        # it refuses what the standard library allows: NaN, halves of characters, deep nesting
+        # orjson refuses what the standard library allows: NaN, lone surrogates, deep nesting
         with contextlib.suppress(orjson.JSONDecodeError):
             return orjson.loads(data)
-    return json.loads(data.decode("utf-8-sig"))  # some editors begin a file with a mark
+    return json.loads(data.decode("utf-8-sig"))  # some editors begin a file with a byte-order mark
 
 
-def write_json(path, content, indent=1, mode=PRIVATE):
-    """Write a dict as JSON, atomically and readable by its owner alone; ``indent=None`` is 20 times
-    faster.
-    """
+def write_json(path: Path, content: Any, indent: int | None = 1, mode: int = PRIVATE) -> None:
+    """Write JSON, atomically and private; ``indent=None`` is 20 times faster."""
     path.parent.mkdir(parents=True, exist_ok=True)
     write_text(path, json.dumps(content, ensure_ascii=False, indent=indent) + "\n", mode)
 
 
-def write_notebook(path, notebook):
-    """:func:`write_json` in one line, for notebooks of a whole class: they are mostly figures."""
+def write_notebook(path: Path, notebook: Mapping[str, Any]) -> None:
+    """:func:`write_json` without line breaks, for the notebooks of a class: mostly figures."""
     path.parent.mkdir(parents=True, exist_ok=True)
     _write(path, _as_json(notebook) + b"\n", PRIVATE)
 
@@ -59,12 +57,12 @@ def _as_json(content):
     return json.dumps(content, ensure_ascii=False, separators=(",", ":")).encode("utf-8")
 
 
-def write_text(path, text, mode=PRIVATE):
+def write_text(path: Path, text: str, mode: int = PRIVATE) -> None:
     """Write a text file, atomically."""
-    _write(path, text.encode("utf-8"), mode)  # what cannot be written leaves nothing behind
+    _write(path, text.encode("utf-8"), mode)  # a text that cannot be encoded leaves no file
 
 
-def _write(path, data, mode):
+def _write(path: Path, data: bytes, mode: int) -> None:
     partial = path.with_name(f".{path.name}.partial")
     partial.unlink(missing_ok=True)
     with open(os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode), "wb") as f:
@@ -74,14 +72,14 @@ def _write(path, data, mode):
 
 
 class NotTaken(ValueError):
-    """A file of a submission that is not read, and why."""
+    """A file of a submission is not read; the message says why."""
 
 
-def read_regular(path, limit, at=None):
-    """The bytes of a regular file of at most ``limit`` bytes; otherwise :class:`NotTaken`.
+def read_regular(path: str | Path, limit: int, at: int | None = None) -> bytes:
+    """The bytes of a regular file of at most ``limit`` bytes; raises :class:`NotTaken`.
 
-    A link, a pipe or a device is not followed, waited for, or read; ``at`` is the descriptor of the
-    folder in which ``path`` is.
+    A link is not followed, and a pipe or a device is not read; ``at`` is the descriptor of the
+    folder that holds ``path``.
     """
     flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
     try:
@@ -96,7 +94,7 @@ def read_regular(path, limit, at=None):
     with open(descriptor, "rb") as f:
         if at is not None and found.st_uid != os.fstat(at).st_uid:  # a hard link to a neighbour's
             raise NotTaken("it belongs to somebody else than its folder")
-        # room for its size, not for the limit, which would cost more than to read it; it may grow
+        # reserve its size, not the limit, which would cost more than reading; the file may grow
         content = f.read(min(found.st_size, limit) + 1)
         if len(content) > found.st_size:
             content += f.read(limit + 1 - len(content))
@@ -105,13 +103,15 @@ def read_regular(path, limit, at=None):
     return content
 
 
-def _is_link(path, at):
+def _is_link(path: str | Path, at: int | None) -> bool:
     with contextlib.suppress(OSError):
         return stat.S_ISLNK(os.stat(path, dir_fd=at, follow_symlinks=False).st_mode)
     return False
 
 
-def copy_regular(source, target, file_limit, limit, skip=()):
+def copy_regular(
+    source: str | Path, target: str | Path, file_limit: int, limit: int, skip: Collection[str] = ()
+) -> dict[str, str]:
     """Copy the regular files below ``source`` into the new folder ``target``, which appears when it
     is complete; returns {name of what was left out: why}.
 

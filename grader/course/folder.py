@@ -18,33 +18,36 @@ import hashlib
 import json
 import os
 import sys
-from functools import cached_property, lru_cache
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
 from pathlib import Path
+from typing import Any
 
-from exercises.catalogue import variants
+from exercises.catalogue import Problem, variants
 
-from .files import read_json
 from .identity import CourseError, check_id, same_student
 
 SECRET_BYTES = 32
 UNFINISHED = ".unfinished_build"  # stands in a folder while a course is made in it
 
-_DATABASE_TROUBLES = {  # what SQLite says: what to do
-    "locked": "another program is writing to it; wait until it has ended, then run this again. "
-    "Nothing was lost",
-    "readonly": "it cannot be written; give yourself write permission for it and for its folder",
-    "full": "the disk is full; make room, then run this again",
-    "unable to open": "it cannot be opened; give yourself permission for it and for its folder",
-    "not a database": "it is damaged; restore it from a backup",
-    "malformed": "it is damaged; restore it from a backup",
-    "no such": "it is of another version of nbgrader; back it up, then run: nbgrader db upgrade",
+_ADVICE = {  # by the primary code of SQLite's error
+    "SQLITE_BUSY": "another program is writing to it; wait until it has ended, then run this "
+    "again. Nothing was lost",
+    "SQLITE_READONLY": "it cannot be written; give yourself write permission for it and for its "
+    "folder",
+    "SQLITE_FULL": "the disk is full; make room, then run this again",
+    "SQLITE_CANTOPEN": "it cannot be opened; give yourself permission for it and for its folder",
+    "SQLITE_NOTADB": "it is damaged; restore it from a backup",
+    "SQLITE_CORRUPT": "it is damaged; restore it from a backup",
+    "SQLITE_ERROR": "it is of another version of nbgrader; back it up, then run: nbgrader db "
+    "upgrade",
 }
 
 
 class Course:
     """A course in a folder that :func:`grader.course.creation.new_course` made."""
 
-    def __init__(self, path):
+    def __init__(self, path: str | Path) -> None:
         self.path = Path(path).resolve()
         if (self.path / UNFINISHED).exists():
             raise CourseError(
@@ -58,8 +61,8 @@ class Course:
             )
 
     @cached_property
-    def _identity(self):
-        """What course.json holds; {} for a course of an earlier version, which has none."""
+    def _identity(self) -> dict[str, str]:
+        """The content of course.json; {} for a course of an earlier version, which has none."""
         path = self.path / "course.json"
         if not path.exists():
             return {}
@@ -73,16 +76,14 @@ class Course:
             ) from error
 
     @cached_property
-    def name(self):
-        """The id of the course in nbgrader's exchange and gradebook. It was written when the course
-        was made and does not follow the name of the folder.
-        """
+    def name(self) -> str:
+        """The course's id in exchange and gradebook; it does not follow the folder's name."""
         if self._identity:
             return self._identity["id"]
         return str(self.config().CourseDirectory.get("course_id", "")) or self.path.name
 
     @cached_property
-    def secret(self):
+    def secret(self) -> bytes:
         """The bytes from which every student's numbers are derived."""
         path = self.path / ".course_secret"
         if not path.exists():
@@ -107,15 +108,13 @@ class Course:
             )
         return secret
 
-    def config(self):
-        """The traitlets configuration that the course's nbgrader_config.py sets, including the
-        instructor's own settings.
-        """
+    def config(self) -> Any:
+        """The traitlets configuration of the course, with the instructor's own settings."""
         from traitlets.config.loader import PyFileConfigLoader
 
         try:
             return PyFileConfigLoader("nbgrader_config.py", path=str(self.path)).load_config()
-        except Exception as error:  # it is a program of the instructor's
+        except Exception as error:  # the file is a program, and may raise anything
             line = getattr(error, "lineno", None)
             where = f", line {line}" if line else ""
             raise CourseError(
@@ -126,48 +125,45 @@ class Course:
 
     # -- assignments
 
-    def source(self, assignment):
+    def source(self, assignment: str) -> Path:
         """The path of an assignment's source notebook."""
         return self.path / "source" / assignment / f"{assignment}.ipynb"
 
-    def released_path(self, assignment):
+    def released_path(self, assignment: str) -> Path:
         """The path of the notebook that nbgrader generated for release."""
         return self.path / "release" / assignment / f"{assignment}.ipynb"
 
-    def released(self, assignment):
-        """The notebook that nbgrader generated for release, as a dict."""
-        path = self.released_path(assignment)
-        if not path.exists():
-            where = (
-                "generate it with: nbgrader generate_assignment"
-                if self.source(assignment).exists()
-                else "build it with: python -m grader build"
-            )
-            raise CourseError(
-                f"there is no released {assignment} in {self.path}; {where} {assignment}"
-            )
-        return _read_once(path, path.stat().st_mtime_ns)
+    def require_released(self, assignment: str) -> None:
+        """Raise :class:`CourseError` unless nbgrader has generated the assignment for release."""
+        if self.released_path(assignment).exists():
+            return
+        where = (
+            "generate it with: nbgrader generate_assignment"
+            if self.source(assignment).exists()
+            else "build it with: python -m grader build"
+        )
+        raise CourseError(f"there is no released {assignment} in {self.path}; {where} {assignment}")
 
-    def personal_path(self, assignment, student):
+    def personal_path(self, assignment: str, student: str) -> Path:
         """The path of a student's own copy of an assignment."""
         return self.path / "personal" / assignment / student / f"{assignment}.ipynb"
 
-    def record_path(self, assignment, student):
+    def record_path(self, assignment: str, student: str) -> Path:
         """The path of the recorded result of a student's submission."""
         # not in autograded/: nbgrader copies that to the students
         return self.path / "scores" / assignment / f"{student}.json"
 
-    def values(self, assignment, student, problems):
+    def values(
+        self, assignment: str, student: str, problems: Iterable[Problem]
+    ) -> dict[str, dict[str, Any]]:
         """One student's numbers, derived from the secret alone: {problem id: {name: number}}."""
         return {
             p.id: variants.draw(p, variants.seed(self.secret, assignment, student, p.id))
             for p in problems
         }
 
-    def submissions(self, assignment):
-        """{student: path of the submitted notebook} of an assignment, including students who are
-        not on the roster.
-        """
+    def submissions(self, assignment: str) -> dict[str, Path]:
+        """{student: path of the submitted notebook}, also for students not on the roster."""
         found = {}
         for folder in sorted((self.path / "submitted").glob(f"*/{assignment}")):
             found[folder.parent.name] = folder / f"{assignment}.ipynb"
@@ -181,13 +177,13 @@ class Course:
     )
 
     @contextlib.contextmanager
-    def gradebook(self):
+    def gradebook(self) -> Iterator[Any]:
         """nbgrader's gradebook, as a context manager; :class:`CourseError` if it cannot be used."""
         with _without_slow_imports():
             from nbgrader.api import Gradebook
         from sqlalchemy.exc import DatabaseError
 
-        # nbgrader runs `alembic` by name; it is installed beside the running Python
+        # nbgrader runs `alembic` by name; it is installed in the folder of the running Python
         own = os.path.dirname(sys.executable)
         if own not in os.environ.get("PATH", "").split(os.pathsep):
             os.environ["PATH"] = own + os.pathsep + os.environ.get("PATH", "")
@@ -195,21 +191,19 @@ class Course:
             with Gradebook(self.db_url, self.name) as book:
                 yield book
         except DatabaseError as error:
-            said = str(error.orig)
-            advice = next((do for what, do in _DATABASE_TROUBLES.items() if what in said), "")
+            code = getattr(error.orig, "sqlite_errorname", "")  # SQLITE_READONLY_DIRECTORY …
+            advice = _ADVICE.get("_".join(code.split("_")[:2]), "")
             raise CourseError(
-                f"the gradebook {self.path / 'gradebook.db'} could not be used ({said})"
+                f"the gradebook {self.path / 'gradebook.db'} could not be used ({error.orig})"
                 + (f": {advice}" if advice else "")
             ) from error
 
-    def roster(self):
-        """The sorted ids of the students in the gradebook; :class:`CourseError` where two would
-        share a folder on some machines.
-        """
+    def roster(self) -> list[str]:
+        """The sorted ids of the gradebook; two that would share a folder are an error."""
         with self.gradebook() as book:
             ids = sorted(s.id for s in book.students)
-        known = {}
-        for i in ids:  # nbgrader adds students too, and does not compare
+        known: dict[str, str] = {}
+        for i in ids:  # students that nbgrader has added were not compared
             if (other := known.setdefault(same_student(i), i)) != i:
                 raise CourseError(
                     f"the students {other!r} and {i!r} on the roster differ by upper and lower "
@@ -217,7 +211,7 @@ class Course:
                 )
         return ids
 
-    def enrol(self, students):
+    def enrol(self, students: Iterable[str | Mapping[str, str]]) -> int:
         """Add students to the roster: ids, or dicts with id, first_name, last_name, email,
         lms_user_id; returns how many are new.
         """
@@ -226,8 +220,8 @@ class Course:
             before = {s.id for s in book.students}
             enrolled = {same_student(i): i for i in before}
             for s in students:
-                s = dict(s) if isinstance(s, dict) else {"id": s}
-                student_id = check_id(s.pop("id"))
+                details = {"id": s} if isinstance(s, str) else dict(s)
+                student_id = check_id(details.pop("id"))
                 present = enrolled.setdefault(same_student(student_id), student_id)
                 if present != student_id:
                     raise CourseError(
@@ -236,15 +230,16 @@ class Course:
                         f"{present!r} if it is the same student, else give one another id"
                     )
                 new += student_id not in before
-                book.update_or_create_student(student_id, **{k: v for k, v in s.items() if v})
+                known = {k: v for k, v in details.items() if v}
+                book.update_or_create_student(student_id, **known)
         return new
 
 
 @contextlib.contextmanager
 def _without_slow_imports():
-    """While nbgrader is imported: without the grammar of internationalised addresses, which
-    jsonschema imports where it is installed. To build it takes longer than all else, and notebooks
-    have none to check.
+    """Import nbgrader without the grammar of internationalised addresses, which jsonschema imports
+    where it is installed: building it takes longer than all else, and notebooks have no such
+    addresses to check.
     """
     name = "rfc3987_syntax"
     if name in sys.modules:
@@ -255,11 +250,3 @@ def _without_slow_imports():
         yield
     finally:
         del sys.modules[name]
-
-
-@lru_cache(maxsize=2)
-def _read_once(path, changed):
-    """:func:`read_json` with a cache, since a run reads the released notebook for every student;
-    the result must not be modified.
-    """
-    return read_json(path)

@@ -1,8 +1,5 @@
-"""Reads lists of students as registrars and learning platforms export them: Canvas, Moodle,
-Gradescope, spreadsheets, nbgrader.
-
-Separators and encodings differ, and so do the names of the columns; which were taken is kept, so
-that it can be told.
+"""Reads lists of students as Canvas, Moodle, Gradescope, spreadsheets and registrars export them:
+separators, encodings and the names of the columns differ.
 """
 
 import codecs
@@ -10,15 +7,16 @@ import csv
 import io
 import re
 from dataclasses import dataclass
+from pathlib import Path
 
 from .identity import CourseError, check_id, same_student
 
 SEPARATORS = ",;\t|"
 MAX_BYTES = 10 * 2**20
 
-# names of columns, in lower case and without signs; the first that is there is taken.
-# nbgrader's own `id` comes before all; a login name before a number, since the exchange knows
-# students by their login; an e-mail address only where there is nothing else
+# names of columns, in lower case and without signs; the first one present is used.
+# nbgrader's own `id` precedes all; a login name precedes a number, since the exchange knows
+# students by their login; an e-mail address is the last resort
 COLUMNS = {
     "id": (
         "sisloginid", "loginid", "username", "login", "netid", "benutzername", "anmeldename",
@@ -36,25 +34,22 @@ COLUMNS = {
     ),
     "full_name": ("student", "name", "fullname", "studentname", "students", "nomcomplet"),
 }  # fmt: skip
-PLATFORM_ID = "id"  # beside a login name: the number by which Canvas knows the student
-# rows of a gradebook that are no student
+PLATFORM_ID = "id"  # next to a login name: the number by which Canvas knows the student
+# rows of an exported gradebook that are not students
 NOT_A_STUDENT = re.compile(r"points possible|student, test|test student", re.I)
 
 
 @dataclass(frozen=True)
 class Roster:
-    """The students of a file, as dicts with id, first_name, last_name, email, lms_user_id as far as
-    they are known, and in words how the file was read.
-    """
+    """The students of a file, as dicts for :meth:`Course.enrol`, and how it was read."""
 
-    students: list
+    students: list[dict[str, str]]
     read_as: str
 
 
-def read_roster(path, id_column=None):
-    """The :class:`Roster` in a CSV file; otherwise :class:`CourseError`, which names the line.
-
-    id_column : the header of the column of ids; default: the first of the usual names.
+def read_roster(path: str | Path, id_column: str | None = None) -> Roster:
+    """The students in a CSV file; raises :class:`CourseError` that names the line. ``id_column``:
+    the header of the ids; default: the first of the usual names.
     """
     content, encoding = _decoded(path)
     first, *_ = content.split("\n", 1)
@@ -70,15 +65,17 @@ def read_roster(path, id_column=None):
     (_, names), *rows = rows
     columns = _columns(path, names, id_column)
     students = [
-        _student(path, line, row, names, columns) for line, row in rows if not _is_no_student(row)
+        _student(path, line, row, names, columns)
+        for line, row in rows
+        if not any(map(NOT_A_STUDENT.fullmatch, row))
     ]
     if not students:
         raise CourseError(f"{path}: {_EXPECTED}; got no rows below the header {names}")
     _refuse_doubles(path, students)
-    spoken = {"\t": "tabs", ";": "semicolons", ",": "commas", "|": "bars"}[separator]
+    words = {"\t": "tabs", ";": "semicolons", ",": "commas", "|": "bars"}[separator]
     return Roster(
         [s for _, s in students],
-        f"ids from the column {names[columns['id']]!r}, {encoding}, separated by {spoken}",
+        f"ids from the column {names[columns['id']]!r}, {encoding}, separated by {words}",
     )
 
 
@@ -124,24 +121,19 @@ def _rows(path, content, separator):
         io.StringIO(content), delimiter=separator, strict=True, skipinitialspace=True
     )
     rows, line = [], 1
-    advice = (
-        "; a quotation mark that is never closed takes the following students with it. Close it, "
-        "or remove it"
-    )
-    while True:
-        try:
-            fields = next(reader)
-        except StopIteration:
-            return rows
-        except csv.Error as error:
-            raise CourseError(f"{path}, line {line}: {error}{advice}") from error
-        if any("\n" in field for field in fields):
-            raise CourseError(
-                f"{path}, line {line}: a field goes on in line {reader.line_num}{advice}"
-            )
-        if any(field.strip() for field in fields):
-            rows.append((line, [field.strip() for field in fields]))
-        line = reader.line_num + 1
+    try:
+        for fields in reader:
+            if any("\n" in field for field in fields):
+                raise csv.Error(f"a field goes on in line {reader.line_num}")
+            if any(field.strip() for field in fields):
+                rows.append((line, [field.strip() for field in fields]))
+            line = reader.line_num + 1
+    except csv.Error as error:
+        raise CourseError(
+            f"{path}, line {line}: {error}; a quotation mark that is never closed takes the "
+            "following students with it. Close it, or remove it"
+        ) from error
+    return rows
 
 
 def _key(header):
@@ -154,7 +146,7 @@ def _recognised(names):
 
 
 def _columns(path, names, id_column):
-    """{what: number of the column} of the columns that are taken."""
+    """{what: number of the column} for the columns in use."""
     keys = [_key(n) for n in names]
     columns = {
         what: keys.index(name)
@@ -173,14 +165,10 @@ def _columns(path, names, id_column):
     if PLATFORM_ID in keys and keys.index(PLATFORM_ID) != columns["id"]:
         columns["lms_user_id"] = keys.index(PLATFORM_ID)
     if "first_name" in columns and "last_name" not in columns and "full_name" in columns:
-        columns["last_name"] = columns["full_name"]  # Vorname beside Name
+        columns["last_name"] = columns["full_name"]  # Vorname and Name
     if "first_name" in columns:
         columns.pop("full_name", None)
     return columns
-
-
-def _is_no_student(row):
-    return any(NOT_A_STUDENT.fullmatch(field) for field in row)
 
 
 def _student(path, line, row, names, columns):

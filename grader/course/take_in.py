@@ -1,8 +1,8 @@
-"""Takes students' work from a zip archive, as a learning platform gives it, into the course:
+"""Takes students' work from a zip archive, as a learning platform exports it, into the course:
 without nbgrader's exchange.
 
-Names in an archive are the students' own, and so is every byte in it: a name is only compared with
-the roster and never used as a path, links are not followed, and sizes are counted while reading.
+Students control every name and every byte in an archive: a name is only compared with the roster
+and never used as a path, links are not followed, and sizes are counted while reading.
 """
 
 import contextlib
@@ -10,33 +10,47 @@ import re
 import stat
 import unicodedata
 import zipfile
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
+from typing import TypedDict
 
 from .files import PRIVATE, write_text
+from .folder import Course
 from .identity import CourseError, same_student
 
-MAX_BYTES = 64 * 2**20  # of one notebook, as the grader reads
-MAX_TOTAL = 4 * 2**30
+MAX_BYTES = 64 * 2**20  # of one notebook, the most that the grader reads
+MAX_TOTAL = 4 * 2**30  # bytes of all notebooks
 MAX_ENTRIES = 20_000
-# what zipfile raises; the second, of its own, where it does not know a way of packing
+# what zipfile raises; NotImplementedError for a compression that it does not know
 UNREADABLE = zipfile.BadZipFile, NotImplementedError, EOFError
+
+
+class Names(TypedDict):
+    """The words of a student's ids and name, in lower case."""
+
+    ids: list[list[str]]
+    name: set[str]
+
+
 WORDS = re.compile(r"[^\W_]+")
 
 
 @dataclass
 class TakenIn:
-    """What became of the files of an archive: {student: name in the archive}, and for the others
-    [(name, reason)].
+    """What became of the files of an archive: {student: name} of those taken, [(student, name)]
+    where earlier work was kept, [(name, reason)] of those refused.
     """
 
-    taken: dict = field(default_factory=dict)
-    kept: list = field(default_factory=list)
-    refused: list = field(default_factory=list)
+    taken: dict[str, str] = field(default_factory=dict)
+    kept: list[tuple[str, str]] = field(default_factory=list)
+    refused: list[tuple[str, str]] = field(default_factory=list)
 
 
-def take_in(course, assignment, archive, replace=False, times=False):
+def take_in(
+    course: Course, assignment: str, archive: str | Path, replace: bool = False, times: bool = False
+) -> TakenIn:
     """Put each notebook of a zip archive into COURSE/submitted, as its student's work; returns
     :class:`TakenIn`.
 
@@ -45,11 +59,11 @@ def take_in(course, assignment, archive, replace=False, times=False):
     replace : also where the student has already handed in. times : the times of the files in the
         archive, read as UTC, are those of submission; otherwise none is kept, and nobody is late.
     """
-    course.released(assignment)  # CourseError if there is no such assignment
+    course.require_released(assignment)
     with course.gradebook() as book:
         students = {s.id: _names(s) for s in book.students}
     if not students:
-        raise CourseError("nobody is on the roster, so that no file can be anybody's; enrol first")
+        raise CourseError("nobody is on the roster to whom a file could belong; enrol first")
     result = TakenIn()
     try:
         with zipfile.ZipFile(archive) as z:
@@ -68,10 +82,9 @@ def _names(student):
     name = f"{student.first_name or ''} {student.last_name or ''}"
     mail = (student.email or "").partition("@")[0]
     return {
-        "ids": [w for w in (_words(student.id), _words(student.lms_user_id or ""), _words(mail))
-                if w],
+        "ids": [w for w in map(_words, (student.id, student.lms_user_id or "", mail)) if w],
         "name": set(_words(name)) if student.first_name and student.last_name else set(),
-    }  # fmt: skip
+    }
 
 
 def _words(text):
@@ -81,9 +94,9 @@ def _words(text):
     return WORDS.findall(plain.casefold())
 
 
-def owners(name, students):
+def owners(name: str, students: Mapping[str, Names]) -> list[str]:
     """The students whose id or whole name is in the name of a file or of its folder."""
-    # Canvas runs the parts of a name together: doejane_4711_815_work.ipynb
+    # Canvas joins the parts of a name: doejane_4711_815_work.ipynb
     places = [_words(part) for part in PurePosixPath(name.removesuffix(".ipynb")).parts]
     return [
         s for s, own in students.items() for place in [p for p in places if _is_named(own, p)][:1]
@@ -106,8 +119,8 @@ def _run_together(name, words):
 
 
 def _chosen(entries, assignment, students, result):
-    """{student: their notebook in the archive}; what is nobody's, or one of several, is refused:
-    a file that a student named after another must not take the place of that one's work.
+    """{student: their notebook}; a file that fits nobody, or one of several that fit a student, is
+    refused: one named after another student must not replace that one's work.
     """
     found = {}
     for entry in entries:
@@ -165,7 +178,7 @@ def _write(course, assignment, archive, chosen, how, result):
             result.kept.append((student, entry.filename))
             continue
         with archive.open(entry) as f:
-            content = f.read(MAX_BYTES + 1)  # the size that an archive tells may be a lie
+            content = f.read(MAX_BYTES + 1)  # the size stated in an archive may be wrong
         total += len(content)
         if len(content) > MAX_BYTES or total > MAX_TOTAL:
             why = "it is larger than it says, or all together are too large"

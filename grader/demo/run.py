@@ -1,6 +1,4 @@
-"""Runs the demo: builds and releases an assignment, plays six students, grades them, and writes
-their feedback pages.
-"""
+"""Runs the demo: builds, releases, plays six students, grades, writes the feedback pages."""
 
 import contextlib
 import logging
@@ -8,30 +6,31 @@ import os
 import shutil
 import sys
 import time
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
+from typing import Any
 
-from ..assignment import build_assignment, copy_to_exchange, make_personal_copies, problems_of
-from ..course import read_json, write_json
+from rich.console import Console
+from rich.progress import Progress
+
+from ..assignment import (
+    build_assignment,
+    copy_to_exchange,
+    exchange_outbound,
+    make_personal_copies,
+    problems_of,
+)
+from ..course import Course, read_json, write_json
 from ..grading import grade
 from ..reports import diagnosis_table, gradebook_table
-from . import sample_students as sample
+from .sample_students import STUDENTS, submission
 
-MARK = ".newton_euler_demo"  # a folder with this file in it may be made anew
-STUDENTS = {
-    "ada": "all right",
-    "ben": "leaves out one term in every problem",
-    "cleo": "answers half of the problems",
-    "dan": "answers nothing",
-    "eve": "has a syntax error in one cell",
-    "mallory": "hostile: cell tags, forged outputs, a patched checker",
-}
-DEMO_CONFIG = (
-    "\nfrom pathlib import Path\n\nc.Exchange.root = str(Path(__file__).resolve().parent / "
-    "'exchange')  # an exchange of the demo's own\n"
-)
+MARK = ".newton_euler_demo"  # a folder with this file may be replaced
 
 
-def run_demo(folder, chapter, only, console, bar):
+def run_demo(
+    folder: Path, chapter: str, only: Collection[str], console: Console, bar: Callable[[], Progress]
+) -> None:
     """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points
     are not as expected.
 
@@ -41,13 +40,14 @@ def run_demo(folder, chapter, only, console, bar):
     """
     start = time.perf_counter()
     console.print(f"[bold]A course in {folder}[/]")
-    _clear_earlier(Path(folder), console)
-    exchange = Path(folder).resolve() / "exchange"
+    _clear_earlier(folder, console)
     with bar() as progress:
-        course = build_assignment(folder, chapter, only=only, bar=progress).course
-    _use_exchange_within(course)
+        course = build_assignment(
+            folder, chapter, only=only, bar=progress, exchange=folder / "exchange"
+        ).course
+    (course.path / MARK).touch()
     course.enrol(
-        [{"id": s, "first_name": s.capitalize(), "last_name": what} for s, what in STUDENTS.items()]
+        {"id": s, "first_name": s.capitalize(), "last_name": what} for s, what in STUDENTS.items()
     )
     console.print(
         "[bold]Release:[/] nbgrader generate_assignment and release_assignment, and each "
@@ -55,14 +55,11 @@ def run_demo(folder, chapter, only, console, bar):
     )
     api = nbgrader_api(course)
     require_success(api.generate_assignment(chapter))
-    with bar() as progress:
-        task = progress.add_task("personal copies", total=1.0)
-        paths = make_personal_copies(
-            course, chapter, progress=lambda share: progress.advance(task, share)
-        )
-    # nbgrader's own step, which does not draw the personal copies again
+    with _counted(bar, "personal copies", 1.0) as advance:
+        paths = make_personal_copies(course, chapter, progress=advance)
+    # nbgrader's own step, not ours, which would make the personal copies again
     _exchange_step(course, chapter, "release_assignment")
-    copy_to_exchange(course, chapter, exchange / course.name / "outbound" / chapter, paths)
+    copy_to_exchange(course, chapter, exchange_outbound(course, chapter), paths)
     console.print("[bold]Fetch, work, submit:[/] six students")
     expected = _fetch_and_submit(course, chapter, console)
     _exchange_step(course, chapter, "collect")
@@ -70,47 +67,41 @@ def run_demo(folder, chapter, only, console, bar):
         "[bold]Grade:[/] rebuild each notebook, run its answers in the sandbox, score them in "
         "a process that runs no student code"
     )
-    with bar() as progress:
-        task = progress.add_task("grading", total=len(STUDENTS))
-        results = grade(course, chapter, progress=lambda r: progress.advance(task))
+    with _counted(bar, "grading", len(STUDENTS)) as advance:
+        results = grade(course, chapter, progress=lambda result: advance(1))
     console.print("[bold]Feedback:[/] nbgrader generate_feedback")
-    with bar() as progress:
-        task = progress.add_task("feedback pages", total=len(STUDENTS))
+    with _counted(bar, "feedback pages", len(STUDENTS)) as advance:
         for s in STUDENTS:
             require_success(api.generate_feedback(chapter, s))
-            progress.advance(task)
+            advance(1)
     console.print(gradebook_table(results))
     console.print(diagnosis_table([r for r in results if r.student == "ben"], most=8))
     unexpected = [r for r in results if r.problem or r.points != expected[r.student]]
     for r in unexpected:
-        console.print(
-            f"[red]{r.student}: expected {expected[r.student]:g} points, got {r.points:g}. "
-            f"{r.problem}[/]"
-        )
+        wanted = f"expected {expected[r.student]:g} points, got {r.points:g}"
+        console.print(f"[red]{r.student}: {wanted}. {r.problem}[/]")
     _print_paths(course, chapter, console, time.perf_counter() - start)
     if unexpected or len(results) != len(STUDENTS):
         sys.exit(1)
 
 
+@contextlib.contextmanager
+def _counted(bar, what, total):
+    """A progress bar, as a function that advances it."""
+    with bar() as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda share: progress.advance(task, share)
+
+
 def _clear_earlier(folder, console):
-    """Remove what an earlier demo made; another folder is left to the build, which refuses it."""
+    """Remove an earlier demo; any other existing folder is refused by the build."""
     if (folder / MARK).exists():
         console.print(f"Removing the earlier demo in {folder}")
         shutil.rmtree(folder)
 
 
-def _use_exchange_within(course):
-    """Give the demo an exchange of its own, inside the course folder."""
-    (course.path / MARK).touch()
-    (course.path / "exchange").mkdir(mode=0o777)
-    with open(course.path / "nbgrader_config.py", "a", encoding="utf-8") as f:
-        f.write(DEMO_CONFIG)
-
-
 def _fetch_and_submit(course, chapter, console):
-    """Fetch, fill in and submit the assignment for every student; returns {student: the expected
-    points}.
-    """
+    """Fetch, fill in and submit for every student; returns {student: the expected points}."""
     expected = {}
     for student, what in STUDENTS.items():
         home = course.path / "homes" / student
@@ -121,7 +112,7 @@ def _fetch_and_submit(course, chapter, console):
         problems = problems_of(fetched)
         # a real student reads them in the notebook
         values = course.values(chapter, student, problems)
-        notebook, expected[student] = _filled_in(student, fetched, problems, values)
+        notebook, expected[student] = submission(student, fetched, problems, values)
         path.chmod(0o644)
         write_json(path, notebook)
         _exchange_step(course, chapter, "submit", student, home)
@@ -129,33 +120,7 @@ def _fetch_and_submit(course, chapter, console):
     return expected
 
 
-def _filled_in(student, fetched, problems, values):
-    """(notebook as the student submits it, expected points)."""
-    total = sum(len(p.answers) for p in problems)
-    texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems}
-    if student == "ada":
-        return sample.fill_in(fetched, texts), total
-    if student == "ben":
-        wrong = 0
-        for p in problems:
-            answers, keys = sample.answers_without_a_term(p, values[p.id])
-            texts[p.id] = sample.cell_text(p, answers)
-            wrong += len(keys)
-        return sample.fill_in(fetched, texts), total - wrong
-    if student == "cleo":
-        half = problems[: len(problems) // 2]
-        return sample.fill_in(fetched, {p.id: texts[p.id] for p in half}), sum(
-            len(p.answers) for p in half
-        )
-    if student == "dan":
-        return fetched, 0
-    if student == "eve":
-        texts[problems[0].id] += "\nand the rest = (1"
-        return sample.fill_in(fetched, texts), total - len(problems[0].answers)
-    return sample.hostile(fetched, problems), 0
-
-
-def nbgrader_api(course):
+def nbgrader_api(course: Course) -> Any:
     """nbgrader's API for a course, without its log."""
     from nbgrader.apps import NbGraderAPI
     from nbgrader.coursedir import CourseDirectory
@@ -165,16 +130,14 @@ def nbgrader_api(course):
     return NbGraderAPI(CourseDirectory(config=config), config=config)
 
 
-def require_success(result):
+def require_success(result: Mapping[str, Any]) -> None:
     """Raise RuntimeError if a call of nbgrader's API failed."""
     if not result["success"]:
         raise RuntimeError(f"nbgrader failed: {result.get('error') or result.get('log')}")
 
 
 def _exchange_step(course, chapter, step, student="*", home=None):
-    """Run one step of nbgrader's exchange in this process, since its command line takes 2.4 s to
-    start.
-    """
+    """One step of nbgrader's exchange in this process: its command line takes 2.4 s to start."""
     from nbgrader.auth import Authenticator
     from nbgrader.coursedir import CourseDirectory
     from nbgrader.exchange import default
@@ -210,18 +173,11 @@ def _exchange_step(course, chapter, step, student="*", home=None):
 
 def _print_paths(course, chapter, console, seconds):
     console.print(f"\nDone in {seconds:.0f} s. Look at")
-    console.print(
-        f"  what a student fetches   {course.path / 'homes/dan' / chapter / (chapter + '.ipynb')}",
-        soft_wrap=True,
-    )
-    console.print(
-        "  a feedback page          "
-        f"{course.path / 'feedback/ben' / chapter / (chapter + '.html')}",
-        soft_wrap=True,
-    )
-    console.print(
-        f"  the gradebook            {course.path / 'gradebook.db'}: cd {course.path} && "
+    for what, path in {
+        "what a student fetches   ": course.path / f"homes/dan/{chapter}/{chapter}.ipynb",
+        "a feedback page          ": course.path / f"feedback/ben/{chapter}/{chapter}.html",
+        "the gradebook            ": f"{course.path / 'gradebook.db'}: cd {course.path} && "
         "jupyter lab, then Nbgrader > Formgrader",
-        soft_wrap=True,
-    )
+    }.items():
+        console.print(f"  {what}{path}", soft_wrap=True)
     console.print("Next: python -m grader build --help says how to make a course of your own.")

@@ -4,5 +4,3 @@ from .gradebook import Entry, instructors_cells, save
 from .one import grade_one
 from .run import grade
 from .student import Result
-
-__all__ = ["Entry", "Result", "grade", "grade_one", "instructors_cells", "save"]

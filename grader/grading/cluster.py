@@ -1,33 +1,41 @@
 """Spreads the grading of a class over a Dask cluster.
 
-The workers reach the course folder under the same path as the grader, on a file system that they
-share, and have the same version of the checkout installed. What a run needs besides lies in that
-folder while it lasts, readable by its owner alone; no key, secret or work of a student passes the
-scheduler. A worker does all for a submission but the gradebook, which the grader writes. When a
-worker dies, Dask gives its submissions to another.
+The workers reach the course folder under the same path as the grader, on a shared file system, and
+have the same version of the checkout installed. Whatever else a run needs is in that folder while
+it lasts, readable by its owner alone; no key, secret or student work passes the scheduler. A worker
+does everything for a submission but write the gradebook, which the grader does. When a worker dies,
+Dask reassigns its submissions.
 """
 
 import atexit
 import contextlib
 import json
 import threading
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 from ..course import Course, CourseError, write_json
 from ..sandbox import Harvester, HarvestError
+from .gradebook import Entry
 from .records import fingerprint, run_state, score_state
 from .student import Result, Run
 
-AHEAD = 4  # submissions of each thread that the scheduler knows at a time
-ANSWER_SECONDS = 10  # of a scheduler
-READY_SECONDS = 60  # of a worker, to import the grader and to start what runs students' code
+AHEAD = 4  # submissions per thread that the scheduler holds at a time
+ANSWER_SECONDS = 10  # for a scheduler to answer
+READY_SECONDS = 60  # for a worker to import the grader and to start its harvester
+
+
+# grades these students: {student: (result, what to write into the gradebook)}
+GradeStudents = Callable[
+    [Iterable[str], Callable[[Result], object] | None], dict[str, tuple[Result, Entry | None]]
+]
 
 
 @dataclass(frozen=True)
 class Shared:
-    """Where the workers find what is common to all submissions, and what they must agree with."""
+    """Where the workers find what is common to all submissions, and what must equal theirs."""
 
     course: str
     plan: str
@@ -37,12 +45,16 @@ class Shared:
 
 
 @contextlib.contextmanager
-def cluster(address, course, run, sandbox, said=None):
-    """A function that grades: ``step(students, progress)`` returns {student: (:class:`Result`,
-    what to write or None)}, on the workers of the scheduler at ``address``. Raises
-    :class:`CourseError` if there is none, or if one of its workers is not fit.
-
-    said : called with a line about each worker
+def cluster(
+    address: str,
+    course: Course,
+    run: Run,
+    sandbox: bool,
+    report: Callable[[str], object] | None = None,
+) -> Iterator[GradeStudents]:
+    """A context with a function that grades on the workers of a scheduler; raises
+    :class:`CourseError` if it does not answer or a worker cannot grade. ``report`` gets a line
+    about each worker.
     """
     plan = course.path / "scores" / ".plan.json"
     common = {k: v for k, v in vars(run).items() if k not in ("course", "roster")}
@@ -52,13 +64,13 @@ def cluster(address, course, run, sandbox, said=None):
     )
     try:
         with _connected(address) as client:
-            threads = _examined(client, address, shared, said)
+            threads = _examined(client, address, shared, report)
             try:
                 yield lambda students, progress: _graded(
                     client, shared, run.roster, students, AHEAD * threads, progress
                 )
             finally:
-                with contextlib.suppress(Exception):  # a worker that dies now has ended it, too
+                with contextlib.suppress(Exception):  # a worker that dies now has stopped, too
                     client.run(_stop)
     finally:
         plan.unlink(missing_ok=True)
@@ -86,26 +98,26 @@ def _connected(address):
         yield client
 
 
-def _examined(client, address, shared, said):
-    """The number of threads of the workers; all of them must be fit."""
+def _examined(client, address, shared, report):
+    """The number of threads of the workers, all of which must be able to grade."""
     workers = client.nthreads()
     if not workers:
         raise CourseError(f"the cluster has no workers; start some with: dask worker {address}")
     asked = {w: client.submit(_examine, shared, workers=[w], pure=False) for w in sorted(workers)}
     for worker, future in asked.items():
         try:
-            fit, what = future.result(timeout=READY_SECONDS)
+            able, state = future.result(timeout=READY_SECONDS)
         except TimeoutError:
-            fit, what = False, f"it has not answered for {READY_SECONDS} s"
-        if not fit:
-            raise CourseError(f"the worker {worker} cannot grade: {what}")
-        if said:
-            said(f"{worker}: {workers[worker]} at a time, {what}")
+            able, state = False, f"it has not answered for {READY_SECONDS} s"
+        if not able:
+            raise CourseError(f"the worker {worker} cannot grade: {state}")
+        if report:
+            report(f"{worker}: {workers[worker]} at a time, {state}")
     return sum(workers.values())
 
 
 def _graded(client, shared, roster, students, ahead, progress):
-    """{student: (:class:`Result`, what to write)}; the scheduler never knows more than ``ahead``
+    """{student: (result, what to write)}; the scheduler never holds more than ``ahead``
     submissions, so that its memory does not grow with the class.
     """
     from distributed import as_completed
@@ -136,19 +148,19 @@ def _graded(client, shared, roster, students, ahead, progress):
 def _outcome(client, future, student):
     if future.status == "cancelled":
         raise CourseError(
-            "the scheduler of the cluster is gone; grade again: what was run is kept and does not "
-            "run again"
+            "the scheduler of the cluster is gone; grade again: finished runs are kept and not "
+            "repeated"
         )
     try:
         return future.result()
-    except Exception as error:  # Dask gives up a submission with which several workers died
+    except Exception as error:  # Dask gives up after several workers have died with a submission
         why = f"could not be graded: its worker failed ({type(error).__name__}: {error})"
         return Result(student, problem=why), None
 
 
 # -- on a worker
 
-_harvesters: dict = {}  # by whether they cage, one in each process
+_harvesters: dict[bool, Harvester] = {}  # of this process, by whether they cage
 _starting = threading.Lock()
 
 
@@ -167,9 +179,7 @@ def _grade(shared, student):
 
 @lru_cache(maxsize=1)
 def _run_of(shared):
-    """The run, read from the course folder; raises :class:`CourseError` if this worker sees another
-    one, or has other code.
-    """
+    """The run from the course folder; raises :class:`CourseError` if it is not the grader's."""
     if _code() != shared.code:
         raise CourseError(
             "it has another version of the checkout than the grader; install the same and start "

@@ -1,38 +1,43 @@
 """Reads and writes nbgrader's gradebook, for a whole class in one transaction: all of it or none.
 
-What is written depends on the submissions and the gradebook alone, not on what was written before,
-so that a changed late policy, due date or timestamp is followed, and both routes agree.
+The rows depend on the submissions and the gradebook alone, not on what was written before, so that
+a changed late policy, due date or timestamp takes effect, and both routes agree.
 """
 
 from collections import defaultdict
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from datetime import timedelta
+from datetime import datetime, timedelta
 from functools import cached_property
+from typing import Any
 
-FEW = 100  # students, whose rows alone are read; above, those of the class are
+from ..assignment.cells import Sources
+from ..course import Course
+from ..submission import Graded
+
+FEW = 100  # students: for up to this many only their rows are read, else those of the class
 
 
 @dataclass
 class Entry:
     """What is written for one student.
 
-    notebooks : {name: :class:`~grader.submission.pipeline.Graded`}; of those that are missing from
-        the submission None
-    timestamp : of the submission, or None if it has none, and an earlier one stays
-    changed : False if it is the same work as at the last time, and points given by hand need no
-        second look
+    notebooks : the graded ones by name, without those that are missing from the submission
+    timestamp : of the submission; None if it has none, and an earlier one stays
+    changed : False if the work is the same as last time, and points given by hand need no second
+        look
     """
 
     student: str
-    notebooks: dict
-    timestamp: object = None
+    notebooks: Mapping[str, Graded]
+    timestamp: datetime | None = None
     changed: bool = True
 
 
 @dataclass
 class Total:
-    """The points of a student in the gradebook: ``points`` with what is given by hand and extra,
-    less the penalty; ``waiting`` counts the cells that wait for a person.
+    """The points of a student in the gradebook: ``points`` include those given by hand and extra
+    credit, less the penalty; ``waiting`` counts the cells that wait for a person.
     """
 
     points: float = 0.0
@@ -47,16 +52,16 @@ class Cells:
     """The cells of one notebook of an assignment: ids in the gradebook by grade id."""
 
     id: str
-    grades: dict = field(default_factory=dict)
-    comments: dict = field(default_factory=dict)
-    most: dict = field(default_factory=dict)
+    grades: dict[str, str] = field(default_factory=dict)
+    comments: dict[str, str] = field(default_factory=dict)
+    most: dict[str, float] = field(default_factory=dict)
 
 
-def instructors_cells(book, assignment):
+def instructors_cells(book: Any, assignment: str) -> dict[str, Sources]:
     """{notebook: {grade id: (text, checksum)}} of an assignment, with the hidden tests."""
     from nbgrader.api import Notebook, SourceCell
 
-    found = {n.name: {} for n in book.find_assignment(assignment).notebooks}
+    found: dict[str, Sources] = {n.name: {} for n in book.find_assignment(assignment).notebooks}
     columns = (Notebook.name, SourceCell.name, SourceCell.source, SourceCell.checksum)
     rows = book.db.query(*columns).join(Notebook, Notebook.id == SourceCell.notebook_id)
     here = Notebook.assignment_id == book.find_assignment(assignment).id
@@ -65,10 +70,10 @@ def instructors_cells(book, assignment):
     return found
 
 
-def save(course, book, assignment, entries, only=None):
-    """Write the entries; returns {student: :class:`Total`}. ``only``: the notebook to write, and no
-    other.
-    """
+def save(
+    course: Course, book: Any, assignment: str, entries: Iterable[Entry], only: str | None = None
+) -> dict[str, Total]:
+    """Write the entries, of the notebook ``only`` if given; returns {student: total}."""
     students = [e.student for e in entries]
     saving = _Saving(course, book, book.find_assignment(assignment), only, students)
     totals = {}
@@ -81,7 +86,7 @@ def save(course, book, assignment, entries, only=None):
 
 
 class _Saving:
-    """Rows of one assignment as they are, and the changes to them."""
+    """The rows of one assignment in the gradebook, and the changes to them."""
 
     def __init__(self, course, book, master, only, students):
         from nbgrader import api
@@ -89,24 +94,33 @@ class _Saving:
         self.api, self.db, self.master, self.late = api, book.db, master, _LatePenalties(course)
         self.cells = {n.name: self._cells(n) for n in master.notebooks if only in (None, n.name)}
         self.inserts, self.updates = defaultdict(list), defaultdict(list)
-        sub, nb, grade, comment = (
-            api.SubmittedAssignment, api.SubmittedNotebook, api.Grade, api.Comment,
-        )  # fmt: skip
+        sub, nb = api.SubmittedAssignment, api.SubmittedNotebook
+        grade, comment = api.Grade, api.Comment
         here = sub.assignment_id == master.id
         if len(students) <= FEW:
             here = here & sub.student_id.in_(students)
-        columns = (sub.student_id, sub.id, sub.timestamp, sub.extension)
-        self.submissions = {r[0]: r for r in self.db.query(*columns).filter(here)}
-        columns = (nb.assignment_id, nb.notebook_id, nb.id, nb.late_submission_penalty)
-        rows = self.db.query(*columns).join(sub, sub.id == nb.assignment_id).filter(here)
-        self.notebooks = {r[:2]: r for r in rows}
-        columns = (
-            grade.notebook_id, grade.cell_id, grade.id, grade.auto_score, grade.manual_score,
-            grade.extra_credit, grade.needs_manual_grade,
-        )  # fmt: skip
-        self.grades = {r[:2]: r for r in self._of_notebooks(columns, grade, here)}
-        columns = (comment.notebook_id, comment.cell_id, comment.id, comment.auto_comment)
-        self.comments = {r[:2]: r for r in self._of_notebooks(columns, comment, here)}
+        submitted = self.db.query(sub.student_id, sub.id, sub.timestamp, sub.extension)
+        self.submissions = {r[0]: r for r in submitted.filter(here)}
+        notebooks = self.db.query(
+            nb.assignment_id, nb.notebook_id, nb.id, nb.late_submission_penalty
+        )
+        notebooks = notebooks.join(sub, sub.id == nb.assignment_id).filter(here)
+        self.notebooks = {r[:2]: r for r in notebooks}
+
+        def of_notebooks(table, *columns):
+            """Rows of a table by notebook and cell."""
+            rows = self.db.query(table.notebook_id, table.cell_id, table.id, *columns)
+            rows = rows.join(nb, nb.id == table.notebook_id).join(sub, sub.id == nb.assignment_id)
+            return {r[:2]: r for r in rows.filter(here)}
+
+        self.grades = of_notebooks(
+            grade,
+            grade.auto_score,
+            grade.manual_score,
+            grade.extra_credit,
+            grade.needs_manual_grade,
+        )
+        self.comments = of_notebooks(comment, comment.auto_comment)
 
     def _cells(self, notebook):
         cells, graded = Cells(notebook.id), (self.api.GradeCell, self.api.TaskCell)
@@ -119,21 +133,16 @@ class _Saving:
             cells.comments.update((name, own) for name, own in rows)
         return cells
 
-    def _of_notebooks(self, columns, table, here):
-        sub, nb = self.api.SubmittedAssignment, self.api.SubmittedNotebook
-        joined = self.db.query(*columns).join(nb, nb.id == table.notebook_id)
-        return joined.join(sub, sub.id == nb.assignment_id).filter(here)
-
-    def write(self, entry):
+    def write(self, entry: Entry) -> Total:
         """Note the changes for one student; returns the :class:`Total`."""
         known = self.submissions.get(entry.student)
         _, own, timestamp, extension = known or (None, self.api.new_uuid(), None, None)
         row = {"id": own, "timestamp": entry.timestamp or timestamp}
         if not known:
             row |= {"assignment_id": self.master.id, "student_id": entry.student}
-            self._insert("SubmittedAssignment", row)
+            self.inserts["SubmittedAssignment"].append(row)
         elif row["timestamp"] != timestamp:
-            self._update("SubmittedAssignment", row)
+            self.updates["SubmittedAssignment"].append(row)
         seconds, total = self._seconds_late(row["timestamp"], extension), Total()
         for name, cells in self.cells.items():
             known = self.notebooks.get((own, cells.id))
@@ -143,9 +152,9 @@ class _Saving:
             row = {"id": notebook, "late_submission_penalty": penalty}
             if not known:
                 row |= {"assignment_id": own, "notebook_id": cells.id}
-                self._insert("SubmittedNotebook", row)
+                self.inserts["SubmittedNotebook"].append(row)
             elif penalty != before:
-                self._update("SubmittedNotebook", row)
+                self.updates["SubmittedNotebook"].append(row)
             total.points += points + extra - (penalty or 0.0)
             total.extra, total.penalty = total.extra + extra, total.penalty + (penalty or 0.0)
         return total
@@ -158,13 +167,14 @@ class _Saving:
             automatic = graded.points.get(grade_id) if graded else 0.0
             known = self.grades.get((notebook, cell))
             _, _, row_id, before, manual, extra, needs = known or (None,) * 7
-            waits = automatic is None if manual is None else needs or self._second_look(entry)
+            # points that a person gave for other work need a second look
+            waits = automatic is None if manual is None else needs or entry.changed
             row = {"auto_score": automatic, "needs_manual_grade": waits}
             if not known:
                 row |= {"cell_id": cell, "notebook_id": notebook}
-                self._insert("Grade", {"id": self.api.new_uuid(), **row})
+                self.inserts["Grade"].append({"id": self.api.new_uuid(), **row})
             elif (automatic, waits) != (before, needs):
-                self._update("Grade", {"id": row_id, **row})
+                self.updates["Grade"].append({"id": row_id, **row})
             points += (manual if manual is not None else automatic) or 0.0
             extra_points += extra or 0.0
             total.waiting += waits
@@ -174,15 +184,10 @@ class _Saving:
             known = self.comments.get((notebook, cell))
             if not known:
                 row = {"cell_id": cell, "notebook_id": notebook, "auto_comment": text}
-                self._insert("Comment", {"id": self.api.new_uuid(), **row})
+                self.inserts["Comment"].append({"id": self.api.new_uuid(), **row})
             elif text != known[3]:
-                self._update("Comment", {"id": known[2], "auto_comment": text})
+                self.updates["Comment"].append({"id": known[2], "auto_comment": text})
         return points, extra_points
-
-    @staticmethod
-    def _second_look(entry):
-        """True if points that a person gave were for other work: nbgrader asks for a look at it."""
-        return entry.changed
 
     def _seconds_late(self, timestamp, extension):
         due = self.master.duedate
@@ -190,13 +195,7 @@ class _Saving:
             return 0.0
         return max(0.0, (timestamp - due - (extension or timedelta())).total_seconds())
 
-    def _insert(self, table, row):
-        self.inserts[table].append(row)
-
-    def _update(self, table, row):
-        self.updates[table].append(row)
-
-    def flush(self):
+    def flush(self) -> None:
         """Send the changes to the database."""
         for table in ("SubmittedAssignment", "SubmittedNotebook", "Grade", "Comment"):
             kind = getattr(self.api, table)
@@ -219,7 +218,7 @@ class _LatePenalties:
         step.init_plugin()
         return step.plugin_inst
 
-    def penalty(self, student, score, seconds_late):
+    def penalty(self, student: str, score: float, seconds_late: float) -> float | None:
         """The penalty, between 0 and the score; None if the submission was in time."""
         if not seconds_late > 0:
             return None

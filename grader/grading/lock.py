@@ -3,15 +3,14 @@
 import contextlib
 import fcntl
 import os
+from collections.abc import Iterator
 
-from ..course import CourseError
+from ..course import Course, CourseError
 
 
 @contextlib.contextmanager
-def alone(course):
-    """Hold the lock of a course, which ends with the process that holds it; raises
-    :class:`CourseError` if another run has it.
-    """
+def alone(course: Course) -> Iterator[None]:
+    """Hold the lock of a course; raises :class:`CourseError` if another run holds it."""
     path = course.path / "scores" / ".lock"
     path.parent.mkdir(exist_ok=True)
     descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o600)

@@ -1,16 +1,18 @@
-"""Grades one notebook of one submission: from its record where nothing changed, from what is kept
-of its run where only the key or the points changed, else by running it.
+"""Grades one notebook of one submission: from its record where nothing has changed, from the kept
+outcome of its run where only the key or the points have, else by running it.
 """
 
 import os
 import shutil
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 from ..assignment.attempts import is_work_of_earlier
-from ..assignment.released import personal_path, released_hashes
-from ..assignment.sheet import kind, nbgrader_metadata
-from ..course import load_json, write_notebook
+from ..assignment.cells import Notebook, Sources, kind, nbgrader_metadata
+from ..assignment.released import personal_path
+from ..course import Course, load_json, write_notebook
+from ..sandbox import Harvester
 from ..submission import (
     Graded,
     UnreadableError,
@@ -40,21 +42,23 @@ from .records import (
 
 @dataclass
 class Outcome:
-    """What one notebook earns; ``changed``: the work is not that of the last time; ``reused``:
-    nothing was computed.
-    """
+    """The grade of a notebook; is the work new since last time, was the record reused as it is."""
 
     graded: Graded
     changed: bool
     reused: bool
 
 
-def grade_one(course, assignment, student, name, sources, harvester, force=False):
-    """Grade COURSE/submitted/STUDENT/ASSIGNMENT/NAME.ipynb; writes the record and the annotated
-    notebook and returns the :class:`Outcome`.
-
-    sources : of :func:`~grader.grading.gradebook.instructors_cells`, for this notebook
-    """
+def grade_one(
+    course: Course,
+    assignment: str,
+    student: str,
+    name: str,
+    sources: Sources,
+    harvester: Harvester,
+    force: bool = False,
+) -> Outcome:
+    """Grade one submitted notebook; writes the record and the annotated notebook."""
     submitted = course.path / "submitted" / student / assignment / f"{name}.ipynb"
     content = read_notebook(submitted)
     if number := is_work_of_earlier(course, assignment, student, name, content):
@@ -74,12 +78,16 @@ def grade_one(course, assignment, student, name, sources, harvester, force=False
     if as_built and entry["scored"] == state["scored"]:
         return Outcome(graded_from_json(entry), changed, True)
     ran = entry.get("ran") == state["ran"]
-    executed, notebook = Executed(**entry["executed"]) if ran else None, None
+    notebook: Notebook | None = None
     if ran and as_built:
         work = Work(**entry["work"])
     else:
         notebook, work = rebuild(sheet.master, parse_notebook(submitted.name, content))
-        executed = executed or execute(harvester, sheet, notebook)
+    if ran:
+        executed = Executed(**entry["executed"])
+    else:
+        assert notebook  # it was rebuilt, since nothing is kept of its run
+        executed = execute(harvester, sheet, notebook)
     kept = {i for i in state["scored"] if ran and entry["scored"].get(i) == state["scored"][i]}
     graded = grade_notebook(sheet, work, executed, scores_of(entry, kept) if kept else {})
     now = graded_as_json(graded)
@@ -88,7 +96,7 @@ def grade_one(course, assignment, student, name, sources, harvester, force=False
     if notebook is not None:
         earlier = entry["note"] if as_built else ""
         write_notebook(annotated, annotate(notebook, graded, sources, earlier))
-        _copy_beside(submitted.parent, annotated.parent)
+        _copy_nbgraders_files(submitted.parent, annotated.parent)
     parts = {"executed": vars(executed), "work": vars(work)}
     record["notebooks"][name] = {**state, **parts, **now}
     write_record(path, record)
@@ -96,12 +104,13 @@ def grade_one(course, assignment, student, name, sources, harvester, force=False
 
 
 def _state(sheet, content, sandbox):
-    """What an entry of a record is good for, as hashes: "ran", the run in the sandbox; "built", the
-    annotated notebook; "scored", the score of each problem; and "content", the submission.
+    """Hashes of what the parts of a record's entry depend on: "ran", the run in the sandbox;
+    "built", the annotated notebook; "scored", the score of each problem; "content", the submission.
     """
-    released, what_runs = released_hashes(sheet.course, sheet.assignment, sheet.name)
+    released, what_runs = sheet.released.hashes
     submitted, common = fingerprint(content), score_state()
-    tests = [nbgrader_metadata(c)["grade_id"] for c in sheet.released["cells"] if kind(c) == "test"]
+    cells = sheet.released.notebook["cells"]
+    tests = [nbgrader_metadata(c)["grade_id"] for c in cells if kind(c) == "test"]
     hidden = [sheet.sources[name][0] for name in tests if name in sheet.sources]
     ran = fingerprint(
         run_state(), sheet.course.secret, submitted, what_runs, hidden, sheet.values, sandbox
@@ -111,7 +120,7 @@ def _state(sheet, content, sandbox):
         "ran": ran,
         "built": fingerprint(ran, released, sheet.sources, _stamp(sheet)),
         "scored": {
-            i: _hash_of_texts(common, problem_state(i), t.text) for i, t in sheet.tasks.items()
+            i: _hash_of_texts(common, problem_state(i), t.as_json) for i, t in sheet.tasks.items()
         },
     }
 
@@ -120,18 +129,18 @@ _hash_of_texts = lru_cache(maxsize=10_000)(fingerprint)  # the same for all stud
 
 
 def _stamp(sheet):
-    """When the student's copy, which has the figures, was written last."""
+    """The time at which the student's copy, which has the figures, was last written."""
     path = personal_path(sheet.course, sheet.assignment, sheet.student, sheet.name)
     return path.stat().st_mtime_ns if path.exists() else 0
 
 
-def autograded_path(course, assignment, student, name):
+def autograded_path(course: Course, assignment: str, student: str, name: str) -> Path:
     """The path of the annotated notebook, nbgrader's own."""
     return course.path / "autograded" / student / assignment / f"{name}.ipynb"
 
 
-def _copy_beside(source, target):
-    """The small files that nbgrader wrote at submission, which it looks for in autograded/."""
+def _copy_nbgraders_files(source, target):
+    """Copy the small files that nbgrader wrote at submission and expects in autograded/."""
     for name in BESIDE:
         path = source / name
         if path.is_file() and not path.is_symlink() and path.stat().st_size < 10_000:

@@ -1,25 +1,37 @@
-"""COURSE/scores: of each submission what came out of the sandbox, and what was given for it. What
-was executed is kept, so that a corrected key grades again without running anything.
+"""COURSE/scores: the outcome of the run of each submission, and its grade. With the outcome kept, a
+corrected key grades again without running anything.
 """
 
 import hashlib
 import json
 import re
+from collections.abc import Collection, Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any, TypedDict
 
 from exercises.catalogue.model import place
 
 from ..course import write_json
+from ..sandbox import CAGED
 from ..scoring import Part, Score
 from ..submission import Graded
 
 VERSION = 3
+
+
+class Record(TypedDict):
+    """The file of a submission: for each notebook the outcome of its run, and its grade."""
+
+    version: int
+    notebooks: dict[str, dict[str, Any]]
+
+
 ROOT = Path(__file__).parents[2]
 _OF_A_PROBLEM = re.compile(r"p\d+\.(py|yaml)")
 
 
-def fingerprint(*contents):
+def fingerprint(*contents: Any) -> str:
     """A short hash of texts, bytes or JSON values, to detect changes."""
     digest = hashlib.sha256()
     for content in contents:
@@ -32,43 +44,39 @@ def fingerprint(*contents):
 
 
 @cache
-def run_state():
-    """What the outcome of a run depends on, besides the notebook: the engine, which students call,
-    and the cage.
-    """
+def run_state() -> str:
+    """A hash of the code on which the outcome of a run depends: the engine and the cage."""
     return _hash_of("newton_euler", "grader/sandbox", "grader/submission", "grader/assignment")
 
 
 @cache
-def score_state():
-    """What all scores depend on besides: the scoring, and what the exercises share."""
+def score_state() -> str:
+    """A hash of the code on which every score depends: the scoring, the shared exercises."""
     return _hash_of("exercises", "grader/scoring", but=_OF_A_PROBLEM)
 
 
 @cache
-def problem_state(problem_id):
-    """What the scores of one problem depend on besides: its two files."""
+def problem_state(problem_id: str) -> str:
+    """A hash of the two files of a problem, on which only its scores depend."""
     chapter, name = place(problem_id)
     files = [ROOT / "exercises" / chapter / f"{name}.{kind}" for kind in ("py", "yaml")]
     return fingerprint(*(f.read_bytes() for f in files))
 
 
 def _hash_of(*folders, but=None):
-    """A hash of the Python and YAML files in these folders of the checkout, except for those with
-    such names.
-    """
+    """A hash of the files in these folders of the checkout, but for those with such names."""
     files = [
         f
         for folder in folders
-        for kind in ("*.py", "*.yaml")
+        for kind in ("*.py", "*.yaml", "*.j2")
         for f in sorted((ROOT / folder).rglob(kind))
         if not (but and but.fullmatch(f.name))
     ]
     return fingerprint(*(part for f in files for part in (f.name, f.read_bytes())))
 
 
-def read_record(path):
-    """The record of a submission; one without notebooks if there is none that can be read."""
+def read_record(path: Path) -> Record:
+    """The record of a submission; an empty one if it is missing or unreadable."""
     try:
         record = json.loads(path.read_bytes())
         if record["version"] == VERSION and isinstance(record["notebooks"], dict):
@@ -78,7 +86,7 @@ def read_record(path):
     return {"version": VERSION, "notebooks": {}}
 
 
-def write_record(path, record):
+def write_record(path: Path, record: Record) -> None:
     """Write a record, with the scores of all notebooks together for those who read it."""
     notebooks = record["notebooks"].values()
     write_json(
@@ -86,17 +94,15 @@ def write_record(path, record):
         {
             **record,
             "scores": [s for n in notebooks for s in n["scores"]],
-            "sandbox": next(
-                (n["sandbox"] for n in notebooks if n["sandbox"] != "namespaces"), "namespaces"
-            ),
+            "sandbox": next((n["sandbox"] for n in notebooks if n["sandbox"] != CAGED), CAGED),
             "note": "; ".join(n["note"] for n in notebooks if n["note"]),
         },
         indent=None,
     )
 
 
-def graded_as_json(graded):
-    """A :class:`~grader.submission.pipeline.Graded` as a dict for JSON."""
+def graded_as_json(graded: Graded) -> dict[str, Any]:
+    """A grade as a dict for JSON."""
     return {
         "scores": [s.as_dict() for s in graded.scores.values()],
         "points": graded.points,
@@ -106,14 +112,14 @@ def graded_as_json(graded):
     }
 
 
-def graded_from_json(entry):
-    """The :class:`~grader.submission.pipeline.Graded` of a record's entry."""
+def graded_from_json(entry: Mapping[str, Any]) -> Graded:
+    """The grade in an entry of a record."""
     scores = {s["problem"]: _score(s) for s in entry["scores"]}
     return Graded(scores, entry["points"], entry["comments"], entry["note"], entry["sandbox"])
 
 
-def scores_of(entry, wanted):
-    """{problem id: :class:`~grader.scoring.Score`} of a record's entry, of these problems only."""
+def scores_of(entry: Mapping[str, Any], wanted: Collection[str]) -> dict[str, Score]:
+    """The scores in an entry of a record, of the ``wanted`` problems only."""
     return {s["problem"]: _score(s) for s in entry["scores"] if s["problem"] in wanted}
 
 

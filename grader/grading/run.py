@@ -1,30 +1,29 @@
-"""Grades all submissions of an assignment: on several workers, only what changed, in one
-transaction of the gradebook.
-"""
+"""Grades all submissions of an assignment: only what changed, in one transaction."""
 
 import contextlib
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
-from ..assignment.released import released_notebooks
-from ..course import CourseError
+from ..assignment.released import released
+from ..course import Course, CourseError
 from ..sandbox import Harvester
 from .cluster import cluster
 from .gradebook import Total, instructors_cells, save
 from .lock import alone
-from .student import Run
+from .student import Result, Run
 
 
 def grade(
-    course,
-    assignment,
-    students=None,
-    force=False,
-    workers=None,
-    sandbox=True,
-    progress=None,
-    scheduler=None,
-    said=None,
-):
+    course: Course,
+    assignment: str,
+    students: Iterable[str] | None = None,
+    force: bool = False,
+    workers: int | None = None,
+    sandbox: bool = True,
+    progress: Callable[[Result], object] | None = None,
+    scheduler: str | None = None,
+    report: Callable[[str], object] | None = None,
+) -> list[Result]:
     """Grade the submissions of an assignment and write gradebook and annotated notebooks; returns a
     list of :class:`Result`.
 
@@ -33,10 +32,10 @@ def grade(
     workers : number of processes; default: one per processor. sandbox : False runs student code
         without isolation. progress : called with each Result.
     scheduler : the address of a Dask cluster, in place of workers here (see
-        :mod:`grader.grading.cluster`). said : called with a line about each of its workers.
+        :mod:`grader.grading.cluster`). report : called with a line about each of its workers.
 
-    A submission that cannot be graded is reported in its Result; other submissions, and an earlier
-    grade of its own, stay as they are.
+    A submission that cannot be graded is reported in its Result; its earlier grade, and all other
+    submissions, are unaffected.
     """
     submitted = course.submissions(assignment)
     missing = [s for s in students or () if s not in submitted]
@@ -46,19 +45,19 @@ def grade(
             f"{', '.join(submitted) or 'none'} in {course.path / 'submitted'}"
         )
     # these raise CourseError early if nothing is released, or the secret is missing
-    names = list(released_notebooks(course, assignment))
+    names = list(released(course, assignment))
     course.secret  # noqa: B018
     wanted = [s for s in submitted if not students or s in students]
     with alone(course), contextlib.ExitStack() as stack:
         harvester = None if scheduler else stack.push(Harvester(workers, sandbox))
         new = force or not all(course.record_path(assignment, s).exists() for s in wanted)
         if new and harvester:
-            harvester.__enter__()  # its imports run beside those of the gradebook
+            harvester.__enter__()  # its imports run in parallel to those of the gradebook
         book = stack.enter_context(course.gradebook())
         sources, roster = _assignment(book, assignment), {s.id for s in book.students}
         run = Run(course, assignment, force, names, sources, roster)
         if scheduler:
-            grade_all = stack.enter_context(cluster(scheduler, course, run, sandbox, said))
+            grade_all = stack.enter_context(cluster(scheduler, course, run, sandbox, report))
             graded = grade_all(wanted, progress)
         else:
             graded = _on_threads(run, harvester, wanted, progress)
@@ -71,9 +70,7 @@ def grade(
 
 
 def _on_threads(run, harvester, students, progress):
-    """{student: (:class:`Result`, what to write)}; while the workers run code, another submission
-    is prepared or scored.
-    """
+    """{student: (result, what to write)}; others are prepared or scored while workers run code."""
     found = {}
     with ThreadPoolExecutor(harvester.count + 1) as pool:
         started = {pool.submit(run.grade, s, harvester): s for s in students}
@@ -84,7 +81,7 @@ def _on_threads(run, harvester, students, progress):
                 if progress:
                     progress(found[student][0])
         finally:
-            pool.shutdown(cancel_futures=True)  # an interrupt does not wait for the class
+            pool.shutdown(cancel_futures=True)  # an interrupt does not wait for the others
     return found
 
 

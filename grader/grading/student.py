@@ -3,8 +3,10 @@
 import os
 from dataclasses import dataclass, field
 
-from ..course import CourseError
-from ..sandbox import HarvestError
+from ..assignment.cells import Sources
+from ..course import Course, CourseError
+from ..sandbox import CAGED, Harvester, HarvestError
+from ..scoring import Score
 from ..submission import UnreadableError, read_timestamp
 from .gradebook import Entry
 from .one import grade_one
@@ -14,7 +16,6 @@ from .one import grade_one
 class Result:
     """The result of one submission, or in ``problem`` the reason why it was not graded.
 
-    scores : {problem id: :class:`~grader.scoring.Score`}
     points, out_of, extra, penalty : as the gradebook has them: automatic or given by hand, with
         extra credit, less the penalty for lateness
     waiting : number of cells that wait for a person
@@ -22,18 +23,18 @@ class Result:
     """
 
     student: str
-    scores: dict = field(default_factory=dict)
+    scores: dict[str, Score] = field(default_factory=dict)
     points: float = 0.0
     out_of: float = 0.0
     extra: float = 0.0
     penalty: float = 0.0
     waiting: int = 0
-    sandbox: str = "namespaces"
+    sandbox: str = CAGED
     note: str = ""
     problem: str = ""
     unchanged: bool = False
 
-    def diagnoses(self):
+    def diagnoses(self) -> list[tuple[str, str, str]]:
         """The explained wrong answers: [(problem id, key, sentence)]."""
         return [
             (i, p.key, p.diagnosis) for i, s in self.scores.items() for p in s.parts if p.diagnosis
@@ -42,17 +43,17 @@ class Result:
 
 @dataclass(frozen=True)
 class Run:
-    """What is common to all submissions of one run."""
+    """The data common to all submissions of one run; ``roster`` is None where it was checked."""
 
-    course: object
+    course: Course
     assignment: str
     force: bool
-    names: list
-    sources: dict
-    roster: set
+    names: list[str]
+    sources: dict[str, Sources]
+    roster: set[str] | None
 
-    def grade(self, student, harvester):
-        """(the :class:`Result` of one submission, what to write or None); never raises."""
+    def grade(self, student: str, harvester: Harvester) -> tuple[Result, Entry | None]:
+        """(result of one submission, what to write into the gradebook); never raises."""
         if self.roster is not None and student not in self.roster:
             return self.not_on_roster(student)
         try:
@@ -69,15 +70,15 @@ class Run:
         return Result(student, problem=why), None
 
     @staticmethod
-    def not_on_roster(student):
-        """What :meth:`grade` returns for somebody unknown."""
+    def not_on_roster(student: str) -> tuple[Result, None]:
+        """The return value of :meth:`grade` for an unknown student."""
         why = (
             "is not on the roster; check the folder's name, or add the student with: nbgrader "
             f"db student add {student}"
         )
         return Result(student, problem=why), None
 
-    def _grade(self, student, harvester):
+    def _grade(self, student: str, harvester: Harvester) -> tuple[Result, Entry]:
         folder = self.course.path / "submitted" / student / self.assignment
         there = [n for n in self.names if os.path.lexists(folder / f"{n}.ipynb")]
         if not there:
@@ -96,7 +97,7 @@ class Run:
         result = Result(
             student,
             {i: s for g in graded.values() for i, s in g.scores.items()},
-            sandbox=min((g.sandbox for g in graded.values()), key=lambda s: s == "namespaces"),
+            sandbox=min((g.sandbox for g in graded.values()), key=lambda s: s == CAGED),
             note="; ".join(n for n in notes if n),
             unchanged=all(o.reused for o in outcomes.values()),
         )

@@ -1,6 +1,7 @@
-"""What nbgrader runs in place of its own: ``config.configure`` names the classes of
-``preprocessors``, ``release`` and ``assignment.fetch``.
+"""Replaces steps of nbgrader: ``config.configure`` names the classes of ``preprocessors``,
+``release``, ``collect`` … that it runs instead of its own; ``patches`` replaces what cannot be
+configured.
 
-The modules are not imported here: nbgrader reads ``config`` at every command, and only some of them
-need the others.
+The modules are not imported here: nbgrader reads ``config`` at every command, and few commands need
+the others.
 """

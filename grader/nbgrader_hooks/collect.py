@@ -1,10 +1,9 @@
-"""Replaces nbgrader's collect: copies only the regular files of each submission, and no student's
-files stop it for the others.
-"""
+"""Replaces nbgrader's collect: only regular files, and no student stops it for the others."""
 
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from nbgrader.exchange.default import ExchangeCollect
 from nbgrader.utils import find_owner
@@ -16,22 +15,24 @@ KILOBYTE = 1000  # the unit of nbgrader's limits
 
 
 class CollectRegularFiles(ExchangeCollect):
-    """Collects what was handed in, without links, pipes and devices, and within nbgrader's limits
+    """Collects submissions without links, pipes and devices, and within nbgrader's limits
     ``CourseDirectory.max_file_size`` and ``max_dir_size``.
     """
 
-    def _path_to_record(self, path):
-        # students name these folders; nbgrader stops for all at a name that is not its own
+    def _path_to_record(self, path: str) -> dict[str, Any]:
+        # students name these folders; nbgrader stops for all students at a name it does not expect
         try:
             record = super()._path_to_record(path)
-            check_id(record["username"])  # ".." is none, nor are codes that a terminal obeys
+            check_id(record["username"])  # neither ".." nor control characters
             if isinstance(record["timestamp"], datetime) and self._is_own(record["username"], path):
                 return record
         except Exception:
             self.log.warning("Not a submission, left where it is: %r", path)
         return {"username": "", "filename": "", "timestamp": datetime.min}
 
-    def copy_files(self):
+    src_records: list[dict[str, Any]]  # set by nbgrader
+
+    def copy_files(self) -> None:
         self.src_records = [r for r in self.src_records if r["username"]]
         super().copy_files()
 
@@ -39,9 +40,9 @@ class CollectRegularFiles(ExchangeCollect):
     def _roster(self):
         return set(Course(self.coursedir.root).roster())
 
-    def _is_own(self, student, path):
-        """False if the submission says it is by one student and belongs to another of the roster:
-        with such a one a student could replace a neighbour's work.
+    def _is_own(self, student: str, path: str) -> bool:
+        """False if the submission claims to be by one student and belongs to another on the roster,
+        who could replace a neighbour's work with it.
         """
         try:
             owner = find_owner(path)
@@ -52,7 +53,7 @@ class CollectRegularFiles(ExchangeCollect):
         self.log.error("%r says it is by %s but belongs to %s", path, student, owner)
         return False
 
-    def do_copy(self, src, dest, log=None):
+    def do_copy(self, src: str, dest: str, log: Any = None) -> None:
         try:
             left_out = copy_regular(
                 src,

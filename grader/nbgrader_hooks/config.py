@@ -1,29 +1,26 @@
-"""nbgrader's configuration for a course: replaces three of its steps, the exchange's fetch,
-collect and release, and the feedback page.
-"""
+"""nbgrader's configuration for a course: the steps and pages that the hooks replace."""
 
 import json
 import warnings
 from pathlib import Path
 
 import nbgrader
+from traitlets.config import Config
 
-# the names that each course's nbgrader_config.json holds, too
+# the names that are in each course's nbgrader_config.json, too
 PINNED = Path(__file__).parents[1] / "course" / "templates" / "nbgrader_config.json"
 STUB = {"python": ""}
 PREPROCESSORS = "grader.nbgrader_hooks.preprocessors"
 
 
-def configure(c, course):
-    """Set nbgrader's configuration object ``c`` for the course whose ``nbgrader_config.py`` has the
-    path ``course``.
-    """
-    # nbgrader 0.9 on SQLAlchemy 2.1: three warnings without effect
+def configure(c: Config, course: str) -> None:
+    """Set nbgrader's configuration ``c`` for the course with this ``nbgrader_config.py``."""
+    # nbgrader 0.9 on SQLAlchemy 2.1 gives three warnings without consequence
     warnings.filterwarnings("ignore", module="sqlalchemy")
     root = Path(course).resolve().parent
     c.CourseDirectory.root = str(root)
     c.CourseDirectory.db_url = f"sqlite:///{root / 'gradebook.db'}"
-    if (root / "course.json").exists():  # in an earlier version the id stood in the configuration
+    if (root / "course.json").exists():  # earlier versions wrote the id into the configuration
         c.CourseDirectory.course_id = json.loads((root / "course.json").read_text())["id"]
 
     c.ClearSolutions.code_stub = STUB
@@ -35,7 +32,7 @@ def configure(c, course):
     c.Autograde.create_student = False  # a folder of an unknown student is reported, not graded
     c.Autograde.sanitize_preprocessors = [f"{PREPROCESSORS}.RebuildFromSource"]
     c.Autograde.autograde_preprocessors = [f"{PREPROCESSORS}.HarvestExecute"]
-    # always: it follows what changed, and completes what a killed run left; what was run is kept
+    # always: so that it follows every change and completes a killed run; finished runs are kept
     c.Autograde.force = True
     for name in (
         "RebuildFromSource", "HarvestExecute", "GradesAndFigures", "SubmissionReader",
@@ -43,11 +40,11 @@ def configure(c, course):
     ):  # fmt: skip
         c[name].course_path = str(root)
 
-    # grading by hand shows "Submission #1": the student's name in the introduction stays out
+    # grading by hand is anonymous ("Submission #1"): the introduction must not name the student
     c.HTMLExporter.preprocessors = ["grader.nbgrader_hooks.grading_page.WithoutName"]
     c.HTMLExporter.filters = {"markdown2html": "grader.nbgrader_hooks.grading_page.markdown2html"}
-    # the feedback page has the name of nbgrader's own, which the formgrader asks for; the
-    # formgrader's other templates stay reachable
+    # our feedback template has the name of nbgrader's, which the formgrader requests; its other
+    # templates stay reachable
     c.HTMLExporter.extra_template_basedirs = [
         str(Path(__file__).with_name("templates")),
         str(Path(nbgrader.__file__).parent / "server_extensions/formgrader/templates"),

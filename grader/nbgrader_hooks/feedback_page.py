@@ -1,20 +1,22 @@
-"""What the feedback page shows: a section for each problem of ours and for each question of the
-instructor's own, with plain texts or sanitized HTML.
-
-The template lays it out; nothing that a student wrote reaches the page as HTML.
+"""The content of the feedback page: a section for each problem and for each question of the
+instructor's own. The template lays it out; nothing of a student reaches it as HTML.
 """
 
 import re
+from dataclasses import dataclass, field
+from typing import Any
 
 import bleach
+from nbformat import NotebookNode
 from nbgrader import utils
 from nbgrader.preprocessors import NbGraderPreprocessor
 
 from exercises.catalogue import CatalogueError
 from exercises.catalogue import problem as find_problem
 
-from ..assignment.notebook import own_metadata
+from ..assignment.cells import own_metadata
 from .grading_page import LONGEST, html_with_mathml, student_html
+from .shared import Processed
 
 TAGS = {
     "a", "b", "blockquote", "br", "code", "dd", "div", "dl", "dt", "em", "h3", "h4", "h5", "h6",
@@ -23,97 +25,101 @@ TAGS = {
 }  # fmt: skip
 ATTRIBUTES = {"a": ["href", "title"], "th": ["scope"]}
 
-# a link to a chapter leads to a notebook beside the student's own, which the page is not
-_BESIDE = re.compile(r'<a href="(?!#|https?:)[^"]*">(.*?)</a>')
+# a link to a chapter leads to a notebook in the student's folder, where the page is not
+_LINK_BESIDE = re.compile(r'<a href="(?!#|https?:)[^"]*">(.*?)</a>')
 
 
-def sanitized(markdown):
-    """Markdown of a student or a grader as HTML, without anything that runs or is fetched."""
+def sanitized(markdown: str | None) -> str:
+    """Markdown of a student or a grader as HTML without scripts and external resources."""
     page = student_html(markdown or "")
-    # what is long is text without any HTML, and bleach would take minutes for it
+    # a long text has no HTML after student_html, and bleach would take minutes for it
     long = len(markdown or "") > LONGEST
     return page if long else bleach.clean(page, TAGS, ATTRIBUTES, strip=True)
 
 
-class Sections(NbGraderPreprocessor):
-    """Gathers the sections of the page in ``resources["newton_euler"]``; runs after the grades are
-    in the cells.
-    """
+@dataclass
+class Section:
+    """A problem or a question of the instructor; HTML, but for the code in numbers and answer."""
 
-    def preprocess(self, notebook, resources):
-        problems, questions = {}, []
+    id: str
+    name: str
+    title: str
+    where: str = ""  # the section of the book
+    statement: str = ""
+    numbers: str = ""
+    answer: str | None = None
+    text: str | None = None  # an answer in words
+    outputs: list[str] = field(default_factory=list)
+    comments: list[str] = field(default_factory=list)
+    score: float | None = None
+    points: float | None = None
+    solution: str = ""
+
+
+class Sections(NbGraderPreprocessor):
+    """Gathers the sections in ``resources["newton_euler"]``, once the grades are in the cells."""
+
+    def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
+        sections: dict[tuple[str, str], Section] = {}  # in the order of the notebook
         for cell in notebook.cells:
             own = own_metadata(cell)
             if number := own.get("problem"):
-                section = problems.setdefault(number, _section(number))
+                section = sections.setdefault(("problem", number), _of_problem(number))
                 _add_cell(section, own.get("role"), cell)
-                if section not in questions:
-                    questions.append(section)
-            elif _is_graded(cell):
-                questions.append(_question(cell))
+            elif utils.is_grade(cell) or utils.is_solution(cell) or utils.is_task(cell):
+                section = _of_question(cell)
+                sections["question", section.name] = section
         first = notebook.cells[0].source if notebook.cells else ""
         resources["newton_euler"] = {
-            "sections": questions,
+            "sections": list(sections.values()),
             "note": first.partition("\n")[0][2:] if first.startswith("> ") else "",
         }
         return notebook, resources
 
 
-def _is_graded(cell):
-    return utils.is_grade(cell) or utils.is_solution(cell) or utils.is_task(cell)
-
-
-def _section(number):
+def _of_problem(number: str) -> Section:
     """An empty section; the book's section is named where the catalogue still has the problem."""
     try:
         where = find_problem(number).section
     except CatalogueError:
         where = ""
-    return {
-        "id": "problem-" + number.replace("/", "-"), "name": number, "title": number,
-        "where": where, "statement": "", "numbers": "", "answer": None, "outputs": [],
-        "comments": [], "score": None, "points": None, "text": None,
-    }  # fmt: skip
+    return Section("problem-" + number.replace("/", "-"), number, number, where)
 
 
-def _add_cell(section, role, cell):
+def _add_cell(section: Section, role: str | None, cell: NotebookNode) -> None:
     """Put a cell of ours into the section of its problem."""
     if role == "statement":
         title, _, text = cell.source.partition("\n")
+        section.title = title.removeprefix("## ")
         # the catalogue's text and figure, rebuilt by the grader: not the student's
-        html = _BESIDE.sub(r"\1", html_with_mathml(text))
-        section.update(title=title.removeprefix("## "), statement=html)
+        section.statement = _LINK_BESIDE.sub(r"\1", html_with_mathml(text))
     elif role == "givens":
-        section["numbers"] = cell.source
+        section.numbers = cell.source
     elif role == "answer":
-        section["answer"] = cell.source
+        section.answer = cell.source
         _add_grade(section, cell)
     elif role == "receipt":
         # from our own annotation, in which everything is escaped
-        section["outputs"] += [
+        section.outputs += [
             o.data["text/html"] for o in cell.outputs if "text/html" in o.get("data", {})
         ]
 
 
-def _question(cell):
-    """The section of a graded cell of the instructor's own: the student's text, never the text of a
-    test.
-    """
-    grade_id = cell.metadata.nbgrader.grade_id
-    section = _section(grade_id) | {
-        "id": f"question-{grade_id}", "title": grade_id.replace("-", " ").replace("_", " "),
-    }  # fmt: skip
+def _of_question(cell: NotebookNode) -> Section:
+    """The section of a question: the student's text, never the text of a test."""
+    name = cell.metadata.nbgrader.grade_id
+    section = Section(f"question-{name}", name, re.sub("[-_]", " ", name))
     if utils.is_solution(cell) or utils.is_task(cell):
         if cell.cell_type == "markdown":
-            section["text"] = sanitized(cell.source)
+            section.text = sanitized(cell.source)
         else:
-            section["answer"] = cell.source
+            section.answer = cell.source
     _add_grade(section, cell)
     return section
 
 
-def _add_grade(section, cell):
+def _add_grade(section: Section, cell: NotebookNode) -> None:
     grade = cell.metadata.nbgrader
-    section.update(score=grade.get("score"), points=grade.get("points"))
-    said = grade.get("manual_comment")
-    section["comments"] += [sanitized(said)] if said else []
+    section.score, section.points = grade.get("score"), grade.get("points")
+    if comment := grade.get("manual_comment"):
+        section.comments.append(sanitized(comment))

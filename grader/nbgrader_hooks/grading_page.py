@@ -1,24 +1,29 @@
 """The page of nbgrader's formgrader on which a person grades: without the student's name, and
-without anything that a student wrote and that would run in the grader's browser.
+without code of a student that would run in the grader's browser.
 """
 
 import html
 import re
+from typing import Any
 
 from jinja2 import pass_context
+from jinja2.runtime import Context
 from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from nbconvert.preprocessors import Preprocessor
+from nbformat import NotebookNode
 
-from ..assignment.sheet import kind, own_metadata
+from ..assignment.cells import kind, own_metadata
 from ..submission.mathml import mathml
+from .shared import Processed
 
+Attachments = dict[str, dict[str, str]]  # of a cell: {name: {MIME type: data}}
 WHOSE = re.compile(r"The copy of \*\*.*?\*\*\.")
 BY_STUDENTS = ("own", "hand", "plain")  # kinds of cells whose text is the student's
 PICTURES = ("image/png", "image/jpeg", "image/gif")
 MOST_PICTURES = 2**26  # characters of all pictures in one text
-# the time of the Markdown library grows with the square of some texts: 1 MB would take hours
+# the time of the Markdown library can grow quadratically: 1 MB would take hours
 LONGEST = 20_000  # characters that are read as Markdown; an essay of 3000 words
-# commands of MathJax that make links, or set attributes of elements
+# matches commands of MathJax that make links or set attributes of elements
 COMMANDS = re.compile(
     r"(?:\\|&#92;|&#x5c;|&bsol;)(?=(?:href|require|class|cssId|style|data)\b)", re.IGNORECASE
 )
@@ -27,14 +32,16 @@ COMMANDS = re.compile(
 class WithoutName(Preprocessor):
     """Removes the student's name from the introduction of a notebook."""
 
-    def preprocess_cell(self, cell, resources, index):
+    def preprocess_cell(
+        self, cell: NotebookNode, resources: dict[str, Any], index: int
+    ) -> Processed:
         if own_metadata(cell).get("role") == "introduction":
             cell.source = WHOSE.sub("", cell.source)
         return cell, resources
 
 
 @pass_context
-def markdown2html(context, source):
+def markdown2html(context: Context, source: str) -> str:
     """In place of nbconvert's filter, which lets scripts through: a student's text has none."""
     cell = context.get("cell", {})
     attachments = cell.get("attachments", {})
@@ -43,9 +50,9 @@ def markdown2html(context, source):
     return html_with_mathml(source, attachments)
 
 
-def html_with_mathml(text, attachments=None):
-    """Markdown of the course as HTML, its formulas in MathML: the formgrader has no MathJax where
-    there is no network, and the feedback page runs no scripts.
+def html_with_mathml(text: str, attachments: Attachments | None = None) -> str:
+    """Markdown of the course as HTML with formulas in MathML: the formgrader has no MathJax without
+    a network, and the feedback page runs no scripts.
     """
     renderer = _Renderer(escape=False, attachments=attachments or {})
     return MarkdownWithMath(renderer=renderer).render(text)
@@ -59,9 +66,9 @@ class _Renderer(IPythonRenderer):
         return mathml(body, "block")
 
 
-def student_html(text, attachments=None):
-    """Markdown of a student as HTML: its own HTML is shown as text, links do not run, and of
-    pictures only those are shown that came with it. A long text is shown as it was written.
+def student_html(text: str, attachments: Attachments | None = None) -> str:
+    """Markdown of a student as HTML: HTML in it is shown as text, links run no scripts, and only
+    pictures that are attached are shown. A long text is shown verbatim.
     """
     if len(text) > LONGEST:
         page = f"<pre>{html.escape(text)}</pre>"
@@ -72,7 +79,7 @@ def student_html(text, attachments=None):
 
 class _StudentRenderer(IPythonRenderer):
     def __init__(self, attachments):
-        # no anchors: an id could be that of a field of the page
+        # no anchors: their ids could clash with those of the page's fields
         super().__init__(
             escape=True,
             allow_harmful_protocols=False,
@@ -85,7 +92,7 @@ class _StudentRenderer(IPythonRenderer):
         kinds = self.attachments.get(url.removeprefix("attachment:"), {})
         found = next(((k, kinds[k]) for k in PICTURES if k in kinds), None)
         alt = self.escape_html(text)
-        # one picture may be meant many times: a small file would become a huge page
+        # one picture may be referenced many times: a small file would become a huge page
         if found is None or not url.startswith("attachment:") or len(found[1]) > self._left:
             return f"<em>[{alt}]</em>"
         self._left -= len(found[1])

@@ -3,40 +3,33 @@ write the gradebook, prepare the feedback page.
 """
 
 import atexit
+from typing import Any
 
+from nbformat import NotebookNode
 from nbgrader.api import Gradebook
 from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor
-from traitlets import Unicode
 
-from ..assignment.released import released_notebooks
-from ..assignment.sheet import kind, nbgrader_metadata
+from ..assignment.cells import kind, nbgrader_metadata
+from ..assignment.released import released
 from ..course import Course
 from ..grading.gradebook import Entry, instructors_cells, save
 from ..grading.lock import alone
-from ..grading.one import autograded_path, grade_one
+from ..grading.one import Outcome, autograded_path, grade_one
 from ..sandbox import Harvester
 from ..submission import read_timestamp
-from .guards import WRITTEN
+from .shared import WRITTEN, Processed, course_path
 
-_graded: dict = {}  # what the first step found out, for the second
+_graded: dict[tuple[str, ...], Outcome] = {}  # passed from the first step to the second
 _harvester = None
 
 
-def shared_harvester():
-    """The harvester of this process, started at the first call; nbgrader makes new preprocessors
-    for every notebook.
-    """
+def shared_harvester() -> Harvester:
+    """The harvester of this process: nbgrader makes new preprocessors for every notebook."""
     global _harvester
     if _harvester is None:
         _harvester = Harvester(1).__enter__()
         atexit.register(_harvester.__exit__)
     return _harvester
-
-
-def _course_path():
-    return Unicode("", help="The course folder; set by grader.nbgrader_config.configure").tag(
-        config=True
-    )
 
 
 def _key(resources):
@@ -45,9 +38,7 @@ def _key(resources):
 
 
 def _with_written(resources, course_path):
-    """The resources with the path of the annotated notebook, which ``SubmissionReader`` hands on as
-    it was written.
-    """
+    """The resources with the path of the annotated notebook, for ``SubmissionReader``."""
     names = resources["nbgrader"]
     path = autograded_path(
         Course(course_path), names["assignment"], names["student"], names["notebook"]
@@ -56,13 +47,13 @@ def _with_written(resources, course_path):
 
 
 class RebuildFromSource(NbGraderPreprocessor):
-    """The only one of ``Autograde.sanitize_preprocessors``: what is graded is the trusted notebook
-    with the student's work in it, not what was handed in.
+    """The only one of ``Autograde.sanitize_preprocessors``: grades the trusted notebook with the
+    student's work in it, not the submitted one.
     """
 
-    course_path = _course_path()
+    course_path = course_path()
 
-    def preprocess(self, notebook, resources):
+    def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
         names, course = resources["nbgrader"], Course(self.course_path)
         assignment, student, name = names["assignment"], names["student"], names["notebook"]
         with Gradebook(names["db_url"]) as book:
@@ -75,13 +66,11 @@ class RebuildFromSource(NbGraderPreprocessor):
 
 
 class HarvestExecute(NbGraderPreprocessor):
-    """Replaces ``Execute`` and what follows it: points, comments and the penalty for lateness go
-    into the gradebook at once.
-    """
+    """Replaces ``Execute`` and what follows it: writes the gradebook, penalties included."""
 
-    course_path = _course_path()
+    course_path = course_path()
 
-    def preprocess(self, notebook, resources):
+    def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
         names, outcome = resources["nbgrader"], _graded.pop(_key(resources))
         course, student, name = Course(self.course_path), names["student"], names["notebook"]
         time = read_timestamp(course.path / "submitted" / student / names["assignment"])
@@ -98,14 +87,14 @@ class GradesAndFigures(GetGrades):
     figure into its text, and takes the instructor's hidden tests out.
     """
 
-    course_path = _course_path()
+    course_path = course_path()
 
-    def preprocess(self, notebook, resources):
+    def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
         names = resources["nbgrader"]
-        notebooks = released_notebooks(Course(self.course_path), names["assignment"])
+        notebooks = released(Course(self.course_path), names["assignment"])
         self._seen = {
             nbgrader_metadata(c).get("grade_id"): c["source"]
-            for c in notebooks[names["notebook"]]["cells"]
+            for c in notebooks[names["notebook"]].notebook["cells"]
             if kind(c) in ("test", "task", "locked")
         }
         return super().preprocess(notebook, resources)
@@ -120,12 +109,14 @@ class GradesAndFigures(GetGrades):
         )
         cell.metadata.nbgrader["manual_comment"] = comment.manual_comment
 
-    def preprocess_cell(self, cell, resources, index):
+    def preprocess_cell(
+        self, cell: NotebookNode, resources: dict[str, Any], index: int
+    ) -> Processed:
         seen = self._seen.get(nbgrader_metadata(cell).get("grade_id"))
         if seen is not None:
             cell.source = seen
         pictures = cell.pop("attachments", {})
-        # the figure of a problem; what students attach is not shown, and could fill the memory
+        # only the figure of a problem: students' attachments are not shown, and could fill memory
         for name, kinds in pictures.items() if kind(cell) == "statement" else ():
             for mime, data in kinds.items():
                 cell.source = cell.source.replace(

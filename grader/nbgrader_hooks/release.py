@@ -1,5 +1,5 @@
-"""Replaces nbgrader's releases: the personal copies are made with an assignment, and of the
-feedback only our own pages are published.
+"""Replaces nbgrader's releases: that of an assignment makes the personal copies, that of feedback
+publishes our own pages only.
 """
 
 import contextlib
@@ -16,8 +16,8 @@ from ..course.files import NotTaken, read_regular
 MAX_PAGE = 256 * 2**20
 
 
-def _submission_secret(*folders):
-    """What names a student's page in the exchange; the student's nbgrader made it at submit."""
+def _submission_secret(*folders: Path) -> str | None:
+    """The secret that names a student's page in the exchange; their nbgrader made it at submit."""
     for folder in folders:
         with contextlib.suppress(NotTaken, UnicodeDecodeError):
             return read_regular(folder / "submission_secret.txt", 1000).decode()
@@ -27,7 +27,7 @@ def _submission_secret(*folders):
 class ReleaseWithPersonal(ExchangeReleaseAssignment):
     """Releases the assignment, then makes each student's own copy and puts it into the exchange."""
 
-    def copy_files(self):
+    def copy_files(self) -> None:
         super().copy_files()
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
         students = course.roster()
@@ -44,15 +44,16 @@ class ReleaseWithPersonal(ExchangeReleaseAssignment):
 
 
 class ReleaseOwnPages(ExchangeReleaseFeedback):
-    """Publishes the feedback pages of the assignment's notebooks, for each student who handed in
-    through the exchange; nothing else that lies in the folder.
+    """Publishes the feedback pages of the assignment's notebooks, for each student who submitted
+    through the exchange; other files in the folder are left out.
     """
 
-    def copy_files(self):
+    def copy_files(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
         notebooks = [p.stem for p in course.released_path(assignment).parent.glob("*.ipynb")]
         excluded = set(filter(None, self.coursedir.student_id_exclude.split(",")))
-        for folder in sorted(Path(course.path).glob(f"feedback/{self._students()}/{assignment}")):
+        students = self.coursedir.student_id or "*"
+        for folder in sorted(course.path.glob(f"feedback/{students}/{assignment}")):
             student = folder.parent.name
             if student in excluded:
                 continue
@@ -67,9 +68,6 @@ class ReleaseOwnPages(ExchangeReleaseFeedback):
                 self._publish(
                     student, folder / f"{name}.html", notebook_hash(secret=secret, notebook_id=name)
                 )
-
-    def _students(self):
-        return self.coursedir.student_id or "*"
 
     def _publish(self, student, page, key):
         try:

@@ -1,21 +1,21 @@
-"""Worked solutions on the feedback page, once nobody can use them any more."""
+"""Worked solutions on the feedback page, once nobody can hand them in any more."""
 
 from datetime import UTC, datetime, timedelta
+from typing import Any
 
+from nbformat import NotebookNode
 from nbgrader.preprocessors import NbGraderPreprocessor
-from traitlets import Enum, Unicode
+from traitlets import Enum
 
-from ..assignment.released import released_notebooks, sheet_numbers
-from ..assignment.sheet import tasks
+from ..assignment.released import released, sheet_numbers
 from ..assignment.solution import worked_solution
 from ..course import Course
 from .grading_page import html_with_mathml
+from .shared import Processed, course_path
 
 
 class WorkedSolutions(NbGraderPreprocessor):
-    """Adds the worked solution of each problem, in the student's own numbers, to the sections of
-    the feedback page.
-    """
+    """Adds worked solutions, in the student's own numbers, to the sections of the page."""
 
     solutions = Enum(
         ["never", "after the due date", "always"],
@@ -23,32 +23,26 @@ class WorkedSolutions(NbGraderPreprocessor):
         help="Whether the feedback page shows worked solutions: they hold the answers. The due "
         "date is the latest of all students, with their extensions.",
     ).tag(config=True)
-    course_path = Unicode(
-        "", help="The course folder; set by grader.nbgrader_config.configure"
-    ).tag(config=True)
+    course_path = course_path()
 
-    def preprocess(self, notebook, resources):
+    def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
         names, course = resources["nbgrader"], Course(self.course_path)
         if self.solutions == "never" or not (
             self.solutions == "always" or is_over(course, names["assignment"])
         ):
             return notebook, resources
-        released = released_notebooks(course, names["assignment"])[names["notebook"]]
         values = sheet_numbers(course, names["assignment"], names["student"])
-        shown = {
-            number: worked_solution(
-                task.exercise, {**values[number], **task.exercise.sympy_symbols()}, text=False
-            )
-            for number, task in tasks(released).items()
-        }
+        asked = released(course, names["assignment"])[names["notebook"]].tasks
         for section in resources["newton_euler"]["sections"]:
-            if section["name"] in shown:
-                section["solution"] = html_with_mathml(shown[section["name"]])
+            if section.name in asked:
+                p = asked[section.name].exercise
+                known = {**values[p.id], **p.sympy_symbols()}
+                section.solution = html_with_mathml(worked_solution(p, known, text=False))
         return notebook, resources
 
 
-def is_over(course, assignment, now=None):
-    """True if an assignment has a due date, and it is over for everybody, also with extensions."""
+def is_over(course: Course, assignment: str, now: datetime | None = None) -> bool:
+    """True if an assignment has a due date that has passed for everybody, extensions included."""
     with course.gradebook() as book:
         master = book.find_assignment(assignment)
         if master.duedate is None:

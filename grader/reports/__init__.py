@@ -1,4 +1,4 @@
-"""Answers of problems and results of grading as text, JSON, tables, pictures and CSV.
+"""Answers to problems and results of grading as text, JSON, tables, pictures and CSV.
 
 answers      the answers of problems
 tables       the results of a run of the grader, for the terminal
@@ -8,36 +8,8 @@ export       CSV of every part, and the files that learning platforms import
 diagnoses    how often the mistakes of the exercises are recognised
 """
 
-from .answers import (
-    answers_json,
-    answers_text,
-    given_values,
-    nested,
-    solve_problem,
-    terms_text,
-)
+from .answers import answers_json, answers_text, given_values, nested, solve_problem, terms_text
 from .diagnoses import diagnosis_shares, shares_table
 from .export import FORMATS, export
 from .statistics import part_statistics, statistics_csv, statistics_figure, statistics_table
 from .tables import diagnosis_table, gradebook_table, shown, taken_in_table
-
-__all__ = [
-    "FORMATS",
-    "answers_json",
-    "answers_text",
-    "diagnosis_shares",
-    "diagnosis_table",
-    "export",
-    "given_values",
-    "gradebook_table",
-    "nested",
-    "part_statistics",
-    "shares_table",
-    "shown",
-    "solve_problem",
-    "statistics_csv",
-    "statistics_figure",
-    "statistics_table",
-    "taken_in_table",
-    "terms_text",
-]

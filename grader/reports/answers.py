@@ -1,29 +1,31 @@
 """Answers of problems as text and JSON."""
 
-from exercises.catalogue import SYMBOLIC, variants
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from exercises.catalogue import SYMBOLIC, Problem, variants
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 
+from ..assignment.cells import Values
 from ..assignment.solution import formatted
 
+Results = Mapping[str, Any]  # the answers of a problem, by key
 
-def given_values(p, seed, changes):
-    """The numbers of the book, or with a ``seed`` those of a drawn variant, with some replaced by
-    ``changes``.
-    """
+
+def given_values(p: Problem, seed: int | None, changes: Mapping[str, float]) -> Values:
+    """The numbers of the book, or of a variant by ``seed``, updated with ``changes``."""
     values = p.book_values if seed is None else variants.draw(p, f"seed {seed}".encode())
     return {**values, **changes}
 
 
-def solve_problem(p, seed, changes):
+def solve_problem(p: Problem, seed: int | None, changes: Mapping[str, float]) -> Results:
     """The answers of a problem, with SymPy symbols for quantities without a number."""
     return p.solve({**p.sympy_symbols(), **given_values(p, seed, changes)})
 
 
-def answers_json(p, results):
-    """The answers for JSON: {key: {"kind", "value" or "expr", "unit"}}; formulas as text that SymPy
-    can read.
-    """
+def answers_json(p: Problem, results: Results) -> dict[str, Any]:
+    """{key: {"kind", "value" or "expr", "unit"}} for JSON; formulas as SymPy reads them."""
     out = {}
     for a in p.answers:
         value = results[a.key]
@@ -38,7 +40,7 @@ def answers_json(p, results):
     return out
 
 
-def nested(value, convert):
+def nested(value: Any, convert: Callable[[Any], Any]) -> Any:
     """An answer as a number or as nested lists, with ``convert`` applied to each entry."""
     if isinstance(value, (Vector, tuple, list)):
         return [nested(v, convert) for v in value]
@@ -49,7 +51,7 @@ def _number(x):
     return x if isinstance(x, int) else float(x)
 
 
-def answers_text(p, results):
+def answers_text(p: Problem, results: Results) -> str:
     """The answers of a problem as text with rich's markup, one line each."""
     lines = [f"[bold]{p.id}[/] {p.title}"]
     for a in p.answers:
@@ -58,7 +60,7 @@ def answers_text(p, results):
     return "\n".join(line.replace("[", r"\[") if line.startswith("  ") else line for line in lines)
 
 
-def terms_text(p, results):
+def terms_text(p: Problem, results: Results) -> str:
     """The terms of the answers that are sums of named terms, as text with rich's markup."""
     texts = [
         str(results[a.key].explain(a.unit))

@@ -1,9 +1,11 @@
-"""How often the grader recognises the mistakes that the exercises list: named, misnamed, or left
-without a name.
-"""
+"""How often the grader recognises the mistakes that the exercises list."""
 
 from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
 
+from rich.table import Table
+
+from exercises.catalogue import Problem
 from exercises.catalogue.variants import draw
 from newton_euler.answers.forms import WORDS, Form
 from newton_euler.answers.receipts import record
@@ -14,14 +16,16 @@ from .tables import plain_table
 OUTCOMES = ("named", "misnamed", "unnamed", "passed")
 
 
-def diagnosis_shares(problems, draws, progress=None):
+def diagnosis_shares(
+    problems: Iterable[Problem], draws: int, progress: Callable[[], object] | None = None
+) -> dict[str, Counter[str]]:
     """{problem id: Counter of :data:`OUTCOMES`} over the book's numbers and ``draws`` - 1 drawn
     sets: each listed mistake is made, written as a student would, and scored.
 
-    named: told in its own words, beside others that give the same; misnamed: told as another;
-    unnamed: wrong without an explanation; passed: taken for right.
+    named: recognised, if need be among others that give the same answer; misnamed: taken for
+    another mistake; unnamed: wrong without an explanation; passed: taken for right.
     """
-    found = {}
+    found: dict[str, Counter[str]] = {}
     for p in problems:
         found[p.id] = Counter()
         for n in range(draws if p.givens else 1):
@@ -62,7 +66,7 @@ def _outcome(part, text):
     return "unnamed" if not named else "named" if text in named else "misnamed"
 
 
-def shares_table(found, title="Listed mistakes"):
+def shares_table(found: Mapping[str, Counter[str]], title: str = "Listed mistakes") -> Table:
     """The shares as a table for the terminal, with their sum."""
     table = plain_table(title, "problem", ">made", *(f">{name} %" for name in OUTCOMES))
     for problem_id, counts in found.items():

@@ -1,15 +1,15 @@
-"""Writes results as CSV: every part of every student, and the files that Canvas, Moodle and
-Gradescope know.
-"""
+"""Writes results as CSV: every part, or the files of Canvas, Moodle and Gradescope."""
 
 import csv
+from pathlib import Path
 
+from ..course import Course
 from .records import entries, lines, questions
 
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet would run a text that begins so
 
 
-def export(course, assignment, form, path):
+def export(course: Course, assignment: str, form: str, path: str | Path) -> int:
     """Write the results of an assignment to ``path`` in one of :data:`FORMATS`; returns how many
     students have cells that wait for a person.
     """

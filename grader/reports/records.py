@@ -1,19 +1,17 @@
-"""The scores that the grader has kept of an assignment, part by part, and the points of the
-gradebook.
-"""
+"""The kept scores of an assignment, part by part, and the points of the gradebook."""
 
 import json
-from collections import Counter
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ..assignment.released import released_notebooks
-from ..assignment.sheet import tasks
-from ..course import CourseError
+from ..assignment.released import released
+from ..course import Course, CourseError
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One student's score of one part."""
+    """One student's score of one part; ``key`` is "" for a question of the instructor's own."""
 
     student: str
     problem: str
@@ -25,14 +23,17 @@ class Entry:
     diagnosis: str | None = None
 
 
-def entries(course, assignment):
+OF_A_PART = Entry.__dataclass_fields__.keys() - {"student", "problem"}
+
+
+def entries(course: Course, assignment: str) -> list[Entry]:
     """The :class:`Entry` of every part of every graded submission, by student."""
     found = []
     for path in sorted((course.path / "scores" / assignment).glob("*.json")):
         try:
             record = json.loads(path.read_text(encoding="utf-8"))
             found += [
-                Entry(path.stem, score["problem"], **_known(part))
+                Entry(path.stem, score["problem"], **{k: part[k] for k in part.keys() & OF_A_PART})
                 for score in record["scores"]
                 for part in score["parts"]
             ]
@@ -49,37 +50,34 @@ def entries(course, assignment):
     return found
 
 
-BY_HAND = "by hand"  # in place of the name of a part: what a person gave or took
+BY_HAND = "by hand"  # the key of an entry with the points that a person gave or took
 
 
-def questions(course, assignment, parts):
-    """The :class:`Entry` of what the gradebook has besides ``parts`` (:func:`entries`): the graded
-    cells of the instructor's own, and for a problem of ours what a person gave or took, so that the
-    points of a student's entries sum up to those of the gradebook before the penalty for lateness.
+def questions(course: Course, assignment: str, parts: Iterable[Entry]) -> Iterator[Entry]:
+    """The entries that ``parts`` lack: graded cells of the instructor's own, and the points that a
+    person gave or took. A student's entries then sum to the gradebook's points before any penalty.
     """
-    numbers = {
-        task.grade_id: number
-        for notebook in released_notebooks(course, assignment).values()
-        for number, task in tasks(notebook).items()
+    notebooks = released(course, assignment)
+    numbers = {  # a grade id is unique within its notebook only
+        (name, task.grade_id): number
+        for name, notebook in notebooks.items()
+        for number, task in notebook.tasks.items()
     }
-    automatic = Counter()
+    automatic: defaultdict[tuple[str, str], float] = defaultdict(float)
     for e in parts:
         automatic[e.student, e.problem] += e.points
     with course.gradebook() as book:
         for submission in book.assignment_submissions(assignment):
-            for grade in [g for n in submission.notebooks for g in n.grades]:
+            for name, grade in [(n.name, g) for n in submission.notebooks for g in n.grades]:
                 student, points = submission.student_id, grade.score or 0.0
-                if number := numbers.get(grade.name):
+                if number := numbers.get((name, grade.name)):
                     change = points - automatic[student, number]
                     if abs(change) > 1e-6:
                         yield Entry(student, number, BY_HAND, change, 0.0, "")
                 elif grade.max_score:
+                    question = f"{name}: {grade.name}" if len(notebooks) > 1 else grade.name
                     waits = "waits for a person" if grade.needs_manual_grade else ""
-                    yield Entry(student, grade.name, "", points, grade.max_score, "", waits)
-
-
-def _known(part):
-    return {k: v for k, v in part.items() if k in Entry.__dataclass_fields__}
+                    yield Entry(student, question, "", points, grade.max_score, "", waits)
 
 
 @dataclass(frozen=True)
@@ -95,7 +93,7 @@ class Line:
     waiting: bool = False
 
 
-def lines(course, assignment):
+def lines(course: Course, assignment: str) -> tuple[list[Line], float]:
     """(:class:`Line` of every student by last name, maximum of points): points with what a person
     gave, extra credit, and without the late penalty, as ``nbgrader export`` has them.
     """
@@ -117,6 +115,8 @@ def lines(course, assignment):
             if submission is not None:
                 points = max(0.0, submission.score - (submission.late_submission_penalty or 0))
                 waiting = bool(submission.needs_manual_grade)
-            names = (s.first_name, s.last_name, s.email, s.lms_user_id)
-            found.append(Line(s.id, *(x or "" for x in names), points, waiting))
+            first, last, email, lms = (
+                x or "" for x in (s.first_name, s.last_name, s.email, s.lms_user_id)
+            )
+            found.append(Line(s.id, first, last, email, lms, points, waiting))
     return sorted(found, key=lambda x: (x.last_name.casefold(), x.id)), maximum

@@ -1,17 +1,19 @@
-"""Statistics of an assignment, part by part: how difficult it was, how well it tells strong from
-weak students, and which mistakes were made.
-"""
+"""Statistics of an assignment, part by part: difficulty, discrimination, mistakes."""
 
 import csv
 from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
+from rich.table import Table
 
-from .records import BY_HAND, entries, questions
+from ..course import Course
+from .records import BY_HAND, Entry, entries, questions
 from .tables import VERDICTS, plain_table, shown
 
-FEWEST = 5  # students below which a correlation says nothing
+FEWEST = 5  # students: a correlation of fewer means nothing
 
 
 @dataclass(frozen=True)
@@ -29,15 +31,16 @@ class PartStatistics:
     out_of: float
     difficulty: float
     discrimination: float | None
-    verdicts: Counter
-    mistakes: Counter
+    verdicts: Counter[str]
+    mistakes: Counter[str]
 
 
-def part_statistics(course, assignment):
+def part_statistics(course: Course, assignment: str) -> list[PartStatistics]:
     """The :class:`PartStatistics` of every part, in the order of the notebook, and below them those
     of the instructor's own questions, which have no verdicts.
     """
-    by_part, totals = defaultdict(list), Counter()
+    by_part: defaultdict[tuple[str, str], list[Entry]] = defaultdict(list)
+    totals: defaultdict[str, float] = defaultdict(float)
     parts = entries(course, assignment)
     own = [e for e in questions(course, assignment, parts) if e.key != BY_HAND]
     for e in (*parts, *own):
@@ -68,7 +71,7 @@ def _correlation(x, y):
     return float(np.corrcoef(x, y)[0, 1])
 
 
-def statistics_table(parts):
+def statistics_table(parts: Iterable[PartStatistics]) -> Table:
     """The statistics as a table for the terminal, each part with its most frequent mistake."""
     columns = ("problem", "part", ">diff.", ">discr.", *(f">{m}" for m in VERDICTS.values()))
     table = plain_table(
@@ -93,7 +96,7 @@ def _two_digits(x):
     return "–" if x is None else f"{x:.2f}"
 
 
-def statistics_csv(parts, path):
+def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
     """Write the statistics as CSV: a line for each part, below it one for each mistake, with the
     columns of the part left empty.
     """
@@ -112,14 +115,12 @@ def statistics_csv(parts, path):
             writer.writerows((p.problem, p.key, *empty, *m) for m in p.mistakes.most_common())
 
 
-def statistics_figure(parts, path):
-    """Write the statistics as a picture: a bar of verdicts for each part, and a dot for its
-    discrimination.
-    """
+def statistics_figure(parts: Sequence[PartStatistics], path: str | Path) -> None:
+    """Draw the statistics: a bar of verdicts for each part, a dot for its discrimination."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    # also told apart in grey and by those who see few colours
+    # distinguishable in grey, and for the colour-blind
     colours = {"right": "#1b7f5c", "wrong": "#d1622b", "unreadable": "#8a6fb0", "blank": "#c9c9c9"}
     figure = Figure(figsize=(8, 1.2 + 0.26 * len(parts)), dpi=120, layout="constrained")
     FigureCanvasAgg(figure)
@@ -129,16 +130,9 @@ def statistics_figure(parts, path):
         shares = np.array([p.verdicts[verdict] / p.students for p in parts])
         ax.barh(places, shares, left=left, color=colour, label=verdict, height=0.8)
         left += shares
-    known = [(n, p.discrimination) for n, p in zip(places, parts, strict=True)
-             if p.discrimination is not None]  # fmt: skip
+    known = [(max(0.0, d), n) for n, p in enumerate(parts) if (d := p.discrimination) is not None]
     if known:
-        ax.plot(
-            [max(0.0, d) for _, d in known],
-            [n for n, _ in known],
-            "ko",
-            markersize=4,
-            label="discrimination",
-        )
+        ax.plot(*zip(*known, strict=True), "ko", markersize=4, label="discrimination")
     ax.set_yticks(places, [f"{p.problem} {p.key}" for p in parts], fontsize=8)
     ax.invert_yaxis()
     ax.set_xlim(0, 1)

@@ -1,24 +1,24 @@
-"""The results of a run of the grader as tables for the terminal, which fit into 80 columns.
-
-Whatever a student wrote (names of files, messages of their code) is shown without control
-characters.
+"""The results of grading as tables for the terminal, in 80 columns; texts of students are shown
+without control characters.
 """
 
 from collections import Counter
+from collections.abc import Iterable, Sequence
 from statistics import mean, median
 
 from rich import box
 from rich.markup import escape
 from rich.table import Table
 
-CAGED = "namespaces"  # what Result.sandbox says of a run in the cage
+from ..course.take_in import TakenIn
+from ..grading import Result
+from ..sandbox import CAGED
+
 VERDICTS = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
 
 
-def plain_table(title, *columns):
-    """A table without vertical lines; ``columns`` are names, those of numbers with a ``>`` before
-    them.
-    """
+def plain_table(title: str, *columns: str) -> Table:
+    """A table without vertical lines; ``columns`` are names, with a leading ``>`` for numbers."""
     table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
     for name in columns:
         right = name.startswith(">")
@@ -31,18 +31,16 @@ def plain_table(title, *columns):
     return table
 
 
-def shown(text):
+def shown(text: object) -> str:
     """A text for a cell of a table: without markup and control characters."""
     return escape("".join(c if c.isprintable() else "\ufffd" for c in str(text)))
 
 
-def gradebook_table(results):
-    """A table with one row per student (points, number of answers by verdict, remark), and a
-    summary of the class.
-    """
+def gradebook_table(results: Sequence[Result]) -> Table:
+    """A row for each student (points, answers by verdict, remark), and a summary."""
     columns = ("student", ">points", ">%", *(f">{m}" for m in VERDICTS.values()), "remark")
     table = plain_table("Gradebook  (✓ right, ✗ wrong, ? not read, – blank)", *columns)
-    # what ran without a cage may have changed the others' results too
+    # code that ran without a cage may have changed the others' results
     uncaged = any(r.sandbox != CAGED for r in results)
     for r in results:
         if r.problem:
@@ -65,9 +63,7 @@ def _percent(result):
 
 
 def _remarks(r):
-    """What is to be said of a result: what waits, was taken off or added, and the most frequent
-    diagnosis.
-    """
+    """Remarks on a result: what waits, what was taken off or added, the most frequent diagnosis."""
     if r.waiting:
         yield f"{r.waiting} to grade by hand"
     if r.penalty:
@@ -88,7 +84,7 @@ def _most_frequent(result):
     notes = Counter(s.note.split(",")[0] for s in result.scores.values() if s.note)
     if notes:
         return notes.most_common(1)[0][0]
-    return "" if result.note == result.sandbox else result.note  # which the row says anyway
+    return "" if result.note == result.sandbox else result.note  # which the row shows anyway
 
 
 def _add_summary(table, results):
@@ -104,13 +100,13 @@ def _add_summary(table, results):
         )
     found = Counter(p.verdict for r in graded for s in r.scores.values() for p in s.parts)
     waiting = sum(r.waiting for r in graded)
-    said = [f"{len(graded)} graded"]
-    said += [f"{len(results) - len(graded)} not"] if len(results) > len(graded) else []
-    said += [f"{waiting} cells wait for a person"] if waiting else []
-    table.add_row("all", "", "", *(str(found[v]) for v in VERDICTS), ", ".join(said))
+    remarks = [f"{len(graded)} graded"]
+    remarks += [f"{len(results) - len(graded)} not"] if len(results) > len(graded) else []
+    remarks += [f"{waiting} cells wait for a person"] if waiting else []
+    table.add_row("all", "", "", *(str(found[v]) for v in VERDICTS), ", ".join(remarks))
 
 
-def diagnosis_table(results, most=None):
+def diagnosis_table(results: Iterable[Result], most: int | None = None) -> Table:
     """A table of the diagnoses by student and problem: all, or the first ``most``."""
     rows = [(r.student, *entry) for r in results for entry in r.diagnoses()]
     left_out = f" (the first {most} of {len(rows)})" if most and len(rows) > most else ""
@@ -120,10 +116,8 @@ def diagnosis_table(results, most=None):
     return table
 
 
-def taken_in_table(taken):
-    """A table of what became of the files of an archive, from a
-    :class:`~grader.course.take_in.TakenIn`.
-    """
+def taken_in_table(taken: TakenIn) -> Table:
+    """What became of the files of an archive."""
     table = plain_table("Work in the archive", "student", "file", "what became of it")
     for student, name in taken.taken.items():
         table.add_row(shown(student), shown(name), "[green]taken in[/]")

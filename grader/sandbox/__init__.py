@@ -1,8 +1,4 @@
-"""Runs student code in a process that reaches no key, no other submission, no file of the
-instructor and no network.
-"""
+"""Runs student code out of reach of keys, submissions, the instructor's files, the network."""
 
-from .harvester import CELL_SECONDS, SECONDS, Harvester
+from .harvester import CAGED, CELL_SECONDS, SECONDS, Harvester
 from .worker import HarvestError
-
-__all__ = ["CELL_SECONDS", "SECONDS", "HarvestError", "Harvester"]

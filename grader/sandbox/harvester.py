@@ -1,7 +1,5 @@
-"""Runs submissions in sandboxed processes and returns their receipts.
-
-A :class:`Harvester` keeps one process per worker, with the libraries imported and no key in it. A
-submission costs a fork of it, not the start of an interpreter.
+"""Runs submissions in sandboxed processes. A :class:`Harvester` keeps one process per worker, with
+the libraries imported and no key in it: a submission costs a fork of it.
 """
 
 import contextlib
@@ -9,75 +7,87 @@ import os
 import re
 import threading
 import time
+from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
 from queue import Queue
+from typing import Self, TypedDict
 
-from .receipts import NOT_REACHED, read_lines
-from .worker import HarvestError, Worker
+from .receipts import NOT_REACHED, Outcome, Receipt, read_lines
+from .worker import HarvestError, Job, Worker
 
+CAGED = "namespaces"  # the "sandbox" of a reply whose code ran in the cage
 CELL_SECONDS = 10.0
 SECONDS = 60.0
 MOST_TESTS = 200  # in one notebook
 MOST_TEXT = 2**20  # characters of all cells; a chapter worked out in full has 50 000
-PER_CELL = 100  # characters that a cell counts for besides its text, so that there are not too many
+PER_CELL = 100  # characters that each cell counts besides its text, which limits their number
 
-# a cell that may need IPython, which a worker then imports once, before it starts the process of
-# the student; a cell that is missed imports it itself
+# matches cells that may need IPython: the worker then imports it once, before it forks the
+# student's process; a cell that is missed imports it itself
 _IPYTHON = re.compile(r"IPython|^[ \t]*[%!?>]|\?$|=[ \t]*[%!]", re.MULTILINE)
 KERNEL = Path("/proc/sys")
-SETTINGS = (  # that forbid user namespaces, and the value that allows them
+SETTINGS = (  # (name, value that forbids user namespaces, value that allows them)
     ("kernel.apparmor_restrict_unprivileged_userns", "1", "0"),  # Ubuntu 24.04
     ("kernel.unprivileged_userns_clone", "0", "1"),  # Debian 10
     ("user.max_user_namespaces", "0", "15000"),  # Red Hat 7
 )
 
 
+class Reply(TypedDict):
+    """What a run gives back, see :meth:`Harvester.run`."""
+
+    receipts: dict[str, Receipt]
+    tests: dict[str, Outcome]
+    errors: dict[str, str]
+    sandbox: str
+    ended: str
+    seconds: float
+
+
 class Harvester:
     """Workers that run submissions: ``with Harvester(2) as h: h.run(cells)``. ``run`` may be called
     from several threads.
 
-    sandbox : False runs student code without isolation; where the machine refuses the cage, nothing
-        else does.
+    sandbox : False runs student code without isolation. True never does: where the machine refuses
+        the cage, :class:`HarvestError` is raised.
     """
 
-    def __init__(self, workers=None, sandbox=True):
+    def __init__(self, workers: int | None = None, sandbox: bool = True) -> None:
         self.count = workers or os.cpu_count() or 1
         self.sandbox = sandbox
-        self._idle, self._all = Queue(), []
+        self._idle: Queue[Worker] = Queue()
+        self._all: list[Worker] = []
         self._starting, self._started = threading.Lock(), False
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         self._start()
         return self
 
     def _start(self):
-        """Start the workers, unless they are: at the first run if not before, since a run over a
-        class of which nothing changed needs none.
-        """
+        """Start the workers, at the first job if not before: an unchanged class needs none."""
         with self._starting:
             for _ in range(0 if self._started else self.count):
-                self._idle.put(self._start_worker())
+                self._all.append(Worker())
+                self._idle.put(self._all[-1])
             self._started = True
 
-    def _start_worker(self):
-        self._all.append(Worker())
-        return self._all[-1]
-
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         for worker in self._all:
             worker.close()  # all of them, before one is waited for
         for worker in self._all:
             worker.stop()
 
     @cached_property
-    def sandbox_state(self):
+    def sandbox_state(self) -> str:
         """ "namespaces", or "unsandboxed: asked for"; raises :class:`HarvestError` where the
         machine refuses the cage. Asked once, with an empty job.
         """
         return self.run([])["sandbox"]
 
-    def run(self, cells, seconds=SECONDS, cell_seconds=CELL_SECONDS):
+    def run(
+        self, cells: Sequence[Job], seconds: float = SECONDS, cell_seconds: float = CELL_SECONDS
+    ) -> Reply:
         """Run the cells of one submission; returns {"receipts": {problem id: record}, "tests":
         {name: outcome}, "errors": {name: sentence}, "sandbox", "ended", "seconds"}.
 
@@ -123,14 +133,15 @@ class Harvester:
             "receipts": receipts,
             "tests": {c["name"]: o for c, o in zip(tests, outcomes, strict=True)},
             "errors": errors,
-            **state,
+            "sandbox": state["sandbox"],
+            "ended": state["ended"],
             "seconds": round(time.perf_counter() - start, 4),
         }
 
     def _not_run(self, count, size, tests):
         return {
             "receipts": {},
-            "tests": {c["name"]: dict(NOT_REACHED) for c in tests},
+            "tests": {c["name"]: NOT_REACHED.copy() for c in tests},
             "errors": {},
             "sandbox": self.sandbox_state,
             "ended": f"not run: its {count} cells hold {size / 1e6:.1f} million characters, and "
@@ -145,7 +156,7 @@ class Harvester:
             worker = self._settled(worker)
             state, data, outcomes = worker.run(cells, texts, limits)
         except BaseException:
-            # it has ended, or is in the middle of this job; the next job gets a new one
+            # the worker has died or is still in this job; the next job gets a new one
             worker = self._replaced(worker)
             raise
         finally:
@@ -160,7 +171,7 @@ class Harvester:
         return state, data, outcomes
 
     def _settled(self, worker):
-        """The worker, or another if it cannot end what an earlier job has started."""
+        """The worker, or a new one if it cannot end the processes of its last job."""
         try:
             worker.settle()
         except HarvestError:
@@ -170,13 +181,12 @@ class Harvester:
     def _replaced(self, worker):
         worker.kill()
         self._all.remove(worker)
-        return self._start_worker()
+        self._all.append(Worker())
+        return self._all[-1]
 
 
 def _how_to_allow():
-    """The command with which an administrator allows them, where a setting of the machine forbids
-    them to ordinary users.
-    """
+    """The command that allows user namespaces, where a setting of this machine forbids them."""
     for setting, forbidden, allowed in SETTINGS:
         with contextlib.suppress(OSError):
             if (KERNEL / setting.replace(".", "/")).read_text().strip() == forbidden:

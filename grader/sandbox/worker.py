@@ -1,7 +1,8 @@
 """One process that runs submissions (``cage/``), and the exchange with it.
 
-The process starts what runs a job, watches it and ends it. Jobs, receipts and tests pass it by, as
-files that it hands on, so that a submission finds nothing of another in its memory.
+The process forks the processes of a job, watches them and ends them. It never reads a job, a
+receipt or a test: it hands their descriptors on, so that a submission finds nothing of another one
+in its memory.
 """
 
 import contextlib
@@ -16,9 +17,11 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, TypedDict
 
-from .receipts import OUTCOME_LIMIT, OUTPUT_LIMIT, read_outcome
+from .receipts import OUTCOME_LIMIT, OUTPUT_LIMIT, Outcome, read_outcome
 
 _SCRIPT = Path(__file__).parent / "cage" / "__main__.py"
 _PASSED_ON = ("PATH", "LANG", "LC_ALL", "TZ", "HOME")
@@ -29,37 +32,47 @@ _SET = {
     "MPLCONFIGDIR": "/tmp",
     "PYTHONDONTWRITEBYTECODE": "1",
 }
-_PAUSE = 0.05  # seconds between two looks at the receipts
-_GRACE = 5.0  # seconds for what is not a student's: starting a process, ending a test
+_PAUSE = 0.05  # seconds between two reads of the receipts
+_GRACE = 5.0  # seconds on top of a limit, to start a process or to end a test
 _END_SECONDS = 60.0  # to end a submission that has filled the machine with processes
 
 
+Job = dict[str, Any]  # a cell to run, see Harvester.run
+
+
+class Limits(TypedDict):
+    """How a job is run; ``ipython``: whether a cell may need IPython."""
+
+    seconds: float
+    cell_seconds: float
+    sandbox: bool
+    ipython: bool
+
+
 class HarvestError(RuntimeError):
-    """The sandbox itself failed or is refused; it is not because of a student's code, and nothing
-    of it counts.
-    """
+    """The sandbox failed or is refused, not because of a student's code: no result counts."""
 
 
 class Worker:
     """A started process; ``run`` is called by one thread at a time."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         environment = {k: os.environ[k] for k in _PASSED_ON if k in os.environ} | _SET
         self._owed = False  # the reply to the last job
         self._control, theirs = socket.socketpair()
         with theirs:
-            # a session of its own: a Ctrl-C for the grader is the grader's to handle
+            # a session of its own: only the grader handles Ctrl-C
             self.process = subprocess.Popen(
                 [sys.executable, "-I", str(_SCRIPT), str(theirs.fileno())],
                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, pass_fds=[theirs.fileno()],
                 env=environment, cwd="/", start_new_session=True,
             )  # fmt: skip
 
-    def close(self):
-        """Tell the process that no more jobs come."""
+    def close(self) -> None:
+        """Signal the process that no more jobs come."""
         self._control.close()
 
-    def stop(self):
+    def stop(self) -> None:
         """Let the process end by itself, or kill it."""
         self.close()
         try:
@@ -67,13 +80,15 @@ class Worker:
         except subprocess.TimeoutExpired:
             self.kill()
 
-    def kill(self):
+    def kill(self) -> None:
         """Kill the process; what it started dies with it."""
         self._control.close()
         self.process.kill()
         self.process.wait()
 
-    def run(self, cells, texts, limits):
+    def run(
+        self, cells: Sequence[Job], texts: Sequence[str], limits: Limits
+    ) -> tuple[dict[str, str], bytes, list[Outcome]]:
         """Run a job; returns ({"sandbox", "ended"}, bytes of the receipts, [outcome of a test]).
 
         texts : of the tests, in order, not in ``cells``. limits : {"seconds", "cell_seconds",
@@ -88,15 +103,13 @@ class Worker:
             state, data = self._listen(files, limits["seconds"] + _GRACE)
             outcomes = _run_tests(files.tests, texts, limits) if "sandbox" in state else []
             self._control.sendall(b"end\n")
-        # the first process says how the cells ended, unless it was ended before it could
+        # the first process reports how the cells ended, unless it was killed before
         if "ended" not in state:
             state["ended"] = self.settle() or "stopped from outside"
         return state, data, outcomes
 
-    def settle(self):
-        """Wait until all that the last job has started is gone; returns why it was ended from
-        outside, if it was.
-        """
+    def settle(self) -> str:
+        """Wait until all processes of the last job have ended; returns why they were stopped."""
         if not self._owed:
             return ""
         reply = b""
@@ -121,32 +134,32 @@ class Worker:
             ) from error
 
     def _listen(self, files, seconds):
-        """(what the first process said, the bytes of the receipts), until the student's process
-        has ended, sends too much, or is ended from outside.
+        """(the state that the first process reported, the bytes of the receipts), read until the
+        student's process has ended, sends too much, or is ended from outside.
         """
-        said, data, deadline = b"", b"", time.monotonic() + seconds
+        reported, data, deadline = b"", b"", time.monotonic() + seconds
         with selectors.DefaultSelector() as ready:
             ready.register(files.state, selectors.EVENT_READ)
             ready.register(self._control, selectors.EVENT_READ)
-            while "ended" not in _state(said) and len(data) <= OUTPUT_LIMIT:
-                # not woken by each receipt, which would take the time of the scorer's process
+            while "ended" not in _state(reported) and len(data) <= OUTPUT_LIMIT:
+                # not woken by each receipt, which would cost the scorer its processor time
                 found = ready.select(_PAUSE)
                 data += _rest(files.receipts, OUTPUT_LIMIT + 1 - len(data))
                 if any(key.fd != files.state for key, _ in found) or time.monotonic() > deadline:
                     break
                 if found:
-                    said += (chunk := os.read(files.state, 4096))
+                    reported += (chunk := os.read(files.state, 4096))
                     if not chunk:
                         break
         data += _rest(files.receipts, OUTPUT_LIMIT + 1 - len(data))
-        state = _state(said)
+        state = _state(reported)
         if len(data) > OUTPUT_LIMIT:
             state["ended"] = f"stopped after {OUTPUT_LIMIT} bytes of output"
         return state, data
 
 
 class _Files:
-    """The files of one job: our ends, and ``theirs`` in the order in which the cage takes them."""
+    """The descriptors of one job: our ends, and ``theirs`` in the order that the cage expects."""
 
     def __init__(self, cells, tests):
         self._stack = contextlib.ExitStack()
@@ -167,7 +180,7 @@ class _Files:
         return ours, theirs
 
     def close_theirs(self):
-        """Close the ends that were handed on; otherwise nobody's end would be seen."""
+        """Close the ends that were handed on: a pipe ends with the last copy of its other end."""
         for fd in self._theirs:
             os.close(fd)
         self._theirs = []
@@ -181,7 +194,7 @@ class _Files:
 
 
 def _file_of(data):
-    """A file without a name that holds ``data``, to be read from its beginning."""
+    """An unnamed file with ``data``, positioned at its start."""
     if hasattr(os, "memfd_create"):
         file = os.fdopen(os.memfd_create("job"), "w+b", buffering=0)
     else:
@@ -191,16 +204,16 @@ def _file_of(data):
     return file
 
 
-def _state(said):
-    """{"sandbox" or "refused", "ended"} of the lines that have come."""
-    state = {}
-    for line in said.split(b"\n")[:-1]:
+def _state(reported: bytes) -> dict[str, str]:
+    """{"sandbox" or "refused", "ended"} from the complete lines received."""
+    state: dict[str, str] = {}
+    for line in reported.split(b"\n")[:-1]:
         state.update(json.loads(line))
     return state
 
 
 def _rest(fd, most):
-    """What is in a pipe that does not block, at most so many bytes."""
+    """The bytes waiting in a non-blocking pipe, at most ``most``."""
     data = b""
     with contextlib.suppress(BlockingIOError):
         while len(data) < most and (chunk := os.read(fd, 65536)):
@@ -209,25 +222,21 @@ def _rest(fd, most):
 
 
 def _run_tests(sockets, texts, limits):
-    """The outcomes of the tests, one after the other; all together take no longer than the
-    notebook may.
-    """
+    """The outcomes of the tests in turn; together they may take no longer than the notebook."""
     deadline = time.monotonic() + limits["seconds"]
     outcomes = []
     for pair, text in zip(sockets, texts, strict=True):
         left = min(deadline - time.monotonic(), limits["cell_seconds"] + _GRACE)
-        token = secrets.token_hex()  # what was written before the text was sent has another
+        token = secrets.token_hex()  # unknown to code that ran before the text was sent
         sent = json.dumps({"token": token, "text": text}).encode()
         outcomes.append(read_outcome(_ask(pair, sent, token, left), token))
     return outcomes
 
 
 def _ask(pair, text, token, seconds):
-    """What comes from the other end of a socket after the text of a test was sent, up to the line
-    with the token, its end, or a limit.
-    """
+    """The reply to the text of a test: up to the line with the token, the end, or a limit."""
     data, deadline = b"", time.monotonic() + seconds
-    with contextlib.suppress(OSError):  # also when the time is over
+    with contextlib.suppress(OSError):  # a timeout too
         pair.settimeout(max(seconds, 0.001))
         pair.sendall(struct.pack("<I", len(text)) + text)
         while len(data) < OUTCOME_LIMIT and not (token.encode() in data and data.endswith(b"\n")):

@@ -3,7 +3,7 @@ problem (a term left out or turned, degrees for radians, axes of another frame).
 """
 
 from exercises.catalogue.variants import flat
-from exercises.catalogue.wording import body_text, is_said, term_text
+from exercises.catalogue.wording import body_text, named_in_text, term_text
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.forms import WORDS
 
@@ -77,7 +77,7 @@ def _frames(right, problem):
     for frame in right.frame.tree:
         if frame is right.frame:
             continue
-        said = is_said(frame.name, problem) and not frame.name.startswith("about ")
+        said = named_in_text(frame.name, problem) and not frame.name.startswith("about ")
         name = body_text(frame.name) if said else "another frame"
         yield (
             "axes",

@@ -2,32 +2,9 @@
 notebook, runs it in the sandbox, scores it, annotates the notebook.
 """
 
+from .annotation import annotate
 from .files import UnreadableError, parse_notebook, read_notebook
-from .pipeline import (
-    Graded,
-    Sheet,
-    annotate,
-    execute,
-    feedback_comment,
-    grade_notebook,
-    student_sheet,
-)
+from .pipeline import Graded, execute, feedback_comment, grade_notebook
 from .rebuild import Work, as_handed_out, rebuild
+from .sheet import Sheet, student_sheet
 from .timestamps import read_timestamp
-
-__all__ = [
-    "Graded",
-    "Sheet",
-    "UnreadableError",
-    "Work",
-    "annotate",
-    "as_handed_out",
-    "execute",
-    "feedback_comment",
-    "grade_notebook",
-    "parse_notebook",
-    "read_notebook",
-    "read_timestamp",
-    "rebuild",
-    "student_sheet",
-]

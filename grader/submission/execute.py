@@ -1,69 +1,65 @@
 """Runs the code of a rebuilt notebook in the sandbox, in the order of its cells."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ..assignment import notebook as nb
-from ..assignment.sheet import kind, own_metadata
+from ..assignment.cells import Cell, Notebook, kind, nbgrader_metadata, own_metadata
+from ..assignment.sheet import Task
+from ..sandbox import CAGED, Harvester
+from ..sandbox.receipts import Outcome, Receipt
+from ..sandbox.worker import Job
 from .rebuild import OWN, cell_names, is_untouched
+from .sheet import Sheet
 
 RUN = ("setup", "locked", "plain", "solution", OWN)
 
 
+PROCESS_ENDED = "the end of its process: the cell ended Python, crashed it, or closed its files"
+
+
 @dataclass
 class Executed:
-    """What came out of the sandbox: the receipt of each problem, the outcome of each of the
-    instructor's tests, errors in other cells by their id, how the code was isolated, and a note if
-    the run did not come to its end.
+    """The results of a run: receipts by problem, outcomes of the instructor's tests, errors in
+    other cells by their id, how the code was isolated, a note if it ended early.
     """
 
-    receipts: dict = field(default_factory=dict)
-    tests: dict = field(default_factory=dict)
-    errors: dict = field(default_factory=dict)
-    sandbox: str = "namespaces"
+    receipts: dict[str, Receipt] = field(default_factory=dict)
+    tests: dict[str, Outcome] = field(default_factory=dict)
+    errors: dict[str, str] = field(default_factory=dict)
+    sandbox: str = CAGED
     note: str = ""
 
 
-def cells_to_run(sheet, notebook):
-    """The cells of a rebuilt notebook as :meth:`~grader.sandbox.Harvester.run` takes them; [] if
-    there is no work in it.
-    """
-    asked, cells, masters = sheet.tasks, [], _by_name(sheet.master)
-    worked = _worked_at(asked, masters, notebook)
+def cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
+    """The cells as :meth:`~grader.sandbox.Harvester.run` takes them; [] without any work."""
+    masters = {name: c for c in reversed(sheet.master["cells"]) for name in cell_names(c)}
+    worked = _worked_at(sheet.tasks, masters, notebook)
     if not worked:
         return []
-    given = waiting = None  # whose givens ran last, and whose answer is to be read
+    cells: list[Job] = []
+    given = waiting = ""  # the problem whose givens ran last, and that whose answer is to be read
     for cell in notebook["cells"]:
-        what, problem = kind(cell), own_metadata(cell).get("problem")
+        what, problem = kind(cell), own_metadata(cell).get("problem", "")
         if waiting and what != OWN:
-            cells.append(_harvest(asked[waiting], waiting))
-            waiting = None
+            cells.append(_harvest(sheet.tasks[waiting]))
+            waiting = ""
         if (problem and problem not in worked) or cell["cell_type"] != "code":
             continue
         if what == "givens":
-            cells.append(_givens(asked.get(problem), problem, cell["source"]))
+            cells.append(_givens(sheet.tasks.get(problem), problem, cell["source"]))
             given = problem
         elif what == "answer":
             if given != problem:  # its own are missing, or another problem's ran since
-                lines = nb.definitions(asked[problem].exercise, sheet.values[problem])
-                text = "\n".join(lines)
-                cells.append(_givens(asked[problem], problem, text))
-                given = problem
+                lines = nb.definitions(sheet.tasks[problem].exercise, sheet.values[problem])
+                cells.append(_givens(sheet.tasks[problem], problem, "\n".join(lines)))
             cells.append({"role": "answer", "problem": problem, "text": cell["source"]})
-            waiting = problem
+            given = waiting = problem
         elif what in RUN:
             cells.append({"role": "run", "name": cell["id"], "text": cell["source"]})
         elif what == "test":
-            name = cell["metadata"]["nbgrader"]["grade_id"]
-            seen = _master(masters, cell)["source"]
-            full, _ = sheet.sources.get(name, (seen, ""))
-            cells.append({"role": "test", "name": name, "text": seen, "hidden": full})
-    if waiting:
-        cells.append(_harvest(asked[waiting], waiting))
-    return cells
-
-
-def _by_name(master):
-    return {name: cell for cell in reversed(master["cells"]) for name in cell_names(cell)}
+            cells.append(_test(sheet, cell, _master(masters, cell)["source"]))
+    return [*cells, _harvest(sheet.tasks[waiting])] if waiting else cells
 
 
 def _master(masters, cell):
@@ -90,22 +86,30 @@ def _worked_at(asked, masters, notebook):
     return worked
 
 
-def _givens(task, problem, text):
+def _givens(task: Task | None, problem: str, text: str) -> Job:
     clear = list(_forms(task)) if task else []
     return {"role": "givens", "problem": problem, "text": text, "clear": clear}
 
 
-def _harvest(task, problem):
+def _harvest(task: Task) -> Job:
     symbols = {n: s.unit for n, s in task.exercise.symbols.items()}
-    return {"role": "harvest", "problem": problem, "forms": _forms(task), "symbols": symbols}
+    problem, forms = task.problem, _forms(task)
+    return {"role": "harvest", "problem": problem, "forms": forms, "symbols": symbols}
 
 
-def _forms(task):
+def _test(sheet: Sheet, cell: Cell, seen: str) -> Job:
+    """A test with the text that students see, and the full one from the gradebook."""
+    name = nbgrader_metadata(cell)["grade_id"]
+    full, _ = sheet.sources.get(name, (seen, ""))
+    return {"role": "test", "name": name, "text": seen, "hidden": full}
+
+
+def _forms(task: Task) -> dict[str, str]:
     return task.forms or {a.key: nb.form(a) for a in task.exercise.answers}
 
 
-def run_cells(harvester, cells):
-    """Run the cells; returns :class:`Executed`."""
+def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
+    """Run the cells in the sandbox."""
     if not cells:
         return Executed()
     result = harvester.run(cells)
@@ -121,10 +125,7 @@ def run_cells(harvester, cells):
         )
         receipts = {
             **receipts,
-            unread[0]: {
-                "error": "the end of its process: the cell ended Python, crashed it, or closed its "
-                "files"
-            },
+            unread[0]: {"id": unread[0], "answers": None, "faults": None, "error": PROCESS_ENDED},
         }
     return Executed(
         receipts, result["tests"], result["errors"], result["sandbox"], "; ".join(notes)

@@ -1,22 +1,21 @@
-"""Reads the notebook of a submission, which a student wrote: a regular file of the student's own
-folder, and not too large.
-"""
+"""Reads the notebook of a submission: a regular file in its own folder, of limited size."""
+
+from pathlib import Path
+from typing import Any
 
 from ..course.files import NotTaken, load_json, read_regular
 
-# beside the notebook, of nbgrader's own; its release_feedback reads them
+# nbgrader's own files next to the notebook; its release_feedback reads them
 BESIDE = ("timestamp.txt", "submission_secret.txt")
 MAX_BYTES = 64 * 2**20  # of a submitted notebook
-MAX_VALUES = 4_000_000  # brackets, commas and colons of its JSON, which cost up to 64 bytes each
+MAX_VALUES = 4_000_000  # brackets, commas and colons in its JSON: up to 64 bytes of memory each
 
 
 class UnreadableError(ValueError):
-    """The notebook of a submission is missing or cannot be read; the message is a sentence about
-    it.
-    """
+    """The notebook of a submission is missing or cannot be read."""
 
 
-def read_notebook(path):
+def read_notebook(path: Path) -> bytes:
     """The bytes of a submitted notebook; raises :class:`UnreadableError`."""
     for folder in (path.parent, path.parent.parent):  # of the assignment and of the student
         if folder.is_symlink():
@@ -27,9 +26,9 @@ def read_notebook(path):
         raise UnreadableError(f"{path.name}: {error}") from error
 
 
-def parse_notebook(name, content):
+def parse_notebook(name: str, content: bytes) -> dict[str, Any]:
     """The submitted notebook as a dict with a list of cells; raises :class:`UnreadableError`."""
-    # most outputs are text: a notebook with so many values is none that a student made
+    # most outputs are text: no student's own work has this many values
     if len(content) > MAX_VALUES and sum(map(content.count, (b"[", b"{", b",", b":"))) > MAX_VALUES:
         raise UnreadableError(
             f"{name} holds more than {MAX_VALUES} values; have its outputs cleared"

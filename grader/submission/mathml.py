@@ -1,6 +1,4 @@
-"""Formulas of LaTeX as MathML, which browsers typeset without a script and without a network: on
-the feedback page, and on the pages of the formgrader.
-"""
+"""LaTeX formulas as MathML, which browsers typeset without script or network."""
 
 import html
 import re
@@ -8,21 +6,21 @@ from functools import lru_cache
 
 
 @lru_cache(4096)
-def mathml(latex, display="inline"):
-    """A formula as MathML; what cannot be converted stays as it is, between dollar signs."""
+def mathml(latex: str, display: str = "inline") -> str:
+    """A formula as MathML; one that cannot be converted is left in LaTeX, between dollar signs."""
     from latex2mathml.converter import convert
 
     try:
         made = convert(_RAISED.sub(_with_exponent, latex), display=display)
     except Exception:  # its errors have no base class, and an IndexError is among them
         return f"${html.escape(latex)}$"
-    # it leaves the escape of a % in a text as it is; HTML needs no name of a space
+    # the converter keeps the backslash of \% in a text; HTML needs no XML namespace
     return _NAMESPACE.sub("", made, count=1).replace(r"\%", "%")
 
 
 _NAMESPACE = re.compile(r' xmlns="[^"]*"')
 
-# browsers without a mathematical font raise an exponent behind a word much too high
+# browsers without a mathematical font place an exponent after a word much too high
 _RAISED = re.compile(r"\\text\{([^{}]*)\}\^(\d)")
 
 
@@ -30,7 +28,7 @@ def _with_exponent(match):
     return rf"\text{{{match[1]}{'⁰¹²³⁴⁵⁶⁷⁸⁹'[int(match[2])]}}}"
 
 
-def unit_html(text, unit):
+def unit_html(text: str, unit: str) -> str:
     """A text that ends with a unit as HTML, the unit with raised exponents."""
     if unit == "1" or not text.endswith(f" {unit}"):
         return html.escape(text)

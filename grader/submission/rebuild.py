@@ -1,23 +1,32 @@
-"""Puts what a student wrote into the trusted notebook of the student.
-
-A submission is not trusted: of its cells that belong to the sheet only the texts of answers are
-used, and of the cells that the student added the texts and the pictures.
+"""Puts a student's work into the trusted notebook: only the texts of answers, and the texts and
+pictures of cells that the student added.
 """
 
 import copy
 import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import Any
 
+from exercises.catalogue import Problem
+
+from ..assignment.cells import (
+    Cell,
+    Notebook,
+    code_cell,
+    kind,
+    markdown_cell,
+    nbgrader_metadata,
+    own_metadata,
+)
 from ..assignment.notebook import starter
-from ..assignment.sheet import kind, nbgrader_metadata, own_metadata
 
 EDITABLE = ("answer", "hand", "solution", "plain")  # kinds of cells whose text is the student's
-# kinds whose text is ours, but in which students also work: they add imports to the one, and
-# numbers to the other
+# kinds whose text is ours, but in which students also work: they add imports, or numbers
 ALSO_WORKED_IN = ("setup", "givens", "locked")
-MOST_CELLS = 500  # that a student added
-MOST_COPIES = 20  # of one cell
+MOST_CELLS = 500  # cells that a student added
+MOST_COPIES = 20  # copies of one cell
 MOST_TEXT = 2**20  # characters of the cells that a student added, and of each answer
 PICTURES = ("image/png", "image/jpeg", "image/gif")
 OWN = "own"  # the role of a cell that the student added
@@ -25,17 +34,16 @@ OWN = "own"  # the role of a cell that the student added
 
 @dataclass
 class Work:
-    """What is known of a student's work besides what it does: ``notes`` by problem: that its answer
-    is missing from the submission or was copied; ``untouched``: the grade ids of the answers that
-    are as they were handed out; ``note`` on the whole.
+    """What rebuilding has found: notes by problem (an answer cell is missing, or was copied), grade
+    ids of the answers that are as they were handed out, a note on the whole.
     """
 
-    notes: dict = field(default_factory=dict)
-    untouched: list = field(default_factory=list)
+    notes: dict[str, str] = field(default_factory=dict)
+    untouched: list[str] = field(default_factory=list)
     note: str = ""
 
 
-def rebuild(master, submitted):
+def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, Work]:
     """(the trusted notebook with a student's work in it, :class:`Work`): the cells of ``master`` in
     its order, each followed by those that the student added behind it.
     """
@@ -57,14 +65,16 @@ def rebuild(master, submitted):
 
 
 def _sorted_out(master, submitted):
-    """({place in the master: submitted cells that are it}, {place: [(cell, text)] that the student
-    added behind it}, what is said of them).
+    """({place in the master: submitted copies of its cell}, {place: [(cell, text)] that were added
+    behind it}, a note on the latter).
     """
     places = {}
     for n, cell in enumerate(master["cells"]):
         for name in cell_names(cell):
             places.setdefault(name, n)
-    found, added, last, count, size = {}, {}, None, 0, 0
+    found: dict[int, list[Any]] = {}
+    added: dict[int | None, list[tuple[Any, str]]] = {}
+    last, count, size = None, 0, 0
     for cell in submitted["cells"]:
         if not isinstance(cell, dict):
             continue
@@ -96,10 +106,8 @@ def _with_ids(cells):
     return cells
 
 
-def cell_names(cell):
-    """What a cell may be known by, the surest first: its id for nbgrader, its place in a problem,
-    its id in the notebook.
-    """
+def cell_names(cell: Mapping[str, Any]) -> Iterator[tuple[str | None, ...]]:
+    """The names of a cell: grade id, role in a problem, id in the notebook; best first."""
     grade_id = nbgrader_metadata(cell).get("grade_id")
     if isinstance(grade_id, str) and grade_id:
         yield "grade", grade_id
@@ -112,7 +120,7 @@ def cell_names(cell):
 
 
 def _trusted(cell, what, copies):
-    """The cell of the master, after what the student made of it, where that is more."""
+    """The cell of the master, behind what the student has added to it."""
     if what not in ALSO_WORKED_IN:
         return [_clean(cell)]
     ours = _our_code(cell["source"])
@@ -122,9 +130,8 @@ def _trusted(cell, what, copies):
 
 
 def _edited(cell, what, copies):
-    """([the cell of the master with the student's text], what is said if it is missing or there are
-    several). A plain cell that the student deleted is left out; of several answers to be graded by
-    hand all are kept.
+    """([the master's cell with the student's text], a note if it is missing or copied). A deleted
+    plain cell is left out; of several answers to be graded by hand all are kept.
     """
     if not copies:
         missing = {**_clean(cell), "source": "" if what == "answer" else cell["source"]}
@@ -142,8 +149,8 @@ def _edited(cell, what, copies):
     if len(copies) == 1:
         return cells, ""
     which = "the first one that was filled in" if changed else "the first one"
-    said = f"the notebook holds {len(copies)} copies of the answer cell; {which} was graded"
-    return cells, said
+    note = f"the notebook holds {len(copies)} copies of the answer cell; {which} was graded"
+    return cells, note
 
 
 def _missing(cell, what):
@@ -155,16 +162,14 @@ def _missing(cell, what):
     )
 
 
-def is_untouched(cell, text):
-    """True if this text of an answer is empty or as the ``cell`` of the master has it; in code, up
-    to comments and spaces.
-    """
+def is_untouched(cell: Cell, text: str) -> bool:
+    """True if a text is empty or as in ``cell``; in code, up to comments and spaces."""
     if cell["cell_type"] != "code":
         return text.strip() in ("", cell["source"].strip())
     return _code_only(text) in ("", _our_code(cell["source"]))
 
 
-def as_handed_out(p, text):
+def as_handed_out(p: Problem, text: str) -> bool:
     """True if the text of an answer cell of problem ``p`` is empty or as it is handed out."""
     return _code_only(text) in ("", _code_only(starter(p)))
 
@@ -173,7 +178,7 @@ def _code_only(text):
     return re.sub(r"\s+|#[^\n]*", "", text)
 
 
-_our_code = lru_cache(maxsize=1000)(_code_only)  # mostly the same for all students
+_our_code = lru_cache(maxsize=1000)(_code_only)  # our texts are mostly the same for all students
 
 
 def _clean(cell):
@@ -181,18 +186,14 @@ def _clean(cell):
     return {**cell, "outputs": [], "execution_count": None} if cell["cell_type"] == "code" else cell
 
 
-def _own_cell(cell, text):
-    """A cell that a student added, with nothing of it but its text, and pictures."""
-    own = {
-        "cell_type": cell["cell_type"],
-        "id": OWN,
-        "metadata": {"newton_euler": {"role": OWN}},
-        "source": text,
-    }
+def _own_cell(cell: Mapping[str, Any], text: str) -> Cell:
+    """A cell that a student added: of it only the text and the pictures."""
     if cell["cell_type"] == "code":
-        return {**own, "outputs": [], "execution_count": None}
-    pictures = _pictures(cell)
-    return {**own, "attachments": pictures} if pictures else own
+        return code_cell(OWN, text, {"role": OWN})
+    own = markdown_cell(OWN, text, {"role": OWN})
+    if pictures := _pictures(cell):
+        own["attachments"] = pictures
+    return own
 
 
 def _pictures(cell):

@@ -5,14 +5,12 @@ from pathlib import Path
 
 from ..course.files import NotTaken, read_regular
 
-YEARS = range(2000, 2200)  # what else is there was not written by nbgrader
+YEARS = range(2000, 2200)  # other years were not written by nbgrader
 
 
-def read_timestamp(folder):
-    """The time in ``timestamp.txt`` of a folder, in UTC without a zone as nbgrader keeps it; None
-    if there is none that can be read.
-    """
-    from nbgrader.utils import parse_utc  # with it comes all of nbgrader
+def read_timestamp(folder: str | Path) -> datetime | None:
+    """The submission's time, in UTC without a zone; None if missing or unreadable."""
+    from nbgrader.utils import parse_utc  # imports all of nbgrader
 
     try:
         when = parse_utc(read_regular(Path(folder) / "timestamp.txt", 1000).decode().strip())

@@ -1,26 +1,26 @@
-"""Whether a Taylor series sees all that the rates do: through a place where they change their
-formula, a series goes on as if they did not.
+"""Whether a Taylor series sees all that the rates do: beyond a place where they change their
+formula, a series continues the old one.
 """
 
 from ..algebra.source import uses
 from ..algebra.trace import COMPARISONS, Step
 
 KINKS = {"where", "abs", *COMPARISONS}
-# sqrt(v*v) is v to a series and abs(v) to everyone else; a motion can pass the branch point
+# sqrt(v*v) is v to a series but abs(v) to every other method; a motion can pass the branch point
 BRANCHES = {"sqrt", "asin", "acos", "atan2", "**"}
-# exp(-1000*h) is less than round-off in the series of a ball above the floor, and all on the floor
+# exp(-1000*h) is below round-off in the series of a ball above the floor, yet large on the floor
 HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 
 
 def kinks(traced):
-    """The operations of the rates that choose between formulas, a sorted list: where, abs."""
+    """The operations of the rates that choose between formulas, as where and abs: a sorted list."""
     return sorted({s.op for s in _varying(traced) if s.op in KINKS} - set(COMPARISONS))
 
 
 def hazards(traced):
     """The operations of the rates that a series may not notice, a sorted list: those with a branch
-    point which a motion could pass without coming to a singular place, as a root that is not in a
-    denominator too, and those that vanish below round-off.
+    point that a motion could pass without a singularity there, as a root that is not also in a
+    denominator, and those that vanish below round-off.
     """
     steps = _varying(traced)
     poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
@@ -33,7 +33,7 @@ def hazards(traced):
 
 
 def _varying(traced):
-    """The steps that the rates need and that change during a motion."""
+    """The steps of the trace that the rates need and that change during a motion."""
     rhs, found = traced.rhs, {}
     changing, needed = set(rhs.parameters[: traced.arguments]), uses(rhs.trace, rhs.leaves)
     for s in rhs.trace.steps:
@@ -46,7 +46,7 @@ def _varying(traced):
 
 
 def _factors(x):
-    """The numbers of the steps whose zero is a zero of x."""
+    """The numbers of the steps of the trace whose zeros are zeros of x."""
     if not isinstance(x, Step):
         return set()
     below = set()

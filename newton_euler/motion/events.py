@@ -1,5 +1,5 @@
-"""Events: the times at which a function of the state goes through zero, found inside the steps of a
-trajectory by :mod:`newton_euler.motion.zeros`.
+"""Events: the times at which a function of the state changes its sign, located inside the steps of
+a trajectory by :mod:`newton_euler.motion.zeros`.
 """
 
 from collections.abc import Callable, Iterator
@@ -9,36 +9,37 @@ from math import nan
 from numbers import Real
 
 from ..algebra.portable import Portable
+from .chebyshev import EPS, root
 from .methods.base import Stepper
 from .model import ModelError
-from .zeros import EPS, UnresolvedError, ZeroSearch, root
+from .zeros import UnresolvedError, ZeroSearch
 
 # relative change of the time and of each state by which the round-off of a function is measured
 NUDGE = 2.0**-50
 
 
 class EventError(ModelError):
-    """An event whose function cannot be used, by whatever method of integration."""
+    """Raised for an event whose function cannot be used with any method of integration."""
 
 
 @dataclass(frozen=True)
 class Event(Portable):
-    """A zero of ``function(s, p, t)`` to be found during a motion: impact, loss of contact, end of
-    sliding, a turning point.
+    """A zero of ``function(s, p, t)`` to be located during a motion: impact, loss of contact, end
+    of sliding, a turning point.
 
-    function : of the states, the parameters and the time, as in a :class:`Model`, which returns a
-        number. An event is where its sign changes: where it only touches zero there is none, nor
-        where the motion starts at a zero; a zero at the end is one. Smooth functions are fastest,
-        kinks and jumps take many evaluations
-    direction : 1 if only zeros count where it grows, -1 where it falls, 0 both
+    function : a function of the states, the parameters and the time, as in a :class:`Model`, that
+        returns a number. It is an event where its sign changes, also at the end of the motion, but
+        not where it only touches zero or where the motion starts at a zero. Smooth functions are
+        fastest; kinks and jumps take many evaluations
+    direction : 1 if only zeros count at which it grows, -1 at which it falls, 0 for both
     terminal : True if the motion ends there
-    then : a function ``(s, p, t)`` that returns the model and the start with which the motion goes
-        on, ``(model, start)`` or, to change the events as well, ``(model, start, events)``; if it
-        returns None, the motion ends. If the right-hand side becomes another, this event is no
-        longer looked for.
-    name : by which the motion lists it
+    then : a function ``(s, p, t)`` that returns the model and the start with which the motion
+        continues, ``(model, start)`` or, to change the events as well, ``(model, start, events)``;
+        if it returns None, the motion ends. If the right-hand side changes, this event is no longer
+        looked for.
+    name : how the motion lists it
 
-    Raises :class:`~newton_euler.motion.model.ModelError` for anything else.
+    Raises :class:`~newton_euler.motion.model.ModelError` for arguments that do not fit.
 
     >>> landing = Event(lambda s, p, t: s.h, direction=-1, terminal=True, name="landing")
     """
@@ -73,7 +74,7 @@ class Event(Portable):
 
 @dataclass(frozen=True)
 class Occurrence:
-    """An event that happened: its ``name``, the time ``t``, and the ``state`` by name, before
+    """An event that occurred: its ``name``, the time ``t``, and the ``state`` by name, before
     ``then`` changed it.
     """
 
@@ -84,8 +85,8 @@ class Occurrence:
 
 def events_in_step(locators: list, n: int) -> Iterator[list[tuple[float, int]]]:
     """The events in step ``n``, in order of time: for each time, within round-off, a list of pairs
-    (time, number of the locator), in which those that end the segment come last. The step is
-    searched only as far as lists are taken, so that what comes after the end of a segment costs
+    (time, index of the locator), in which those that end the segment come last. The step is
+    searched only as far as the lists are consumed, so what comes after the end of a segment costs
     nothing.
     """
 
@@ -107,13 +108,12 @@ def events_in_step(locators: list, n: int) -> Iterator[list[tuple[float, int]]]:
 
 
 class EventLocator:
-    """Finds one event in the steps of a stepper, in their order.
+    """Locates one event in the steps of a stepper, in their order.
 
-    at_start : True if the segment starts with this very event, at a zero of the function, which
-        does not count again
+    at_start : True if the segment starts with this very event, whose zero does not count again
 
-    Raises :class:`EventError` for a function that fails or returns no number, and where its zeros
-    cannot be found.
+    Raises :class:`EventError` for a function that fails or does not return a number, and where its
+    zeros cannot be found.
     """
 
     def __init__(self, event, stepper, at_start):
@@ -136,7 +136,7 @@ class EventLocator:
 
     def search(self, n):
         """The times of the event in step ``n``, in order, as pairs (time, True); pairs (time,
-        False) between them say how far all have been found.
+        False) in between mark the time up to which all have been found.
         """
         stepper, (a, b) = self.stepper, self.stepper.step_times[n : n + 2]
 
@@ -156,7 +156,7 @@ class EventLocator:
         try:
             for zeros, end in search:
                 for zero in zeros:
-                    # not before the one before, as the states are not those of the interpolation
+                    # refined, it must not precede the last one
                     last = max(self._refined(zero, a, b), last)
                     if last > stepper.start[0]:
                         yield last, True
@@ -166,7 +166,7 @@ class EventLocator:
             raise EventError(f"{self._name} {error}") from error
 
     def _value(self, t, *x):
-        """The value at one state, nan where there is none."""
+        """The value at one state, or nan."""
         try:
             value = self.g(t, *x)
         except ModelError:
@@ -200,8 +200,8 @@ class EventLocator:
         return np.array([self._value(*column) for column in columns])
 
     def _noise(self, times, x):
-        """The largest round-off of the values in each row of times: by how much they change with
-        the last digits of the time and of each state, relative to its largest size in that row.
+        """The largest round-off of the values in each row of times: how much they change with the
+        last digits of the time and of each state, relative to its largest size in that row.
         """
         import numpy as np
 
@@ -216,8 +216,8 @@ class EventLocator:
         return total.reshape(times.shape).max(axis=1)
 
     def _refined(self, zero, a, b):
-        """The time of a zero with the states that the stepper reaches by a step to there, which are
-        more accurate than its interpolation.
+        """The time of a zero with the states that a step to there reaches, which are more accurate
+        than interpolated ones.
         """
         stepper, (t, slope), length = self.stepper, zero, b - a
         if type(stepper).state_at is Stepper.state_at:  # which interpolates
@@ -228,7 +228,7 @@ class EventLocator:
 
         if not slope:
             return self._divided(value, t, a, b)
-        # two steps: the zero is already good to the error of the interpolation
+        # two steps: the zero is already accurate to the error of the interpolation
         for _ in range(2):
             move = value(t) / slope
             if not abs(move) < 1e-3 * length:
@@ -237,7 +237,7 @@ class EventLocator:
         return t
 
     def _divided(self, value, t, a, b):
-        """The time near ``t``, at a kink or a jump, at which the sign of ``value`` changes."""
+        """The time near ``t`` at which the sign of ``value`` changes, at a kink or a jump."""
         for part in (1e-9, 1e-7, 1e-5, 1e-3):
             low, high = max(a, t - part * (b - a)), min(b, t + part * (b - a))
             ends = value(low), value(high)

@@ -1,21 +1,21 @@
-"""Times at which a method must stop to look: a pulse in a force that depends on time is passed over
-by every method whose steps have grown while nothing happened.
+"""Times at which every method must stop: a pulse of a force that depends on time is missed by a
+method whose steps have grown while nothing happened.
 """
 
 from ..algebra.compile import Compiled
 from ..algebra.trace import Step
 
-INTERVALS = 16384  # a pulse is found if it is longer than one of these parts of the time
-# an interval is quiet if a function of time changes in it by less than this part of its largest
-# change in an interval, and so does in so many neighbours: what a step may pass over there is less
-# than any error that can be asked for
+INTERVALS = 16384  # parts of the time: a pulse is found if it is longer than one of them
+# an interval is quiet if a function of time changes in it by less than this fraction of its largest
+# change in any interval, and if so many neighbours are quiet too: what a step may miss there is
+# less than any rtol
 QUIET, QUIET_RUN = 1e-14, 4
-MAX_EVENTS = 1000  # more are no pulses but an oscillation, which no step can miss
+MAX_EVENTS = 1000  # pulses: more are an oscillation, which no step can miss
 
 
 def knots(system, t0, t1):
-    """The times between t0 and t1 at which a function of time in the rates begins or ends to change
-    after a time of quiet, in order; none for most models.
+    """The times between t0 and t1, in order, at which a function of time in the rates begins or
+    ceases to change next to a quiet time; () for most models.
     """
     if system.autonomous:
         return ()
@@ -49,8 +49,8 @@ def _found(system, t0, t1):
 
 
 def _edges(np, busy):
-    """The numbers of the instants at which busy intervals follow a run of quiet ones, or end; none
-    if they are very many.
+    """The indices of the instants at which busy intervals follow a run of quiet ones, or end; empty
+    if there are very many.
     """
     numbers = np.flatnonzero(busy)
     breaks = np.flatnonzero(np.diff(numbers) > QUIET_RUN)

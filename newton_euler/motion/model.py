@@ -36,22 +36,20 @@ from ..algebra.scalars import (
 
 # a state: its values in the order of the states, or by name
 State = Iterable[Scalar] | Mapping[str, Scalar]
-# values in a cache: functions that are made at each call, as lambdas are, would pile up
-KEPT = 64
-# of a state of a wrong length, that are counted for the message
-MOST_VALUES = 1000
+KEPT = 64  # entries of a cache: functions that are made at each call, like lambdas, would pile up
+MOST_VALUES = 1000  # values of a state of wrong length that are counted for the message
 # texts of right-hand sides: by function, and by content, since equal texts share one compilation
 _BY_FUNCTION: dict = {}
 _BY_CONTENT: dict = {}
 
 
 class ModelError(NewtonEulerError, ValueError):
-    """A model whose parts do not fit together, or a question that it cannot answer."""
+    """Raised for a model whose parts do not fit together, and for requests that it cannot meet."""
 
 
 class Named:
-    """Values by name, as ``s.v``; a name that does not exist raises an AttributeError that lists
-    those that do.
+    """Values by name, as ``s.v``; an unknown name raises an AttributeError that lists the known
+    ones.
     """
 
     def __init__(self, what, values):
@@ -70,7 +68,7 @@ class Named:
 @checked
 @dataclass(frozen=True)
 class Neglected(Portable):
-    """An effect that a model leaves out, with a bound of the error that this makes.
+    """An effect that a model neglects, with a bound on the resulting error.
 
     what : in words, as "the rotation of the earth"
     bound : a function ``(s, p, t)`` of the start, the parameters and the time passed that returns
@@ -99,16 +97,16 @@ class Model(Portable):
         without branches on values
     invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
     exact : the exact solution, a function ``(s, p, t)`` that returns the states at the time t after
-        the state ``s`` at t = 0; None where there is none
-    neglects : what the model leaves out, a tuple of :class:`Neglected`
+        the state ``s`` at t = 0, or None
+    neglects : the neglected effects, a tuple of :class:`Neglected`
 
-    The right-hand side is tried once, without values, when the model is made: :class:`ModelError`
+    The right-hand side is called once, without values, when the model is made: :class:`ModelError`
     says at once what is wrong with it.
 
-    A model keeps functions, not their values: what they read beside (s, p, t), as a global of a
-    notebook, is read when it is asked, and for :func:`~newton_euler.integrate` at the beginning of
-    each integration. So a change counts from the next call on, for every model; a motion, and what
-    :func:`~newton_euler.prepare` returned, stay as they were computed. In a pickle functions of a
+    A model stores functions, not their values: what they read besides (s, p, t), as a global of a
+    notebook, is read at each call, and by :func:`~newton_euler.integrate` at the beginning of each
+    integration. So a change takes effect from the next call on, for every model; a motion, and what
+    :func:`~newton_euler.prepare` returned, stay as they were computed. In a pickle, functions of a
     module are names; lambdas and functions of a notebook are steps, with what they read then.
 
     >>> def thrown(s, p, t):
@@ -183,10 +181,10 @@ class Model(Portable):
         return values
 
     def _rhs_text(self, free, fixed, laws):
-        """What the right-hand side and the laws read, and its text: a pair, see :func:`current`.
+        """What the right-hand side and the laws read, and its text: a pair; see :func:`current`.
 
-        free : the names of the parameters that are arguments of it
-        fixed, laws : the others as pairs (name, value); the functions among them
+        free : the names of the parameters that are its arguments
+        fixed, laws : the other parameters as pairs (name, value); the functions among these
         """
 
         def text():
@@ -201,7 +199,7 @@ class Model(Portable):
         """
         if self.exact is None:
             raise ModelError(f"no exact solution of {self.name!r} is known; integrate it")
-        found = self._told("exact solution", self.exact, start, t)
+        found = self._value_of("exact solution", self.exact, start, t)
         states = tuple(found) if hasattr(found, "__iter__") else ()
         if len(states) != len(self.states):
             raise ModelError(
@@ -213,15 +211,15 @@ class Model(Portable):
     def invariant(self, name: str, state: State, t: Scalar = 0) -> Scalar:
         """The value of one invariant at a state."""
         self._expect("invariant", [name], self.invariants)
-        found = self._told(f"invariant {name!r}", self.invariants[name], state, t)
+        found = self._value_of(f"invariant {name!r}", self.invariants[name], state, t)
         if not _is_scalar(found):
             raise ModelError(
                 f"the invariant {name!r} of {self.name!r} returns a number, got {clipped(found)}"
             )
         return found
 
-    def _told(self, what, f, state, t):
-        """:meth:`_value`; where it does not exist, the error says of what."""
+    def _value_of(self, what, f, state, t):
+        """:meth:`_value`; where there is none, the error names what it is of."""
         try:
             return self._value(f, state, t)
         except (ZeroDivisionError, OverflowError) as error:
@@ -232,10 +230,10 @@ class Model(Portable):
             ) from error
 
     def neglected(self, t: Scalar, start: State) -> dict:
-        """A dict: for each :class:`Neglected` the bound of the error that it makes until ``t``
-        after ``start``, inf where none is known.
+        """A dict: for each :class:`Neglected` the bound on its error until ``t`` after ``start``,
+        inf where none is known.
         """
-        start, t = self._state(start), self._time(t)  # though no bound may ask for them
+        start, t = self._state(start), self._time(t)  # checked even if no bound needs them
         return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
 
     def changed(self, **parameters: Scalar) -> "Model":
@@ -270,7 +268,7 @@ class Model(Portable):
         return dict(zip(names, state, strict=True))
 
     def _in_order(self, state):
-        """A state given in order as a tuple, of no more values than are needed for a message."""
+        """A state given in order as a tuple, of no more values than a message needs."""
         if type(state) is list:
             return tuple(state)
         unordered = isinstance(state, (str, bytes, set, frozenset))
@@ -282,7 +280,7 @@ class Model(Portable):
         return tuple(islice(state, max(len(self.states), MOST_VALUES) + 1))
 
     def _time(self, t):
-        """The time ``t`` as a number of any kind; :class:`ModelError` for what is none."""
+        """The time ``t`` as a number of any kind; :class:`ModelError` for anything else."""
         try:
             return t if type(t) is float else to_plain(scalar(t))
         except ScalarError as error:
@@ -295,7 +293,7 @@ class Model(Portable):
         """``f(s, p, t)``, with the value of each law at this state in p."""
         s = Named("state", {n: scalar(x) for n, x in state.items()})
         p = Named("parameter", {n: scalar(x) for n, x in parameters.items() if not is_law(x)})
-        # evaluated before any is added: a law sees the numbers only, no other law
+        # evaluated before any is added: a law sees numbers only, not other laws
         vars(p).update({n: scalar(x(s, p, t)) for n, x in parameters.items() if is_law(x)})
         return f(s, p, t)
 
@@ -344,12 +342,12 @@ class Model(Portable):
         for x in self.neglects:
             if not isinstance(x, Neglected):
                 raise ModelError(
-                    f"what {self.name!r} neglects is told by Neglected(what, bound, of), got "
+                    f"what {self.name!r} neglects is a tuple of Neglected(what, bound, of), got "
                     f"{clipped(x)}"
                 )
 
     def _check_rhs(self):
-        """One call without values: it meets every name, and no branch can hide from it."""
+        """One call without values: it reaches every name, as the formula has no branches."""
         what, states = f"the right-hand side of {self.name!r}", self.states
         laws = {n: x for n, x in self.parameters.items() if is_law(x)}
         free = tuple(n for n in self.parameters if n not in laws)
@@ -364,25 +362,26 @@ class Model(Portable):
 
 
 def cached(cache, key, make):
-    """The value of a key in the cache, made if it is not there; only the ``KEPT`` values that were
-    used last stay.
+    """The value of a key in the cache, made if it is missing; the ``KEPT`` most recently used
+    values are kept.
 
-    For several threads: two may make the same value, each for itself.
+    Safe for threads: two may make the same value, each for itself.
     """
-    found = cache.pop(key, cache)  # the cache itself stands for what is not in it
-    return _keep(cache, key, make() if found is cache else found)
+    missing = cache  # a value that is certainly not in it
+    found = cache.pop(key, missing)
+    return _keep(cache, key, make() if found is missing else found)
 
 
 def shared(formula, cache=_BY_CONTENT):
-    """The text of a formula that is recorded or compiled, one for all that are equal: a
-    :class:`~newton_euler.algebra.compile.Compiled`.
+    """The :class:`~newton_euler.algebra.compile.Compiled` text of a formula that is recorded or
+    compiled; equal formulas share one.
     """
     return cached(cache, content(formula), lambda: text_of(formula))
 
 
 def current(cache, key, functions, make):
-    """The :class:`~newton_euler.algebra.reads.Reads` of these functions and the value of a
-    key in the cache, a pair; made again where something that the functions read has changed.
+    """The :class:`~newton_euler.algebra.reads.Reads` of these functions and the value of a key in
+    the cache, a pair; made again where something that the functions read has changed.
     """
     try:
         found = cache.pop(key, None)
@@ -415,7 +414,7 @@ def _is_function(x):
 
 
 def _by_name(what, x):
-    """A dict from a mapping or pairs; ``what`` it is, for the message."""
+    """A dict from a mapping or pairs; ``what`` names it in the message."""
     try:
         if isinstance(x, (str, bytes)):
             raise TypeError
@@ -427,7 +426,7 @@ def _by_name(what, x):
 
 
 def _several(what, x):
-    """A tuple from a sequence in order; ``what`` it is, for the message."""
+    """A tuple from an ordered sequence; ``what`` names it in the message."""
     if type(x) is tuple:
         return x
     if isinstance(x, (str, bytes, set, frozenset, range)) or not hasattr(x, "__iter__"):
@@ -436,23 +435,21 @@ def _several(what, x):
 
 
 def is_law(x):
-    """True for a function that gives a parameter.
-
-    An expression can be called too, but is a number.
+    """True for a parameter that is a function. (A symbolic expression is callable too, but is a
+    number.)
     """
     return callable(x) and not _is_scalar(x)
 
 
 def is_absent(x):
-    """True for a number that is 0, as a force that is left out; False for a law."""
+    """True for a number that is 0, as a force that is neglected; False for a law."""
     return not is_law(x) and is_zero(scalar(x))
 
 
 def comparable(what, *values):
-    """The values as :func:`~newton_euler.algebra.scalars.promote` returns them, for an exact
-    solution whose branches compare them.
+    """The values, as :func:`~newton_euler.algebra.scalars.promote` returns them, of an exact
+    solution that branches on them; ``what`` names the body in the message.
 
-    what : the body, for the message
     Raises :class:`ModelError` for expressions.
     """
     values = promote(*values)
@@ -462,25 +459,41 @@ def comparable(what, *values):
 
 
 def has_unit(x):
-    """True for a quantity of pint or astropy and a time span of NumPy: as plain numbers, which is
-    what NumPy makes of them, they would be other ones.
+    """True for a quantity of pint or astropy and a time span of NumPy: converted to plain numbers,
+    as by NumPy, they would lose their unit.
     """
     kind = getattr(getattr(x, "dtype", None), "kind", "")
     if kind and type(x).__module__ == "numpy":
-        return kind in "mM"  # the usual arrays, asked for no more
+        return kind in "mM"
     return hasattr(x, "unit") or (hasattr(x, "magnitude") and hasattr(x, "to"))
 
 
 def unit_advice(x):
-    """What to do with a quantity, as the end of a message; nothing for all else."""
+    """What to do with a quantity, as the end of a message; "" for anything else."""
     return advice(x) if has_unit(x) else ""
+
+
+def finite_number(x, what, no_number):
+    """``x`` as a finite float; :class:`ModelError` otherwise.
+
+    what, no_number : the beginning of the message for inf and nan; that for anything else
+    """
+    try:
+        if not isinstance(x, (float, int)) and has_unit(x):
+            raise TypeError
+        x = float(x)
+    except (TypeError, ValueError, OverflowError, RuntimeError) as error:  # the last of SymEngine
+        raise ModelError(f"{no_number}{unit_advice(x)}") from error
+    if not math.isfinite(x):
+        raise ModelError(f"{what} {x!r}; a motion needs finite numbers")
+    return x
 
 
 def real_numbers(x, what):
     """One real number, or an array or sequence of them, as an array of floats.
 
     what : what is expected, for the message
-    Raises :class:`ModelError` for all else, and for quantities, whose unit would be lost.
+    Raises :class:`ModelError` for anything else, and for quantities, whose unit would be lost.
     """
     import numpy as np
 
@@ -493,11 +506,11 @@ def real_numbers(x, what):
         elif isinstance(x, range) and len(x) > LONGEST_SEQUENCE:
             raise TypeError
         given = np.asarray(x)
-        if given.dtype.kind not in "biufO":
+        if given.dtype.kind not in "iufO":
             raise TypeError
-        if given.ndim and given.dtype.kind == "O":
-            given = np.array([real_numbers(entry, what) for entry in given])
-        return given.astype(float, copy=False)
+        if given.dtype.kind == "O":
+            given = [real_numbers(entry, what) for entry in given] if given.ndim else float(x)
+        return np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError, RuntimeError) as error:
         if isinstance(error, ModelError):
             raise  # of an entry
@@ -511,8 +524,8 @@ def second_order(
     accelerations: Callable,
     **more: Any,
 ) -> Model:
-    """The :class:`Model` whose states are the coordinates and their rates: equations of motion in
-    state-variable form.
+    """The :class:`Model` whose states are the coordinates and their rates: second-order equations
+    of motion in state-variable form.
 
     coordinates : their names; the rate of ``x`` is the state ``dx``
     accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates

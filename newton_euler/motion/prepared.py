@@ -1,4 +1,5 @@
-"""A model made ready to run: its formulas traced once and kept, with the numbers of its parameters.
+"""A model prepared for integration: its formulas traced once and kept, with the numbers of its
+parameters.
 
 Models that share a right-hand side (the same scene with other parameters) share the traced text,
 and what heyoka has compiled from it.
@@ -17,11 +18,9 @@ from .model import (
     ModelError,
     cached,
     current,
-    has_unit,
+    finite_number,
     is_law,
-    real_numbers,
     shared,
-    unit_advice,
 )
 from .verified import Verified
 
@@ -29,14 +28,14 @@ _TRACED: dict = {}
 
 
 class Traced:
-    """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what was
-    made from it.
+    """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what is
+    derived from it.
 
-    arguments : the number of its first arguments that are no parameters
+    arguments : the number of its leading arguments that are not parameters
     functions, texts : other functions of the states, recorded or None, by function; their texts, by
         content
-    integrators : of heyoka
-    seconds : spent on integrating it, to decide whether heyoka's compilation pays
+    integrators : those of heyoka
+    seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
     """
 
     def __init__(self, rhs, arguments):
@@ -45,8 +44,8 @@ class Traced:
 
     @cached_property
     def folded(self):
-        """The right-hand side with constants in place of what depends on parameters alone, and the
-        formula that gives these constants.
+        """The right-hand side with constants for what depends on parameters alone, and the formula
+        of these constants.
         """
         return folded(self.rhs, self.arguments)
 
@@ -62,7 +61,7 @@ class Traced:
 
 
 class FunctionText:
-    """One traced function: its ``text`` is written when it is first needed; equal ones share it."""
+    """One traced function; its ``text``, written when first needed, is shared by equal ones."""
 
     def __init__(self, recording, texts):
         self._recording, self._texts = recording, texts
@@ -74,8 +73,8 @@ class FunctionText:
 
 
 def prepared_model(model):
-    """The :class:`PreparedModel` of a model, kept in the model for as long as what its functions
-    read is the same.
+    """The :class:`PreparedModel` of a model, kept in the model as long as what its functions read
+    is unchanged.
     """
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model, got {model!r}")
@@ -88,12 +87,12 @@ def prepared_model(model):
 
 class PreparedModel:
     """A model with the numbers of its parameters, and its functions with what they read at this
-    moment: they are traced now, but those of the engine, which read nothing, when they are needed.
+    moment: they are traced now, except those that read nothing, which are traced when needed.
 
-    f : the right-hand side on floats, ``f(t, *states, *p)``; ``p`` : the values of the parameters
-        that are ``free``, arguments of it
+    f : the right-hand side on floats, ``f(t, *states, *p)``
+    free, p : the names and the values of the parameters that are arguments of it
     many : True if some parameter is an array
-    Raises :class:`ModelError` for a parameter that has no number.
+    Raises :class:`ModelError` for a parameter that is not a number.
     """
 
     def __init__(self, model):
@@ -107,7 +106,7 @@ class PreparedModel:
         self._laws = tuple([x for x in fixed.values() if callable(x)])
         reads, rhs = model._rhs_text(self.free, self._fixed, self._laws)
         self._take(rhs)
-        # by identity, which costs less than to look for an equal function
+        # by identity, which is faster than looking for an equal function
         self._now, self._reads = {}, (reads,) if reads.checks or not reads.known else ()
         for f in self._functions:
             if self._laws or not reads_nothing(f):
@@ -115,12 +114,12 @@ class PreparedModel:
                 self._reads += (reads,)
 
     def _take(self, rhs):
-        """Take this text for the right-hand side."""
+        """Use this text as the right-hand side."""
         self.traced = cached(_TRACED, rhs, lambda: Traced(rhs, 1 + len(self.model.states)))
         self.f = rhs.on_floats
 
     def __reduce__(self):
-        """The model, and the texts of its functions as they were at its moment."""
+        """The model, and the texts of its functions as they were when this was made."""
         texts = [
             (n, self._now[id(f)] and self._now[id(f)].text)
             for n, f in enumerate(self._functions)
@@ -134,8 +133,8 @@ class PreparedModel:
         return *((exact,) if exact else ()), *self.model.invariants.values()
 
     def holds(self):
-        """True if all that the functions of the model read is as it was."""
-        # no generator: this is part of the shortest run
+        """True if all that the functions of the model read is unchanged."""
+        # not a generator: this is part of the shortest run
         for reads in self._reads:  # noqa: SIM110
             if not reads.hold():
                 return False
@@ -148,9 +147,7 @@ class PreparedModel:
 
     @cached_property
     def constants(self):
-        """What the folded right-hand side needs of the parameters, a tuple; nan where they give no
-        numbers.
-        """
+        """The constants of the folded right-hand side, a tuple; nan where they have no value."""
         early = self.traced.folded[1]
         try:
             return early.on_floats(*self.p)
@@ -167,7 +164,7 @@ class PreparedModel:
         return self.f(t, *x, *self.p)
 
     def function(self, f):
-        """A function ``f(s, p, t)`` as one of ``(t, *states)``; traced if it can be."""
+        """A function ``f(s, p, t)`` as one of ``(t, *states)``; traced if possible."""
         text, p = self._text(f), self.p
         return (lambda t, *x: text(t, *x, *p)) if text else self.untraced(f)
 
@@ -179,12 +176,12 @@ class PreparedModel:
         """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event
         may.
         """
-        found = self._now.get(id(f), self)  # this stands for a function that is not of the model
-        found = self._recorded(f)[1] if found is self else found
-        return found and found.text
+        own = id(f) in self._now  # else it is traced at each use, as that of an event
+        traced = self._now[id(f)] if own else self._recorded(f)[1]
+        return traced and traced.text
 
     def _recorded(self, f):
-        """What a function reads, and its :class:`FunctionText` or None, see :func:`current`."""
+        """What a function reads, and its :class:`FunctionText` or None; see :func:`current`."""
         known = self.traced
 
         def recording():
@@ -205,11 +202,11 @@ class PreparedModel:
 
     @cached_property
     def solution(self):
-        """The exact solution as a function of ``(t, states)`` on floats alone, which returns a
-        tuple of floats.
+        """The exact solution as a function of ``(t, states)`` on floats that returns a tuple of
+        floats.
 
-        Where the traced text has no value, as for an orbit that is no ellipse, the formula is
-        called as it is; :class:`ModelError` if it has no value either.
+        Where the traced text has no value, as for an orbit that is not an ellipse, the formula
+        itself is called; :class:`ModelError` if it has no value either.
         """
         p, untraced = self.p, self.untraced(self.model.exact)
         run = self.exact_on_floats or (lambda *_: (math.nan,))
@@ -217,7 +214,7 @@ class PreparedModel:
         def at(t, x):
             try:
                 found = run(t, *x, *p)
-                # one test for all: a sum with nan or inf is not finite
+                # one test for all values
                 if math.isfinite(sum(found)):
                     return found
             except (ArithmeticError, ValueError):
@@ -257,60 +254,10 @@ def _snapshot(model, rhs, texts):
     return system
 
 
-def start_state(model, start):
-    """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError`
-    says what is wrong with it.
-    """
-    # the usual start, tested in few calls: this is a good part of the time of a short run
-    if (
-        type(start) in (tuple, list)
-        and len(start) == len(model.states)
-        and set(map(type, start)) == {float}
-        and math.isfinite(sum(start))
-    ):
-        return tuple(start)
-    kind = getattr(getattr(start, "dtype", None), "char", "")
-    if kind == "d" and start.ndim == 1 and type(start).__module__ == "numpy":
-        return start_state(model, tuple(start.tolist()))
-    names = ", ".join(model.states)
-    of = f"the start of {model.name!r}"
-    if not hasattr(start, "__iter__"):
-        raise ModelError(f"{of} is a value for each of {names}, not {start!r}")
-    unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else ()
-    if unknown:
-        raise ModelError(f"{model.name} has no state {unknown[0]!r}; its states are {names}")
-
-    def number(n, x):
-        if type(x) is float and -math.inf < x < math.inf:
-            return x  # before the messages are written
-        needed = f"{of} needs a number for {n}"
-        if getattr(x, "shape", ()):
-            real_numbers(x, needed)
-            return x
-        if isinstance(x, (str, bytes, bool)):
-            raise ModelError(f"{needed}, got {x!r}")
-        return _finite(x, f"{of} has {n} =", f"{needed}, got {x!r}")
-
-    return tuple(number(n, x) for n, x in model._state(start).items())
-
-
 def _parameter(model, name, x):
     if (type(x) is float and -math.inf < x < math.inf) or getattr(x, "shape", ()):
         return x  # before the messages are written: the text of an array takes milliseconds
     what = f"the parameter {name} of {model.name!r}"
-    return _finite(
+    return finite_number(
         x, f"{what} is", f"{what} has no number: {x!r}; put one in with changed({name}=...)"
     )
-
-
-def _finite(x, what, no_number):
-    """``x`` as a finite float."""
-    try:
-        if not isinstance(x, (float, int)) and has_unit(x):
-            raise TypeError
-        x = float(x)
-    except (TypeError, ValueError, OverflowError, RuntimeError) as error:  # the last of SymEngine
-        raise ModelError(f"{no_number}{unit_advice(x)}") from error
-    if not math.isfinite(x):
-        raise ModelError(f"{what} {x!r}; a motion needs finite numbers")
-    return x

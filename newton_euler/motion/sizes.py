@@ -1,30 +1,30 @@
-"""How large a state is that happens to be nearly zero: errors are relative to the size of each
-state, and the rate of nutation of a steady precession is zero, but not known relative to nothing.
+"""The natural size of a state that happens to be nearly zero. Errors are relative to the size of
+each state, but the rate of nutation of a steady precession is zero, and has an error all the same.
 """
 
 import math
 
-# part of the natural size of a state below which it is not judged relative to its own size
+# fraction of its natural size below which a state is not judged relative to its own size
 NATURAL_PART = 1e-3
-# a float's epsilon over the natural size of a state: the round-off that its rate brings into it
-ROUND_OFF = 2e-16
-TIME_SAFETY = 3.0  # measured
+ROUND_OFF = 2e-16  # that its rate brings into a state, as a fraction of its natural size
+TIME_SAFETY = 3.0  # on the error by round-off of the time; measured
 
 
 def natural_sizes(system, points, sizes, span):
-    """What the coupling to the other states makes of each, and the same with the time among them:
-    two tuples.
+    """The size of each state that follows from its coupling to the others, and the same with the
+    coupling to time included: two tuples.
 
-    The sum over j of abs(df_i/dx_j) size_j over the fastest rate of the linearised motion. It does
-    not depend on units, and is as large as a state would be whose cancelling terms did not cancel.
-    Of the points the smallest sum counts: next to a singular place it is as large as one likes,
-    as of the speed of a rocket with hardly any mass left.
+    It is the sum over j of abs(df_i/dx_j) size_j, divided by the fastest rate of the linearised
+    motion. It does not depend on units, and is the size that the state would have if its terms did
+    not cancel. The smallest sum of all points counts, since near a singular place it is arbitrarily
+    large, as that of the speed of a rocket with hardly any mass left.
 
-    points : pairs (time, state) of the motion; sizes : the largest absolute value of each state;
-        span : the time of the motion, a rate below 1/span does not count
+    points : pairs (time, state) of the motion
+    sizes : the largest absolute value of each state
+    span : the time of the motion; rates below 1/span do not count
     """
     natural = with_time = (0.0,) * len(sizes)
-    # the second time with a step also for states that are zero
+    # the second time also with a step for states that are zero
     for _ in range(2):
         scale = [max(s, n) or 1.0 for s, n in zip(sizes, natural, strict=True)]
         terms, of_time, fastest = [math.inf] * len(sizes), [0.0] * len(sizes), 1 / span
@@ -32,7 +32,7 @@ def natural_sizes(system, points, sizes, span):
             try:
                 columns = _derivatives(system, t, x, scale, span)
             except (ArithmeticError, ValueError):
-                continue  # no rates beside this point
+                continue  # the rates have no value near this point
             *states, time = columns
             for i in range(len(sizes)):
                 row = [abs(c[i]) for c in states]
@@ -40,10 +40,10 @@ def natural_sizes(system, points, sizes, span):
                 terms[i] = min(terms[i], made)
                 of_time[i] = max(of_time[i], abs(time[i] * t))
             fastest = max(fastest, _spectral_radius(states, scale))
-        terms = [x if x < math.inf else 0.0 for x in terms]  # there was no point with rates
+        terms = [x if x < math.inf else 0.0 for x in terms]  # 0 if no point has rates
         natural = tuple([x / fastest for x in terms])
         with_time = tuple([(x + y) / fastest for x, y in zip(terms, of_time, strict=True)])
-        # what a step of 1e-6 shows is enough for states of ordinary size
+        # a step of 1e-6 is appropriate for states of ordinary size
         if all(s or not n or 1e-3 < n < 1e3 for s, n in zip(sizes, natural, strict=True)):
             break
     return natural, with_time
@@ -58,7 +58,7 @@ def _derivatives(system, t, x, scale, span):
         beside = system.rates(t, (*x[:j], moved, *x[j + 1 :]))
         step = moved - x[j] or step
         column = [(b - a) / step for a, b in zip(rates, beside, strict=True)]
-        if system.traced.kinks:  # of a jump beside this point on one side, a difference is no slope
+        if system.traced.kinks:  # the difference across a jump on one side is not a slope
             other = system.rates(t, (*x[:j], x[j] - step, *x[j + 1 :]))
             other = [(a - b) / step for a, b in zip(rates, other, strict=True)]
             column = [min(pair, key=abs) for pair in zip(column, other, strict=True)]
@@ -71,10 +71,10 @@ def _derivatives(system, t, x, scale, span):
 
 
 def _spectral_radius(columns, scale):
-    """About the spectral radius of the matrix of absolute values, by power iteration."""
+    """An estimate of the spectral radius of the matrix of absolute values, by power iteration."""
     states = range(len(scale))
     rows = [[abs(c[i]) * s / scale[i] for c, s in zip(columns, scale, strict=True)] for i in states]
-    # the square: the matrix of an oscillator turns one state into the other and back again
+    # of its square: the matrix of an oscillator swaps the states
     vector, norm = [1.0] * len(scale), 0.0
     for _ in range(2):
         once = [sum([a * v for a, v in zip(row, vector, strict=True)]) for row in rows]
@@ -87,8 +87,8 @@ def _spectral_radius(columns, scale):
 
 
 def time_round_off(system, t, x, sizes, span):
-    """The error, relative to the sizes, that round-off of the time makes in rates that depend on
-    it: a clock that shows 1e9 s counts in 1e-7 s.
+    """The error, relative to the sizes, due to round-off of the time in rates that depend on it: a
+    clock that shows 1e9 s has a resolution of 1e-7 s.
     """
     if system.autonomous:
         return 0.0

@@ -14,7 +14,7 @@ from .methods.base import sample_times
 from .methods.table import METHODS
 from .model import Model, ModelError, real_numbers
 
-DEFAULT_SAMPLES = 101  # of a motion without steps
+DEFAULT_SAMPLES = 101  # times of a motion without steps
 
 
 class MotionError(ModelError):
@@ -31,14 +31,14 @@ class MotionError(ModelError):
 
 
 class AccuracyError(MotionError):
-    """Raised where the error that was asked for cannot be had; ``reached`` is the :class:`Motion`,
-    or the :class:`~newton_euler.motion.batch.Motions`, with the error that it has.
+    """Raised where the requested tolerance cannot be reached; ``reached`` is the :class:`Motion`,
+    or the :class:`~newton_euler.motion.batch.Motions`, with its error.
     """
 
 
 class Cost(NamedTuple):
-    """``seconds`` of all runs, with the imports and compilations that they need, and of
-    ``preparing`` the model; ``calls`` of the right-hand side.
+    """``seconds`` of all runs, including imports and compilations, and those of ``preparing`` the
+    model; ``calls`` of the right-hand side.
     """
 
     seconds: float
@@ -50,12 +50,12 @@ class Cost(NamedTuple):
 class Motion:
     """The motion of a model.
 
-    model, rtol : what was asked for; ``method`` : the method that was used
+    model, rtol : as requested; ``method`` : the one that was used
     segments : the parts between events at which the state jumped or the model changed
-    events : the :class:`~newton_euler.motion.events.Occurrence` of each event that happened
+    events : the :class:`~newton_euler.motion.events.Occurrence` of each event that occurred
     ended : how it ended, in words; ``cost`` : a :class:`Cost`
-    times, states : of the samples; ``states["theta"]`` is an array, nan in a segment that has no
-        such state
+    times, states : those of the samples; ``states["theta"]`` is an array, nan in a segment that has
+        no such state
     error : the estimated error at the end, of the worst state relative to its largest value, or to
         a thousandth of what its coupling to the others would make of it; nan with a fixed step
     drift : for each invariant, by name, its largest change over the samples, relative to its
@@ -79,9 +79,7 @@ class Motion:
     estimate: Any = field(default=math.nan, repr=False)
 
     def __getstate__(self):
-        """With all that is computed on demand: elsewhere it might come out otherwise, as without
-        heyoka.
-        """
+        """With all that is computed on demand: elsewhere it might differ, as without heyoka."""
         known = {n: getattr(self, n) for n in ("times", "states", "end", "error", "drift")}
         segments = [part._replace(stepper=_in_pickle(part.stepper)) for part in self.segments]
         return {**vars(self), **known, "estimate": known["error"], "segments": segments}
@@ -103,8 +101,8 @@ class Motion:
 
     @cached_property
     def error(self) -> float:
-        """The estimated error at the end, see the class; of a closed form, and of a run of heyoka
-        beside one that was verified, made when it is first asked for.
+        """The estimated error at the end, see the class; that of a closed form, and of a run of
+        heyoka close to a verified one, is computed when first read.
         """
         return self.estimate() if callable(self.estimate) else self.estimate
 
@@ -169,8 +167,8 @@ class Motion:
 
     @cached_property
     def drift(self) -> dict[str, float]:
-        """The drift of each invariant, by name, see the class; of several segments the largest,
-        each compared with its own start.
+        """The drift of each invariant, by name, see the class: the largest of all segments, each
+        compared with its own start.
         """
         import numpy as np
 
@@ -186,7 +184,7 @@ class Motion:
         return worst
 
     def explain(self) -> str:
-        """Everything that is known about the motion as text, one fact a line."""
+        """A summary of the motion as text, one fact a line."""
         missed = ", not reached" if self.error > self.rtol else ""
         seconds, preparing, calls = self.cost
         more = len(self.events) - 10
@@ -208,12 +206,12 @@ class Motion:
     __str__ = explain
 
 
-# what a stepper computes with, functions and integrators: no pickle has them
+# attributes of a stepper that no pickle contains: functions and integrators
 REMADE = {"f", "code", "move", "solver"}
 
 
 class _Sent:
-    """A stepper from a pickle: what its ``begin`` makes is made again when it is first needed."""
+    """A stepper from a pickle: what its ``begin`` makes is made again when first needed."""
 
     def __getattr__(self, name):
         if name not in REMADE:
@@ -227,8 +225,8 @@ class _Sent:
 
 
 def _in_pickle(stepper):
-    """The method of a stepper by name, or else its class, and what it has reached: some classes are
-    made for the table of methods, and have no name of their own.
+    """The method of a stepper by name, or else its class, and its attributes: some classes are made
+    for the table of methods and cannot be imported.
     """
     kind = type(stepper).__mro__[2] if isinstance(stepper, _Sent) else type(stepper)
     name = next((n for n, method in METHODS.items() if method.stepper is kind), None)

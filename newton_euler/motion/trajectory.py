@@ -1,36 +1,35 @@
-"""The trajectory of a model by one method at one tolerance: the segments between the events at
+"""The trajectory of a model by one method at one tolerance: its segments between the events at
 which the state jumps or the model changes.
 """
 
 from typing import NamedTuple
 
+from .arguments import start_state
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
-from .methods.base import SMALLEST_SCALE, StepError, Stepper
-from .methods.exact import estimated_error
+from .methods.base import SMALLEST_SCALE, LengthError, StepError, Stepper
 from .methods.table import METHODS
-from .methods.taylor import level_of
 from .model import ModelError
-from .prepared import prepared_model, start_state
+from .prepared import prepared_model
 from .sizes import NATURAL_PART, ROUND_OFF, natural_sizes
 
-# steps between two searches for events: few at first, as an event may come soon, then more, as a
-# search has a fixed cost
+# steps between two searches for events: few at first, since an event may come soon, then more,
+# since a search has a fixed cost
 FIRST_STEPS, MAX_STEPS = 8, 128
 MAX_SEGMENTS = 20_000
-# part of the whole time: events that follow faster accumulate (Zeno), as the impacts of a ball that
-# comes to rest
+# fraction of the whole time: events in faster succession accumulate (Zeno), as the impacts of a
+# ball that comes to rest
 MIN_SEGMENT = 1e-9
-# part of the size that a state has during the motion below which its errors do not count; if the
-# rates jump, a small one would stop the motion where it comes to rest
+# fraction of the size of a state during the motion below which its errors do not count; the larger
+# one where rates jump, as otherwise the motion would stall where it comes to rest
 OWN_PART, KINKED_PART = 1e-6, 1e-3
-# part of the time that a step may take in the first trajectory and in later ones: two runs by the
+# longest step as a fraction of the time, in the first trajectory and in later ones: two runs by the
 # same few steps would agree on what both have passed over
 LONGEST_PARTS = 0.4, 0.13
-# part of the difference of two runs on the way that counts as one of their ends: beside a singular
-# place it is larger than at the end
+# weight of the difference of two runs on the way, which is larger than at the end near a singular
+# place
 INNER_PART = 0.05
-# part of its natural size at the start below which a state is nearly zero
+# fraction of its natural size at the start below which a state is nearly zero
 SMALL_PART = 1e-2
 ACCUMULATION = "events follow each other without end"
 
@@ -49,18 +48,18 @@ class Segment(NamedTuple):
 
 class Trajectory:
     """``segments``, ``occurrences`` of events and, in words, how the trajectory ``ended``;
-    ``failed`` if the method could not continue there.
+    ``failed`` is the error if the method could not continue there, else None.
 
     run : the :class:`~newton_euler.motion.run.Run` that it belongs to
-    known : the sizes of the states and their natural ones, as :meth:`sizes` of an earlier
-        trajectory of this run returns them; None for the first
-    scaled : True if the states are taken over their sizes where the method itself does not
-    samples : those of the run, unless others are given
+    known : the sizes of the states, as :meth:`sizes` of an earlier trajectory of this run returns
+        them; None for the first
+    scaled : True if the states are divided by their sizes where the method itself does not
+    samples : default those of the run
     """
 
     def __init__(self, run, method, tolerance, known=None, scaled=False, samples=None):
         self.method, self.known, self.scaled = method, known, scaled
-        self.tolerance = level_of(tolerance) if method.name == "taylor" else tolerance
+        self.tolerance = method.rounded(tolerance)
         self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
         samples = run.samples if samples is None else samples
         self.samples = None if run.events or run.progress else samples
@@ -70,11 +69,16 @@ class Trajectory:
         start = run.system, run.t0, run.state, run.events, ()
         while start:
             start = self._segment(*start)
-        self.calls = sum([segment.stepper.calls for segment in self.segments])
+        self.calls = sum([part.stepper.calls for part in self.segments])
+
+    @property
+    def count(self):
+        """The number of steps."""
+        return sum([len(part.stepper.step_times) - 1 for part in self.segments])
 
     def sizes(self):
-        """The largest absolute value of each state, its natural size, and that with the round-off
-        of the time: three tuples, of the first segment.
+        """Of the first segment three tuples: the largest absolute value of each state, its natural
+        size, and its natural size with the round-off of the time.
         """
         system, stepper, t0, t1, x1 = self.segments[0]
         points = [stepper.start, *stepper.checkpoints, (t1, x1)]
@@ -86,7 +90,7 @@ class Trajectory:
             ]
         )
         natural, noise = self.natural or (largest, largest)
-        # what the start tells about the whole, unless a state is nearly zero, or was
+        # the sizes at the start will do, unless a state is or was nearly zero
         if not all(s > SMALL_PART * n > 0 for s, n in zip(largest, natural, strict=True)):
             natural, noise = natural_sizes(system, (points[0], points[-1]), largest, t1 - t0 or 1.0)
         return largest, natural, noise
@@ -95,11 +99,10 @@ class Trajectory:
         """For the stepper that starts here: the least scale of each state, the round-off in each,
         and the times that no step may pass over.
         """
-        nothing = (0.0,) * len(x)
-        if self.method.name == "exact":
+        nothing, series = (0.0,) * len(x), self.method.series
+        if self.method.closed:
             return nothing, nothing, ()
         stops = () if self.step else knots(system, self.origin, self.goal)
-        series = self.method.name == "taylor"
         if series and not self.scaled:
             return nothing, nothing, stops
         if self.known and not self.segments:
@@ -110,30 +113,30 @@ class Trajectory:
             natural, noise = natural_sizes(system, [(t, x)], start, self.goal - t)
             if not self.segments:
                 self.natural = natural, noise
-        # they go with the sizes that the states have had so far, since a small error of a state
+        # the stepper adds the sizes that the states have had so far, since a small error of a state
         # that is still small may grow with it
         own = KINKED_PART if system.traced.kinks else OWN_PART
         floors = [max(own * s, NATURAL_PART * n) for s, n in zip(sizes, natural, strict=True)]
-        if series:  # the sizes that they will have
+        if series:  # the sizes that the states will have
             self.units = tuple(map(max, map(abs, x), sizes, natural))
         floors = tuple([f or SMALLEST_SCALE for f in floors])
         return floors, tuple([ROUND_OFF * n for n in noise]), stops
 
     def _segment(self, system, t, x, events, initial):
-        """Add the segment that starts here; returns the arguments for the next one, or None."""
+        """Add the segment that starts here; return the arguments for the next one, or None."""
         method = self.method
         if self.segments and method.unusable_because(system):
             method = METHODS["dop853"]  # which integrates every model
-        stepper = found = None
+        stepper = stopped = None
         try:
             stepper = method.stepper(system, t, x, self)
-            found = self._follow(stepper, events, initial)
+            stopped = self._follow(stepper, events, initial)
         except ModelError:
             raise
         except (ArithmeticError, ValueError) as error:
-            stepper = stepper or _standing(system, t, x)
+            stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
-        t1, ending, x1 = found or (stepper.t, (), stepper.x)
+        t1, ending, x1 = stopped or (stepper.t, (), stepper.x)
         self.segments.append(Segment(system, stepper, t, t1, x1))
         if ending:
             return self._after(ending, events)
@@ -141,8 +144,8 @@ class Trajectory:
         return None
 
     def _follow(self, stepper, events, initial):
-        """Go to the goal or to the first events that end the segment; returns those as (t, events,
-        state): several at one time, as where a ball comes into a corner.
+        """Go to the goal, or to the first events that end the segment; return these as (t, events,
+        state): there may be several at one time, as where a ball hits a corner.
 
         initial : the events with which the segment began
         """
@@ -200,12 +203,14 @@ class Trajectory:
     def _fail(self, stepper, error):
         model, self.failed = stepper.system.model, error
         place = ", ".join(f"{n} = {v:.6g}" for n, v in model._state(stepper.x).items())
-        why = "are singular there"
-        if isinstance(error, StepError):
-            why = "may be singular there, or the motion leaves the model"
+        why = "; the coordinates are singular there"
+        if isinstance(error, LengthError):
+            why = ""
+        elif isinstance(error, StepError):
+            why = "; the coordinates may be singular there, or the motion leaves the model"
         self.ended = (
-            f"{model.name} could not be followed beyond t = {stepper.t:.6g}, at {place}: {error}; "
-            f"the coordinates {why}"
+            f"{model.name} could not be followed beyond t = {stepper.t:.6g}, at {place}: {error}"
+            f"{why}"
         )
 
     def difference(self, other):
@@ -214,7 +219,7 @@ class Trajectory:
         """
         a, b = self.segments[-1], other.segments[-1]
         shift = abs(a.t1 - b.t1) / (self.goal - self.origin)
-        # accumulating events: the two runs may stop after different numbers of them
+        # where events accumulate, the two runs may stop after different numbers of them
         if self.ended.startswith(ACCUMULATION) and other.ended.startswith(ACCUMULATION):
             return shift
         count, states = len(self.segments), a.system.model.states
@@ -225,23 +230,16 @@ class Trajectory:
         def apart(x, y):
             return max([abs(u - v) / s for u, v, s in zip(x, y, scales, strict=True)])
 
-        found = max(shift, apart(a.x1, b.x1))
-        # earlier states too: those at the end may agree by chance
+        largest = max(shift, apart(a.x1, b.x1))
+        # states on the way too: those at the end may agree by chance
         if count == 1 and not self.failed and not other.failed:
             inner = [(x, b.stepper.state_at(t)) for t, x in a.stepper.checkpoints if t <= b.t1]
-            found = max([found, *(INNER_PART * apart(*pair) for pair in inner)])
-        return found
-
-    def exact_error(self):
-        """The error of an exact solution, see :mod:`newton_euler.motion.methods.exact`."""
-        return max(
-            estimated_error(system, t1 - t0, stepper.start[1], x1)
-            for system, stepper, t0, t1, x1 in self.segments
-        )
+            largest = max([largest, *(INNER_PART * apart(*pair) for pair in inner)])
+        return largest
 
 
-def _standing(system, t, x):
-    """A stepper that has not begun."""
+def _not_begun(system, t, x):
+    """A stepper that could not begin, for the record of where it stands."""
     stepper = Stepper.__new__(Stepper)
     stepper.system, stepper.t, stepper.x, stepper.start = system, t, tuple(x), (t, tuple(x))
     stepper.step_times, stepper.steps, stepper.calls = [t], [], 0

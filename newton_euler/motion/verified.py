@@ -1,12 +1,12 @@
-"""Runs whose error was estimated, by which runs close to them are known to be accurate: under a
+"""Verified runs: those close to one whose error was estimated are as accurate, so that under a
 slider only one run in many is compared with another.
 """
 
 from typing import NamedTuple
 
-# of the size of a state: so far may a start, and an end, lie from one that was verified
+# largest distance of a start, and of an end, from a verified one, as a fraction of the state's size
 NEAR_START, NEAR_END = 0.02, 0.2
-SPARE = 3.0  # times more accurate than asked was the run that vouches for others
+SPARE = 3.0  # factor by which a run that vouches for others must be more accurate than requested
 
 
 class _Run(NamedTuple):
@@ -20,19 +20,19 @@ class _Run(NamedTuple):
 class Verified:
     """The last verified run of a model for each rtol.
 
-    Threads may write at once: what is written is a whole record, and any of them is right.
+    Safe for threads: a whole record is written at once, and any of them is right.
     """
 
     def __init__(self):
         self.runs: dict[float, _Run] = {}
 
     def add(self, rtol, t0, t1, start, end, error):
-        """Keep a run whose error is not above the rtol."""
+        """Record a run whose error is not above the rtol."""
         self.runs[rtol] = _Run(t0, t1, start, end, error)
 
     def covers(self, rtol, t0, t1, start, end):
-        """True if this run is the one that was verified, or so close to it that it has about the
-        same error, where that left something to spare.
+        """True if this run is the verified one, or so close to it that it has about the same error,
+        provided that this error is well below the rtol.
         """
         known = self.runs.get(rtol)
         if known is None or t1 != known.t1 or t0 != known.t0:
@@ -43,7 +43,7 @@ class Verified:
 
 
 def near(start, end, other_start, other_end):
-    """True if two motions begin and end close to each other, each state by its own size."""
+    """True if two motions begin and end close to each other, each state relative to its size."""
     for a, b, c, d in zip(start, end, other_start, other_end, strict=True):
         size = max(abs(a), abs(b), abs(c), abs(d))
         if abs(a - c) > NEAR_START * size or abs(b - d) > NEAR_END * size:

@@ -1,41 +1,40 @@
-"""The zeros of a function of time at which its sign changes: all of those in an interval.
+"""All zeros in an interval at which a function of time changes its sign.
 
-The interval is halved, and its parts again, until on each piece the function is known to seven
-digits: it is the polynomial through its values at 13 Chebyshev points, which is compared with the
-function at three more. Then no zero is missed, also of two that lie close together: between two
-extrema of the polynomial there is at most one, and the signs of the function itself at the extrema
-tell whether there is. No piece is given up. About a kink or a jump they become so short that
-round-off covers what the function does there, and the signs at their ends decide. J. P. Boyd,
-Computing zeros on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM J.
-Numer. Anal. 40 (2002) 1666.
+The interval is bisected until on each piece the function is known to seven digits: it is the
+polynomial through its values at 13 Chebyshev points, which is compared with the function at three
+more. Then no zero is missed, not even one of two that are close together: between two extrema of
+the polynomial there is at most one, and the signs of the function itself at the extrema show
+whether there is. No piece is given up. Around a kink or a jump the pieces become so short that the
+function is below round-off there, and the signs at their ends decide. J. P. Boyd, Computing zeros
+on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM J. Numer. Anal. 40
+(2002) 1666.
 """
 
 from functools import cache
 from typing import NamedTuple
 
 from ..algebra.scalars import NewtonEulerError
+from .chebyshev import DEGREE, EPS, derivatives_at, extrema, root, value_at, values_at
 
-DEGREE = 12
-# three points between the Chebyshev points, at no regular distances: a fast oscillation that looks
-# slow at those points by chance does not do so here
+# check points at irregular distances between the Chebyshev points: a fast oscillation may by chance
+# look slow at those, but not at these too
 CHECKS = (-0.8617, -0.2913, 0.4477)
-# a polynomial is the function if its last two coefficients and the differences at the checks are
-# smaller than this part of its largest coefficient
+# a polynomial represents the function if its last two coefficients and the differences at the check
+# points are smaller than this fraction of the largest value
 RESOLUTION = 1e-7
-# pieces that are sampled at once, and all that one interval may need
+# pieces that are sampled at once, and the most that one interval may need
 BATCH, MAX_PIECES = 128, 60_000
-EPS = 2.0**-52
-# parts of the largest value in a piece: above the first a polynomial has the sign of the function;
-# below the others, at an end or at an extremum, that may be round-off, which is then measured
+# fractions of the largest value in a piece: above the first a polynomial has the sign of the
+# function; below the others a value, at an end or at an extremum, may be round-off, which is then
+# measured
 CERTAIN, DOUBTFUL, TOUCHING = 1e-5, 1e-9, 1e-13
-# of the round-off that is measured at a few points
-NOISE_MARGIN = 8.0
-PICKED = [2, 7, 11]  # of the Chebyshev points, none at an end
+NOISE_MARGIN = 8.0  # on the round-off that is measured at a few points
+PICKED = [2, 7, 11]  # Chebyshev points at which it is measured, none of them at an end
 NEWTON_STEPS = 4
 
 
 class UnresolvedError(NewtonEulerError, ArithmeticError):
-    """Not all zeros of a function can be found; the text says where, and why."""
+    """Raised where not all zeros of a function can be found; the message says where, and why."""
 
 
 class Zero(NamedTuple):
@@ -46,13 +45,13 @@ class Zero(NamedTuple):
 
 
 class Piece:
-    """A part of the interval, and what is known of the function there.
+    """A part of the interval, and what is known about the function there.
 
-    values : at the points of :func:`sampling`; ``fit`` : the coefficients of the polynomial, then
-        its differences from the function at the checks; ``largest`` of the values
-    floor : a value up to this is round-off
-    state : "new"; "split", to be halved; "smooth", a polynomial; "empty" of zeros; "rough", too
-        short to be halved; "void", without values
+    values : those at the points of :func:`sampling`, with the ``largest`` absolute value
+    fit : the coefficients of the polynomial, then its differences from the function at the checks
+    floor : absolute values up to this are round-off
+    state : "new"; "split", to be bisected; "smooth", a polynomial; "empty", without zeros; "rough",
+        too short to be bisected; "void", without values
     """
 
     __slots__ = ("fit", "floor", "largest", "left", "right", "state", "values")
@@ -80,7 +79,7 @@ class Piece:
 
 
 class Bracket(NamedTuple):
-    """A part of a piece, from ``low`` to ``high`` in -1 to 1, over which the sign changes to
+    """A part of a piece, from ``low`` to ``high`` within -1 to 1, in which the sign changes to
     ``sign``.
     """
 
@@ -93,15 +92,15 @@ class Bracket(NamedTuple):
 class ZeroSearch:
     """The search for the zeros of a function between the times a and b.
 
-    values : a function of an array of times, which returns the values there; ``noise`` : one of
-        an array (pieces, times), which returns the largest round-off in each piece
-    sign : of the function before a, or 0; as the search goes on, up to where it has come
-    direction : of the zeros that count, 1 where the function grows, -1 where it falls, 0 both
-    start : None, or the value at a where the motion begins there: if that is round-off, it is a
-        zero, which does not count; and True if it is known that it should be one
-    closed : True if a zero at b counts, where the motion ends
+    values : a function of an array of times that returns the values there
+    noise : a function of an array (pieces, times) that returns the largest round-off in each piece
+    sign : that of the function before a, or 0; later, that up to where the search has come
+    direction : 1 for zeros at which the function grows, -1 where it falls, 0 for both
+    start : None, or where the motion begins at a the value there, which is a zero that does not
+        count if it is round-off; and True if it is known to be a zero
+    closed : True if a zero at b counts, as where the motion ends
 
-    Raises :class:`UnresolvedError` where it cannot go on.
+    Raises :class:`UnresolvedError` where it cannot continue.
     """
 
     def __init__(self, values, noise, a, b, sign, direction=0, start=None, closed=False):
@@ -109,7 +108,7 @@ class ZeroSearch:
         self.sign, self.direction, self.start, self.closed = sign, direction, start, closed
 
     def __iter__(self):
-        """Lists of zeros, in order, each with the time up to which all have now been found."""
+        """Lists of zeros, in order, each with the time up to which all have been found."""
         todo, count = [Piece(self.a, self.b)], 0
         while todo:
             pieces, new = [], []
@@ -129,7 +128,7 @@ class ZeroSearch:
                 self._check(todo[-1], count)
 
     def _check(self, piece, count):
-        """Raise :class:`UnresolvedError` if the search cannot go on from this piece."""
+        """Raise :class:`UnresolvedError` if the search cannot continue with this piece."""
         if piece.state == "void":
             raise UnresolvedError(
                 f"has no value from t = {piece.left:.9g} to {piece.right:.9g}; give one that is "
@@ -137,13 +136,13 @@ class ZeroSearch:
             )
         if count > MAX_PIECES:
             raise UnresolvedError(
-                f"was looked at in {count} pieces of the time from {self.a:.9g} to {self.b:.9g}, "
-                f"and is resolved only up to t = {piece.left:.9g}: it has too many zeros, or is "
-                "too rough; integrate a shorter time, or give a smoother function"
+                f"was sampled in {count} pieces of the time from {self.a:.9g} to {self.b:.9g}, and "
+                f"is resolved only up to t = {piece.left:.9g}: it has too many zeros, or is too "
+                "rough; integrate a shorter time, or give a smoother function"
             )
 
     def _sample(self, pieces):
-        """Fit polynomials to the function on new pieces, and decide which of them to halve."""
+        """Fit polynomials to the function on new pieces, and decide which of them to bisect."""
         import numpy as np
 
         points, transform = sampling()
@@ -152,7 +151,7 @@ class ZeroSearch:
         times = left[:, None] + width[:, None] * points
         times[:, DEGREE] = right
         values = self.values(times.reshape(-1)).reshape(times.shape)
-        with np.errstate(invalid="ignore"):  # where there are no values
+        with np.errstate(invalid="ignore"):  # nan where there are no values
             fits = values[:, : DEGREE + 1] @ transform
             fits[:, DEGREE + 1 :] -= values[:, DEGREE + 1 :]
         sizes, largest = np.abs(fits), np.abs(values).max(axis=1)
@@ -171,7 +170,7 @@ class ZeroSearch:
             self._unresolved([pieces[k] for k in rows], times[rows], rest[rows], short[rows])
 
     def _unresolved(self, pieces, times, rest, short):
-        """Decide what becomes of pieces on which the function is no polynomial."""
+        """Set the state of pieces on which the function is not a polynomial, unless to be split."""
         import numpy as np
 
         picked = times[:, PICKED]
@@ -186,7 +185,7 @@ class ZeroSearch:
                 piece.state = "rough"
 
     def _zeros(self, pieces):
-        """The zeros in pieces that are not to be halved, in order."""
+        """The zeros in pieces that are not to be bisected, in order."""
         smooth = [piece for piece in pieces if piece.state == "smooth"]
         extrema, brackets = self._extrema(smooth) if smooth else {}, []
         for piece in pieces:
@@ -207,7 +206,7 @@ class ZeroSearch:
             self.sign = 0
 
     def _end_sign(self, piece):
-        """The sign at the right end of a piece; where the motion ends at a zero, the sign that
+        """The sign at the right end of a piece; if the motion ends there at a zero, the sign that
         would follow.
         """
         value = float(piece.values[DEGREE])
@@ -219,7 +218,7 @@ class ZeroSearch:
         return piece.sign(value)
 
     def _is_noise(self, piece, end, t, value):
-        """True if a value at an end of a piece is a zero but for round-off, also in the time."""
+        """True if a value at an end of a piece is zero up to round-off, also of the time."""
         return abs(value) <= self._round_off(piece, t) + 2 * EPS * abs(t * piece.slope(end))
 
     def _round_off(self, piece, t):
@@ -238,7 +237,7 @@ class ZeroSearch:
 
         fits = np.array([piece.fit[: DEGREE + 1] for piece in pieces])
         rows, x = extrema(fits)
-        values = chebyshev(fits[rows], x)
+        values = values_at(fits[rows], x)
         largest = np.array([piece.largest for piece in pieces])[rows]
         unsure = np.flatnonzero(np.abs(values) <= CERTAIN * largest)
         if unsure.size:
@@ -246,7 +245,7 @@ class ZeroSearch:
             values[unsure] = self.values(times)
             for k, t in zip(unsure.tolist(), times.tolist(), strict=True):
                 value = abs(values[k])
-                # of the states there: beside a short hop they may be much larger
+                # measured here: near a short hop the states may be much larger
                 if value <= TOUCHING * largest[k]:
                     noise = NOISE_MARGIN * float(self.noise(np.array([[t]]))[0])
                     values[k] = 0.0 if value <= noise else values[k]
@@ -256,8 +255,8 @@ class ZeroSearch:
         return found
 
     def _located(self, brackets):
-        """The zeros in brackets, by Newton's method from those of the polynomials; where that does
-        not do, by division of the bracket.
+        """The zeros in brackets, by Newton's method from those of the polynomials; where it does
+        not converge, by bisection.
         """
         import numpy as np
 
@@ -266,9 +265,9 @@ class ZeroSearch:
         low, high = np.array([(b.piece.time(b.low), b.piece.time(b.high)) for b in brackets]).T
         x, signs = np.array([_guess(b) for b in brackets]), np.array([b.sign for b in brackets])
         width = right - left
-        t, slope = left + width * (1 + x) / 2, 2 * derivative(fits, x) / width
+        t, slope = left + width * (1 + x) / 2, 2 * derivatives_at(fits, x) / width
         typical = np.median(np.abs([piece.values for piece in pieces]), axis=1)
-        # a slope that is so small is not known well enough
+        # a slope this small is not accurate enough
         newton = slope * signs * width > 1e-4 * np.array([piece.largest for piece in pieces])
         for _ in range(NEWTON_STEPS):
             value = self.values(t)
@@ -277,7 +276,7 @@ class ZeroSearch:
             if not (np.abs(step) > EPS * np.abs(t)).any():
                 break
         newton &= np.abs(step) <= 1e-9 * width + 16 * EPS * np.abs(t)
-        # beside a pole the steps become small as well
+        # near a pole the steps become small as well
         newton &= np.abs(value) <= 1e-2 * typical
         found = []
         for k, good in enumerate(newton.tolist()):
@@ -305,47 +304,21 @@ class ZeroSearch:
 
 
 def _guess(bracket):
-    """The zero of the polynomial in a bracket, or the end that is nearer to it."""
+    """The zero of the polynomial in a bracket, or the end of the bracket that is closer to it."""
     c, sign = bracket.piece.fit[: DEGREE + 1].tolist(), bracket.sign
     low, high = bracket.low, bracket.high
-    if bracket.piece.state == "rough" or _clenshaw(c, low) * sign >= 0:
+    if bracket.piece.state == "rough" or value_at(c, low) * sign >= 0:
         return low
-    if _clenshaw(c, high) * sign <= 0:
+    if value_at(c, high) * sign <= 0:
         return high
-    return root(lambda x: _clenshaw(c, x), low, high, 1e-12)
-
-
-def root(f, a, b, accuracy=0.0):
-    """The zero of ``f`` between a and b, where its signs differ, to round-off or to this accuracy:
-    regula falsi by the Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), and every fourth
-    time bisection.
-    """
-    fa, fb, side = f(a), f(b), 0
-    if fb == 0:
-        return b
-    for n in range(200):
-        if fa == 0:
-            return a
-        if abs(b - a) <= max(accuracy, EPS * max(abs(a), abs(b))):
-            break
-        t = (a + b) / 2 if n % 4 == 3 or fa * fb >= 0 else (a * fb - b * fa) / (fb - fa)
-        if not min(a, b) < t < max(a, b):
-            t = (a + b) / 2
-        value = f(t)
-        if value == 0:
-            return t
-        if (value > 0) == (fb > 0):
-            b, fb, fa, side = t, value, fa / 2 if side == 1 else fa, 1
-        else:
-            a, fa, fb, side = t, value, fb / 2 if side == -1 else fb, -1
-    return (a + b) / 2
+    return root(lambda x: value_at(c, x), low, high, 1e-12)
 
 
 @cache
 def sampling():
     """The points of (0, 1) at which a piece is sampled, 13 Chebyshev points from left to right and
-    the checks, and the matrix by which the values at the former give the coefficients of the
-    polynomial and what it predicts at the checks.
+    the check points; and the matrix that turns the values at the former into the coefficients of
+    the polynomial and its values at the latter.
     """
     import numpy as np
 
@@ -357,75 +330,3 @@ def sampling():
     at_checks = np.cos(np.outer(k, np.arccos(CHECKS)))
     points = np.concatenate([np.cos(angles), CHECKS])
     return (1 + points) / 2, np.hstack([to_coefficients, to_coefficients @ at_checks])
-
-
-def chebyshev(fits, x):
-    """The values of polynomials at one place each."""
-    import numpy as np
-
-    k = np.arange(fits.shape[1])
-    return (fits * np.cos(np.arccos(x)[:, None] * k)).sum(axis=1)
-
-
-@cache
-def _differentiation():
-    """The matrix by which coefficients of a polynomial give those of its derivative."""
-    import numpy as np
-
-    return np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1)).T
-
-
-def derivative(fits, x):
-    """The slopes of polynomials at one place each."""
-    return chebyshev(fits[:, : DEGREE + 1] @ _differentiation(), x)
-
-
-def extrema(fits):
-    """The places in (-1, 1) of all extrema of polynomials, as two arrays: the numbers of the
-    polynomials, and the places in order.
-    """
-    import numpy as np
-
-    c = fits @ _differentiation()
-    sizes = np.abs(c)
-    rows = np.flatnonzero(sizes[:, 0] <= sizes[:, 1:].sum(axis=1))  # the others are monotonic
-    largest = sizes.max(axis=1, keepdims=True)
-    degree = int(np.flatnonzero((sizes > 1e-9 * largest).any(axis=0)).max(initial=0))
-    if not rows.size or not degree:
-        return np.array([], dtype=int), np.array([])
-    c, largest = c[rows, : degree + 1], largest[rows, 0]
-    # a leading coefficient near zero would spoil the matrix; it only adds zeros far away
-    c[:, -1] = np.where(np.abs(c[:, -1]) < 1e-9 * largest, 1e-9 * largest, c[:, -1])
-    z = np.linalg.eigvals(_companions(c))
-    # a double one may come out as a complex pair; what is none does no harm
-    inside = (np.abs(z.imag) < 1e-3) & (np.abs(z.real) < 1)
-    x = np.where(inside, z.real, 2.0)
-    x.sort(axis=1)
-    number, place = np.nonzero(x < 2)
-    return rows[number], x[number, place]
-
-
-def _companions(c):
-    """Matrices whose eigenvalues are the zeros of polynomials: see
-    ``numpy.polynomial.chebyshev.chebcompanion``, here for many at once.
-    """
-    import numpy as np
-
-    count, n = len(c), c.shape[1] - 1
-    scale = np.full(n, np.sqrt(0.5))
-    scale[0] = 1.0
-    matrix = np.zeros((count, n, n))
-    k = np.arange(n - 1)
-    matrix[:, k, k + 1] = matrix[:, k + 1, k] = np.where(k == 0, np.sqrt(0.5), 0.5)
-    last = c[:, :-1] / c[:, -1:] * (scale / scale[-1])
-    matrix[:, :, -1] -= last if n == 1 else last / 2
-    # turned round, the errors are smaller, as in chebroots
-    return matrix[:, ::-1, ::-1]
-
-
-def _clenshaw(c, x):
-    """The value of a polynomial, by Clenshaw's rule."""
-    a = b = 0.0
-    for value in c[:0:-1]:
-        a, b = value + 2 * x * a - b, a
-    return c[0] + x * a - b

@@ -3,12 +3,14 @@ and what they handed in.
 """
 
 import contextlib
-import shutil
+import copy
+import functools
 from pathlib import Path
 
 import pytest
 
-from tests.grader.courses import copy_of, grader
+from tests.grader.courses import change_source, copy_of, emptied, grader
+from tests.grader.instructors_cells import OWN
 
 PROBLEMS = ("4/1", "4/2", "4/10", "4/16", "4/31")
 NBGRADER = (  # what nbgrader 0.9 on SQLAlchemy 2.1 and nbconvert say, without harm
@@ -60,12 +62,21 @@ def fresh(course, tmp_path):
 @pytest.fixture
 def ungraded(fresh):
     """A copy of the course in which nobody has handed in yet."""
-    shutil.rmtree(fresh.path / "submitted")
-    with fresh.gradebook() as book:
-        for student in fresh.roster():
-            with contextlib.suppress(Exception):
-                book.remove_submission("ch04", student)
-    return fresh
+    return emptied(fresh)
+
+
+@pytest.fixture(scope="session")
+def mixed_course(course, tmp_path_factory):
+    """The course before anybody has handed in, with an instructor's cells of every kind."""
+    mixed = emptied(copy_of(course, tmp_path_factory.mktemp("mixed") / course.path.name))
+    change_source(mixed, lambda cells: cells.extend(copy.deepcopy(OWN)))
+    return mixed
+
+
+@pytest.fixture
+def mixed(mixed_course, tmp_path):
+    """A copy of that course."""
+    return copy_of(mixed_course, tmp_path / mixed_course.path.name)
 
 
 @pytest.fixture(scope="session")
@@ -93,16 +104,51 @@ class _Shared:
         pass
 
 
-@pytest.fixture(autouse=True)
-def one_harvester(request, monkeypatch):
-    """grade(…) in these tests uses the session's worker, unless it is to run without a cage."""
-    if "fresh" in request.fixturenames or "ungraded" in request.fixturenames:
-        from grader.grading import run as grading
-        from grader.sandbox import Harvester
+@pytest.fixture
+def one_harvester_for_all(monkeypatch, harvester):
+    """grade(…) uses the session's worker, unless it is to run without a cage."""
+    from grader.grading import run as grading
+    from grader.sandbox import Harvester
 
-        shared = _Shared(request.getfixturevalue("harvester"))
-        monkeypatch.setattr(
-            grading,
-            "Harvester",
-            lambda workers=None, sandbox=True: shared if sandbox else Harvester(1, sandbox),
-        )
+    shared = _Shared(harvester)
+    monkeypatch.setattr(
+        grading,
+        "Harvester",
+        lambda workers=None, sandbox=True: shared if sandbox else Harvester(1, sandbox),
+    )
+
+
+class _Here:
+    """In place of a pool of processes: the work is done in this one."""
+
+    def __init__(self, *_):
+        pass
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    @staticmethod
+    def map(function, items, **_):
+        return map(function, items)
+
+
+@pytest.fixture(scope="session")
+def drawn_once():
+    """The drawing of figures, each once in a session: the copies of a course have its numbers."""
+    from grader.assignment import personal
+
+    return functools.cache(personal._draw)
+
+
+@pytest.fixture(autouse=True)
+def quick_courses(request, monkeypatch):
+    """Tests with a course of their own use the session's worker and its figures."""
+    if {"fresh", "ungraded", "mixed"} & set(request.fixturenames):
+        from grader.assignment import personal
+
+        request.getfixturevalue("one_harvester_for_all")
+        monkeypatch.setattr(personal, "_draw", request.getfixturevalue("drawn_once"))
+        monkeypatch.setattr(personal, "ProcessPoolExecutor", _Here)

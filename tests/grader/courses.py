@@ -1,6 +1,7 @@
 """Helps for the tests of the grader: command lines, gradebooks, submissions."""
 
 import atexit
+import contextlib
 import json
 import multiprocessing
 import os
@@ -42,6 +43,13 @@ def run(*command, cwd=None, timeout=180, **more):
 def grader(*arguments, **options):
     """``python -m grader`` with these arguments."""
     return run(sys.executable, "-m", "grader", *map(str, arguments), **options)
+
+
+def ran(done):
+    """The output of a command line that must have ended well."""
+    code, out = done
+    assert code == 0, out
+    return out
 
 
 def nbgrader(*arguments, cwd, timeout=180, memory=None, **more):
@@ -111,6 +119,11 @@ def read(path):
     return read_json(path)
 
 
+def released_sheet(course, assignment="ch04"):
+    """The notebook that nbgrader generated for release."""
+    return read(course.released_path(assignment))
+
+
 def submit(course, student, notebook, assignment="ch04", name=None):
     """Put a notebook (dict, or text as it is) where nbgrader collect would."""
     folder = course.path / "submitted" / student / assignment
@@ -169,6 +182,16 @@ def copy_of(course, folder):
     config = Path(folder) / "nbgrader_config.py"
     config.write_text(config.read_text().replace(str(course.path), str(folder)))
     return Course(folder)
+
+
+def emptied(course):
+    """The course, in which nobody has handed in any more."""
+    shutil.rmtree(course.path / "submitted")
+    with course.gradebook() as book:
+        for student in course.roster():
+            with contextlib.suppress(Exception):
+                book.remove_submission("ch04", student)
+    return course
 
 
 def command(*arguments):

@@ -7,6 +7,7 @@ import re
 from grader.assignment import problems_of
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
+from tests.grader.courses import released_sheet
 
 WORDS = (
     "def solve", "solve(g", "prove(", "mistakes", ".course_secret", "BEGIN SOLUTION",
@@ -33,7 +34,7 @@ def numbers_of_key(p, values):
 
 
 def keys(course, student):
-    problems = problems_of(course.released("ch04"))
+    problems = problems_of(released_sheet(course))
     values = course.values("ch04", student, problems)
     found = {p.id: numbers_of_key(p, values[p.id]) for p in problems if not p.symbolic}
     return {n for numbers in found.values() for n in numbers}
@@ -52,6 +53,6 @@ def secrets_in(text, course, student):
     """What of the key, the mistakes and the secret stands in a text."""
     everywhere = re.sub(r"[A-Za-z0-9+/=]{200,}", "", text)  # pictures
     secret = {*keys(course, student), *keys(course, "the book"), *WORDS, course.secret.hex()}
-    for p in problems_of(course.released("ch04")):
+    for p in problems_of(released_sheet(course)):
         secret |= {*p.mistakes.values(), *(formulas(p) if p.symbolic else ())}
     return sorted(words for words in secret if words in everywhere)

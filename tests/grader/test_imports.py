@@ -1,120 +1,100 @@
-"""The folders of the grader import downwards only, in the order in which the docstring of the
-package names them.
+"""The folders of the grader, and the files of the website, import downwards only, in the order in
+which the docstrings of the packages name them.
 """
 
 import ast
 import re
-from graphlib import TopologicalSorter
 from pathlib import Path
 
-import grader
+import pytest
 
-ROOT = Path(grader.__file__).parent
-LAYERS = (
-    "newton_euler",
-    "exercises",
-    *re.findall(r"(?m)^    (\w+) ", grader.__doc__),
-    "nbgrader_config",
-    "__main__",
+import grader
+import website
+from tests.imports import circle, imports, modules
+
+ROOT = Path(grader.__file__).parents[1]
+FILES = {
+    name: path
+    for package in ("grader", "website", "exercises", "newton_euler")
+    for name, path in modules(ROOT / package).items()
+}
+OURS = sorted(name for name in FILES if name.split(".")[0] in ("grader", "website"))
+BELOW = ("newton_euler", "exercises")
+ORDER = (  # what is lower comes first; the website lists what is higher first
+    *BELOW,
+    *(f"grader.{name}" for name in re.findall(r"(?m)^    (\w+) ", grader.__doc__)),
+    "grader.nbgrader_config",
+    "grader.__main__",
+    *reversed([f"website.{name}" for name in re.findall(r"(?m)^    (\w+) ", website.__doc__)]),
+    "website.__main__",
 )
 # they run where grader and exercises are not to be imported
-COPIED = (
-    ROOT / "assignment/fetch.py",
-    *sorted((ROOT / "sandbox/cage").glob("*.py")),
-)
+COPIED = ["grader.assignment.fetch", *(n for n in OURS if n.startswith("grader.sandbox.cage"))]
 
 
-def name_of(path):
-    """The name of a module, relative to the package: ``scoring.score``; of an ``__init__`` the name
-    of its folder.
-    """
-    return ".".join(p for p in path.relative_to(ROOT).with_suffix("").parts if p != "__init__")
+def place(module):
+    """The part of ORDER to which a module belongs; "" for the packages themselves."""
+    package, name = (*module.split("."), "")[:2]
+    return package if package in BELOW else f"{package}.{name}" if name else ""
 
 
-MODULES = {name_of(p): p for p in ROOT.rglob("*.py")}
+def climbing(module, source=None):
+    """The imports of a module that go up."""
+    found = [target for target, _ in imports(module, FILES, source)]
+    return [t for t in found if place(t) and ORDER.index(place(t)) > ORDER.index(place(module))]
 
 
-def imports(path):
-    """[(module, name or None)] of all imports in a file, also those inside functions; modules of
-    the grader relative to the package.
-    """
-    found = []
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            found += [(a.name.removeprefix("grader."), None) for a in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            base = (node.module or "").removeprefix("grader.")
-            if node.level:
-                parent = path.relative_to(ROOT).parts[: -node.level]
-                base = ".".join((*parent, *filter(None, [node.module])))
-            found += [
-                (f"{base}.{a.name}".strip("."), None)
-                if f"{base}.{a.name}".strip(".") in MODULES
-                else (base, a.name)
-                for a in node.names
-            ]
-    return found
-
-
-def layer(module):
-    return LAYERS.index(module.partition(".")[0])
-
-
-def climbing(name, found):
-    return [m for m, _ in found if m.partition(".")[0] in LAYERS and layer(m) > layer(name)]
-
-
-def private(name, found):
-    folder = name.partition(".")[0]
+def private(module, source=None):
+    """The private names that a module takes from another folder."""
     return [
-        (m, n)
-        for m, n in found
-        if n
-        and n.startswith("_")
-        and m.partition(".")[0] in LAYERS
-        and m.partition(".")[0] != folder
+        f"{target}.{name}"
+        for target, name in imports(module, FILES, source)
+        if name and re.match("_[^_]", name) and place(target) != place(module)
     ]
 
 
-def test_the_docstring_of_the_package_names_every_folder():
-    folders = {p.name for p in ROOT.iterdir() if (p / "__init__.py").exists()}
-    assert folders <= set(LAYERS)
-    assert set(LAYERS) <= {"newton_euler", "exercises"} | folders | set(MODULES)
+def by_text(source):
+    """The modules of ours that a text imports by a name in a string, where nobody looks for it."""
+    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    named = [c.args[0] for c in calls if ast.unparse(c.func).endswith("import_module") and c.args]
+    texts = [a.value for a in named if isinstance(a, ast.Constant)]
+    return [text for text in texts if re.match(r"\.|grader|website|exercises", text)]
 
 
-def test_no_import_climbs():
-    assert {n: up for n, p in MODULES.items() if n and (up := climbing(n, imports(p)))} == {}
+def test_the_docstrings_name_every_folder_and_file():
+    folders = {f"grader.{p.parent.name}" for p in (ROOT / "grader").glob("*/__init__.py")}
+    files = {f"website.{p.stem}" for p in (ROOT / "website").glob("[a-z]*.py")}
+    assert folders | files | {*BELOW, "grader.nbgrader_config", "grader.__main__",
+                              "website.__main__"} == set(ORDER)  # fmt: skip
 
 
-def test_no_imports_form_a_circle():
+@pytest.mark.parametrize("module", [m for m in OURS if place(m) in ORDER])
+def test_imports_go_down_only_and_take_no_private_name(module):
+    assert climbing(module) == []
+    assert private(module) == []
+    assert by_text(FILES[module].read_text(encoding="utf-8")) == []
+
+
+def test_no_files_import_each_other_in_a_circle():
     # a folder's __init__ imports its modules, and Python runs it before any of them: within a
     # folder modules import modules
-    graph = {
-        n: {m for m, _ in imports(p) if m in MODULES and m != n} for n, p in MODULES.items() if n
-    }
-    order = list(TopologicalSorter(graph).static_order())  # CycleError names a circle
-    assert set(order) == {n for n in MODULES if n}
-
-
-def test_no_private_name_is_taken_from_another_folder():
-    assert {n: taken for n, p in MODULES.items() if n and (taken := private(n, imports(p)))} == {}
+    graph = {m: {t for t, _ in imports(m, FILES)} & set(OURS) - {m} for m in OURS}
+    assert circle(graph) is None
 
 
 def test_what_is_copied_or_caged_imports_nothing_of_grader_or_exercises():
-    for file in COPIED:
-        assert not [
-            m
-            for m, _ in imports(file)
-            if m.partition(".")[0] in {*LAYERS, "grader"} and not m.startswith("sandbox.cage")
-        ], file
+    for module in COPIED:
+        found = {target for target, _ in imports(module, FILES)}
+        assert [t for t in found if not t.startswith(("newton_euler", "grader.sandbox.cage"))] == []
 
 
-def test_the_check_sees_what_it_forbids(tmp_path):
-    file = tmp_path / "course.py"
-    file.write_text(
-        "def f():\n    from grader.scoring.score import _score_part\n    from "
-        "grader.assignment import notebook\n"
+def test_the_checks_see_what_they_forbid():
+    source = (
+        "def f():\n    from grader.scoring.score import _score_part\n"
+        "    from grader.assignment import notebook\n    import_module('.run', __package__)\n"
     )
-    found = imports(file)
-    assert climbing("course", found) == ["scoring.score", "assignment.notebook"]
-    assert private("course", found) == [("scoring.score", "_score_part")]
+    assert climbing("grader.course.due", source) == [
+        "grader.scoring.score", "grader.assignment.notebook",
+    ]  # fmt: skip
+    assert private("grader.course.due", source) == ["grader.scoring.score._score_part"]
+    assert by_text(source) == [".run"]

@@ -101,6 +101,24 @@ def test_no_modules_import_each_other_in_a_circle():
     assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
 
 
+def folder_graph(edges):
+    """{folder: folders that its modules import}, from pairs (module, imported module)."""
+    graph = defaultdict(set)
+    for module, target in edges:
+        above, below = (name.rpartition(".")[0] for name in (module, target))
+        graph[above] |= {below} - {above}
+    return graph
+
+
+def test_no_folders_import_each_other_in_a_circle():
+    """A folder inside a room is a floor: the files above use it, and it uses none of them."""
+    found = [(m, target) for m in FILES for target, _ in imports(m, FILES) if target in FILES]
+    gathering = {m for m in FILES if FILES[m].name == "__init__.py"}
+    assert circle(folder_graph(e for e in found if not gathering & {*e})) is None
+    climbing = [("a.run", "a.methods.table"), ("a.methods.verlet", "a.model")]
+    assert circle(folder_graph(climbing)) == ["a", "a.methods"]
+
+
 def test_every_module_can_be_imported_first():
     """Each in a fork of a process that has imported none, so that no order of imports is hidden."""
     modules = [m for m in sorted(FILES) if not m.endswith("__main__")]

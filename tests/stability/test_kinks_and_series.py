@@ -110,7 +110,7 @@ def test_a_series_refuses_rates_that_choose_between_formulas():
 @needs_heyoka
 def test_a_series_that_passed_a_kink_is_refused():
     model, t, start, end = drag()
-    with pytest.raises(AccuracyError, match="and rtol = 1e-09 was asked for") as refused:
+    with pytest.raises(AccuracyError, match="and rtol = 1e-09 was requested") as refused:
         integrate(model, t, start, RTOL, "taylor")
     motion = refused.value.reached
     assert motion.error >= abs(motion.end["v"] - end) / 13 > RTOL

@@ -5,6 +5,7 @@ the package sphinx-mathjax-offline carries, nothing from a network.
 import importlib.util
 import sys
 from pathlib import Path
+from typing import Any
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
@@ -16,13 +17,13 @@ html_title = project
 language = "en"
 author = ""
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
-exclude_patterns = []
+exclude_patterns: list[str] = []
 
-nb_execution_mode = "off"  # they have been run
+nb_execution_mode = "off"  # the notebooks have been run
 nb_merge_streams = True
 nb_code_prompt_show = "Code"
 nb_code_prompt_hide = "Code"
-nb_render_image_options = {}
+nb_render_image_options: dict[str, str] = {}
 myst_enable_extensions = ["dollarmath", "amsmath"]
 myst_dmath_allow_labels = False
 myst_heading_anchors = 4
@@ -34,11 +35,12 @@ add_module_names = False
 python_use_unqualified_type_names = True
 pygments_style = "friendly"
 
-MATHJAX = Path(importlib.util.find_spec("sphinx-mathjax-offline").origin).parent / "static/mathjax"
+OFFLINE: Any = importlib.util.find_spec("sphinx-mathjax-offline")
+MATHJAX = Path(OFFLINE.origin).parent / "static/mathjax"
 mathjax_path = "tex-svg-full.js"  # draws outlines: no fonts to load, also from a file
 mathjax3_config = {
     "options": {"enableMenu": False},
-    "svg": {"scale": 0.93},  # beside this typeface
+    "svg": {"scale": 0.93},  # to match this typeface
     "tex": {"tags": "none"},
 }
 
@@ -53,10 +55,10 @@ html_copy_source = False
 html_use_index = True
 html_domain_indices = False
 html_permalinks_icon = "#"
-html_theme_options = {"top_of_page_buttons": []}
+html_theme_options: dict[str, list[str]] = {"top_of_page_buttons": []}
 
 
-def setup(app):
+def setup(app: Any) -> None:
     """Connect our own steps."""
     app.connect("autodoc-process-docstring", docstring)
     app.connect("doctree-read", formulas)

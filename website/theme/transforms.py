@@ -1,6 +1,7 @@
-"""What Sphinx does to our pages on their way: docstrings, formulas, numbers of problems."""
+"""Transforms of our pages in Sphinx: docstrings, formulas, links of problem numbers."""
 
 import re
+from typing import Any
 
 from docutils import nodes
 
@@ -10,12 +11,12 @@ NUMBER = re.compile(r"(?<![\w/.])(\d+|[AB])/(\d+)(?![\w/]|\.\d)")
 UNTOUCHED = (nodes.reference, nodes.literal, nodes.literal_block, nodes.math, nodes.math_block)
 
 
-def slug(heading):
+def slug(heading: str) -> str:
     """The name of a heading as JupyterLab has it, so that a link works in both."""
     return heading.strip().replace(" ", "-")
 
 
-def docstring(app, what, name, obj, options, lines):
+def docstring(app: Any, what: str, name: str, obj: object, options: Any, lines: list[str]) -> None:
     """Lines "name : what it is" as a list of definitions; no | and ** as markup."""
     made, inside, example, last = [], False, False, ""
     for line in lines:
@@ -48,7 +49,7 @@ def _escaped(line):
     return "``".join(parts)
 
 
-def formulas(app, doctree):
+def formulas(app: Any, doctree: nodes.document) -> None:
     """Leave displayed formulas to MathJax as JupyterLab does: Sphinx would put them into "split",
     in which there are no \\tag.
     """
@@ -60,7 +61,7 @@ def formulas(app, doctree):
             node += formula
 
 
-def problem_links(app, doctree):
+def problem_links(app: Any, doctree: nodes.document) -> None:
     """Link the numbers of problems in a chapter, "4/16", to their statements: those of its own
     chapter, and others behind the word problem.
     """

@@ -1,6 +1,14 @@
 """What all proofs share: their digits, and sums of numbers, vectors or matrices."""
 
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, TypeAlias
+
 DIGITS = 50
+Number: TypeAlias = Any  # an mpf, or what mpmath takes for one
+Triple: TypeAlias = list[Number]
+Matrix: TypeAlias = list[Triple]  # rows
+Points: TypeAlias = list[tuple[Number, Triple]]  # (share of the mass, place)
+Motion: TypeAlias = Callable[[Number], Points]
 
 
 class ProofError(ValueError):
@@ -9,14 +17,14 @@ class ProofError(ValueError):
     """
 
 
-def weighted(weights, values):
+def weighted(weights: Iterable[Number], values: Sequence[Any]) -> Any:
     """The sum of ``weights`` times ``values``, which are numbers, vectors or matrices (lists)."""
     if isinstance(values[0], (list, tuple)):
         return [weighted(weights, parts) for parts in zip(*values, strict=True)]
     return sum(w * v for w, v in zip(weights, values, strict=True))
 
 
-def entries(value):
+def entries(value: Any) -> list[Number]:
     """The numbers of a number, vector or matrix, as a flat list."""
     if isinstance(value, (list, tuple)):
         return [x for part in value for x in entries(part)]

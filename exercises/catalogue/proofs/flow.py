@@ -4,19 +4,25 @@ The extrapolated midpoint rule of W. Gragg, R. Bulirsch and J. Stoer (Numer. Mat
 takes any rates, made of numbers of mpmath or of floats.
 """
 
+from collections.abc import Callable
+from typing import TypeAlias
+
 from mpmath import mp, mpf
 
-from .digits import DIGITS, ProofError
+from .digits import DIGITS, Number, ProofError, Triple
 
 # midpoint rules of 2, 4, 6 ... steps: of numbers of mpmath, the error goes with the step to the
 # 27th, and of floats
 COLUMNS = 13, 7
+Rates: TypeAlias = Callable[[Triple], Triple]
 ENOUGH = 10 ** -(DIGITS // 2)  # error of a step, of the change in it and of the state
 STEPS = 400
 HALVINGS = 50
 
 
-def until(rates, state, event, step):
+def until(
+    rates: Rates, state: Triple, event: Callable[[Triple], Number], step: Number
+) -> tuple[Number, Triple]:
     """(time, state) at which ``event(state)`` first changes its sign in the motion from ``state``;
     where it is zero at first it may go to either side.
 
@@ -42,7 +48,7 @@ def until(rates, state, event, step):
     raise ProofError(f"there is no event within {STEPS} steps, as far as to the time {t}")
 
 
-def after(rates, state, time):
+def after(rates: Rates, state: Triple, time: Number) -> Triple:
     """The state after the ``time``; the rest as for :func:`until`.
 
     >>> x, v = after(lambda s: [s[1], -10], [mpf(0), mpf(5)], mpf(1))  # a stone thrown upward

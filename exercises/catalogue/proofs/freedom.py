@@ -1,14 +1,16 @@
 """Degrees of freedom: the rank of a motion that is written in coordinates."""
 
+from collections.abc import Callable, Sequence
+
 from mpmath import mp, mpf
 
-from .digits import DIGITS
+from .digits import DIGITS, Number
 from .motions import rate
 
 SMALL = mpf(10) ** -10  # a pivot below this, of rates of about 1, is zero
 
 
-def freedom(position, *coordinates):
+def freedom(position: Callable[..., Sequence[Number]], *coordinates: Number) -> int:
     """The number of independent ways in which ``position(*coordinates)``, a list of numbers, can
     change: coordinates that move nothing, or only what others move, count for nothing.
 

@@ -1,14 +1,16 @@
 """The gradient of a function of place, from its slopes along slanted lines."""
 
+from collections.abc import Callable, Sequence
+
 from mpmath import mp, mpf
 
-from .digits import DIGITS
+from .digits import DIGITS, Number, Triple
 from .motions import rate
 
 LINES = ((1, 2, 2), (2, 1, -2), (-1, 3, 1))  # none along an axis, not all in one plane
 
 
-def gradient(f, place):
+def gradient(f: Callable[..., Number], place: Sequence[Number]) -> Triple:
     """The vector whose component along any line is the slope there of ``f(x, y, z)`` at ``place``,
     found from three lines that are no axes: no partial derivative is taken.
 

@@ -1,16 +1,20 @@
 """Integrals of numbers, vectors and matrices over one variable, at 50 digits."""
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
+from typing import Any
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, ProofError, entries, weighted
+from .digits import DIGITS, Number, ProofError, entries, weighted
 
 LEVELS = 9  # of the rule; each halves the step
 ENOUGH = 10 ** (-DIGITS * 3 // 5)  # of the integral of abs(f): what an integral must settle to
 
 
-def integral(f, start, end, breaks=()):
+def integral(
+    f: Callable[[Number], Any], start: Number, end: Number, breaks: Sequence[Number] = ()
+) -> Any:
     """The integral of ``f`` (a number, vector or matrix) from ``start`` to ``end``.
 
     f may have roots and infinite slopes at the ends; ``breaks``, in order, are the places between

@@ -8,22 +8,24 @@ attraction of a ball, needs a larger order. Places can be turned and moved like 
     moment = m * mean(lambda r: r[0] ** 2 + r[1] ** 2, ball(R))     2 m R^2/5
 """
 
+from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, weighted
+from .digits import DIGITS, Number, Points, Triple, weighted
 
 ORDER = 4
 
 
-def mean(f, points):
+def mean(f: Callable[[Triple], Any], points: Points) -> Any:
     """The mean of ``f`` (number, vector, matrix) over mass points; times the mass, its integral."""
     with mp.workdps(DIGITS):
         return weighted([share for share, _ in points], [f(place) for _, place in points])
 
 
-def box(a, b, c, order=ORDER):
+def box(a: Number, b: Number, c: Number, order: int = ORDER) -> Points:
     """A box with the edges a, b, c along x, y, z; with an edge 0 a plate, with two a rod."""
     with mp.workdps(DIGITS):
         along = [
@@ -34,7 +36,7 @@ def box(a, b, c, order=ORDER):
         ]
 
 
-def ring(radius, order=ORDER):
+def ring(radius: Number, order: int = ORDER) -> Points:
     """A thin ring about z, with its centre at the origin."""
     with mp.workdps(DIGITS):
         n = 2 * order
@@ -42,7 +44,7 @@ def ring(radius, order=ORDER):
         return [(mpf(1) / n, [radius * mp.cos(t), radius * mp.sin(t), mpf(0)]) for t in turns]
 
 
-def disk(radius, order=ORDER):
+def disk(radius: Number, order: int = ORDER) -> Points:
     """A thin disk about z: rings, whose mass grows with the radius."""
     with mp.workdps(DIGITS):
         return [
@@ -52,7 +54,7 @@ def disk(radius, order=ORDER):
         ]
 
 
-def shell(radius, order=ORDER):
+def shell(radius: Number, order: int = ORDER) -> Points:
     """A thin hollow sphere: rings of equal mass at equal steps of height (Archimedes)."""
     with mp.workdps(DIGITS):
         return [
@@ -62,7 +64,7 @@ def shell(radius, order=ORDER):
         ]
 
 
-def ball(radius, order=ORDER):
+def ball(radius: Number, order: int = ORDER) -> Points:
     """A solid sphere: shells, whose mass grows with the square of the radius."""
     with mp.workdps(DIGITS):
         return [

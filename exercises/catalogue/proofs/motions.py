@@ -1,15 +1,18 @@
 """Explicit motions in time and their derivatives, by differences."""
 
+from collections.abc import Callable, Sequence
+from typing import Any
+
 from mpmath import mp, mpf
 
-from .digits import DIGITS, weighted
+from .digits import DIGITS, Matrix, Number, Triple, weighted
 from .vectors import cross, plus, scaled, times, transposed
 
 # five-point rules at 50 digits: truncation 1e-36 times the fifth derivative, rounding 1e-32
 STEP = "1e-9"
 
 
-def spun(axis, across, angle):
+def spun(axis: Sequence[Number], across: Sequence[Number], angle: Number) -> Matrix:
     """The orientation of a body that has turned on its ``axis`` by ``angle``, right-handed,
     starting from the direction ``across``.
 
@@ -20,7 +23,7 @@ def spun(axis, across, angle):
     return transposed([axis, turned, cross(axis, turned)])
 
 
-def rate(f, t=0):
+def rate(f: Callable[[Number], Any], t: Number = 0) -> Any:
     """df/dt of a number, vector or matrix as a function of time: five-point central difference."""
     with mp.workdps(DIGITS):
         h, t = mpf(STEP), mpf(t)
@@ -28,7 +31,7 @@ def rate(f, t=0):
         return weighted([w / (12 * h) for w in (1, -8, 8, -1)], values)
 
 
-def second_rate(f, t=0):
+def second_rate(f: Callable[[Number], Any], t: Number = 0) -> Any:
     """d2f/dt2, by a five-point central difference."""
     with mp.workdps(DIGITS):
         h, t = mpf(STEP), mpf(t)
@@ -36,7 +39,7 @@ def second_rate(f, t=0):
         return weighted([w / (12 * h * h) for w in (-1, 16, -30, 16, -1)], values)
 
 
-def angular_velocity(R, t=0):
+def angular_velocity(R: Callable[[Number], Matrix], t: Number = 0) -> Triple:
     """omega of a body whose orientation matrix is R(t) (body components to ground components): the
     vector of the skew matrix R' R^T.
     """
@@ -45,7 +48,7 @@ def angular_velocity(R, t=0):
         return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]
 
 
-def angular_acceleration(R, t=0):
+def angular_acceleration(R: Callable[[Number], Matrix], t: Number = 0) -> Triple:
     """alpha of the same body: the skew part of R'' R^T (its symmetric part, -|omega|^2 and so on,
     drops out).
     """

@@ -6,14 +6,16 @@ A motion is a function of time whose value is such a list of pairs (share of the
 inertia, of the mass centre or of angular velocity.
 """
 
+from collections.abc import Callable, Sequence
+
 from mpmath import mp, mpf
 
-from .digits import DIGITS, weighted
+from .digits import DIGITS, Motion, Number, Triple, weighted
 from .motions import rate, second_rate
 from .vectors import cross, minus
 
 
-def kinetic_energy(m, motion, t=0):
+def kinetic_energy(m: Number, motion: Motion, t: Number = 0) -> Number:
     """The sum of dm v^2/2 at the time t.
 
     >>> spoke = [(mpf(1), [mpf(2), 0, 0])]
@@ -27,7 +29,9 @@ def kinetic_energy(m, motion, t=0):
         return m * weighted(_shares(motion), [sum(x * x for x in v) / 2 for v in speeds])
 
 
-def angular_momentum(m, motion, about=(0, 0, 0), t=0):
+def angular_momentum(
+    m: Number, motion: Motion, about: Sequence[Number] = (0, 0, 0), t: Number = 0
+) -> Triple:
     """The sum of d x dm v, d from the place ``about``, which is at rest.
 
     >>> def circling(t):  # at 3 m/s on a circle of radius 1
@@ -47,7 +51,7 @@ def angular_momentum(m, motion, about=(0, 0, 0), t=0):
         ]
 
 
-def force_needed(m, motion, t=0):
+def force_needed(m: Number, motion: Motion, t: Number = 0) -> Triple:
     """The sum of dm a: the resultant of all external forces, gravity included."""
     with mp.workdps(DIGITS):
         shares = _shares(motion)
@@ -55,7 +59,9 @@ def force_needed(m, motion, t=0):
         return [m * x for x in a]
 
 
-def moment_needed(m, motion, about=(0, 0, 0), t=0):
+def moment_needed(
+    m: Number, motion: Motion, about: Sequence[Number] = (0, 0, 0), t: Number = 0
+) -> Triple:
     """The sum of d x dm a, d from the place ``about``: the moment of all external forces there."""
     with mp.workdps(DIGITS):
         accelerations = second_rate(lambda t: _places(motion(t)), t)
@@ -64,7 +70,7 @@ def moment_needed(m, motion, about=(0, 0, 0), t=0):
         return [m * x for x in weighted(_shares(motion), moments)]
 
 
-def let_go(energy, size=1):
+def let_go(energy: Callable[[Callable, Number], Number], size: Number = 1) -> Number:
     """The second rate a of a coordinate q at rest, at the instant when a system is let go: with
     q = a t^2/2 its energy does not change in the first instants.
 
@@ -85,7 +91,7 @@ def let_go(energy, size=1):
         return vanishing(gain, mpf(size), 2 * mpf(size))
 
 
-def vanishing(f, first, second):
+def vanishing(f: Callable[[Number], Number], first: Number, second: Number) -> Number:
     """The place at which a linear ``f`` vanishes, from its values at two others.
 
     >>> print(vanishing(lambda x: 3 * x - 12, 1, 2))

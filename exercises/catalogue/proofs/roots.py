@@ -1,11 +1,13 @@
 """The root of an equation in one unknown, between two places, at 50 digits."""
 
+from collections.abc import Callable
+
 from mpmath import mp, mpf
 
-from .digits import DIGITS, ProofError
+from .digits import DIGITS, Number, ProofError
 
 
-def root(f, low, high):
+def root(f: Callable[[Number], Number], low: Number, high: Number) -> Number:
     """The place between ``low`` and ``high`` at which ``f`` vanishes; f has different signs there.
 
     By bisection and, where it is faster, regula falsi: it never leaves the bracket. Raises

@@ -1,15 +1,24 @@
 """A particle on a smooth track: its speed, from the force along the track."""
 
+from collections.abc import Callable, Sequence
+
 from mpmath import mp, mpf
 
-from .digits import DIGITS, ProofError
+from .digits import DIGITS, Number, ProofError
 from .integrals import integral
 from .motions import rate
 
 PIECES = 32  # of the way, at whose ends the particle must still move
 
 
-def speed_along(m, force, path, start, end, speed=0):
+def speed_along(
+    m: Number,
+    force: Callable[[Sequence[Number]], Sequence[Number]],
+    path: Callable[[Number], Sequence[Number]],
+    start: Number,
+    end: Number,
+    speed: Number = 0,
+) -> Number:
     """The speed at ``path(end)`` of a particle that leaves ``path(start)`` with ``speed``: what the
     force along the path adds up to, m v dv = F.dr; the track without friction pushes across it.
 

@@ -1,9 +1,14 @@
 """Vectors as lists of three, matrices as lists of rows, rotation matrices multiplied out."""
 
+from collections.abc import Sequence
+from typing import Any
+
 from mpmath import mp, mpf
 
+from .digits import Matrix, Number, Triple
 
-def rot(axis, angle):
+
+def rot(axis: str | Sequence[Number], angle: Number) -> Matrix:
     """The matrix that turns vectors by ``angle`` about ``axis`` ("x", "y", "z" or three
     components), right-handed: Rodrigues' formula.
     """
@@ -21,7 +26,7 @@ def rot(axis, angle):
     ]
 
 
-def times(*factors):
+def times(*factors: Any) -> Any:
     """The product of matrices, or of matrices with a final vector."""
     *rest, out = factors
     for a in reversed(rest):
@@ -32,33 +37,33 @@ def times(*factors):
     return out
 
 
-def transposed(a):
+def transposed(a: Sequence[Sequence[Number]]) -> Matrix:
     """The transpose; for a rotation, its inverse: ``times(transposed(R), v)`` are the components of
     v in the turned axes.
     """
     return [list(row) for row in zip(*a, strict=True)]
 
 
-def plus(*vectors):
+def plus(*vectors: Sequence[Number]) -> Triple:
     """The sum of vectors."""
     return [sum(x) for x in zip(*vectors, strict=True)]
 
 
-def minus(a, b):
+def minus(a: Sequence[Number], b: Sequence[Number]) -> Triple:
     """The difference of two vectors."""
     return [x - y for x, y in zip(a, b, strict=True)]
 
 
-def scaled(s, a):
+def scaled(s: Number, a: Sequence[Number]) -> Triple:
     """The vector s a."""
     return [s * x for x in a]
 
 
-def size(a):
+def size(a: Sequence[Number]) -> Number:
     """The magnitude of a vector."""
     return mp.sqrt(sum(x * x for x in a))
 
 
-def cross(a, b):
+def cross(a: Sequence[Number], b: Sequence[Number]) -> Triple:
     """The vector product."""
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

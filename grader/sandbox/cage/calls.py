@@ -8,6 +8,7 @@ It is called through ctypes: its own Python binding is not on PyPI, and the one 
 import ctypes
 import errno
 import functools
+from typing import Any
 
 FORBIDDEN = (
     "add_key", "keyctl", "request_key", "ptrace", "process_vm_readv", "process_vm_writev",
@@ -22,10 +23,9 @@ FORBIDDEN = (
     "setsid",  # the scheduler shares the processor among sessions: one submission is one
 )  # fmt: skip
 NEW_USER_NAMESPACE = 0x10000000
-LAST_FAMILY = 10  # of sockets: AF_INET6; beyond are netlink, AF_ALG, and AF_VSOCK to the host
+LAST_FAMILY = 10  # AF_INET6; socket families beyond are netlink, AF_ALG, AF_VSOCK to the host
 _ALLOW, _ERRNO = 0x7FFF0000, 0x00050000
 _GREATER, _MASKED_EQUAL = 6, 7
-_NO_NEW_PRIVS = 3  # an attribute of a filter: here it is set already, or the process has the right
 
 
 class _Comparison(ctypes.Structure):
@@ -38,8 +38,8 @@ class _Comparison(ctypes.Structure):
 
 
 @functools.cache
-def library():
-    """libseccomp, or None where it is not installed; to be called before the root is changed."""
+def library() -> Any:
+    """libseccomp, or None where it is not installed; first called before the root is changed."""
     try:
         found = ctypes.CDLL("libseccomp.so.2")
     except OSError:
@@ -48,10 +48,8 @@ def library():
     return found
 
 
-def forbid():
-    """Make the calls fail with EPERM in this process and all that it starts; False without the
-    library.
-    """
+def forbid() -> bool:
+    """Make the calls fail in this process and its children; False without the library."""
     if library() is None:
         return False
     context = ctypes.c_void_p(library().seccomp_init(ctypes.c_uint32(_ALLOW)))
@@ -59,19 +57,19 @@ def forbid():
         _add(context, name, errno.EPERM)
     user = NEW_USER_NAMESPACE
     _add(context, "clone", errno.EPERM, _Comparison(0, _MASKED_EQUAL, user, user))
-    # its flags stand in memory, which a filter cannot read; the C library then takes clone
+    # its flags are in memory, which a filter cannot read; the C library falls back to clone
     _add(context, "clone3", errno.ENOSYS)
     _add(context, "socket", errno.EPERM, _Comparison(0, _GREATER, LAST_FAMILY, 0))
     failed = library().seccomp_load(context)
     library().seccomp_release(context)
     if failed:
-        raise OSError(-failed, "the kernel takes no filter of system calls")
+        raise OSError(-failed, "the kernel refuses a filter of system calls")
     return True
 
 
-def _add(context, name, error, *comparisons):
+def _add(context: ctypes.c_void_p, name: str, error: int, *comparisons: _Comparison) -> None:
     number = library().seccomp_syscall_resolve_name(name.encode())
-    if number < 0:  # not a call of this machine, or newer than the library
+    if number < 0:  # a call that this machine or the library does not have
         return
     array = (_Comparison * len(comparisons))(*comparisons)
     library().seccomp_rule_add_array(

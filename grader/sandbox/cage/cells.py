@@ -1,14 +1,15 @@
-"""Runs the cells of a notebook in order, with common variables, reads the answers, and leaves a
-paused copy of the process at each test.
-"""
+"""Runs the cells in one namespace, reads the answers, leaves a paused copy at each test."""
 
-import _signal  # the C part of signal, whose Python makes enums at each call, and every cell calls
+import _signal  # the C part of signal: the Python part makes enums at each call, for every cell
 import contextlib
 import importlib
 import json
+import math
 import os
 import signal
 import struct
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
 
 from . import libraries
 from .shell import Shell, is_cell
@@ -16,6 +17,7 @@ from .shell import Shell, is_cell
 LINE_LIMIT = 2**16  # bytes of the receipt of one problem
 ERROR_LIMIT = 500  # characters of an error
 TEXT_LIMIT = 2**24  # bytes of the text of a test
+TOO_LONG = "the answers are too long to be read"
 
 
 class TimeLimit(Exception):
@@ -23,13 +25,13 @@ class TimeLimit(Exception):
 
 
 @contextlib.contextmanager
-def time_limit(seconds):
+def time_limit(seconds: float) -> Iterator[None]:
     """Raise :class:`TimeLimit` in what runs longer."""
 
     def too_long(*_):
         raise TimeLimit(
             f"the cell ran longer than {seconds:g} s; look for a loop that does not end, or a "
-            "simplify on a long formula"
+            "simplify of a long formula"
         )
 
     _signal.signal(signal.SIGALRM, too_long)
@@ -41,27 +43,27 @@ def time_limit(seconds):
 
 
 class Notebook:
-    """One submission. ``send`` takes a line for the grader; ``tests`` are the sockets from which
-    copies get the texts of tests, in order.
+    """One submission. ``send`` is called with each line for the grader; from the sockets ``tests``
+    the copies receive the texts of the tests, in order.
     """
 
-    def __init__(self, seconds, send, tests):
+    def __init__(
+        self, seconds: float, send: Callable[[bytes], object], tests: Iterable[int]
+    ) -> None:
         self._shell, self._seconds = Shell(), seconds
         self._send, self._tests = send, list(tests)
-        self._errors = {}  # of each problem, since its givens
+        self._errors: dict[str, str | None] = {}  # of each problem, since its givens
         self._answers = importlib.import_module("newton_euler.answers.receipts")
 
-    def run(self, cells):
-        """Run all cells; ``cells`` are as :meth:`grader.sandbox.Harvester.run` takes them, tests
-        without their hidden text.
-        """
+    def run(self, cells: Iterable[dict[str, Any]]) -> None:
+        """Run cells as :meth:`grader.sandbox.Harvester.run` takes them, without hidden texts."""
         for cell in cells:
             getattr(self, "_" + cell["role"])(cell)
 
     def _run(self, cell):
         """A cell that belongs to no problem: its error counts for each problem that is open."""
         if error := self._error_of(cell["text"]):
-            self._tell({"name": cell["name"], "error": error})
+            self._report({"name": cell["name"], "error": error})
             self._errors = {p: e or error for p, e in self._errors.items()}
 
     def _givens(self, cell):
@@ -81,17 +83,12 @@ class Notebook:
                 given = {key: self._shell.names.get(key) for key in forms}
                 read, faults = self._answers.record(forms, cell["symbols"], given)
         except BaseException as fault:
-            said = f"{type(fault).__name__}: {fault}"[:300]
-            read, faults = {}, dict.fromkeys(forms or cell["forms"], said)
+            why = f"{type(fault).__name__}: {fault}"[:300]
+            read, faults = {}, dict.fromkeys(forms or cell["forms"], why)
         error = self._errors.pop(number, None)
-        self._tell(
+        self._report(
             {"id": number, "answers": read, "faults": faults, "error": error},
-            {
-                "id": number,
-                "answers": {},
-                "faults": {},
-                "error": "the answers are too long to be read",
-            },
+            {"id": number, "answers": {}, "faults": {}, "error": TOO_LONG},
         )
 
     def _test(self, cell):
@@ -99,7 +96,7 @@ class Notebook:
         try:
             pid = os.fork()
         except OSError:
-            pid = -1  # a submission that fills its processes has no copy: the test is not reached
+            pid = -1  # a submission that has used up its processes: its test is not reached
         if pid == 0:
             self._answer_test(socket)
         os.close(socket)
@@ -117,10 +114,10 @@ class Notebook:
                 return {"error": None, "value": _plain(value)}
         except SyntaxError as error:
             line = error.text or _line(text, error.lineno)
-            said = f"{type(error).__name__}: {error.msg}, line {error.lineno}: {line.strip()}"
+            why = f"{type(error).__name__}: {error.msg}, line {error.lineno}: {line.strip()}"
         except BaseException as error:
-            said = _in_words(error)
-        return {"error": said[:ERROR_LIMIT], "value": None}
+            why = _in_words(error)
+        return {"error": why[:ERROR_LIMIT], "value": None}
 
     def _answer_test(self, socket):
         """In the copy: wait for the text, run it, send the outcome. Never returns."""
@@ -133,10 +130,10 @@ class Notebook:
         finally:
             os._exit(0)
 
-    def _tell(self, record, otherwise=None):
+    def _report(self, record, if_too_long=None):
         line = json.dumps(record)
         if len(line) > LINE_LIMIT:
-            line = json.dumps(otherwise)
+            line = json.dumps(if_too_long)
         self._send(line.encode() + b"\n")
 
 
@@ -150,15 +147,15 @@ def _plain(value):
         number = float(value)
     except Exception:
         return "other"
-    return number if number - number == 0 else "other"  # neither infinite nor nan
+    return number if math.isfinite(number) else "other"
 
 
 def _in_words(error):
     try:
-        said = str(error)
+        message = str(error)
     except BaseException:
-        said = "an error whose message cannot be made"
-    return f"{type(error).__name__}{_line_of(error)}: {said}"
+        message = "an error whose message cannot be made"
+    return f"{type(error).__name__}{_line_of(error)}: {message}"
 
 
 def _line(text, number):

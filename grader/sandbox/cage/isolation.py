@@ -1,6 +1,5 @@
-"""The isolation of a process: Linux namespaces (user, mount, pid, network, ipc, uts), a read-only
-root with nothing but the interpreter and its libraries, resource limits, an unprivileged user,
-no capabilities, no new privileges, a session and a keyring of its own.
+"""The isolation of a process: Linux namespaces, a read-only root with the interpreter and its
+libraries, resource limits, an unprivileged user, no capabilities, a keyring of its own.
 """
 
 import contextlib
@@ -15,26 +14,18 @@ import signal
 import sys
 import sysconfig
 
-MEMORY = 3 * 2**30
+MEMORY = 3 * 2**30  # bytes of address space
 PROCESSES = 64
-TMPFS = "size=64m,nr_inodes=20000"  # empty files take memory too
+FILE_SIZE = 16 * 2**20  # bytes
+TMPFS = "size=64m,nr_inodes=20000"  # inodes too: empty files take memory
 CLONE = {
-    "mount": 0x20000,
-    "uts": 0x4000000,
-    "ipc": 0x8000000,
-    "user": 0x10000000,
-    "pid": 0x20000000,
-    "net": 0x40000000,
-}
-MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT, MS_BIND, MS_REC, MS_PRIVATE = (
-    1,
-    2,
-    4,
-    32,
-    4096,
-    16384,
-    1 << 18,
-)
+    "mount": 0x20000, "uts": 0x4000000, "ipc": 0x8000000, "user": 0x10000000,
+    "pid": 0x20000000, "net": 0x40000000,
+}  # fmt: skip
+MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT = 1, 2, 4, 32
+MS_BIND, MS_REC, MS_PRIVATE = 4096, 16384, 1 << 18
+MS_NOEXEC, MS_NOATIME, MS_RELATIME = 8, 1024, 1 << 21
+MNT_DETACH = 2
 KEYCTL_JOIN_SESSION_KEYRING = 1
 PR_SET_DUMPABLE, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS = 4, 24, 38
 SYSCALLS = {  # numbers of the calls that the C library does not offer
@@ -54,8 +45,12 @@ def _libc():
 
 def _call(function, *args):
     if function(*args) != 0:
-        error = ctypes.get_errno()
-        raise Refused(error, os.strerror(error))
+        raise _refusal()
+
+
+def _refusal(what=""):
+    error = ctypes.get_errno()
+    return Refused(error, what + os.strerror(error))
 
 
 def _syscall(name):
@@ -65,8 +60,8 @@ def _syscall(name):
         raise Refused(0, f"no number of {name} for {platform.machine()}") from None
 
 
-def fork_into_namespaces():
-    """As ``os.fork``, but the child is the first process of namespaces of its own, which it has to
+def fork_into_namespaces() -> int:
+    """``os.fork``, but the child is the first process of namespaces of its own, which it has to
     claim.
 
     ``unshare`` would need one more process, since it does not change the pid namespace of its
@@ -76,7 +71,7 @@ def fork_into_namespaces():
         raise Refused(0, f"{sys.platform} has no namespaces")
     number, python = _syscall("clone"), ctypes.pythonapi
     if (threads := len(os.listdir("/proc/self/task"))) > 1:
-        # clone does not tell libraries of it, as fork does: some would wait for their threads
+        # unlike fork, clone runs no handlers of the libraries: some would wait for their threads
         raise Refused(0, f"a library has started {threads - 1} threads in the worker")
     kinds = [k for k in CLONE if k != "user" or os.geteuid() != 0]
     call = ctypes.PyDLL(None, use_errno=True).syscall  # PyDLL: the lock of the interpreter is kept
@@ -87,12 +82,11 @@ def fork_into_namespaces():
         return 0
     python.PyOS_AfterFork_Parent()
     if pid < 0:
-        error = ctypes.get_errno()
-        raise Refused(error, os.strerror(error))
+        raise _refusal()
     return pid
 
 
-def claim_namespaces(uid, gid):
+def claim_namespaces(uid: int, gid: int) -> None:
     """In the first process, before anything else: keep the ids that it had outside."""
     if uid != 0:  # root has made no user namespace
         proc = open_proc()
@@ -100,41 +94,36 @@ def claim_namespaces(uid, gid):
         os.close(proc)
 
 
-def join_keyring():
-    """A session keyring of its own: the instructor's can be read, filled and revoked by any process
-    that has it.
-    """
+def join_keyring() -> None:
+    """A session keyring of its own: any process that has the instructor's can read it."""
     number = SYSCALLS.get(platform.machine(), {}).get("keyctl")
     if sys.platform != "linux" or number is None:
-        return  # no keyrings; or no namespaces either, which is told when they are entered
-    if _libc().syscall(number, KEYCTL_JOIN_SESSION_KEYRING, None) < 0:
-        error = ctypes.get_errno()
-        if error != errno.ENOSYS:  # a kernel without keyrings has none to protect
-            raise Refused(error, f"no keyring of its own: {os.strerror(error)}")
+        return  # no keyrings; or no namespaces either, and then entering them is refused
+    failed = _libc().syscall(number, KEYCTL_JOIN_SESSION_KEYRING, None) < 0
+    if failed and ctypes.get_errno() != errno.ENOSYS:  # a kernel without keyrings
+        raise _refusal("no keyring of its own: ")
 
 
-def forbid_shared_memory():
-    """In the new ipc namespace: no System V segments and queues, whose memory belongs to no
-    process. Where the kernel does not let an ordinary user write this, seccomp and the limits on
-    mapped memory are left.
+def forbid_shared_memory() -> None:
+    """In the new ipc namespace: no System V segments and queues, whose memory no process owns.
+    Where the kernel refuses this, seccomp and the limits on mapped memory remain.
     """
     for name in ("shmmni", "msgmni"):
         with contextlib.suppress(OSError), open(f"/proc/sys/kernel/{name}", "w") as f:
             f.write("0")
 
 
-def open_proc():
-    """An open /proc, for what must be written there after the new root, which has none, is made."""
+def open_proc() -> int:
+    """A descriptor of /proc, to write there once the new root, which has none, is entered."""
     return os.open("/proc", os.O_PATH | os.O_DIRECTORY)
 
 
-def forbid_user_namespaces(proc):
-    """Enter a user namespace in which no further one can be made; closes ``proc``.
-
-    A process in it has no rights over the first process, which is outside, though of the same user.
+def forbid_user_namespaces(proc: int) -> None:
+    """Enter a user namespace in which no other can be made, and which has no rights over the first
+    process, although that has the same user; closes ``proc``.
     """
     libc, ids = _libc(), (os.geteuid(), os.getegid())
-    libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0)  # else its own files in /proc belong to root
+    libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0)  # otherwise its own files in /proc belong to root
     _call(libc.unshare, CLONE["user"])
     _map_user(proc, *ids)
     _write(proc, "sys/user/max_user_namespaces", "0")
@@ -159,43 +148,40 @@ def _write(folder, path, text):
 # -- the root
 
 
+SYSTEM = (
+    "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache",
+    "/usr/share/zoneinfo",
+)  # fmt: skip
+
+
 @functools.cache
-def readable_places():
-    """(folders, links) that student code may read: interpreter, installed libraries, engine,
+def readable_places() -> tuple[list[str], list[tuple[str, str]]]:
+    """(places, links) that student code may read: interpreter, installed libraries, engine,
     chapters; never the course or the exercises. Looked up once in a worker.
     """
-    engine = os.path.dirname(os.path.abspath(importlib.import_module("newton_euler").__file__))
-    # in a checkout they are beside the engine
+    wanted = [path for path in (*_course_material(), *SYSTEM, *_python()) if os.path.exists(path)]
+    places: list[str] = []
+    for place in sorted({os.path.realpath(p) for p in wanted}, key=len):
+        if place != "/" and not any(place == f or place.startswith(f + "/") for f in places):
+            places.append(place)
+    return places, [(p, os.path.realpath(p)) for p in wanted if os.path.islink(p)]
+
+
+def _course_material() -> list[str]:
+    """The folders of the engine and of its chapters, which are beside it in a checkout."""
+    engine = os.path.abspath(str(importlib.import_module("newton_euler").__file__))
     chapters = importlib.import_module("newton_euler.chapters").__path__
-    wanted = [
-        engine,
-        *chapters,
-        "/usr/lib",
-        "/usr/lib64",
-        "/usr/local/lib",
-        "/lib",
-        "/lib64",
-        "/etc/ld.so.cache",
-        "/usr/share/zoneinfo",
+    return [os.path.dirname(engine), *chapters]
+
+
+def _python() -> list[str]:
+    """The libraries of Python; whole prefixes would include /usr/local/share/nbgrader/exchange."""
+    prefixes = (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix)
+    return [
+        *(os.path.join(prefix, lib) for prefix in prefixes for lib in ("lib", "lib64")),
+        *(sysconfig.get_paths()[n] for n in ("stdlib", "platstdlib", "purelib", "platlib")),
+        *(p for p in sys.path if os.path.basename(p) in ("site-packages", "dist-packages")),
     ]
-    # not the whole prefixes: /usr and /usr/local also contain /usr/local/share/nbgrader/exchange
-    wanted += [
-        os.path.join(prefix, lib)
-        for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix)
-        for lib in ("lib", "lib64")
-    ]
-    wanted += [sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")]
-    wanted += [
-        p
-        for p in sys.path
-        if os.path.isdir(p) and os.path.basename(p) in ("site-packages", "dist-packages")
-    ]
-    found = []
-    for place in sorted({os.path.realpath(p) for p in wanted if os.path.exists(p)}, key=len):
-        if place != "/" and not any(place == f or place.startswith(f + "/") for f in found):
-            found.append(place)
-    links = [(p, os.path.realpath(p)) for p in wanted if os.path.islink(p)]
-    return found, links
 
 
 def _mount(libc, source, target, kind, flags, data=None):
@@ -203,10 +189,8 @@ def _mount(libc, source, target, kind, flags, data=None):
     _call(libc.mount, text[0], text[1], text[2], ctypes.c_ulong(flags), text[3])
 
 
-def build_root():
-    """Make a new root on tmpfs that contains the readable places and nothing else, and change to
-    it.
-    """
+def build_root() -> None:
+    """Make a root on tmpfs with the readable places and nothing else, and change to it."""
     libc = _libc()
     places, links = readable_places()
     _mount(libc, None, "/", None, MS_REC | MS_PRIVATE)
@@ -215,48 +199,41 @@ def build_root():
     os.makedirs(root + "/tmp")  # before the places, since one of them may be in it
     _mount(libc, "scratch", root + "/tmp", "tmpfs", MS_NOSUID | MS_NODEV, TMPFS + ",mode=1777")
     for place in places:
-        target = root + place
-        if os.path.isdir(place):
-            os.makedirs(target, exist_ok=True)
-        else:
-            os.makedirs(os.path.dirname(target), exist_ok=True)
-            open(target, "w").close()
-        _mount(libc, place, target, None, MS_BIND | MS_REC)
-        _mount(
-            libc,
-            None,
-            target,
-            None,
-            MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | _kept_flags(place),
-        )
+        _show(libc, place, root + place, MS_REC)
+        flags = MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | _kept_flags(place)
+        _mount(libc, None, root + place, None, flags)
     for link, real in links:
         with contextlib.suppress(FileExistsError):
             os.makedirs(os.path.dirname(root + link), exist_ok=True)
             os.symlink(real, root + link)
-    for device in ("null", "zero", "urandom"):
-        os.makedirs(root + "/dev", exist_ok=True)
-        open(f"{root}/dev/{device}", "w").close()
-        _mount(libc, f"/dev/{device}", f"{root}/dev/{device}", None, MS_BIND)
+    for device in ("/dev/null", "/dev/zero", "/dev/urandom"):
+        _show(libc, device, root + device)
     os.makedirs(root + "/.old")
     _call(libc.syscall, _syscall("pivot_root"), root.encode(), (root + "/.old").encode())
     os.chdir("/")
-    _call(libc.umount2, b"/.old", 2)
+    _call(libc.umount2, b"/.old", MNT_DETACH)
     os.rmdir("/.old")
     _mount(libc, None, "/", None, MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | MS_NODEV)
     os.chdir("/tmp")
 
 
+def _show(libc, place, target, flags=0):
+    """Make a folder or a file visible under ``target``."""
+    if os.path.isdir(place):
+        os.makedirs(target, exist_ok=True)
+    else:
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        open(target, "w").close()
+    _mount(libc, place, target, None, MS_BIND | flags)
+
+
 def _mount_point(places):
-    """An existing folder to mount the new root on; it contains none of the places that the new root
-    must show.
-    """
+    """An existing folder to mount the new root on, which holds none of the places."""
     for folder in ("/mnt", "/srv", "/media", "/opt", "/var/tmp", "/tmp"):
-        if os.path.isdir(folder) and not any(
-            p == folder or p.startswith(folder + "/") for p in places
-        ):
+        if os.path.isdir(folder) and not any((p + "/").startswith(folder + "/") for p in places):
             return folder
     raise Refused(
-        2,
+        errno.ENOENT,
         "no folder to mount the cage on: all of /mnt, /srv, /media, /opt, /var/tmp and /tmp "
         "hold parts of Python",
     )
@@ -264,26 +241,28 @@ def _mount_point(places):
 
 def _kept_flags(place):
     """The flags of the mount that a remount in a user namespace must keep."""
-    flags = os.statvfs(place).f_flag
-    return (
-        (flags & os.ST_NODEV and MS_NODEV)
-        | (flags & os.ST_NOEXEC and 8)
-        | (flags & os.ST_NOATIME and 1024)
-        | (flags & os.ST_RELATIME and 1 << 21)
-    )
+    flags, kept = os.statvfs(place).f_flag, 0
+    for status, mount in (
+        (os.ST_NODEV, MS_NODEV),
+        (os.ST_NOEXEC, MS_NOEXEC),
+        (os.ST_NOATIME, MS_NOATIME),
+        (os.ST_RELATIME, MS_RELATIME),
+    ):
+        kept |= mount if flags & status else 0
+    return kept
 
 
 # -- limits and privileges
 
 
-def limit(seconds, used, tests=0):
-    """Limit processor time, memory beyond what is ``used``, files and processes; ``tests`` copies
-    come on top.
+def limit(seconds: float, used: int, tests: int = 0) -> None:
+    """Limit processor time, memory beyond the ``used`` bytes, files and processes, with room for
+    the copies of the process that wait for ``tests``.
     """
     for what, value in (
         (resource.RLIMIT_CPU, int(seconds) + 1),
         (resource.RLIMIT_AS, used + MEMORY),
-        (resource.RLIMIT_FSIZE, 16 * 2**20),
+        (resource.RLIMIT_FSIZE, FILE_SIZE),
         (resource.RLIMIT_NOFILE, 64 + tests),
         (resource.RLIMIT_NPROC, PROCESSES + tests),
         (resource.RLIMIT_CORE, 0),
@@ -293,7 +272,7 @@ def limit(seconds, used, tests=0):
         resource.setrlimit(what, (value, value))
 
 
-def memory_in_use():
+def memory_in_use() -> int:
     """The bytes of address space of this process; 0 where there is no /proc, as on macOS."""
     try:
         with open("/proc/self/statm") as f:
@@ -302,21 +281,21 @@ def memory_in_use():
         return 0
 
 
-def become(uid):
+def become(uid: int) -> None:
     """Become this user, if this is root."""
     if os.geteuid() == 0:
         os.setgroups([])
         try:
             os.setresgid(uid, uid, uid)
             os.setresuid(uid, uid, uid)
-        except OSError:  # few users are mapped, as in some containers
+        except OSError:  # only few users are mapped, as in some containers
             os.setresgid(NOBODY, NOBODY, NOBODY)
             os.setresuid(NOBODY, NOBODY, NOBODY)
 
 
-def drop_capabilities():
-    """Give up all capabilities, for ever: the creator of a user namespace has all of them in it and
-    could make the mounts writable again.
+def drop_capabilities() -> None:
+    """Give up all capabilities for good, and those of programs that are started: the creator of a
+    user namespace has all of them in it and could make the mounts writable again.
     """
     if sys.platform != "linux":
         return
@@ -327,8 +306,8 @@ def drop_capabilities():
     libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
 
 
-def close_all_but(*kept):
-    """Close every file of this process but the standard ones and those that are named."""
+def close_all_but(*kept: int) -> None:
+    """Close all descriptors of this process but the standard ones and those given."""
     low = 3
     for fd in sorted(kept):
         os.closerange(low, fd)

@@ -1,51 +1,25 @@
-"""The libraries that student code may use: imported once, and put back as they were before a test
-runs.
-"""
+"""The libraries that student code may use: imported once, and restored before a test runs."""
 
 import gc
 import importlib
 import sys
 
 PRELOAD = (
-    "numpy",
-    "sympy",
-    "mpmath",
-    "scipy.linalg",
-    "scipy.optimize",
-    "scipy.integrate",
-    "numpy.testing",
-    "newton_euler",
-    "newton_euler.kinematics",  # which the first cell of every notebook imports names from
-    "newton_euler.answers.receipts",
-)
-# what the tests of an instructor are written with, and what runs them; all of scipy would double
-# the cost
+    "numpy", "sympy", "mpmath", "scipy.linalg", "scipy.optimize", "scipy.integrate",
+    "numpy.testing", "newton_euler", "newton_euler.answers.receipts",
+    "newton_euler.kinematics",  # from which the first cell of every notebook imports names
+)  # fmt: skip
+# packages that an instructor's tests use, and that run them; all of scipy would double the cost
 TRUSTED = (
-    "cage",
-    "os",
-    "posix",
-    "json",
-    "struct",
-    "signal",
-    "ast",
-    "builtins",
-    "math",
-    "cmath",
-    "operator",
-    "fractions",
-    "decimal",
-    "numbers",
-    "unittest",
-    "numpy",
-    "sympy",
-    "mpmath",
+    "cage", "os", "posix", "json", "struct", "signal", "ast", "builtins", "math", "cmath",
+    "operator", "fractions", "decimal", "numbers", "unittest", "numpy", "sympy", "mpmath",
     "newton_euler",
-)
+)  # fmt: skip
 _as_imported: list = []
 
 
-def load():
-    """Import the libraries, and remember what their modules hold."""
+def load() -> None:
+    """Import the libraries and remember the contents of their modules."""
     for name in PRELOAD:
         importlib.import_module(name)
     _warm_up()
@@ -56,20 +30,20 @@ def load():
     ]
 
 
-def load_ipython():
-    """Import IPython, which takes as long as a notebook, when the first notebook needs it."""
+def load_ipython() -> None:
+    """Import IPython when the first notebook needs it: that takes as long as a notebook."""
     if "IPython" not in sys.modules:
         importlib.import_module("IPython.core.inputtransformer2")
         importlib.import_module("IPython.display")
         gc.freeze()
 
 
-def restore():
-    """Put back what student code has replaced in the modules: a test that calls
-    ``numpy.testing.assert_allclose`` is to mean numpy's.
+def restore() -> None:
+    """Restore what student code has replaced in the modules, so that a test that calls
+    ``numpy.testing.assert_allclose`` calls numpy's.
 
-    This stops what is simple. A test runs in the student's process, and one who knows this code can
-    deceive it; answers in receipts are compared elsewhere, by code that no student reaches.
+    This stops simple tricks only. A test runs in the student's process, and one who knows this code
+    can deceive it; answers in receipts are compared elsewhere, by code that no student reaches.
     """
     sys.settrace(None)
     sys.setprofile(None)
@@ -82,8 +56,8 @@ def restore():
 
 
 def _warm_up():
-    """What every submission would have to repeat: the first sum imports sympy.tensor, which takes
-    as long as all cells of a notebook together.
+    """Do once what every submission would have to repeat: the first sum imports sympy.tensor, which
+    takes as long as all cells of a notebook together.
     """
     sympy = sys.modules["sympy"]
     x, y = sympy.symbols("x y", real=True)

@@ -1,41 +1,38 @@
-"""The memory of all processes of a submission together: limited by a cgroup where one can be made,
-and watched from outside everywhere.
-"""
+"""The memory of all processes of a submission together: limited by a cgroup, and watched."""
 
 import contextlib
 import os
 import re
 import resource
 import time
+from collections.abc import Collection
 
 from . import watch
 
 TOTAL = 3 * 2**30  # bytes, of all processes of a submission
-PER_TEST = 2**25  # bytes on top, for what a copy does not share with the student's process
-PROCESSES = 400  # far above their own limit, which counts by user
+PER_TEST = 2**25  # bytes more for each test, whose process shares the rest with the student's
+PROCESSES = 400  # of a group; far above the limit by user
 FIRST_LOOK, PAUSE = 0.1, 0.05  # seconds; most notebooks have ended before the first look
 
 
 class Watch:
-    """Looks now and then at the sum of the memory of all descendants of this process."""
+    """Checks at intervals the memory of all descendants of this process together."""
 
-    def __init__(self, tests=0):
+    def __init__(self, tests: int = 0) -> None:
         self.total = TOTAL + tests * PER_TEST
         self.next = time.monotonic() + FIRST_LOOK
 
-    def exceeded(self):
-        """True if the descendants hold more than the total; the pause until the next look grows
-        with the cost of this one.
-        """
+    def exceeded(self) -> bool:
+        """Whether the descendants hold too much; costly looks are made less often."""
         start = time.monotonic()
         over = used_by(watch.descendants(), self.total) > self.total
         self.next = time.monotonic() + max(PAUSE, 10 * (time.monotonic() - start))
         return over
 
 
-def used_by(pids, enough):
-    """Bytes that these processes hold. What they share counts once for each; only if that exceeds
-    ``enough`` it is shared out, since that takes the kernel milliseconds for each process.
+def used_by(pids: Collection[int], enough: int) -> int:
+    """Bytes that these processes hold. Shared memory counts fully for each process; only where that
+    exceeds ``enough`` is it apportioned, which costs the kernel milliseconds for each process.
     """
     resident = sum(map(_resident, pids))
     return resident if resident <= enough else sum(map(_proportional, pids))
@@ -54,20 +51,18 @@ def _proportional(pid):
         with open(f"/proc/{pid}/smaps_rollup") as f:
             return 1024 * int(re.search(r"(?m)^Pss: +(\d+)", f.read())[1])
     except (OSError, TypeError):
-        return _resident(pid)  # it has forbidden others to look
+        return _resident(pid)  # the process is not readable by others
 
 
 class Group:
-    """A control group (cgroup v2) of a worker, for one submission after the other."""
+    """A control group (cgroup v2) of a worker, for one submission after another."""
 
-    def __init__(self, path):
+    def __init__(self, path: str) -> None:
         self.path = path
 
     @classmethod
-    def make(cls, processes="/proc/self"):
-        """A new group beside the one of this process; None where none can be made, as in most
-        containers and in cgroup v1.
-        """
+    def make(cls, processes: str = "/proc/self") -> "Group | None":
+        """A new group; None where none can be made: in most containers and in cgroup v1."""
         try:
             parent = _parent(processes)
             _sweep(parent)
@@ -90,34 +85,34 @@ class Group:
         with open(os.path.join(self.path, name), "w") as f:
             f.write(str(value))
 
-    def allow(self, tests):
-        """Set the limit for a submission with so many tests."""
+    def allow(self, tests: int) -> None:
+        """Set the limit for a submission with this number of tests."""
         self._write("memory.max", TOTAL + tests * PER_TEST)
 
-    def enter(self):
+    def enter(self) -> None:
         """Put this process, and all that it will fork, into the group."""
         self._write("cgroup.procs", 0)
 
-    def kills(self):
-        """How many processes the kernel has killed for their memory, since the group was made."""
+    def kills(self) -> int:
+        """The number of processes that the kernel has killed for lack of memory so far."""
         with contextlib.suppress(OSError), open(os.path.join(self.path, "memory.events")) as f:
             return int(dict(line.split() for line in f).get("oom_kill", 0))
         return 0
 
-    def kill(self):
+    def kill(self) -> None:
         """Kill all processes in the group at once."""
         with contextlib.suppress(OSError):  # before Linux 5.14
             self._write("cgroup.kill", 1)
 
-    def remove(self):
+    def remove(self) -> None:
         """Remove the group, which must be empty."""
         with contextlib.suppress(OSError):
             os.rmdir(self.path)
 
 
 def _parent(processes):
-    """The folder in which a group with a limit of memory can be made: that of this process if it
-    is the root, else the one above it, since a group with processes has no groups with limits.
+    """The folder in which a group with a memory limit can be made: that of this process if it is
+    the root, else its parent, since below a group with processes there are no limits.
     """
     with open(f"{processes}/mountinfo") as f:
         mounts = [line.split() for line in f if " - cgroup2 " in line]
@@ -128,7 +123,7 @@ def _parent(processes):
     folder = os.path.dirname(mounts[0][4] + own.rstrip("/")) if own != "/" else mounts[0][4]
     with open(os.path.join(folder, "cgroup.subtree_control")) as f:
         if not {"memory", "pids"} <= set(f.read().split()):
-            raise OSError("no limits of memory below " + folder)
+            raise OSError("no memory limits below " + folder)
     return folder
 
 

@@ -7,8 +7,8 @@ processes, watches it, and ends it with all its descendants:
     the student    unprivileged; reads the job, runs the cells, writes receipts into a pipe
     the copies     of the student, one for each test, wait for the text of the test
 
-A job comes as a line of JSON ({"seconds", "cell_seconds", "sandbox", "tests"}) with files: the
-job, the receipts, the state, and a socket for each test. The grader reads the pipes itself.
+A job arrives as a line of JSON ({"seconds", "cell_seconds", "sandbox", "tests"}) with descriptors:
+the job, the receipts, the state, and a socket for each test. The grader reads the pipes itself.
 """
 
 import contextlib
@@ -24,19 +24,20 @@ from . import calls, isolation, libraries, watch
 from .cells import Notebook
 from .memory import TOTAL, Group, Watch
 
-GRACE = 5.0  # seconds that a job may take longer than its limits before it is ended from outside
+GRACE = 5.0  # seconds beyond its limits after which a job is ended from outside
 TOO_MUCH = f"stopped at {TOTAL / 2**30:g} GB of memory"
-END = b"end\n"  # what the grader says at the end of each job
-MOST_TESTS = 200  # in one notebook; the kernel passes at most 253 files at a time
+END = b"end\n"  # sent by the grader at the end of each job
+MOST_TESTS = 200  # in one notebook; the kernel passes at most 253 descriptors at a time
 
 
-def main(fd):
+def main(fd: int) -> None:
     """Serve jobs over the socket ``fd`` until the grader closes it."""
     libraries.load()
     watch.adopt_orphans()
     gc.collect()
     gc.freeze()
-    calls.library(), isolation.readable_places()  # looked up once, not after each fork
+    calls.library()  # both are cached: looked up once, not after each fork
+    isolation.readable_places()
     control, group = socket.socket(fileno=fd), Group.make()
     try:
         while request := _receive(control):
@@ -45,11 +46,11 @@ def main(fd):
     finally:
         if group:
             group.remove()
-    os._exit(0)  # to take the libraries down in order would cost more than a notebook
+    os._exit(0)  # an orderly exit of the libraries would cost more than a notebook
 
 
 def _receive(control):
-    """(job, files) of the next request, or None after the last."""
+    """(job, descriptors) of the next request; None after the last."""
     data, fds = b"", []
     with contextlib.suppress(OSError):  # the grader may have gone without reading the last reply
         while not data.endswith(b"\n"):
@@ -63,13 +64,13 @@ def _receive(control):
 
 
 def _serve(control, group, job, fds):
-    """Run one job until the grader asks to end it, or it takes too much, and reply how it ended;
-    False if the grader is gone.
+    """Run one job until the grader asks to end it or it exceeds its limits, and reply how it ended;
+    returns False if the grader is gone.
     """
     if job["ipython"]:
         libraries.load_ipython()
     worker = os.getpid()
-    # a separate user for each worker, so that limits counted by user do not affect other workers
+    # a user of its own for each worker: limits that count by user do not affect other workers
     job = {**job, "uid": 2**20 + worker, "ids": (os.geteuid(), os.getegid())}
     kills, pid = group.kills() if group else 0, None
     try:
@@ -96,7 +97,7 @@ def _serve(control, group, job, fds):
         watch.end(pid)
     with contextlib.suppress(OSError):  # the grader may be gone
         control.sendall(json.dumps({"ended": why}).encode() + b"\n")
-        return control.recv(len(END)) == END  # also after a job that ended without being asked
+        return control.recv(len(END)) == END  # also after a job that ended by itself
     return False
 
 
@@ -114,14 +115,13 @@ def _wait(control, memory, deadline):
 
 
 def _first(job, group, work, receipts, state, tests):
-    """Isolate this process, fork the student's, keep its time, then wait for its copies. Never
-    returns.
-    """
+    """Isolate this process, fork the student's, keep its time, await its copies; never returns."""
     try:
         _isolate(job, group, (work, receipts, state, *tests))
     except OSError as error:
         _refuse(state, error)
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # of what it does not handle nothing reaches it
+    # pid 1 receives no signal for which it has no handler: Python installs one for SIGINT
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGCHLD})
     first = os.getpid()
     student = os.fork()
@@ -180,7 +180,7 @@ def _refuse(state, error):
 
 
 def _child_or(seconds):
-    """Wait until a child has changed, or so long."""
+    """Wait until the state of a child changes, at most for ``seconds``."""
     if hasattr(signal, "sigtimedwait"):
         signal.sigtimedwait({signal.SIGCHLD}, seconds)
     else:  # macOS
@@ -188,7 +188,7 @@ def _child_or(seconds):
 
 
 def _give_up_rights(job, tests, first):
-    """Make this process one that can do nothing but run the cells."""
+    """Leave this process no right but to run the cells."""
     os.setsid()
     isolation.limit(job["seconds"], job["used"], tests)
     isolation.become(job["uid"])

@@ -1,5 +1,5 @@
-"""What a notebook has besides Python, as far as a cell needs it to run as it ran for the student:
-magics, ``?`` and ``!``, ``display``, ``get_ipython()``, ``_``, top-level ``await``.
+"""What a notebook offers besides Python, so that a cell runs as it did for the student: magics,
+``?`` and ``!``, ``display``, ``get_ipython()``, ``_``, top-level ``await``.
 
 IPython's own transformer reads what is not Python. A magic that runs Python (``%time``,
 ``%%capture``) runs it; all others do nothing.
@@ -12,10 +12,11 @@ import linecache
 import re
 import sys
 import types
+from typing import Any
 
 FILE = "<cell {}>"  # the file name of a cell, by its number
 _FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
-_ASSIGNED = re.compile(r"\w+(?:, *\w+)* *=(?!=)[^;]*")  # of whole lines, those that assign
+_ASSIGNED = re.compile(r"\w+(?:, *\w+)* *=(?!=)[^;]*")  # a whole line that assigns
 # options of %time and %timeit, which stand before the expression
 _OPTIONS = re.compile(r"^(?:\s*(?:-[nrpv]\s*\d+|-[tcqo]+|--no-raise-error|--)(?=\s|$))*\s*")
 _RUN = ("time", "prun", "memit", "mprun", "capture")
@@ -28,23 +29,20 @@ _PYLAB = (
 class Shell:
     """Runs cells in one namespace, ``names``, the module ``__main__`` of the student."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         sys.path.insert(0, "")  # for modules that a cell has written
         module = types.ModuleType("__main__")
         sys.modules["__main__"] = module  # where dataclasses and pickle look names up
         self.names = module.__dict__
-        self._count = 0  # of the texts that were run
+        self._count = 0  # texts that were run
         self._displayed = {"_": "", "__": "", "___": ""}
         self._loop = None
+        ipython = _IPython(self)
         self.names.update(
-            __builtins__=builtins,
-            display=_display,
-            get_ipython=lambda: self.ipython,
-            **self._displayed,
+            __builtins__=builtins, display=_display, get_ipython=lambda: ipython, **self._displayed
         )
-        self.ipython = _IPython(self)
 
-    def run(self, text):
+    def run(self, text: str) -> Any:
         """Run a cell; returns the value of its last expression that a notebook would show."""
         value, shown = self._run_text(text, self.names)
         if not shown or value is None:
@@ -82,30 +80,25 @@ class Shell:
         return self._loop.run_until_complete(coroutine)
 
     def _keep(self, value):
-        """Put a value that was shown into ``_``, unless the student has a ``_`` of his own."""
+        """Put a value that was shown into ``_``, unless the student has assigned to ``_``."""
         if any(self.names.get(name) is not old for name, old in self._displayed.items()):
             return
-        self._displayed = {
-            "_": value,
-            "__": self._displayed["_"],
-            "___": self._displayed["__"],
-        }
+        self._displayed = {"_": value, "__": self._displayed["_"], "___": self._displayed["__"]}
         self.names.update(self._displayed)
 
-    def run_python(self, text, names=None):
+    def run_python(self, text: str, names: dict[str, Any] | None = None) -> Any:
         """Run the Python in a magic; returns the value of its last expression."""
         return self._run_text(text, self.names if names is None else names)[0]
 
 
-def is_cell(file):
+def is_cell(file: str) -> bool:
     """True for the file name of a cell."""
     return file.startswith("<cell ")
 
 
 def _in_two(text, file):
-    """The code of all lines but the last, and that of the last, where this is an assignment or an
-    expression by itself, as in nearly all cells; else None. The tree of a cell takes as long to
-    make as its code.
+    """The code of all lines but the last, and of the last if it is an assignment or an expression
+    by itself, as in nearly all cells; else None. Parsing would take as long as compiling.
     """
     above, _, last = text.rstrip().rpartition("\n")
     mode = "exec" if _ASSIGNED.fullmatch(last) else "eval"
@@ -114,13 +107,13 @@ def _in_two(text, file):
         first = compile(above, file, "exec", _FLAGS)
         # at its place, for the number of a line in an error
         code = compile("\n" * text.rstrip().count("\n") + last, file, mode, _FLAGS)
-    except (SyntaxError, ValueError):  # the other way says what is wrong, if anything is
+    except (SyntaxError, ValueError):  # the other way reports what is wrong, if anything is
         return None
     return (first, code) if "\r" not in text else None  # which ends a line, too
 
 
 def _in_order(tree, file):
-    """The code of the statements, and that of the last expression, made when they have run."""
+    """The code of the statements, and that of the last expression, compiled once they have run."""
     last = None
     if tree.body and isinstance(tree.body[-1], ast.Expr):
         last = ast.Expression(tree.body.pop().value)
@@ -134,8 +127,7 @@ def _parse(text, file):
     try:
         return ast.parse(text, file), text
     except SyntaxError:
-        # valid Python means the same to IPython; what is not goes through its transformer, which
-        # is the slow one
+        # valid Python means the same to IPython; all else goes through its slow transformer
         from IPython.core.inputtransformer2 import TransformerManager
 
         text = TransformerManager().transform_cell(text)
@@ -149,11 +141,11 @@ def _is_quiet(text):
 
 
 def _display(*values, **_):
-    """In place of IPython's ``display``: nobody looks."""
+    """Replaces IPython's ``display``: nobody looks."""
 
 
 class _IPython:
-    """In place of the shell that ``get_ipython()`` returns."""
+    """Replaces the shell that ``get_ipython()`` returns."""
 
     def __init__(self, shell):
         self._shell = shell
@@ -187,7 +179,7 @@ class _IPython:
     magic = run_line_magic
 
     def _time_it(self, text):
-        """Run it once; its names do not stay, as with IPython, where it is timed in a function."""
+        """Run it once; its names do not stay, as in IPython, which times it in a function."""
         self._shell.run_python(text, dict(self._shell.names))
 
     def run_cell(self, text, *_, **__):
@@ -211,7 +203,7 @@ class _IPython:
 
 
 class _Nothing:
-    """What the shell has besides: it can be called, has every attribute, and does nothing."""
+    """Any other attribute of the shell: can be called, has every attribute, does nothing."""
 
     def __call__(self, *_, **__):
         return None

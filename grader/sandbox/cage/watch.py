@@ -1,4 +1,4 @@
-"""Descendants of this process: found, frozen, killed."""
+"""Finds, freezes and kills the descendants of this process."""
 
 import contextlib
 import ctypes
@@ -9,13 +9,13 @@ import sys
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 
 
-def adopt_orphans():
-    """Make this process the new parent of every descendant whose parent ends, also of daemons."""
+def adopt_orphans() -> None:
+    """Make this process the new parent of every descendant whose parent ends, daemons included."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 
-def die_with(parent):
+def die_with(parent: int) -> None:
     """Have the kernel kill this process when ``parent``, which forked it, has ended."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
@@ -23,7 +23,7 @@ def die_with(parent):
             os._exit(1)
 
 
-def end(pid):
+def end(pid: int) -> None:
     """Kill the child and all descendants of this process, and wait for them."""
     rounds = 0
     while True:
@@ -52,11 +52,12 @@ def _freeze():
         quiet = 0 if running else quiet + 1
 
 
-def descendants():
+def descendants() -> dict[int, str]:
     """{pid: state} of all descendants of this process."""
     if not os.path.isdir("/proc/self/task"):
         return {}
-    below, level = {}, _children_of(os.getpid())
+    below: dict[int, str] = {}
+    level = _children_of(os.getpid())
     while level:
         below.update((pid, state) for pid in level if (state := _state(pid)))
         level = [pid for parent in level for pid in _children_of(parent) if pid not in below]

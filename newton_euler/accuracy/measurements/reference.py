@@ -11,9 +11,10 @@ import importlib
 from collections.abc import Sequence
 
 from ...algebra.scalars import Scalar
+from ...motion.arguments import start_state
 from ...motion.methods.taylor import installed
 from ...motion.model import Model, ModelError
-from ...motion.prepared import PreparedModel, start_state
+from ...motion.prepared import PreparedModel
 
 RUNS = 14  # of the midpoint rule over one step, which makes the order 28
 GUARD = 10  # digits beyond those asked for

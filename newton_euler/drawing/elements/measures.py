@@ -66,6 +66,15 @@ class Measures(Recorder):
                     canvas.head(tail, tip, "measure", MARK, 6)
             canvas.note(between(a, b, 0.5), label, away_from=between(A, B, 0.5))
 
+    def dot(
+        self, P: Place, label: str = "", offset: Direction | tuple[float, float] | None = None
+    ) -> None:
+        """Draw a small black dot at P, with its name; ``offset`` as for :meth:`label`."""
+        place = self._place(P)
+        self._record(lambda canvas: canvas.disc(place, 2, "dot"))
+        if label:
+            self.label(P, label, offset)
+
     def label(
         self,
         P: Place,

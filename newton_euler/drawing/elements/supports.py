@@ -59,8 +59,3 @@ class Supports(Recorder):
         """Draw a ball joint at P."""
         P = self._place(P)
         self._record(lambda canvas: (canvas.disc(P, 5.5, "joint"), canvas.disc(P, 3.4, "side")))
-
-    def dot(self, P: Place) -> None:
-        """Draw a small black dot at P."""
-        P = self._place(P)
-        self._record(lambda canvas: canvas.disc(P, 2, "dot"))

@@ -1,5 +1,5 @@
-"""The base class of all methods of integration: a stepper goes on from one state step by step and
-returns the states in between.
+"""The base class of the methods of integration: a stepper advances one state step by step, and
+interpolates between its steps.
 
 The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion.methods.taylor`,
 :mod:`newton_euler.motion.methods.dop853`, :mod:`newton_euler.motion.methods.splitting`,
@@ -11,17 +11,15 @@ from itertools import pairwise
 
 from ...algebra.errors import NewtonEulerError
 
-# the scale of a state that is zero and of which nothing else is known
+# the scale of a state that is zero, where nothing else is known about it
 SMALLEST_SCALE = 1e-6
-# a method makes no progress if this many steps are on average so much shorter than the longest one
+# a run has stalled if this many steps are on average this much shorter than its longest step
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
-MAX_STEPS = 5e6  # of one motion: the steps of DOP853 then take some minutes and a gigabyte
+MAX_STEPS = 5e6  # steps of one motion: those of DOP853 take some minutes and a gigabyte
 
 
 def sample_times(samples, begin, end):
-    """The times of the samples, an array: those of ``samples`` from begin to end, or this many at
-    equal distances.
-    """
+    """An array: the times of ``samples`` between begin and end, or this many equally spaced."""
     import numpy as np
 
     if isinstance(samples, int):
@@ -35,24 +33,24 @@ class StepError(NewtonEulerError, ArithmeticError):
 
 
 class LengthError(StepError):
-    """Raised where a method would need more steps than a computer can take or keep."""
+    """Raised where a method would need more steps than are feasible."""
 
 
 class Stepper:
     """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which has
     the ``tolerance``, the fixed ``step`` or None, and the ``samples``.
 
-    t, x : reached so far; ``start`` : where it began, as a pair; ``step_times`` : the times between
-        steps; ``calls`` of the right-hand side
-    scales : the largest absolute value of each state so far, or of what it is judged by at the
-        least, what errors are relative to; ``noise`` : the round-off in each
+    t, x : the time and the state reached so far; ``start`` : the first ones, as a pair
+    step_times : the times between steps; ``calls`` : evaluations of the right-hand side
+    scales : for each state what its error is relative to: its largest absolute value so far, but
+        not less than its ``floors``; ``noise`` : the round-off in each state
     stops : times between the start and the goal that no step may pass over
     steps : for each step a tuple whose last elements are the state before it; empty for a method
-        that does not keep them
+        that does not keep its steps
 
-    A subclass has the methods ``begin(trajectory)``, which prepares the run, ``step(limit)``, which
-    takes at most so many steps, and ``interpolate(n, times)``, which returns the states at an array
-    of times inside step n as an array (states, times).
+    A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
+    at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of
+    times inside step n as an array (states, times).
     """
 
     def __init__(self, system, t, x, trajectory):
@@ -67,6 +65,14 @@ class Stepper:
     def begin(self, trajectory):
         """Prepare the run; called once."""
 
+    @staticmethod
+    def fast_run(system, tolerance):
+        """A function ``(t, start)`` that returns the state at ``t`` after ``start`` at t = 0 as
+        fast as possible, without a record and without an error, or None where it does not get
+        there; None for a method that has no such run.
+        """
+        return
+
     def next_stop(self):
         """The time at which the next step must end at the latest."""
         return next((t for t in self.stops if t > self.t), self.goal)
@@ -74,14 +80,14 @@ class Stepper:
     @property
     def checkpoints(self):
         """Two pairs (time, state) from the second half of the steps, at which two runs are
-        compared; none if there are few steps.
+        compared; empty if there are few steps.
         """
         count, size = len(self.steps), len(self.x)
         chosen = (3 * count // 5, 4 * count // 5) if count > 4 else ()
         return [(self.step_times[n], self.steps[n][-size:]) for n in chosen]
 
     def step_index(self, t):
-        """The number of the step in which ``t`` lies."""
+        """The index of the step in which ``t`` lies."""
         return min(max(bisect_right(self.step_times, t) - 1, 0), len(self.step_times) - 2)
 
     def state_at(self, t):
@@ -102,8 +108,8 @@ class Stepper:
         return out
 
     def check_progress(self):
-        """Raise :class:`StepError` if the last steps are too short to get on, as where the rates
-        jump between plus and minus infinity.
+        """Raise :class:`StepError` if the last steps have stalled, as where the rates jump between
+        plus and minus infinity.
         """
         count = len(self.step_times) - 1 - self.checked
         if count >= MAX_STALLED_STEPS:
@@ -115,17 +121,18 @@ class Stepper:
             self.check_length(self.checked)
 
     def check_length(self, count):
-        """Raise :class:`LengthError` if after so many steps the whole time needs far too many."""
-        passed, whole = self.t - self.start[0], self.goal - self.start[0]
-        most = self.max_steps
+        """Raise :class:`LengthError` if the whole time needs too many steps, as extrapolated from
+        the ``count`` of steps taken so far.
+        """
+        (begin, _), most = self.start, self.max_steps
+        passed, whole = self.t - begin, self.goal - begin
         if passed > 0 and count * whole > most * passed:
             raise LengthError(
-                f"about {count * (whole / passed):.1g} steps would be needed to t = "
-                f"{self.goal:.6g}; "
-                f"{most:.0g} are possible, which is to about t = "
-                f"{self.start[0] + most / count * passed:.1g}: take a shorter time"
+                f"about {count * (whole / passed):.1g} steps would be needed to reach t = "
+                f"{self.goal:.6g}; {most:.0g} are possible, which is up to about t = "
+                f"{begin + most / count * passed:.1g}: take a shorter time"
             )
 
     def update_scales(self):
-        """Take the present state into the scales."""
+        """Update the scales with the present state."""
         self.scales = tuple(map(max, self.scales, map(abs, self.x)))

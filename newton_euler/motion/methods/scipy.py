@@ -6,14 +6,14 @@ from .base import StepError, Stepper
 
 
 class SciPy(Stepper):
-    """One of SciPy's methods; the right-hand side gets Python's floats, on which it runs three
-    times faster than on NumPy's (measured).
+    """One of SciPy's methods. The right-hand side is given Python floats, on which it runs three
+    times as fast as on NumPy's (measured).
     """
 
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         step = trajectory.step
-        if step:  # tolerances that any step fulfils
+        if step:  # tolerances that any step meets
             self.options = {"rtol": 0.5, "atol": 1e300, "max_step": step}
             self.options["first_step"] = min(step, self.goal - self.t)
         else:  # SciPy refuses an rtol below 100 times a float's epsilon
@@ -33,7 +33,7 @@ class SciPy(Stepper):
         f, p = self.system.folded_rates, self.system.constants
 
         def rates(t, y):
-            # SciPy knows no singular place: it takes a rate that is not finite for a long step
+            # SciPy does not know singular places: nan as a rate makes its step fail
             try:
                 return f(t, *y.tolist(), *p)
             except (ArithmeticError, ValueError):
@@ -64,5 +64,5 @@ class SciPy(Stepper):
 
 
 def scipy_method(name):
-    """The stepper of one of SciPy's methods, by its name there."""
+    """The stepper of the SciPy method of this name."""
     return type(name, (SciPy,), {"__doc__": f"SciPy's {name}."})

@@ -1,11 +1,11 @@
-"""Methods of fixed step that keep the structure of a motion: its reversibility, its area in phase
-space, its angular momentum.
+"""Geometric integrators of fixed step: they preserve reversibility, phase-space volume, or angular
+momentum.
 
 Verlet's method and its compositions are for models whose states form two groups, as coordinates and
 velocities, such that no rate depends on its own group; they are symplectic if the forces have a
-potential. The Lie-Poisson methods are for Euler's equations of a free body: they turn the angular
-momentum about one principal axis after the other, so that its magnitude is kept to round-off.
-Whether a model has such a form is read from its text.
+potential. The Lie-Poisson methods are for Euler's equations of a free body: they rotate the angular
+momentum about one principal axis after the other, so that its magnitude is preserved to round-off.
+Whether a model has such a form is read from its traced rates.
 
 H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; R. I.
 McLachlan, Explicit Lie-Poisson integration and the Euler equations, Phys. Rev. Lett. 71 (1993)
@@ -16,8 +16,7 @@ from functools import lru_cache
 from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
 from ...algebra.vectors import cross3, dot3
-from ..model import ModelError
-from .base import StepError, Stepper
+from .base import LengthError, StepError, Stepper
 
 MAX_STEPS = 3_000_000
 # w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)
@@ -46,7 +45,7 @@ COMPOSITIONS = {
 
 
 def partition(system):
-    """The numbers of the states in two groups, such that no rate depends on its own group: two
+    """The indices of the states in two groups such that no rate depends on its own group: two
     tuples, or None if there are no such groups.
     """
     states, needs = system.model.states, system.traced.rhs.dependencies
@@ -68,11 +67,11 @@ def partition(system):
 
 
 def principal_moments(system):
-    """The principal moments of inertia, to a factor, of a model that is Euler's equations without
-    moments of force; None for any other.
+    """The principal moments of inertia, up to a factor, of a model that is Euler's equations of a
+    free body; None for any other model.
 
-    Three rates, each a constant times the product of the two other states, with constants that
-    belong to moments.
+    Such a model has three rates, each a constant times the product of the other two states, with
+    constants that correspond to moments of inertia.
     """
     states, needs = system.model.states, system.traced.rhs.dependencies
     if len(states) != 3 or any(states[i] in needs[i] or "t" in needs[i] for i in range(3)):
@@ -85,18 +84,18 @@ def principal_moments(system):
     products = zip(probe, (-15.0 * a, -10.0 * b, 6.0 * c), strict=True)
     if not all(isclose(*pair, rel_tol=1e-12, abs_tol=1e-14) for pair in products):
         return None
-    # a I1 = I2 - I3, ...: three equations, of which two are enough; the moments are the cross
-    # product of two rows, of those two that are least parallel
+    # a I1 = I2 - I3, ...: three equations, of which two are independent; the moments are the cross
+    # product of the two rows that are least parallel
     rows = (a, -1.0, 1.0), (1.0, b, -1.0), (-1.0, 1.0, c)
     found = max((cross3(rows[i], rows[i - 1]) for i in range(3)), key=lambda v: sum(map(abs, v)))
     size = sum(found)
     if not size or min(x / size for x in found) <= 0:
-        return None  # moments of inertia have one sign
+        return None  # moments of inertia are positive
     found = tuple(3 * x / size for x in found)
     return found if all(abs(dot3(row, found)) < 1e-12 for row in rows) else None
 
 
-# -- one step: for each weight the flow of one part of the equations, of the others, and back again
+# -- one step: for each weight a symmetric product of the flows of the parts of the equations
 
 
 def _generated(setup, flows, result):
@@ -123,7 +122,7 @@ def _verlet(n, first, second, free):
 
 @lru_cache(maxsize=1)
 def _lie_poisson():
-    """The angular momentum, turned about each principal axis by the kinetic energy about that axis;
+    """The angular momentum, rotated about each principal axis by the kinetic energy of that axis;
     p are the principal moments.
     """
 
@@ -140,8 +139,8 @@ def _lie_poisson():
 
 
 class Splitting(Stepper):
-    """A run of equal steps, which follow from the tolerance, to be calibrated by the difference of
-    two runs, if they are not given.
+    """A run of equal steps. Where the step is not given it follows from the tolerance, which is
+    calibrated by the difference of two runs.
     """
 
     order, body = 2, False
@@ -156,14 +155,16 @@ class Splitting(Stepper):
             self.move = _verlet(len(self.x), *partition(system), len(self.p))
         count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / order))
         if count > MAX_STEPS:
-            needed = f"{count:.2g} steps of order {order} would be needed"
-            raise ModelError(f"{needed}; take a higher order, another method, or a coarser rtol")
+            raise LengthError(
+                f"{count:.2g} steps of order {order} would be needed; take a higher order, another "
+                "method, or a coarser rtol"
+            )
         self.count = max(1, ceil(count * (1 - 1e-12)))  # round-off must not add a step
         self.h, self.steps = span / self.count, [self.x]
 
     def _time_scale(self):
-        """The shortest time in which a rate changes by as much as it is or has been: about a radian
-        of the fastest oscillation.
+        """The shortest time in which a rate changes by its own size: about a radian of the fastest
+        oscillation.
         """
         span, k = self.goal - self.t, self.system.rates(self.t, self.x)
         # a difference quotient of the rates over the time d, in which no state changes much
@@ -183,7 +184,7 @@ class Splitting(Stepper):
         for n in range(done, min(done + limit, self.count + 1)):
             x = self.move(self.f, self.p, self.steps[-1], self.h, self.weights)
             if not isfinite(sum(x)):
-                raise StepError("the states have grown beyond all bounds")
+                raise StepError("the states have become infinite")
             self.steps.append(x)
             self.step_times.append(self.start[0] + n * self.h)
         if len(self.steps) > self.count:
@@ -206,6 +207,6 @@ class Splitting(Stepper):
 
 
 def splitting(order, body=False):
-    """The stepper of this order; ``body`` for the free rigid body."""
+    """The stepper of this order; with ``body``, that of the free rigid body."""
     name = "LiePoisson" if body else "Verlet"
     return type(name, (Splitting,), {"order": order, "body": body, "__doc__": Splitting.__doc__})

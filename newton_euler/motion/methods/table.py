@@ -1,11 +1,10 @@
-"""The methods of integration as values in one table, and how the tolerance of each is found that
-gives the error asked for.
+"""The methods of integration as values in one table.
 
-What is asked for is the error of the motion, not that of a step. A method therefore runs at least
-twice. Runge-Kutta methods run first at a tolerance a thousand times as coarse; the difference is
-the error of the coarse run, and since the error is nearly proportional to the tolerance it predicts
-that of the fine one. Runs of heyoka cost so little that they are compared with one that is two
-orders higher; the difference is their error. If that is too large, the tolerance is reduced
+The rtol is the error of the motion, not that of a step, so a method runs at least twice.
+Runge-Kutta methods run first at a tolerance a thousand times as coarse; the difference is the error
+of the coarse run, and since the error is nearly proportional to the tolerance it predicts that of
+the fine run. Runs of heyoka cost so little that they are compared with one that is two orders
+higher; the difference is their error. If the error is too large, the tolerance is reduced
 accordingly; if that does not help, the answer is refused.
 """
 
@@ -17,28 +16,34 @@ from .dop853 import Dop853
 from .exact import Exact
 from .scipy import scipy_method
 from .splitting import partition, principal_moments, splitting
-from .taylor import LEVELS, Taylor, installed
+from .taylor import LEVELS, Taylor, installed, level_of
 
-MAX_COARSE_TOLERANCE = 1e-4  # of a first run
+MAX_COARSE_TOLERANCE = 1e-4  # the largest tolerance of a first run
 
 
 @dataclass(frozen=True)
 class Method:
-    """One method of integration.
+    """One method of integration. All that other files ask about a method is an attribute of this
+    record: none compares names.
 
-    name, description : its name in ``integrate(method=...)`` and what it is
+    name, description : its name in ``integrate(method=...)``, and what it is
     stepper : the class of its runs
-    unusable_because : a function of the prepared model and the start time that says why it cannot
-        be used, or returns None
+    unusable_because : a function of the prepared model and the start time that returns why the
+        method cannot be used, or None
     order : of convergence with a fixed step; None if it has no fixed step
-    min_rtol : the smallest rtol that it can be asked for
+    min_rtol : the smallest rtol that it can reach
     tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
-        up to 100 tolerances, seldom less than one
-    max_tolerance : of the first fine run, since much coarser ones predict little; ``min_tolerance``
-        : the smallest that it is given
-    coarsening : the tolerance of the first run over that of the second; below 1 where a finer one
+        up to 100 tolerances, rarely less than one
+    max_tolerance, min_tolerance : of the first fine run, since much coarser ones predict little;
+        of any run
+    coarsening : the tolerance of the first run over that of the second; below 1 where a finer run
         is as cheap
-    adaptive : True if its steps follow from errors of the order
+    adaptive : True if its steps follow from errors of this order
+    closed : True for a closed form: there is no finer run to compare with, its error is that of
+        rounding, see :mod:`.exact`
+    series : True for a power series: its order and not its step follows from the tolerance, and
+        beyond a kink or a branch point it continues the formula with which it began
+    rounded : a function of a tolerance that returns the one at which the method runs
     """
 
     name: str
@@ -52,9 +57,12 @@ class Method:
     min_tolerance: float = 1e-14
     coarsening: float = 1e3
     adaptive: bool = False
+    closed: bool = False
+    series: bool = False
+    rounded: Callable = lambda tolerance: tolerance
 
     def other(self, tolerance: float) -> float:
-        """The tolerance of the run with which one at this tolerance is compared."""
+        """The tolerance of the run that is compared with one at this tolerance."""
         other = tolerance * self.coarsening
         if self.coarsening > 1:
             return max(min(other, MAX_COARSE_TOLERANCE), 10 * tolerance)
@@ -84,7 +92,7 @@ def _no_heyoka(system, t0=0.0):
     if kinks:
         return (
             f"the rates of {system.model.name!r} choose between formulas by {', '.join(kinks)}, "
-            "and a series goes on with the one that it began with; take method='auto'"
+            "and a series continues the one with which it began; take method='auto'"
         )
     return None
 
@@ -107,11 +115,10 @@ def _no_body(system, t0=0.0):
 
 
 def _table():
-    yield Method("exact", "exact solution", Exact, _no_exact, min_rtol=1e-15)
-    # its tolerance costs little, so that it is far below what is asked for from the start
+    yield Method("exact", "exact solution", Exact, _no_exact, min_rtol=1e-15, closed=True)
+    # a small tolerance costs a series little; 54, a little less than e^4, is two orders
     series = {"tolerance_ratio": 10.0**1.5, "max_tolerance": 1.0, "min_tolerance": LEVELS[-1]}
-    # two orders
-    series |= {"coarsening": 1 / 54.0}
+    series |= {"coarsening": 1 / 54.0, "series": True, "rounded": level_of}
     yield Method("taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, **series)
     runge_kutta = "Runge-Kutta of order 8 in straight-line Python"
     yield Method("dop853", runge_kutta, Dop853, order=8, adaptive=True)
@@ -124,15 +131,15 @@ def _table():
     ):
         what = f"SciPy's {name} on traced straight-line code"
         yield Method(f"scipy {name}", what, scipy_method(name), _no_scipy, *options)
-    # min_rtol: limited by the round-off of many small steps; their tolerance only sets the step, so
-    # that it may be tiny
+    # min_rtol is limited by the round-off of many small steps; the tolerance only sets the step, so
+    # it may be tiny
     for order, min_rtol in ((2, 1e-7), (4, 1e-9), (6, 1e-10), (8, 1e-10)):
         name, what = f"yoshida{order}", f"Yoshida's composition of order {order}, symplectic"
         if order == 2:
             name, what = "verlet", "Verlet's method, symplectic"
         limits = {"min_rtol": min_rtol, "min_tolerance": 1e-40, "tolerance_ratio": 30.0}
         yield Method(name, what, splitting(order), _no_groups, order, **limits)
-        what = f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
+        what = f"Lie-Poisson splitting of order {order}, preserves the angular momentum"
         yield Method(f"lie-poisson{order}", what, splitting(order, True), _no_body, order, **limits)
 
 

@@ -16,17 +16,17 @@ from math import exp, frexp, inf, isfinite, ldexp
 
 from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
 
-# Heyoka chooses its order by its tolerance, as the least above 1 - log(tolerance)/2; the steps
-# depend on it little. These are the tolerances at which another order begins, from 3 to 19, the
-# last a float's epsilon.
+# Heyoka's order is the least one above 1 - log(tolerance)/2; its steps hardly depend on the
+# tolerance. These are the tolerances at which the order changes, from 3 to 19, down to a float's
+# epsilon.
 LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
-MAX_KINDS = 12  # of integrators of one right-hand side that are kept
+MAX_KINDS = 12  # kinds of integrators of one right-hand side that are kept
 MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
-# instants at which the rates of a series are compared with those of the model: in each step, and in
-# the whole motion at the least
+# instants at which the rates of a series are compared with those of the model: in each step at
+# least, and in the whole motion at least
 IN_STEP, IN_ALL = 8, 1024
-# states this small or large have a scale of their own: heyoka's tolerance is relative to the
-# largest state, and absolute below 1
+# states outside of these limits are scaled: heyoka's tolerance is relative to the largest state,
+# and absolute below 1
 ORDINARY = 0.25, 4.0
 
 
@@ -37,12 +37,12 @@ def installed():
 
 
 def level_of(tolerance):
-    """The first of the levels that is not above the tolerance, the last if all are."""
+    """The largest of the levels that does not exceed the tolerance, or else the smallest."""
     return next((x for x in LEVELS if x <= tolerance), LEVELS[-1])
 
 
 def _made(system, level, scaled, batch):
-    """A new integrator, and its arrays: time, state and parameters are set through them."""
+    """A new integrator; its time, state and parameters are set before each use."""
     import numpy as np
 
     hy, names = importlib.import_module("heyoka"), system.model.states
@@ -65,16 +65,16 @@ def _made(system, level, scaled, batch):
 
 @contextmanager
 def integrator(system, tolerance, scaled=False, batch=None):
-    """An integrator of this right-hand side at the first level not above the tolerance, for one
-    user at a time; with ``scaled`` one of the states over their scales, which are its last
-    parameters, with ``batch`` one for so many motions at once.
+    """An integrator of this right-hand side at the level of the tolerance, for one user at a time;
+    with ``scaled`` of the states divided by scales, which are its last parameters; with ``batch``
+    of that many motions at once.
     """
     key, known = (level_of(tolerance), scaled, batch), system.traced.integrators
     free = known.setdefault(key, [])
-    if len(known) > MAX_KINDS:  # 2 MB each; those that were made first go
+    if len(known) > MAX_KINDS:  # 2 MB each; the oldest is dropped
         known.pop(next(iter(known)), None)
     try:
-        ta = free.pop()  # of a list these are atomic: no two threads get the same
+        ta = free.pop()  # atomic: no two threads get the same one
     except IndexError:
         ta = _made(system, *key)
     try:
@@ -89,8 +89,8 @@ def _power_of_two(x):
 
 
 class Taylor(Stepper):
-    """A run by Taylor series. Without events it is one call of heyoka; the steps are made again if
-    something between them is asked for.
+    """A run by Taylor series. Without events it is one call of heyoka; the steps are repeated if a
+    state between them is needed.
     """
 
     def begin(self, trajectory):
@@ -117,33 +117,35 @@ class Taylor(Stepper):
         return tuple(x)
 
     @staticmethod
-    def prepared_run(system, tolerance, verify, fallback):
-        """The function that :func:`newton_euler.motion.integration.prepare` returns; where heyoka
-        stops on the way, or ``verify(t, start, x)`` is false, that is ``fallback(t, start)``.
+    def fast_run(system, tolerance):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`; None where a series may not see
+        all that the rates do.
         """
+        if system.traced.hazards:
+            return None
         free = system.traced.integrators.setdefault((level_of(tolerance), False, None), [])
         p, count = system.constants, len(system.model.states)
 
         def run(t, start):
             if len(start) != count:
-                return fallback(t, start)
+                return None
             try:
                 ta = free.pop()
             except IndexError:
                 ta = _made(system, level_of(tolerance), False, None)
             try:
                 pars = ta.pars
-                if len(pars):  # another model of this right-hand side may have set its own
+                if len(pars):  # the last user may have had other parameters
                     pars[:] = p[: len(pars)]
                 ta.time = 0.0
                 ta.state[:] = start
-                # a limit, since near a singular place the steps become shorter without end
+                # limited, since steps become ever shorter near a singular place
                 ta.propagate_until(t, max_steps=MAX_PREPARED_STEPS)
                 x = tuple(ta.state.tolist())
                 reached = ta.time == t and isfinite(sum(x))
             finally:
                 free.append(ta)
-            return x if reached and verify(t, start, x) else fallback(t, start)
+            return x if reached else None
 
         return run
 
@@ -179,8 +181,8 @@ class Taylor(Stepper):
         self.step_times = [self.t]
 
     def _by_samples(self):
-        """Go to the goal by heyoka's grid and keep the samples; False if they are in no order or
-        heyoka stops on the way.
+        """Go to the goal by heyoka's grid and keep the samples; False if they do not increase or
+        heyoka stops early.
         """
         import numpy as np
 
@@ -198,9 +200,7 @@ class Taylor(Stepper):
         return True
 
     def _grid(self, times):
-        """The states at increasing times from the start on, an array (states, times); None if
-        heyoka stops on the way.
-        """
+        """The states at increasing times, an array (states, times); None if heyoka stops early."""
         import numpy as np
 
         begin = self.start[0]
@@ -215,14 +215,14 @@ class Taylor(Stepper):
         return rows * np.array(self.units)[:, None] if self.units else rows
 
     def _by_steps(self, limit):
-        """Go on by so many steps and keep their series."""
+        """Take at most ``limit`` steps and keep their series."""
         with self._integrator() as ta:
             self._put(ta, self.t, self.x)
             while limit > 0 and self.t < self.goal:
                 stop = self.next_stop()
                 ta.step(max_delta_t=stop - self.t, write_tc=True)
                 x = self._state(ta)
-                # a step of less than twice a float's epsilon does not change the time
+                # a step below twice a float's epsilon does not change the time
                 if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
                     raise StepError("the series is not finite here, or the step became too small")
                 tc = ta.tc.copy()
@@ -255,21 +255,21 @@ class Taylor(Stepper):
 
     @cached_property
     def dense(self):
-        """The same run by its steps; an object of its own, since several threads may ask for it."""
+        """The same run step by step; a copy, since several threads may need it at once."""
         dense = copy(self)
         dense._begin_again()
         dense._by_steps(inf)
         return dense
 
     def residual(self):
-        """The integral of how far the rates of the series are from those of the model, of the worst
-        state over its scale: 0 if steps were not kept.
+        """The integral of the difference between the rates of the series and those of the model:
+        that of the worst state relative to its scale; 0 if steps were not kept.
         """
         import numpy as np
         from numpy.polynomial.polynomial import polyder, polyval
 
         count = max(IN_STEP, -(-IN_ALL // max(len(self.series), 1)))
-        # irregular, so that nothing periodic hides between them
+        # irregular, so that nothing periodic stays hidden between them
         fractions = (0.5 + np.arange(count) * 0.618033988749895) % 1.0
         rates, total = self.system.traced.folded[0].on(np), np.zeros(len(self.x))
         with np.errstate(all="ignore"):
@@ -289,3 +289,39 @@ class Taylor(Stepper):
         from numpy.polynomial.polynomial import polyval
 
         return polyval(times - self.step_times[n], self.series[n].T)
+
+
+def batches(system, tolerance, starts, p, t0, times):
+    """The states (states, motions, times) of many motions, nan where heyoka stopped early, and the
+    number of calls: batches as wide as the processor's registers, the last filled up with copies.
+
+    starts, p : arrays (states, motions) and (constants, motions)
+    """
+    import heyoka
+    import numpy as np
+
+    width, count = heyoka.recommended_simd_size(), starts.shape[1]
+    before = int(times[0] != t0)  # a grid of heyoka begins at the start
+    grid = np.repeat(np.concatenate(([t0] * before, times))[:, None], width, axis=1)
+    out, steps = np.full((len(starts), count, len(times)), np.nan), 0
+    with integrator(system, tolerance, batch=width) as ta:
+        filled = np.minimum(np.arange(count + -count % width), count - 1)
+        filled_starts, p = starts[:, filled], p[: len(ta.pars), filled]
+        state, pars = ta.state, ta.pars
+        for first in range(0, count, width):
+            ta.set_time(t0)
+            state[:] = filled_starts[:, first : first + width]
+            pars[:] = p[:, first : first + width]
+            kept = out[:, first : first + width]
+            real = kept.shape[1]  # motions of this batch that are not copies
+            if len(grid) == 2 or len(times) == 1:  # the ends only: no dense output
+                ta.propagate_until(times[-1], max_steps=MAX_PREPARED_STEPS)
+                kept[:, :, 0] = starts[:, first : first + width]
+                kept[:, :, -1] = state[:, :real]
+                if (reached := ta.time).min() < times[-1]:
+                    kept[:, reached[:real] < times[-1], -1] = np.nan
+            else:
+                rows = ta.propagate_grid(grid, max_steps=MAX_PREPARED_STEPS)[-1][before:]
+                kept[:, :, : len(rows)] = np.moveaxis(rows, 0, 2)[:, :real]
+            steps += sum([r[3] for r in ta.propagate_res])
+    return out, steps * ta.order

@@ -10,7 +10,7 @@ from grader.assignment import copy_to_exchange, make_personal_copies, problems_o
 from grader.assignment import notebook as nb
 from grader.assignment.fetch import personal_name
 from grader.course import CourseError
-from tests.grader.courses import command, read
+from tests.grader.courses import command, ran, read, released_sheet
 from tests.grader.keys import secrets_in
 
 STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
@@ -29,7 +29,7 @@ def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, st
         }
         symbolic = {
             nb.givens(p, {})
-            for p in problems_of(course.released("ch04"))
+            for p in problems_of(released_sheet(course))
             if p.symbolic and not p.givens
         }
         assert other == student or not own & others - symbolic
@@ -56,10 +56,7 @@ def test_a_late_joiner_gets_a_copy_and_nobody_elses_changes(ungraded, tmp_path):
     config = ungraded.path / "nbgrader_config.py"
     config.write_text(config.read_text() + f"\nc.Exchange.root = {str(tmp_path / 'exchange')!r}\n")
     ungraded.enrol(["zoe"])
-    code, out = command(
-        "personal", "ch04", "--course", ungraded.path, "--student", "zoe", "--exchange"
-    )
-    assert code == 0, out
+    ran(command("personal", "ch04", "--course", ungraded.path, "--student", "zoe", "--exchange"))
     assert (
         outbound.parent
         / ".personal/ch04"

@@ -22,7 +22,7 @@ from grader.course import Course
 from tests.grader.attacks.attack import Scene, _put, right_texts
 from tests.grader.attacks.tables import answers, folders, machine, metadata, receipts, texts
 from tests.grader.courses import change_source, copy_of, environment, points
-from tests.grader.grading.test_instructors_cells import ESSAY, SQUARE, TEST
+from tests.grader.instructors_cells import ESSAY, SQUARE, TEST
 from tests.grader.sandbox.jobs import as_ordinary_user
 
 FAMILIES = {
@@ -141,7 +141,7 @@ def run(arena, route, ordinary=False, sandbox=True, before="", students="*", tim
     log.touch()
     request = {"route": route, "course": str(arena.course.path), "log": str(log),
                "limits": [SECONDS, CELL_SECONDS], "sandbox": sandbox, "before": before,
-               "students": students}  # fmt: skip
+               "students": students, "workers": 1 if ordinary else 2}  # fmt: skip
     command = [sys.executable, str(Path(__file__).with_name("child.py")), json.dumps(request)]
     if ordinary:
         command = as_ordinary_user(command)

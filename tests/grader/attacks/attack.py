@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from grader.assignment import master_notebook
-from tests.grader.courses import REPOSITORY, read
+from tests.grader.courses import REPOSITORY, read, released_sheet
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ def right_texts(course, student):
     from grader.assignment import problems_of
     from grader.demo import sample_students as sample
 
-    problems = problems_of(course.released("ch04"))
+    problems = problems_of(released_sheet(course))
     values = course.values("ch04", student, problems)
     return {
         f"answer-{p.id.replace('/', '-')}": sample.cell_text(

@@ -2,7 +2,7 @@
 
 The JSON holds "route" ("grade", "autograde", "generate_feedback"), "course", "limits" (seconds of a
 notebook, of a cell), "students" (a pattern, for nbgrader), "log" (a file that gets the seconds of each job), "sandbox" (False: without a
-cage, as asked for), "before" (Python that runs first).
+cage, as asked for), "before" (Python that runs first), "workers" (of python -m grader grade).
 """
 
 import json
@@ -18,8 +18,9 @@ def main(request):
     if request["route"] == "grade":
         from grader.__main__ import main as grader
 
+        workers = str(request["workers"])
         flags = [] if request["sandbox"] else ["--unsandboxed"]
-        grader(["grade", "ch04", "--course", request["course"], "--workers", "1", "-v", *flags])
+        grader(["grade", "ch04", "--course", request["course"], "--workers", workers, "-v", *flags])
     else:
         from nbgrader.apps.nbgraderapp import main as nbgrader
 

@@ -77,12 +77,7 @@ def test_an_address_is_the_id_only_where_there_is_nothing_else(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_text("Name,Email\nAda Lovelace,ada@uni.edu\n")
     assert read_roster(path).students == [
-        {
-            "id": "ada@uni.edu",
-            "first_name": "Ada",
-            "last_name": "Lovelace",
-            "email": "ada@uni.edu",
-        }
+        {"id": "ada@uni.edu", "first_name": "Ada", "last_name": "Lovelace", "email": "ada@uni.edu"}
     ]
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from grader.course import CourseError, take_in
 from grader.grading import grade
-from tests.grader.courses import command, submit
+from tests.grader.courses import command, ran, submit
 from tests.grader.submissions import work
 
 pytestmark = pytest.mark.integration
@@ -64,8 +64,7 @@ def test_what_was_taken_in_is_graded(named, tmp_path):
 
     files = {f"{s}_1_ch04.ipynb": json.dumps(work(named, s)) for s in ("ada", "ben")}
     path = archive(tmp_path / "w.zip", files)
-    code, out = command("take-in", "ch04", path, "--course", named.path)
-    assert code == 0, out
+    out = ran(command("take-in", "ch04", path, "--course", named.path))
     assert "2 taken in, 0 kept as they were, 0 left out" in out
     assert {r.student: r.points for r in grade(named, "ch04")} == {"ada": 11, "ben": 11}
 

@@ -2,14 +2,14 @@
 
 import pytest
 
-from tests.grader.courses import grader, points, total
+from tests.grader.courses import grader, points, ran, total
 
 
 def test_the_demo_on_five_problems_gives_its_six_students_the_expected_points(demo_course):
     assert demo_course["code"] == 0, demo_course["said"]
     assert {s: total(c) for s, c in points(demo_course["course"]).items()} == {
         "ada": 11,
-        "ben": 7,
+        "ben": 6,
         "cleo": 4,
         "dan": 0,
         "eve": 9,
@@ -24,5 +24,4 @@ def test_the_demo_says_where_to_look_next(demo_course):
 
 @pytest.mark.slow
 def test_the_demo_on_the_whole_chapter_ends_well(tmp_path):
-    code, said = grader("demo", "--course", tmp_path / "c", timeout=600)
-    assert code == 0, said
+    ran(grader("demo", "--course", tmp_path / "c", timeout=600))

@@ -8,7 +8,7 @@ from exercises.catalogue import problem
 from grader.assignment import make_personal_copies
 from grader.assignment.numbers import numbers_path
 from grader.grading import grade
-from tests.grader.courses import change_source, nbgrader, points, read, submit
+from tests.grader.courses import change_source, nbgrader, points, ran, read, submit
 from tests.grader.submissions import work
 
 
@@ -257,7 +257,6 @@ def test_nbgrader_can_release_the_feedback_after_grade(fresh, tmp_path):
         )
         if more:
             (tmp_path / "exchange" / fresh.name / "feedback").mkdir(parents=True)
-        code, out = nbgrader(command, "ch04", *more, cwd=fresh.path)
-        assert code == 0, out
+        ran(nbgrader(command, "ch04", *more, cwd=fresh.path))
     pages = list((tmp_path / "exchange" / fresh.name / "feedback").glob("*.html"))
     assert len(pages) == len(fresh.submissions("ch04"))

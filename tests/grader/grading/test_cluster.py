@@ -13,7 +13,7 @@ import pytest
 
 from grader.course import Course, CourseError
 from grader.grading import grade
-from tests.grader.courses import environment, gradebook_rows, grader, submit
+from tests.grader.courses import command, environment, gradebook_rows, ran, submit
 from tests.grader.grading.test_histories import notebooks
 from tests.grader.submissions import DAMAGED
 
@@ -96,7 +96,7 @@ def three_workers(tmp_path):
 
 def test_a_cluster_gives_the_same_scores_and_leaves_nothing_running(fresh, two_workers, course):
     said = []
-    results = grade(fresh, "ch04", scheduler=two_workers.address, said=said.append)
+    results = grade(fresh, "ch04", scheduler=two_workers.address, report=said.append)
     assert not [r.problem for r in results if r.problem]
     assert {r.sandbox for r in results} == {"namespaces"}
     assert gradebook_rows(fresh) == gradebook_rows(course)
@@ -136,8 +136,7 @@ def test_a_damaged_submission_and_somebody_unknown_are_told_as_without_a_cluster
 
 
 def test_the_command_names_the_workers(fresh, two_workers):
-    code, out = grader("grade", "ch04", "--course", fresh.path, "--scheduler", two_workers.address)
-    assert code == 0, out
+    out = ran(command("grade", "ch04", "--course", fresh.path, "--scheduler", two_workers.address))
     assert out.count("1 at a time, namespaces") == 2
 
 
@@ -167,9 +166,11 @@ def test_no_secret_and_no_work_passes_the_scheduler(fresh, two_workers):
         assert fresh.secret.hex().encode() not in data
 
 
-def test_no_scheduler_and_no_workers_are_told(fresh, tmp_path):
-    with pytest.raises(CourseError, match=r"no scheduler of Dask answers at tcp://127.0.0.1:9 "):
-        grade(fresh, "ch04", scheduler="tcp://127.0.0.1:9")
+def test_no_scheduler_and_no_workers_are_reported(fresh, tmp_path, monkeypatch):
+    with monkeypatch.context() as changed:
+        changed.setattr("grader.grading.cluster.ANSWER_SECONDS", 1)
+        with pytest.raises(CourseError, match=r"no scheduler of Dask answers at tcp://127.0.0.1:9"):
+            grade(fresh, "ch04", scheduler="tcp://127.0.0.1:9")
     cluster = Cluster(tmp_path)
     try:
         with pytest.raises(CourseError, match=r"has no workers; start some with: dask worker tcp:"):

@@ -2,7 +2,6 @@
 gradebook and the same notebooks.
 """
 
-import copy
 import random
 import shutil
 from datetime import datetime, timedelta
@@ -11,8 +10,8 @@ import nbformat
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import change_source, copy_of, gradebook_rows, nbgrader, submit
-from tests.grader.grading.test_instructors_cells import OWN, with_texts
+from tests.grader.courses import change_source, copy_of, gradebook_rows, nbgrader, ran, submit
+from tests.grader.instructors_cells import with_texts
 from tests.grader.submissions import work
 
 STUDENTS = ("ada", "ben", "dan")
@@ -100,27 +99,23 @@ def notebooks(course):
 
 
 @pytest.mark.parametrize(
-    "seed", [*range(3), *(pytest.param(s, marks=pytest.mark.slow) for s in range(3, 20))]
+    "seed", [*range(2), *(pytest.param(s, marks=pytest.mark.slow) for s in range(2, 20))]
 )
-def test_both_routes_agree_after_a_random_history(ungraded, tmp_path, seed):
+def test_both_routes_agree_after_a_random_history(mixed, tmp_path, seed):
     rng = random.Random(f"history {seed}")
-    change_source(ungraded, lambda cells: cells.extend(copy.deepcopy(OWN)))
-    resubmit(ungraded, rng)
+    resubmit(mixed, rng)
     history = [rng.choice(CHANGES) for _ in range(10)]
     for change in history:
-        change(ungraded, rng)
-    other = copy_of(ungraded, tmp_path / "other" / ungraded.path.name)
+        change(mixed, rng)
+    other = copy_of(mixed, tmp_path / "other" / mixed.path.name)
     for name in ("scores", "autograded"):
-        if (ungraded.path / name).exists():
-            shutil.copytree(ungraded.path / name, other.path / name, dirs_exist_ok=True)
-    grade(ungraded, "ch04")
-    code, out = nbgrader("autograde", "ch04", cwd=other.path)
-    assert code == 0, out
+        if (mixed.path / name).exists():
+            shutil.copytree(mixed.path / name, other.path / name, dirs_exist_ok=True)
+    grade(mixed, "ch04")
+    ran(nbgrader("autograde", "ch04", cwd=other.path))
     names = [change.__name__ for change in history]
-    assert gradebook_rows(ungraded) == gradebook_rows(other), names
-    assert notebooks(ungraded) == notebooks(other), names
-    before = gradebook_rows(ungraded), notebooks(ungraded)
-    grade(ungraded, "ch04")
-    assert (gradebook_rows(ungraded), notebooks(ungraded)) == before, (
-        "grading twice changes something"
-    )
+    assert gradebook_rows(mixed) == gradebook_rows(other), names
+    assert notebooks(mixed) == notebooks(other), names
+    before = gradebook_rows(mixed), notebooks(mixed)
+    grade(mixed, "ch04")
+    assert (gradebook_rows(mixed), notebooks(mixed)) == before, "grading twice changes something"

@@ -2,62 +2,13 @@
 nbgrader's own rules, in both routes.
 """
 
-import copy
-
 import nbformat
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import change_source, gradebook_rows, nbgrader, points, read, submit
+from tests.grader.courses import gradebook_rows, nbgrader, points, ran, read, submit
+from tests.grader.instructors_cells import OWN, with_texts
 from tests.grader.submissions import work
-
-
-def cell(kind, source, grade_id, **marks):
-    marks = {"schema_version": 3, "grade_id": grade_id, "cell_type": kind, "task": False,
-             "grade": False, "solution": False, "locked": False, **marks}  # fmt: skip
-    own = {"cell_type": kind, "id": grade_id, "metadata": {"nbgrader": marks}, "source": source}
-    return own | ({"outputs": [], "execution_count": None} if kind == "code" else {})
-
-
-ESSAY = cell("markdown", "Why? *Write here.*", "essay", grade=True, solution=True, points=3)
-SKETCH = cell("code", "# your plot\n", "sketch", grade=True, solution=True, points=2)
-SQUARE = cell(
-    "code",
-    "def square(x):\n    ### BEGIN SOLUTION\n    return x * x\n    ### END SOLUTION",
-    "square",
-    solution=True,
-)
-TEST = cell(
-    "code",
-    "assert square(2) == 4\n### BEGIN HIDDEN TESTS\nassert square(-7) == 49, 'hidden words'\n"
-    "### END HIDDEN TESTS",
-    "test_square",
-    grade=True,
-    locked=True,
-    points=4,
-)
-SHARE = cell("code", "0.5 * (square(3) == 9)", "share", grade=True, locked=True, points=1)
-TASK = cell("markdown", "Measure it at home.\n### BEGIN MARK SCHEME\n2 for a photo\n"
-            "### END MARK SCHEME", "at_home", task=True, locked=True, points=5)  # fmt: skip
-HELPER = cell("code", "TWO = 2", "helper", locked=True)
-PLAIN = {"cell_type": "code", "id": "plain", "metadata": {}, "source": "free = 1", "outputs": [],
-         "execution_count": None}  # fmt: skip
-OWN = (HELPER, ESSAY, SKETCH, SQUARE, TEST, SHARE, TASK, PLAIN)
-
-
-@pytest.fixture
-def mixed(ungraded):
-    """A course whose assignment has an instructor's cells of every kind in it."""
-    change_source(ungraded, lambda cells: cells.extend(copy.deepcopy(OWN)))
-    return ungraded
-
-
-def with_texts(notebook, **texts):
-    for c in notebook["cells"]:
-        name = c["metadata"].get("nbgrader", {}).get("grade_id")
-        if name in texts:
-            c["source"] = texts[name]
-    return notebook
 
 
 def autograded(course):
@@ -107,8 +58,7 @@ def test_instructors_cells_are_graded_by_nbgraders_rules_in_both_routes(mixed, h
     ours = gradebook_rows(mixed), autograded(mixed)
     with mixed.gradebook() as book:
         book.remove_submission("ch04", "dan")
-    code, out = nbgrader("autograde", "ch04", cwd=mixed.path)
-    assert code == 0, out
+    ran(nbgrader("autograde", "ch04", cwd=mixed.path))
     theirs = gradebook_rows(mixed), autograded(mixed)
     assert ours == theirs
 
@@ -132,8 +82,7 @@ def test_feedback_holds_comments_and_no_hidden_test_or_mark_scheme(mixed):
         book.find_grade("essay", "ch04", "ch04", "dan").manual_score = 2.5
         book.find_comment("essay", "ch04", "ch04", "dan").manual_comment = "More words, please."
         book.db.commit()
-    code, out = nbgrader("generate_feedback", "ch04", cwd=mixed.path)
-    assert code == 0, out
+    ran(nbgrader("generate_feedback", "ch04", cwd=mixed.path))
     page = (mixed.path / "feedback/dan/ch04/ch04.html").read_text()
     assert "More words, please." in page
     assert "Because." in page

@@ -9,7 +9,7 @@ from nbformat import from_dict
 from exercises.catalogue import problem
 from grader.grading import grade
 from grader.nbgrader_hooks.feedback_page import Sections, sanitized
-from tests.grader.courses import nbgrader, read, submit
+from tests.grader.courses import nbgrader, ran, read, submit
 from tests.grader.submissions import work
 
 VOID = {"meta", "img", "br", "hr", "link", "input"}
@@ -119,8 +119,7 @@ def test_what_students_write_is_text_wherever_it_stands(fresh):
     )  # fmt: skip
     submit(fresh, "dan", notebook)
     grade(fresh, "ch04", ["dan"])
-    code, out = nbgrader("generate_feedback", "ch04", "--student=dan", cwd=fresh.path)
-    assert code == 0, out
+    ran(nbgrader("generate_feedback", "ch04", "--student=dan", cwd=fresh.path))
     text = (fresh.path / "feedback/dan/ch04/ch04.html").read_text()
     page = Page(text)
     assert not page.all("script")
@@ -161,12 +160,12 @@ def test_questions_of_the_instructors_own_have_sections_and_no_test_is_shown():
         }
     )  # fmt: skip
     _, resources = Sections().preprocess(notebook, {})
-    sections = {s["name"]: s for s in resources["newton_euler"]["sections"]}
+    sections = {s.name: s for s in resources["newton_euler"]["sections"]}
     assert list(sections) == ["essay", "sort_it", "test_sort", "draw"]
-    assert "<em>view</em>" in sections["essay"]["text"]
-    assert "<strong>work</strong>" in sections["essay"]["comments"][0]
-    assert sections["sort_it"]["answer"] == "def f(): ..."
-    assert (sections["test_sort"]["answer"], sections["test_sort"]["text"]) == (None, None)
-    assert sections["test_sort"]["points"] == 1
+    assert "<em>view</em>" in sections["essay"].text
+    assert "<strong>work</strong>" in sections["essay"].comments[0]
+    assert sections["sort_it"].answer == "def f(): ..."
+    assert (sections["test_sort"].answer, sections["test_sort"].text) == (None, None)
+    assert sections["test_sort"].points == 1
     assert "the key" not in str(sections)
-    assert sections["draw"]["score"] is None
+    assert sections["draw"].score is None

@@ -7,7 +7,7 @@ import pytest
 from exercises.catalogue import problem
 from grader.course import Course
 from grader.submission import as_handed_out
-from tests.grader.courses import command, nbgrader, read, submit
+from tests.grader.courses import command, nbgrader, ran, read, released_sheet, submit
 from tests.grader.submissions import work
 
 STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
@@ -20,10 +20,9 @@ def test_nbgraders_own_generate_validate_and_release_take_the_notebook_unchanged
     )
     (ungraded.path / "exchange").mkdir(mode=0o777)
     before = read(ungraded.source("ch04"))
-    code, out = nbgrader("generate_assignment", "ch04", "--force", cwd=ungraded.path)
-    assert code == 0, out
+    out = ran(nbgrader("generate_assignment", "ch04", "--force", cwd=ungraded.path))
     assert "ERROR" not in out
-    released = ungraded.released("ch04")
+    released = released_sheet(ungraded)
     assert [c["id"] for c in released["cells"]] == [c["id"] for c in before["cells"]]
     answers = [
         c
@@ -35,11 +34,9 @@ def test_nbgraders_own_generate_validate_and_release_take_the_notebook_unchanged
         for c in answers
     ] == [True] * len(answers)
     submit(ungraded, "ada", work(ungraded, "ada"))
-    code, out = nbgrader("validate", "submitted/ada/ch04/ch04.ipynb", cwd=ungraded.path)
-    assert code == 0, out
+    out = ran(nbgrader("validate", "submitted/ada/ch04/ch04.ipynb", cwd=ungraded.path))
     assert "Success! Your notebook passes all the tests." in out
-    code, out = nbgrader("release_assignment", "ch04", cwd=ungraded.path)
-    assert code == 0, out
+    ran(nbgrader("release_assignment", "ch04", cwd=ungraded.path))
     assert (ungraded.path / "exchange/mechanics/outbound/ch04/ch04.ipynb").exists()
     assert len(
         list((ungraded.path / "exchange/mechanics/outbound/.personal/ch04").iterdir())
@@ -52,14 +49,12 @@ def test_a_course_in_a_folder_of_any_name_is_fetched_from_after_it_was_moved(tmp
     roster, exchange = tmp_path / "roster.csv", tmp_path / "exchange"
     roster.write_text("id\nada\n")
     place, moved = tmp_path / "Méca 2026", tmp_path / "elsewhere" / "Mécanique (old)"
-    code, out = command(
+    ran(command(
         "build", "ch04", "--course", place, "--students", roster, "--problem", "4/1",
         "--exchange", exchange,
-    )  # fmt: skip
-    assert code == 0, out
+    ))  # fmt: skip
     for step in ("generate_assignment", "release_assignment"):
-        code, out = nbgrader(step, "ch04", cwd=place, PYTHONPATH="")
-        assert code == 0, out
+        ran(nbgrader(step, "ch04", cwd=place, PYTHONPATH=""))
     moved.parent.mkdir()
     place.rename(moved)
     home = tmp_path / "home"
@@ -67,11 +62,8 @@ def test_a_course_in_a_folder_of_any_name_is_fetched_from_after_it_was_moved(tmp
     for file in (moved / "student").iterdir():
         shutil.copy(file, home)
     for step in ("fetch_assignment", "submit"):
-        code, out = nbgrader(step, "ch04", "--student=ada", cwd=home, PYTHONPATH="")
-        assert code == 0, out
+        ran(nbgrader(step, "ch04", "--student=ada", cwd=home, PYTHONPATH=""))
     assert "The copy of **ada**" in (home / "ch04/ch04.ipynb").read_text()
-    code, out = nbgrader("collect", "ch04", cwd=moved, PYTHONPATH="")
-    assert code == 0, out
+    ran(nbgrader("collect", "ch04", cwd=moved, PYTHONPATH=""))
     assert list(Course(moved).submissions("ch04")) == ["ada"]
-    code, out = command("personal", "ch04", "--course", moved, "--exchange")
-    assert code == 0, out
+    ran(command("personal", "ch04", "--course", moved, "--exchange"))

@@ -7,12 +7,11 @@ import pytest
 from exercises.catalogue import problem
 from grader.reports import diagnoses as module
 from grader.reports import diagnosis_shares
-from tests.grader.courses import command
+from tests.grader.courses import command, ran
 
 
 def test_the_shares_are_printed_with_their_sum():
-    code, out = command("diagnose", "4/16", "4/2", "--draws", 2)
-    assert code == 0, out
+    out = ran(command("diagnose", "4/16", "4/2", "--draws", 2))
     lines = [line.split() for line in out.splitlines() if line.strip()]
     assert [line[0] for line in lines if line[0] in ("4/16", "4/2", "all")] == [
         "4/16",

@@ -168,12 +168,8 @@ ENDINGS = {
 # what ends the cells that do not end by themselves; the others have time enough
 AT_THE_DEADLINE = {"endless loop that catches everything", "no alarm"}
 AT_THE_LIMIT_OF_THE_CELL = {
-    "no death with its parent",
-    "endless loop",
-    "endless in C",
-    "sleeps",
-    "prints without end",
-}
+    "no death with its parent", "endless loop", "endless in C", "sleeps", "prints without end",
+}  # fmt: skip
 # signals that reach nobody, or that the first process makes up for
 CONTINUED = {"signals pid 1", "stops itself", "stops its group"}
 # the fork bomb: the first process may be stopped at the limit of the cell before its copies fill up
@@ -324,14 +320,9 @@ for name, text in (("setgroups", "deny"), ("uid_map", f"12345 {ids[0]} 1"), ("gi
 )
 def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
     names = [
-        "daemon",
-        "fork bomb",
-        "no death with its parent",
-        "kills everybody",
-        "stops itself",
-        "floods the receipts",
-        "endless loop that catches everything",
-    ]
+        "daemon", "fork bomb", "no death with its parent", "kills everybody", "stops itself",
+        "floods the receipts", "endless loop that catches everything",
+    ]  # fmt: skip
     before = descendants()
     replies = elsewhere(
         [job(x, setup="import os") for n in names for x in (ENDINGS[n], "x = 42")], sandbox=False

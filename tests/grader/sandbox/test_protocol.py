@@ -2,10 +2,13 @@
 cells.
 """
 
+import json
+import socket
 import sys
 
 import pytest
 
+from grader.sandbox import worker
 from tests.grader.sandbox.jobs import own, problem, run_caged
 from tests.grader.sandbox.test_cage import ENDINGS
 
@@ -160,6 +163,21 @@ def test_an_outcome_that_is_written_ahead_earns_nothing(harvester):
     reply = run_caged(harvester, [own(FORGED), *cells])
     assert reply["tests"]["test-0"]["error"] == "AssertionError, line 1: "
     assert reply["tests"]["test-1"] == {"error": None, "value": None}
+
+
+def test_a_token_that_an_earlier_test_has_shown_is_worth_nothing():
+    """Each test has a token of its own, which comes with its text: too long to be guessed."""
+    limits = {"seconds": 0.05, "cell_seconds": 0.05}
+    pairs = [socket.socketpair() for _ in range(2)]
+    (ours, cage), (ours_later, cage_later) = pairs
+    worker._run_tests([ours], ["assert False"], limits)
+    token = json.loads(cage.recv(2**16)[4:])["token"]
+    cage_later.sendall(json.dumps({"token": token, "error": None, "value": 5}).encode() + b"\n")
+    (outcome,) = worker._run_tests([ours_later], ["assert False"], limits)
+    assert "the test was not run" in outcome["error"]
+    assert len(token) >= 32
+    for end in (end for pair in pairs for end in pair):
+        end.close()
 
 
 PATCHES = {  # of a wrong answer; the test is right

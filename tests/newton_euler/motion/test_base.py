@@ -104,10 +104,10 @@ def test_progress_is_looked_at_after_each_so_many_steps():
 def test_a_motion_that_needs_far_too_many_steps_is_refused_with_how_far_it_can_go():
     one = stepper(5.0, 6.0, goal=15.0, max_steps=100)
     one.check_length(10)
-    with pytest.raises(LengthError) as told:
+    with pytest.raises(LengthError) as refused:
         one.check_length(20)
-    words = "about 2e+02 steps would be needed to t = 15; 1e+02 are possible, which is to about"
-    assert str(told.value).startswith(f"{words} t = 1e+01")
+    words = "about 2e+02 steps would be needed to reach t = 15; 1e+02 are possible, which is up to about"
+    assert str(refused.value).startswith(f"{words} t = 1e+01")
     stepper(5.0, goal=15.0, max_steps=100).check_length(20)  # nothing is known yet
 
 

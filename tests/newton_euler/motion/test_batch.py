@@ -11,16 +11,21 @@ from newton_euler import Model, cos, exp, integrate, sin
 from newton_euler.motion import AccuracyError, Event, ModelError, batch, second_order
 from newton_euler.motion.batch import (
     MIN_HEYOKA_BATCH,
-    _batches,
     _by_series,
     _clock_errors,
+    _Many,
     _representatives,
     _taylor,
 )
+from newton_euler.motion.error_estimates import (
+    ROUND_OFF_OF_RATES,
+    SERIES_ROUND_OFF,
+    SERIES_SAFETY,
+)
 from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.methods.taylor import level_of
+from newton_euler.motion.methods.taylor import batches, level_of
 from newton_euler.motion.prepared import PreparedModel, prepared_model
-from newton_euler.motion.run import ROUND_OFF_OF_RATES, SERIES_ROUND_OFF, SERIES_SAFETY
+from newton_euler.motion.run import Run
 from newton_euler.motion.sizes import time_round_off
 from newton_euler.motion.verified import NEAR_END, NEAR_START, SPARE
 
@@ -227,11 +232,11 @@ def test_the_errors_of_a_batch_of_closed_forms_are_those_asked_for(count):
 def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spare(monkeypatch):
     judged = []
 
-    def within(system, t, x0, x1, rtol):
-        judged.append((system.model.parameters["w"], t, x0, x1, rtol))
+    def known_accurate(system, method, rtol, t0, t1, start, x):
+        judged.append((system.model.parameters["w"], t1 - t0, start, x, rtol))
         return True
 
-    monkeypatch.setattr(batch, "within", within)
+    monkeypatch.setattr(batch, "known_accurate", known_accurate)
     w = np.array([1.0, 1.0, 2.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0])
     motions = integrate(SPRING.changed(w=w), (1.0, 5.0), (1.0, 0.0), 1e-9)
     ends = [(x, pytest.approx((math.cos(4 * x), -x * math.sin(4 * x)))) for x in (1.0, 2.0)]
@@ -241,7 +246,9 @@ def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spar
 
 def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypatch):
     """Here those of the faster spring, for which the second number stands."""
-    monkeypatch.setattr(batch, "within", lambda system, *_: system.model.parameters["w"] == 1.0)
+    monkeypatch.setattr(
+        batch, "known_accurate", lambda system, *_: system.model.parameters["w"] == 1.0
+    )
     w = np.array([1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0])
     motions = integrate(SPRING.changed(w=w), 5.0, (1.0, 0.0), 1e-9, samples=3)
     assert (motions.error[::2] == 1e-9).all()
@@ -251,9 +258,11 @@ def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypat
 
 
 def test_a_closed_form_that_is_not_accurate_is_refused_with_all_motions():
-    with pytest.raises(AccuracyError, match=r"2 of 2 .* first number 0: the closed form") as told:
+    with pytest.raises(
+        AccuracyError, match=r"2 of 2 .* first number 0: the closed form"
+    ) as refused:
         integrate(SPRING, 1e9, (np.array([1.0, 2.0]), 0.0), 1e-9, "exact")
-    reached = told.value.reached
+    reached = refused.value.reached
     assert (reached.error > 1e-9).all()
     assert np.isfinite(reached.states["x"]).all()
 
@@ -283,17 +292,17 @@ def test_auto_takes_series_for_many_motions():
 @pytest.mark.parametrize(
     ("starts", "words", "stopped"),
     [
-        ([1.0, 3.0], "1 of 2 motions are not as accurate as asked for, first number 0", [0]),
+        ([1.0, 3.0], "1 of 2 motions are not as accurate as requested, first number 0", [0]),
         ([3.0, 1.0, 4.0, 1.0], "2 of 4 .* first number 1: fall could not be followed", [1, 3]),
     ],
 )
-def test_motions_that_stop_on_the_way_are_told_with_those_that_do_not(starts, words, stopped):
+def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):
     """x' = -1/x comes to zero at x0^2/2."""
     fall = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))
     x = np.array(starts)
-    with pytest.raises(AccuracyError, match=words) as told:
+    with pytest.raises(AccuracyError, match=words) as refused:
         integrate(fall, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
-    reached = told.value.reached
+    reached = refused.value.reached
     through = np.delete(np.arange(len(x)), stopped)
     assert np.isnan(reached.states["x"][stopped]).all()
     assert not (reached.error[stopped] <= 1e-9).any()
@@ -327,7 +336,7 @@ def test_the_errors_by_the_clock_are_those_of_each_motion_or_a_bound_of_them():
     bounds = _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)
     # the rate of these springs is 1/s, and the time 4 s
     assert bounds == pytest.approx(4 * found, rel=0.01, abs=0.0)
-    # of a motion that has no end nothing is told
+    # nothing is known about a motion that has no end
     ends[:, 1] = math.nan
     assert _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)[[0, 2]].tolist() == [
         bounds[0],
@@ -352,20 +361,20 @@ class Batches:
         return (self.ends + self.off)[:, members, None], 10
 
 
-def by_batches(
+def bybatches(
     monkeypatch, ends, off, representatives=None, starts=None, rtol=1e-9, times=(0.0, 5.0)
 ):
     """What is found of motions whose parameters are their numbers, 1, 2 and so on."""
     ends = np.array(ends, dtype=float)
     starts = np.ones(ends.shape) if starts is None else np.array(starts, dtype=float)
     runs = Batches(ends, off)
-    monkeypatch.setattr(batch, "_batches", runs)
+    monkeypatch.setattr(batch, "batches", runs)
     if representatives:
         given = tuple(map(np.array, representatives))
         monkeypatch.setattr(batch, "_representatives", lambda *_: given)
     numbers = {"n": 1.0 + np.arange(ends.shape[1])}
-    found = _taylor(PreparedModel(PENDULUM), starts, numbers, 0.0, np.array(times), rtol)
-    return runs, found
+    many = _Many(PENDULUM, starts, numbers, np.array(times))
+    return runs, _taylor(many, Run(PreparedModel(PENDULUM), 0.0, times[-1], None, rtol))
 
 
 def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypatch):
@@ -377,7 +386,7 @@ def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypat
 
     monkeypatch.setattr(batch, "_clock_errors", clock_errors)
     ends = [[1.0, 2.0, 4.0]] * 2
-    _, (_, errors, _) = by_batches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
+    _, (_, errors, _) = bybatches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
     assert asked == [
         (0.0, 5.0, [1.0, 2.0], [1.0, 2.0], [1.0, 4.0], pytest.approx(0.01)),
         (0.0, 5.0, [4.0], [3.0], [4.0], pytest.approx(0.01)),
@@ -388,7 +397,7 @@ def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypat
 def test_a_batch_that_may_have_passed_over_a_pulse_is_not_compared(monkeypatch):
     asked = []
     monkeypatch.setattr(batch, "knots", lambda system, *t: asked.append(t) or (1.0,))
-    runs, (_, errors, calls) = by_batches(monkeypatch, np.ones((2, 3)), 0.0)
+    runs, (_, errors, calls) = bybatches(monkeypatch, np.ones((2, 3)), 0.0)
     assert asked == [(0.0, 5.0)]
     assert np.isinf(errors).all()  # each is made by itself
     assert (len(runs.asked), calls) == (1, 100)
@@ -416,7 +425,7 @@ def error_of(difference):
 
 
 def test_a_batch_is_compared_with_one_of_higher_order_beside_its_start(monkeypatch):
-    runs, (found, errors, calls) = by_batches(
+    runs, (found, errors, calls) = bybatches(
         monkeypatch, [[1.0, 2.0]] * 2, 1e-11, times=(0.0, 2.0, 5.0)
     )
     taylor, level = METHODS["taylor"], level_of(1e-9 / 10**1.5)
@@ -437,7 +446,7 @@ def test_the_rest_is_compared_too_where_those_that_vouch_have_nothing_to_spare(
     monkeypatch, part, compared
 ):
     off = part * (1e-9 / SPARE - SERIES_ROUND_OFF) / SERIES_SAFETY
-    runs, (_, errors, calls) = by_batches(
+    runs, (_, errors, calls) = bybatches(
         monkeypatch, np.ones((2, 4)), [[off, 2e-13, 2e-13, 1e-9]] * 2, ([0], [0, 0, 0, 0])
     )
     members = [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]]
@@ -450,7 +459,7 @@ def test_the_rest_is_compared_too_where_those_that_vouch_have_nothing_to_spare(
 
 
 def test_each_motion_is_vouched_for_by_the_one_that_it_is_close_to(monkeypatch):
-    runs, (_, errors, _) = by_batches(
+    runs, (_, errors, _) = bybatches(
         monkeypatch,
         np.ones((2, 4)),
         [[1e-13, 9e-10, 1e-13, 1e-10]] * 2,
@@ -471,7 +480,7 @@ def test_a_state_that_ends_at_zero_is_as_large_as_in_the_motions_close_to_it(
     values = {"start": np.zeros((2, 2)), "end": np.zeros((2, 2))}
     values["start"][0] = values["end"][0] = 1.0
     values[where][1, 1] = sign * 1e-3
-    _, (_, errors, _) = by_batches(
+    _, (_, errors, _) = bybatches(
         monkeypatch, values["end"], [[0.0] * 2, [1e-14] * 2], ([0], [0, 0]), values["start"]
     )
     assert errors[0] == pytest.approx(3 * error_of(1e-11), rel=1e-3)
@@ -479,7 +488,7 @@ def test_a_state_that_ends_at_zero_is_as_large_as_in_the_motions_close_to_it(
 
 def test_a_state_that_is_zero_in_all_motions_counts_as_it_is(monkeypatch):
     ends = [[1.0], [0.0]]
-    _, (_, errors, _) = by_batches(monkeypatch, ends, [[0.0], [1e-11]], None, ends)
+    _, (_, errors, _) = bybatches(monkeypatch, ends, [[0.0], [1e-11]], None, ends)
     assert errors == pytest.approx([3 * error_of(1e-11)], rel=1e-3)
 
 
@@ -491,7 +500,7 @@ def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
     system = PreparedModel(Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,)))
     starts = np.where(np.arange(count) % 3 == 1, 0.7, 3.0)[None]
     p, times = np.zeros((0, count)), np.array(times)
-    found, calls = _batches(system, 1e-12, starts, p, 0.0, times)
+    found, calls = batches(system, 1e-12, starts, p, 0.0, times)
     assert calls > 20
     for n, x in enumerate(starts[0]):
         if x == 3.0:
@@ -515,6 +524,17 @@ def test_what_no_batch_can_begin_with_is_said():
             integrate(PENDULUM, 1.0, (np.array([1.0, bad]), 0.0))
         with pytest.raises(ModelError, match="must be finite numbers"):
             integrate(PENDULUM.changed(n=np.array([1.0, bad])), 1.0, (1.0, 0.0))
+
+
+def test_a_batch_of_fixed_steps_takes_them():
+    a = amplitudes(3)
+    motions = integrate(PENDULUM, 1.0, (a, np.zeros(3)), method="verlet", step=0.125)
+    for n in range(3):
+        one = integrate(PENDULUM, 1.0, (a[n], 0.0), method="verlet", step=0.125)
+        assert motions.states["a"][n, -1] == one.end["a"]
+    assert np.isnan(motions.error).all()
+    with pytest.raises(ModelError, match="a fixed step needs a method by name"):
+        integrate(SPRING, 1.0, (a, np.zeros(3)), step=0.125)
 
 
 def test_without_heyoka_each_motion_of_a_batch_is_integrated_by_itself():

@@ -254,7 +254,7 @@ def test_a_function_that_branches_is_given_an_array_only_once():
 
 
 @pytest.mark.parametrize("closed", [True, False])
-def test_what_a_function_refuses_on_the_way_is_told_as_it_is(closed):
+def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
     def table(s, p, t):
         if t > 1.0:
             raise ModelError("the table ends at 1 s")

@@ -108,7 +108,7 @@ def test_a_formula_that_does_not_start_at_the_start_has_that_error():
     ids=["always", "soon", "later"],
 )
 @pytest.mark.parametrize("t", [8.0, 20.0])
-def test_a_formula_that_is_a_little_wrong_is_told_by_its_rates(off, t):
+def test_a_formula_that_is_a_little_wrong_is_found_by_its_rates(off, t):
     """By at least as much as it is wrong at the end."""
     found = residual_of(spring(off), t)
     assert found[0] > 1e-7

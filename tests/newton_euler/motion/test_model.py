@@ -336,7 +336,7 @@ def test_what_a_closed_form_compares_are_numbers():
     ("attributes", "found"),
     [(("unit",), True), (("magnitude", "to"), True), (("magnitude",), False), (("to",), False)],
 )
-def test_a_quantity_is_told_by_its_attributes(attributes, found):
+def test_a_quantity_is_known_by_its_attributes(attributes, found):
     assert has_unit(SimpleNamespace(**dict.fromkeys(attributes))) is found
     assert has_unit(np.timedelta64(3, "s"))
     assert not has_unit(np.float64(3.0))

@@ -1,6 +1,4 @@
-"""A model made ready to run: the start as floats, what its functions are on floats, and what has no
-value.
-"""
+"""A model prepared for integration: its functions on floats, and what has no value."""
 
 import math
 
@@ -10,85 +8,9 @@ import pytest
 from newton_euler import Model, cos, sqrt
 from newton_euler.algebra import ZERO
 from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.prepared import PreparedModel, prepared_model, start_state
+from newton_euler.motion.prepared import PreparedModel, prepared_model
 
 SPRING = second_order("spring", {"k": 4.0, "c": 0}, ("x",), lambda s, p, t: (-p.k * s.x - p.c,))
-
-
-# -- the start
-
-
-@pytest.mark.parametrize(
-    "start",
-    [
-        (1.0, 2.0),
-        [1.0, 2.0],
-        (1, 2),
-        np.array([1.0, 2.0]),
-        np.array([1, 2]),
-        (np.float64(1.0), 2),
-        {"dx": 2, "x": 1.0},
-        iter([1.0, 2.0]),
-    ],
-)
-def test_a_start_is_a_tuple_of_floats_in_the_order_of_the_states(start):
-    found = start_state(SPRING, start)
-    assert found == (1.0, 2.0)
-    assert [type(x) for x in found] == [float, float]
-
-
-def test_arrays_in_a_start_stay_as_they_are():
-    many = np.array([1.0, 2.0])
-    x, v = start_state(SPRING, (many, 3))
-    assert x is many
-    assert v == 3.0
-
-
-@pytest.mark.parametrize(
-    ("start", "words"),
-    [
-        (3.0, "the start of 'spring' is a value for each of x, dx, not 3.0"),
-        ({"x": 1.0, "y": 2.0}, "spring has no state 'y'; its states are x, dx"),
-        ((1.0, "2"), "needs a number for dx, got '2'"),
-        ((True, 2.0), "needs a number for x, got True"),
-        ((1.0, None), "needs a number for dx, got None"),
-        ((1.0, math.nan), "has dx = nan; a motion needs finite numbers"),
-        ((math.inf, 1.0), "has x = inf; a motion needs finite numbers"),
-        ((-math.inf, 1.0), "has x = -inf; a motion needs finite numbers"),
-        ((math.inf, -math.inf), "has x = inf"),
-        ((1.0, 2.0, 3.0), "spring has the 2 states x, dx; got 3 values"),
-        ((1.0, np.array(["a", "b"])), "needs a number for dx; got array"),
-    ],
-)
-def test_a_start_that_does_not_fit_is_refused_in_words(start, words):
-    with pytest.raises(ModelError) as told:
-        start_state(SPRING, start)
-    assert words in str(told.value)
-
-
-def test_the_rows_of_an_array_are_many_values_of_a_state():
-    x, v = start_state(SPRING, np.array([[1.0, 2.0], [3.0, 4.0]]))
-    assert x.tolist() == [1.0, 2.0]
-    assert v.tolist() == [3.0, 4.0]
-
-
-class Quantity:
-    """A number with a unit, that NumPy and float() would drop."""
-
-    unit = "m"
-
-    def __float__(self):
-        return 1.0
-
-
-class Quantities(np.ndarray):
-    unit = "m"
-
-
-@pytest.mark.parametrize("start", [(1.0, Quantity()), np.ones(2).view(Quantities)])
-def test_no_unit_of_a_start_is_dropped(start):
-    with pytest.raises(ModelError, match="unit"):
-        start_state(SPRING, start)
 
 
 # -- the model
@@ -180,7 +102,7 @@ def test_a_closed_form_that_branches_is_called_as_it_is():
         (lambda s, p, t: (s.x * 1e300 * 1e300,), ""),
     ],
 )
-def test_a_closed_form_without_a_value_is_told_with_its_place(formula, why):
+def test_a_closed_form_without_a_value_is_reported_with_its_place(formula, why):
     words = rf"^the exact solution of 'any' has no value at t = 3 after \(3.0,\){why}"
     with pytest.raises(ModelError, match=words + ("" if why else "$")):
         closed(formula).solution(3.0, (3.0,))

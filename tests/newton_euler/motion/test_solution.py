@@ -92,7 +92,7 @@ def test_a_time_gives_numbers_and_an_array_of_times_arrays():
 
 
 @pytest.mark.parametrize("t", [0.99, 5.01, math.nan, [2.0, 6.0]])
-def test_no_state_is_told_outside_the_motion(t):
+def test_there_is_no_state_outside_the_motion(t):
     motion = integrate(DRIFT, (1.0, 5.0), (0.0, 1.0))
     assert motion.at([1.0, 5.0])["x"] == pytest.approx([0.0, 4.0])
     with pytest.raises(ModelError, match="the motion goes from t = 1 to 5; got t = "):
@@ -102,22 +102,24 @@ def test_no_state_is_told_outside_the_motion(t):
 # -- drift
 
 
-def told(invariant, start=-1.0, **options):
+def drift_of(invariant, start=-1.0, **options):
     model = Model("grows", {}, ("x",), lambda s, p, t: (1.0,), {"it": invariant})
     return integrate(model, 4.0, (start,), 1e-9, "dop853", **options).drift
 
 
 def test_the_drift_is_the_largest_change_over_the_largest_value():
-    assert told(lambda s, p, t: s.x) == {"it": pytest.approx(4.0 / 3.0)}
-    assert told(lambda s, p, t: -s.x) == {"it": pytest.approx(4.0 / 3.0)}
+    assert drift_of(lambda s, p, t: s.x) == {"it": pytest.approx(4.0 / 3.0)}
+    assert drift_of(lambda s, p, t: -s.x) == {"it": pytest.approx(4.0 / 3.0)}
     # not over the last one, nor over the change itself
-    assert told(lambda s, p, t: 10.0 + s.x * (2.0 - s.x), samples=5)["it"] == pytest.approx(4 / 11)
-    assert told(lambda s, p, t: 5.0) == {"it": 0.0}
-    assert told(lambda s, p, t: 0 * s.x) == {"it": 0.0}
+    assert drift_of(lambda s, p, t: 10.0 + s.x * (2.0 - s.x), samples=5)["it"] == pytest.approx(
+        4 / 11
+    )
+    assert drift_of(lambda s, p, t: 5.0) == {"it": 0.0}
+    assert drift_of(lambda s, p, t: 0 * s.x) == {"it": 0.0}
 
 
 def test_the_start_counts_though_it_is_no_sample():
-    assert told(lambda s, p, t: s.x, samples=[3.0])["it"] == pytest.approx(3.0 / 2.0)
+    assert drift_of(lambda s, p, t: s.x, samples=[3.0])["it"] == pytest.approx(3.0 / 2.0)
 
 
 @pytest.mark.parametrize("places", [(10.0, 1000.0), (1000.0, 10.0)])

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from newton_euler import Model
-from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.methods.base import StepError
+from newton_euler.motion import second_order
+from newton_euler.motion.methods.base import LengthError, StepError
 from newton_euler.motion.methods.splitting import (
     COMPOSITIONS,
     MAX_STEPS,
@@ -132,7 +132,9 @@ def test_steps_are_equal_and_no_longer_than_asked_for(t1, step, count):
 
 def test_more_steps_than_can_be_kept_are_refused():
     run(t1=1.0, step=1.01 / MAX_STEPS)
-    with pytest.raises(ModelError, match=r"3e\+06 steps of order 4 would be needed; take a higher"):
+    with pytest.raises(
+        LengthError, match=r"3e\+06 steps of order 4 would be needed; take a higher"
+    ):
         run(t1=1.0, step=0.99 / MAX_STEPS)
 
 
@@ -213,5 +215,5 @@ def test_a_body_keeps_its_angular_momentum_and_comes_back(order):
 
 def test_states_beyond_all_bounds_are_refused():
     up = second_order("up", {}, ("x",), lambda s, p, t: (1e200 * s.x,))
-    with pytest.raises(StepError, match="grown beyond all bounds"):
+    with pytest.raises(StepError, match="the states have become infinite"):
         run(model=up).step()

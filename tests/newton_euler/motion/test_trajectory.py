@@ -152,17 +152,17 @@ def test_two_events_at_once_are_no_accumulation():
 
 
 @pytest.mark.parametrize("t0", [0.0, -4.0, 100.0])
-def test_progress_is_told_as_a_part_of_the_time(t0):
-    told = []
-    one = run(spring(30.0), t0=t0, t1=t0 + 10.0, progress=told.append)
+def test_progress_is_reported_as_a_fraction_of_the_time(t0):
+    parts = []
+    one = run(spring(30.0), t0=t0, t1=t0 + 10.0, progress=parts.append)
     trajectory(one)
-    assert len(told) > 3
-    assert told == sorted(told)
-    assert 0.0 < told[0] < 0.5
-    assert told[-1] == 1.0
+    assert len(parts) > 3
+    assert parts == sorted(parts)
+    assert 0.0 < parts[0] < 0.5
+    assert parts[-1] == 1.0
 
 
-def test_a_step_that_cannot_be_taken_is_told_with_its_place():
+def test_a_step_that_cannot_be_taken_is_reported_with_its_place():
     model = Model("root", {}, ("x",), lambda s, p, t: (-1 / s.x,))
     found = trajectory(run(model, (1.0,), 1.0))
     assert isinstance(found.failed, StepError)
@@ -174,10 +174,10 @@ def test_a_step_that_cannot_be_taken_is_told_with_its_place():
     found = trajectory(run(model, (1.0,), 1.0))
     assert isinstance(found.failed, ArithmeticError)
     assert "beyond t = 0, at x = 1" in found.ended
-    with pytest.raises(MotionError) as told:
+    with pytest.raises(MotionError) as refused:
         integrate(model, 1.0, (1.0,), method="dop853")
-    assert told.value.reached.t_end == 0.0
-    assert told.value.reached.end == {"x": 1.0}
+    assert refused.value.reached.t_end == 0.0
+    assert refused.value.reached.end == {"x": 1.0}
 
 
 def test_after_an_event_to_a_model_without_its_solution_the_exact_method_gives_way():
@@ -230,7 +230,7 @@ def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
     still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
     found = trajectory(run(still, (0.0, 0.0)))
     assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
-    # which is none that it has had
+    # which is not a size that it has had
     assert found.sizes()[0] == (0.0, 0.0)
 
 

@@ -3,10 +3,12 @@
 import ctypes
 import errno
 import os
+import resource
 import signal
 import socket
 import sys
 import threading
+from pathlib import Path
 
 import pytest
 
@@ -100,6 +102,48 @@ def test_forbidden_calls_fail_and_processes_and_threads_can_still_be_started():
         return 42 if started and os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 3 else 4
 
     assert in_a_fork(tries) == 42
+
+
+def test_a_program_that_is_started_gets_no_new_privileges():
+    """Without the filter of system calls, which sets the same: libseccomp is not everywhere."""
+
+    def privileges():
+        isolation.drop_capabilities()
+        return "NoNewPrivs:\t1\n" not in Path("/proc/self/status").read_text()
+
+    assert in_a_fork(privileges) == 0
+
+
+LIMITS = {  # of a submission of 9 s with two tests, in a process that holds 1 GB
+    "processor time in seconds": (resource.RLIMIT_CPU, 10),
+    "address space": (resource.RLIMIT_AS, 4 * 2**30),
+    "open files": (resource.RLIMIT_NOFILE, 66),
+    "processes": (resource.RLIMIT_NPROC, 66),
+    "dumps of its memory": (resource.RLIMIT_CORE, 0),
+}
+
+
+@pytest.mark.parametrize("what", LIMITS)
+def test_a_submission_is_limited_in(what):
+    kind, expected = LIMITS[what]
+
+    def limited():
+        isolation.limit(9, used=2**30, tests=2)
+        return resource.getrlimit(kind) != (expected, expected)
+
+    assert in_a_fork(limited) == 0
+
+
+def test_a_file_may_have_16_mb_and_no_byte_more(tmp_path):
+    def written():
+        isolation.limit(9, used=2**32)
+        with open(tmp_path / "file", "wb", buffering=0) as f:
+            for _ in range(17):
+                f.write(bytes(2**20))
+        return 0
+
+    assert in_a_fork(written) == 128 + errno.EFBIG
+    assert (tmp_path / "file").stat().st_size == 16 * 2**20
 
 
 def test_an_abstract_socket_of_the_machine_is_not_there(harvester):

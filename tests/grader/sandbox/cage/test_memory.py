@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group
+from grader.sandbox.cage import memory
+from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, Watch
 
 WRITTEN = {
     "memory.max": str(TOTAL + 2 * PER_TEST),
@@ -76,3 +77,12 @@ def test_kills_are_read_from_the_events(tmp_path):
     assert group.kills() == 0
     (tmp_path / "memory.events").write_text("low 0\noom 2\noom_kill 3\n")
     assert group.kills() == 3
+
+
+@pytest.mark.parametrize("tests", [0, 3])
+def test_each_test_of_a_submission_may_hold_some_memory_of_its_own(monkeypatch, tests):
+    held = TOTAL + tests * PER_TEST
+    monkeypatch.setattr(memory, "used_by", lambda pids, enough: held)
+    assert not Watch(tests).exceeded()
+    held += 1
+    assert Watch(tests).exceeded()

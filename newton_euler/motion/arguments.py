@@ -1,0 +1,114 @@
+"""The arguments of an integration: each as it is used, or :class:`ModelError`, which says what was
+expected.
+"""
+
+import math
+from itertools import islice
+
+from ..algebra.errors import LONGEST_SEQUENCE
+from ..algebra.scalars import clipped
+from .events import Event
+from .methods.table import METHODS
+from .model import ModelError, finite_number, real_numbers
+
+
+def time_span(t):
+    """The times of start and end as floats; a single number is the end, with the start at 0."""
+    if type(t) is float and 0.0 < t < math.inf:
+        return 0.0, t
+    what = "t is the time at which to end, or (from, to)"
+    plain = type(t) is int or (type(t) is tuple and {*map(type, t)} <= {float, int})
+    given = t if plain else real_numbers(t, what).tolist()  # without NumPy for plain numbers
+    try:
+        t0, t1 = map(float, given if isinstance(given, (list, tuple)) else (0.0, given))
+    except (ValueError, OverflowError) as error:
+        raise ModelError(f"{what}; got {clipped(t)}") from error
+    if not (math.isfinite(t0) and math.isfinite(t1) and t0 < t1):
+        raise ModelError(f"time runs forward: the end is after the start, got {t0!r} to {t1!r}")
+    return t0, t1
+
+
+def start_state(model, start):
+    """The start as a tuple of floats (or arrays) in the order of the states."""
+    # the usual start, checked in few calls: this is a good part of the time of a short run
+    if (
+        type(start) in (tuple, list)
+        and len(start) == len(model.states)
+        and set(map(type, start)) == {float}
+        and math.isfinite(sum(start))
+    ):
+        return tuple(start)
+    kind = getattr(getattr(start, "dtype", None), "char", "")
+    if kind == "d" and start.ndim == 1 and type(start).__module__ == "numpy":
+        return start_state(model, tuple(start.tolist()))
+    names = ", ".join(model.states)
+    subject = f"the start of {model.name!r}"
+    if not hasattr(start, "__iter__"):
+        raise ModelError(f"{subject} is a value for each of {names}, not {start!r}")
+    unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else ()
+    if unknown:
+        raise ModelError(f"{model.name} has no state {unknown[0]!r}; its states are {names}")
+    return tuple(_start_value(subject, n, x) for n, x in model._state(start).items())
+
+
+def _start_value(subject, name, x):
+    if type(x) is float and -math.inf < x < math.inf:
+        return x  # before the messages are written
+    expected = f"{subject} needs a number for {name}"
+    if getattr(x, "shape", ()):
+        real_numbers(x, expected)
+        return x
+    if isinstance(x, (str, bytes, bool)):
+        raise ModelError(f"{expected}, got {x!r}")
+    return finite_number(x, f"{subject} has {name} =", f"{expected}, got {x!r}")
+
+
+def check_options(rtol, method, step=None, progress=None):
+    """Raise :class:`ModelError` for options with which no model can be integrated."""
+    if not (isinstance(method, str) and method in ("auto", *METHODS)):
+        raise ModelError(f"method is 'auto' or one of {', '.join(METHODS)}; got {clipped(method)}")
+    least = 1e-15 if method == "auto" else METHODS[method].min_rtol
+    number = isinstance(rtol, (int, float))  # True and False are out of range
+    if step is None and not (number and least <= rtol < 1):
+        why = "it lies between 0 and 1"
+        if number and 0 < rtol < 1:
+            why = f"method {method!r} cannot reach it, the least is {least:g}"
+        raise ModelError(f"rtol is the requested tolerance, got {clipped(rtol)}: {why}")
+    if step is not None and not (type(step) in (int, float) and 0 < step < math.inf):
+        raise ModelError(f"the step is a positive time, got {clipped(step)}")
+    if progress is not None and not callable(progress):
+        raise ModelError(
+            f"progress is a function of the fraction that is done, got {clipped(progress)}"
+        )
+
+
+def event_tuple(events):
+    """One or several events as a tuple."""
+    if isinstance(events, Event):
+        return (events,)
+    if not hasattr(events, "__iter__") or isinstance(events, (str, bytes, range)):
+        raise ModelError(f"events are an Event, or several, got {clipped(events)}")
+    events = tuple(events)
+    for event in events:
+        if not isinstance(event, Event):
+            raise ModelError(f"events are made by Event(...), got {clipped(event)}")
+    return events
+
+
+def sample_request(samples, t0, t1):
+    """The samples: None, a number of times, or an array of times between t0 and t1."""
+    if samples is None or (type(samples) is int and samples > 0):
+        return samples
+    what = "samples are a number of times, or times"
+    if hasattr(samples, "__next__"):
+        samples = list(islice(samples, LONGEST_SEQUENCE))
+    times = real_numbers(samples, what)
+    if times.ndim != 1 or not len(times):
+        raise ModelError(f"{what}; got {clipped(samples)}")
+    outside = times[~((times >= t0) & (times <= t1))]
+    if len(outside):
+        raise ModelError(
+            f"{what} from t = {t0:g} to {t1:g}, the time of the motion; got {outside[0]:g} among "
+            "them"
+        )
+    return times

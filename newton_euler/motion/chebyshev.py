@@ -1,0 +1,103 @@
+"""Polynomials as sums of Chebyshev polynomials on (-1, 1), many at once: values, slopes, extrema;
+and the zero of a function in a bracket.
+"""
+
+from functools import cache
+
+DEGREE = 12
+EPS = 2.0**-52
+
+
+def values_at(fits, x):
+    """The values of polynomials at one place each."""
+    import numpy as np
+
+    k = np.arange(fits.shape[1])
+    return (fits * np.cos(np.arccos(x)[:, None] * k)).sum(axis=1)
+
+
+@cache
+def _differentiation():
+    """The matrix that turns the coefficients of a polynomial into those of its derivative."""
+    import numpy as np
+
+    return np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1)).T
+
+
+def derivatives_at(fits, x):
+    """The slopes of polynomials at one place each."""
+    return values_at(fits[:, : DEGREE + 1] @ _differentiation(), x)
+
+
+def extrema(fits):
+    """The places in (-1, 1) of all extrema of polynomials, as two arrays: the indices of the
+    polynomials, and the places in order.
+    """
+    import numpy as np
+
+    c = fits @ _differentiation()
+    sizes = np.abs(c)
+    rows = np.flatnonzero(sizes[:, 0] <= sizes[:, 1:].sum(axis=1))  # the others are monotonic
+    largest = sizes.max(axis=1, keepdims=True)
+    degree = int(np.flatnonzero((sizes > 1e-9 * largest).any(axis=0)).max(initial=0))
+    if not rows.size or not degree:
+        return np.array([], dtype=int), np.array([])
+    c, largest = c[rows, : degree + 1], largest[rows, 0]
+    # a leading coefficient near zero would spoil the matrix; it only adds zeros far away
+    c[:, -1] = np.where(np.abs(c[:, -1]) < 1e-9 * largest, 1e-9 * largest, c[:, -1])
+    z = np.linalg.eigvals(_companions(c))
+    # a double one may come out as a complex pair; a place without an extremum does no harm
+    inside = (np.abs(z.imag) < 1e-3) & (np.abs(z.real) < 1)
+    x = np.where(inside, z.real, 2.0)
+    x.sort(axis=1)
+    number, place = np.nonzero(x < 2)
+    return rows[number], x[number, place]
+
+
+def _companions(c):
+    """Matrices whose eigenvalues are the zeros of polynomials: ``chebcompanion`` of NumPy for many
+    at once.
+    """
+    import numpy as np
+
+    n = c.shape[1] - 1
+    scale = np.sqrt([1.0] + [0.5] * (n - 1))
+    last = c[:, :-1] / c[:, -1:] * (scale / scale[-1])
+    matrix = np.repeat(np.polynomial.chebyshev.chebcompanion([0.0] * n + [1.0])[None], len(c), 0)
+    matrix[:, :, -1] -= last if n == 1 else last / 2
+    # rotated, the errors are smaller, as in chebroots
+    return matrix[:, ::-1, ::-1]
+
+
+def value_at(c, x):
+    """The value of one polynomial, by Clenshaw's rule."""
+    a = b = 0.0
+    for value in c[:0:-1]:
+        a, b = value + 2 * x * a - b, a
+    return c[0] + x * a - b
+
+
+def root(f, a, b, accuracy=0.0):
+    """The zero of ``f`` between a and b, where its signs differ, to round-off or to this accuracy:
+    regula falsi with the Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), with a bisection
+    every fourth time.
+    """
+    fa, fb, side = f(a), f(b), 0
+    if fb == 0:
+        return b
+    for n in range(200):
+        if fa == 0:
+            return a
+        if abs(b - a) <= max(accuracy, EPS * max(abs(a), abs(b))):
+            break
+        t = (a + b) / 2 if n % 4 == 3 or fa * fb >= 0 else (a * fb - b * fa) / (fb - fa)
+        if not min(a, b) < t < max(a, b):
+            t = (a + b) / 2
+        value = f(t)
+        if value == 0:
+            return t
+        if (value > 0) == (fb > 0):
+            b, fb, fa, side = t, value, fa / 2 if side == 1 else fa, 1
+        else:
+            a, fa, fb, side = t, value, fb / 2 if side == -1 else fb, -1
+    return (a + b) / 2

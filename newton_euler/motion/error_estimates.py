@@ -1,0 +1,73 @@
+"""The error of a run, estimated from its difference to a run of another tolerance."""
+
+import math
+
+from .sizes import time_round_off
+
+# A run is compared with one of a coarser tolerance. If both are in the regime in which errors are
+# proportional to the tolerance, the error of the fine one is predicted by a power of the ratio of
+# the tolerances a little below 1; else, as at kinks, by a low power. Measured by tests/honesty on
+# 115 models, at 1e-3 to 1e-12: these cover 98 % of the true errors, and are 15 times too large in
+# the median.
+SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
+REPORTED_SAFETY = 3.0  # on the error that is reported: with it 99 % are covered
+# on the difference of a run of heyoka from one of higher order, which is its error, and on the
+# integral of the residual of a series that may not see all of the rates
+SERIES_SAFETY = RESIDUAL_SAFETY = 3.0
+# limits of the regime: the fewest steps, and the factor by which the number of steps of the fine
+# run may differ from what its order predicts
+MIN_STEPS, STEPS_OFF = 8, 1.25
+# the error that the difference of two runs does not show; this is that of a short run, and over n
+# steps it grows as sqrt(n), like a random walk
+ROUND_OFF, SERIES_ROUND_OFF = 5e-14, 9e-15
+# The run for comparison starts from slightly shifted states, so that the predicted error contains
+# the effect of round-off in the rates, 25 times a float's epsilon, in the start and in parameters,
+# which is the same in both runs.
+ROUND_OFF_OF_RATES = 5e-15
+
+
+def reported_error(error, rtol):
+    """The error that is reported: with more safety than the one that is compared with the rtol, but
+    not above the rtol.
+    """
+    return max(error, min(rtol, REPORTED_SAFETY * error))
+
+
+def relative_shift(ratio):
+    """The relative shift of the states with which a run for comparison starts; see
+    :func:`error_by_difference` for the ratio.
+    """
+    safety = SERIES_SAFETY if ratio > 1 else SAFETY * ratio**REGULAR
+    return ROUND_OFF_OF_RATES / safety
+
+
+def error_by_comparison(before, trajectory, method):
+    """The error of a trajectory, predicted from its difference to one of another tolerance."""
+    difference, tolerance = before.difference(trajectory), trajectory.tolerance
+    ratio, traced = tolerance / before.tolerance, trajectory.segments[0].system.traced
+    coarse, fine = before.count, trajectory.count
+    regular = method.series or coarse >= MIN_STEPS
+    if method.adaptive:
+        growth = fine / max(coarse, 1) * ratio ** (1 / method.order)
+        regular = regular and 1 / STEPS_OFF < growth < STEPS_OFF
+    if traced.kinks or traced.hazards:
+        regular = False
+    system, stepper, t0, t1, x1 = trajectory.segments[-1]
+    more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
+    if method.series and traced.hazards:
+        more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
+    return error_by_difference(difference, ratio, tolerance, regular, fine) + more
+
+
+def error_by_difference(difference, ratio, tolerance, regular=True, steps=0):
+    """The error of a run, predicted from its difference to one of another tolerance.
+
+    ratio : the tolerance of this run over that of the other; above 1 the other one is more accurate
+    """
+    if not difference <= 0.05:
+        return difference  # too large to predict anything
+    growth = math.sqrt(1 + steps / 100)
+    if ratio > 1:  # the difference is the error itself
+        return SERIES_SAFETY * difference + SERIES_ROUND_OFF * growth
+    error = SAFETY * difference * ratio ** (REGULAR if regular else IRREGULAR)
+    return max(error, tolerance) + ROUND_OFF * growth

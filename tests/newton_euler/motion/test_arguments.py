@@ -1,0 +1,193 @@
+"""The arguments of an integration: what is accepted and how it is used, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+
+from newton_euler.motion import ModelError, second_order
+from newton_euler.motion.arguments import (
+    check_options,
+    event_tuple,
+    sample_request,
+    start_state,
+    time_span,
+)
+from newton_euler.motion.events import Event
+
+SPRING = second_order("spring", {"k": 4.0, "c": 0}, ("x",), lambda s, p, t: (-p.k * s.x - p.c,))
+
+
+@pytest.mark.parametrize(
+    ("t", "found"),
+    [(2.0, (0.0, 2.0)), (3, (0.0, 3.0)), ((1, 2.5), (1.0, 2.5)), ([-2.0, -1.0], (-2.0, -1.0))],
+)
+def test_the_time_is_an_end_or_a_pair(t, found):
+    assert time_span(t) == found
+    assert all(type(x) is float for x in time_span(t))
+
+
+@pytest.mark.parametrize(
+    "t", ["x", "12", b"12", True, None, (1.0,), (1.0, 2.0, 3.0), (1.0, None)], ids=str
+)
+def test_anything_else_is_not_a_time(t):
+    with pytest.raises(ModelError, match=r"time at which to end, or \(from, to\)"):
+        time_span(t)
+
+
+@pytest.mark.parametrize(
+    "t",
+    [
+        *(0.0, -1.0, 0, math.inf, math.nan),
+        *((1.0, 1.0), (2.0, 1.0), (0.0, math.inf), (-math.inf, 1.0), (math.nan, 1)),
+    ],
+)
+def test_time_runs_forward_and_is_finite(t):
+    with pytest.raises(ModelError, match="time runs forward"):
+        time_span(t)
+
+
+@pytest.mark.parametrize(
+    ("method", "rtol"),
+    [("auto", 1e-15), ("taylor", 1e-15), ("dop853", 1e-13), ("verlet", 1e-7), ("auto", 0.999)],
+)
+def test_an_rtol_that_a_method_reaches_is_taken_and_less_refused(method, rtol):
+    check_options(rtol, method)
+    if rtol < 0.5:
+        with pytest.raises(ModelError, match=f"cannot reach it, the least is {rtol:g}"):
+            check_options(0.99 * rtol, method)
+
+
+@pytest.mark.parametrize("rtol", [0.0, -1e-9, 1.0, 2, math.nan, "1e-9", None, True])
+def test_an_rtol_lies_between_0_and_1(rtol):
+    with pytest.raises(ModelError, match="it lies between 0 and 1"):
+        check_options(rtol, "auto")
+    check_options(rtol, "verlet", step=0.1)  # with a fixed step it does not matter
+
+
+@pytest.mark.parametrize("step", [0.0, -0.1, math.nan, math.inf, True, "0.1"])
+def test_a_step_is_positive(step):
+    with pytest.raises(ModelError, match="the step is a positive time"):
+        check_options(1e-6, "verlet", step=step)
+
+
+def test_a_method_is_auto_or_in_the_table():
+    for unknown in ("euler", ["verlet"], 3):
+        with pytest.raises(ModelError, match="method is 'auto' or one of exact, taylor"):
+            check_options(1e-6, unknown)
+
+
+def test_events_are_one_or_several():
+    event = Event(lambda s, p, t: s.x)
+    for given in (event, [event], (event,), iter([event])):
+        assert event_tuple(given) == (event,)
+    assert event_tuple(()) == ()
+    for bad in ((3,), [lambda s, p, t: s.x]):
+        with pytest.raises(ModelError, match=r"events are made by Event"):
+            event_tuple(bad)
+    for bad in (3, "x", range(3)):
+        with pytest.raises(ModelError, match=r"events are an Event, or several, got"):
+            event_tuple(bad)
+
+
+def test_progress_is_reported_to_a_function():
+    check_options(1e-6, "auto", progress=print)
+    with pytest.raises(ModelError, match="progress is a function of the fraction"):
+        check_options(1e-6, "auto", progress=0.5)
+
+
+@pytest.mark.parametrize("samples", [None, 1, 7])
+def test_a_number_of_samples_stays_as_it_is(samples):
+    assert sample_request(samples, 2.0, 5.0) is samples
+
+
+@pytest.mark.parametrize("samples", [[2.0, 3.5, 5.0], (2, 5), (t for t in (2.0, 5.0)), [5.0]])
+def test_samples_are_times_of_the_motion_its_ends_among_them(samples):
+    found = sample_request(samples, 2.0, 5.0)
+    assert found.dtype == float
+    assert {found[0], found[-1]} <= {2.0, 5.0}
+
+
+@pytest.mark.parametrize("samples", [0, -1, 2.5, True, "4", b"4", [], [[3.0, 4.0]], ["x"]], ids=str)
+def test_anything_else_is_not_samples(samples):
+    with pytest.raises(ModelError, match="samples are a number of times, or times; got"):
+        sample_request(samples, 2.0, 5.0)
+
+
+@pytest.mark.parametrize("t", [1.99, 5.01, math.nan])
+def test_samples_outside_the_motion_are_refused(t):
+    with pytest.raises(ModelError, match=f"from t = 2 to 5, .*; got {t:g} among them"):
+        sample_request([3.0, t, 4.0], 2.0, 5.0)
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        (1.0, 2.0),
+        [1.0, 2.0],
+        (1, 2),
+        np.array([1.0, 2.0]),
+        np.array([1, 2]),
+        (np.float64(1.0), 2),
+        {"dx": 2, "x": 1.0},
+        iter([1.0, 2.0]),
+    ],
+)
+def test_a_start_is_a_tuple_of_floats_in_the_order_of_the_states(start):
+    found = start_state(SPRING, start)
+    assert found == (1.0, 2.0)
+    assert [type(x) for x in found] == [float, float]
+
+
+def test_arrays_in_a_start_stay_as_they_are():
+    many = np.array([1.0, 2.0])
+    x, v = start_state(SPRING, (many, 3))
+    assert x is many
+    assert v == 3.0
+
+
+@pytest.mark.parametrize(
+    ("start", "words"),
+    [
+        (3.0, "the start of 'spring' is a value for each of x, dx, not 3.0"),
+        ({"x": 1.0, "y": 2.0}, "spring has no state 'y'; its states are x, dx"),
+        ((1.0, "2"), "needs a number for dx, got '2'"),
+        ((True, 2.0), "needs a number for x, got True"),
+        ((1.0, None), "needs a number for dx, got None"),
+        ((1.0, math.nan), "has dx = nan; a motion needs finite numbers"),
+        ((math.inf, 1.0), "has x = inf; a motion needs finite numbers"),
+        ((-math.inf, 1.0), "has x = -inf; a motion needs finite numbers"),
+        ((math.inf, -math.inf), "has x = inf"),
+        ((1.0, 2.0, 3.0), "spring has the 2 states x, dx; got 3 values"),
+        ((1.0, np.array(["a", "b"])), "needs a number for dx; got array"),
+    ],
+)
+def test_a_start_that_does_not_fit_is_refused_in_words(start, words):
+    with pytest.raises(ModelError) as refused:
+        start_state(SPRING, start)
+    assert words in str(refused.value)
+
+
+def test_the_rows_of_an_array_are_many_values_of_a_state():
+    x, v = start_state(SPRING, np.array([[1.0, 2.0], [3.0, 4.0]]))
+    assert x.tolist() == [1.0, 2.0]
+    assert v.tolist() == [3.0, 4.0]
+
+
+class Quantity:
+    """A number with a unit, that NumPy and float() would drop."""
+
+    unit = "m"
+
+    def __float__(self):
+        return 1.0
+
+
+class Quantities(np.ndarray):
+    unit = "m"
+
+
+@pytest.mark.parametrize("start", [(1.0, Quantity()), np.ones(2).view(Quantities)])
+def test_no_unit_of_a_start_is_dropped(start):
+    with pytest.raises(ModelError, match="unit"):
+        start_state(SPRING, start)

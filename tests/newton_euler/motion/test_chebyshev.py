@@ -1,0 +1,131 @@
+"""Chebyshev polynomials against NumPy's, and the zero of a function in a bracket."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.polynomial import chebyshev as numpys
+
+from newton_euler.motion.chebyshev import (
+    DEGREE,
+    EPS,
+    _companions,
+    derivatives_at,
+    extrema,
+    root,
+    value_at,
+    values_at,
+)
+
+CHANCE = np.random.default_rng(3)
+POLYNOMIALS = CHANCE.normal(size=(5, DEGREE + 1))
+PLACES = CHANCE.uniform(-1.0, 1.0, 5)
+
+
+def test_values_and_slopes_of_polynomials_are_those_of_numpy():
+    exact = [numpys.chebval(x, c) for x, c in zip(PLACES, POLYNOMIALS, strict=True)]
+    assert values_at(POLYNOMIALS, PLACES) == pytest.approx(exact)
+    assert [value_at(c, x) for x, c in zip(PLACES, POLYNOMIALS, strict=True)] == pytest.approx(
+        exact
+    )
+    slopes = [
+        numpys.chebval(x, numpys.chebder(c)) for x, c in zip(PLACES, POLYNOMIALS, strict=True)
+    ]
+    assert derivatives_at(POLYNOMIALS, PLACES) == pytest.approx(slopes)
+    # what follows the coefficients are the checks
+    longer = np.hstack([POLYNOMIALS, np.ones((5, 3))])
+    assert derivatives_at(longer, PLACES) == pytest.approx(slopes)
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 8])
+def test_eigenvalues_of_companions_are_the_zeros(degree):
+    c = POLYNOMIALS[:, : degree + 1]
+    for matrix, one in zip(_companions(c), c, strict=True):
+        found = np.sort_complex(np.linalg.eigvals(matrix))
+        assert found == pytest.approx(np.sort_complex(numpys.chebroots(one)))
+
+
+def all_extrema(*polynomials):
+    c = np.zeros((len(polynomials), DEGREE + 1))
+    for row, p in zip(c, polynomials, strict=True):
+        row[: len(p)] = p
+    rows, x = extrema(c)
+    return [x[rows == n].tolist() for n in range(len(c))]
+
+
+def test_the_extrema_of_many_polynomials_are_found_in_order():
+    line, fifth, parabola = [3.0, -2.0], [0, 0, 0, 0, 0, 1.0], [0.5, 0.8, 1.0]
+    exact = [[], [math.cos(k * math.pi / 5) for k in (4, 3, 2, 1)], [-0.2]]
+    found = all_extrema(line, fifth, parabola)
+    assert found == [pytest.approx(x) for x in exact]
+    assert all_extrema(parabola, line) == [pytest.approx([-0.2]), []]
+
+
+def test_polynomials_without_extrema_have_none():
+    assert all_extrema([1.0]) == [[]]
+    assert all_extrema([0.0], [0.0, 5.0]) == [[], []]
+
+
+@pytest.mark.parametrize("factor", [1e-150, 1.0, 1e150])
+def test_a_leading_coefficient_that_is_round_off_does_no_harm(factor):
+    small = [factor * c for c in (0.5, 0.8, 1.0, *[1e-17] * 10)]
+    assert all_extrema(small) == [pytest.approx([-0.2])]
+    # also beside a polynomial of high degree
+    high = [0.0] * DEGREE + [1.0]
+    found = all_extrema(small, high)
+    assert found[0] == pytest.approx([-0.2], abs=1e-8)
+    assert len(found[1]) == DEGREE - 1
+
+
+def test_extrema_of_random_polynomials_are_where_their_slope_is_zero():
+    for found, c in zip(all_extrema(*POLYNOMIALS), POLYNOMIALS, strict=True):
+        exact = numpys.chebroots(numpys.chebder(c))
+        exact = sorted(z.real for z in exact if abs(z.imag) < 1e-9 and abs(z.real) < 1)
+        assert [x for x in found if any(abs(x - y) < 1e-6 for y in exact)] == pytest.approx(exact)
+
+
+# -- one zero
+
+
+class Counted:
+    """A function that counts its calls."""
+
+    def __init__(self, f):
+        self.f, self.count = f, 0
+
+    def __call__(self, x):
+        self.count += 1
+        return self.f(x)
+
+
+@pytest.mark.parametrize(
+    ("f", "exact", "calls"),
+    [
+        (lambda x: x - 0.3, 0.3, 6),
+        (lambda x: math.cos(x) - x, 0.7390851332151607, 14),
+        (lambda x: x**9 - 1e-3, 1e-3 ** (1 / 9), 45),
+        (lambda x: math.exp(30 * x) - math.exp(3), 0.1, 45),
+        (lambda x: 1.0 if x > 0.7 else -1e-9, 0.7, 140),
+    ],
+    ids=["line", "cosine", "flat", "steep", "jump"],
+)
+@pytest.mark.parametrize("swapped", [False, True])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_root_is_found_to_round_off_in_few_steps(f, exact, calls, swapped, sign):
+    g = Counted(lambda x: sign * f(x))
+    found = root(g, 2.0, -1.0) if swapped else root(g, -1.0, 2.0)
+    assert found == pytest.approx(exact, rel=4 * EPS, abs=0.0)
+    assert g.count <= calls
+
+
+def test_a_root_at_an_end_is_that_end():
+    for end in (1.0, 2.0):
+        g = Counted(lambda x, end=end: x - end)
+        assert root(g, 1.0, 2.0) == end
+        assert g.count == 2
+
+
+def test_a_root_may_be_as_inaccurate_as_is_asked():
+    g = Counted(lambda x: math.cos(x) - x)
+    assert root(g, 0.0, 2.0, 1e-2) == pytest.approx(0.739, abs=1e-2)
+    assert g.count <= 8
