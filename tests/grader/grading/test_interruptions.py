@@ -50,7 +50,7 @@ def test_a_killed_run_is_completed_by_the_next(fresh, course, route, moment):
     assert gradebook_rows(fresh) == gradebook_rows(course)
 
 
-def test_a_second_grader_at_the_same_time_is_told(fresh):
+def test_a_second_grader_at_the_same_time_is_reported(fresh):
     with alone(fresh):
         with pytest.raises(CourseError, match=r"another run is grading .* wait for its end"):
             grade(fresh, "ch04")

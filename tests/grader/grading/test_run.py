@@ -89,7 +89,7 @@ def test_what_is_no_notebook_is_refused_in_a_sentence(how):
         parse_notebook("ch04.ipynb", text.encode())
 
 
-def test_a_notebook_that_is_not_text_or_huge_is_told(fresh):
+def test_a_notebook_that_is_not_text_or_huge_is_reported(fresh):
     path = submit(fresh, "dan", "")
     path.write_bytes(b"\x89PNG\r\n\x1a\n\xff")
     assert "cannot be read" in grade(fresh, "ch04", ["dan"], workers=1)[0].problem
@@ -100,7 +100,7 @@ def test_a_notebook_that_is_not_text_or_huge_is_told(fresh):
     )
 
 
-def test_a_submission_named_differently_is_found_and_told(fresh):
+def test_a_submission_named_differently_is_found_and_reported(fresh):
     (fresh.path / "submitted/dan/ch04/ch04.ipynb").rename(
         fresh.path / "submitted/dan/ch04/Homework (1).ipynb"
     )
@@ -109,7 +109,7 @@ def test_a_submission_named_differently_is_found_and_told(fresh):
     assert "it holds Homework (1).ipynb; if that is the work, rename it" in result.problem
 
 
-def test_a_folder_of_somebody_unknown_is_told_and_gets_no_entry(fresh):
+def test_a_folder_of_somebody_unknown_is_reported_and_gets_no_entry(fresh):
     submit(fresh, "nobody", work(fresh, "dan"))
     code, out = command("grade", "ch04", "--course", fresh.path, "--workers", 1)
     assert code == 1
@@ -123,7 +123,7 @@ def test_a_folder_of_somebody_unknown_is_told_and_gets_no_entry(fresh):
 
 
 @pytest.mark.parametrize("route", ["grader", "nbgrader"])
-def test_an_assignment_that_was_not_released_is_told(fresh, route):
+def test_an_assignment_that_was_not_released_is_reported(fresh, route):
     shutil.rmtree(fresh.path / "release")
     if route == "grader":
         code, out = command("grade", "ch04", "--course", fresh.path)
@@ -138,7 +138,7 @@ def test_an_assignment_that_was_not_released_is_told(fresh, route):
         assert "there is no released ch04" in out
 
 
-def test_an_assignment_that_the_gradebook_does_not_know_is_told(fresh):
+def test_an_assignment_that_the_gradebook_does_not_know_is_reported(fresh):
     with fresh.gradebook() as book:
         book.remove_assignment("ch04")
     with pytest.raises(CourseError, match=r"the gradebook does not know ch04; generate it again"):

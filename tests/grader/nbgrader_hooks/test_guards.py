@@ -186,7 +186,7 @@ TIMES = {
 
 
 @pytest.mark.parametrize("how", TIMES)
-def test_a_time_of_submission_that_is_none_is_no_time(tmp_path, how):
+def test_an_unreadable_time_of_submission_is_no_time(tmp_path, how):
     from grader.submission.timestamps import read_timestamp
 
     TIMES[how](tmp_path / "timestamp.txt")
