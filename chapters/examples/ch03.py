@@ -148,7 +148,7 @@ def screw_jack_ball(ground: Frame, a: Scalar, K: Scalar, lead: Scalar, t: Scalar
 
 
 def screw_jack_time(turns: Scalar, K: Scalar) -> Scalar:
-    """The time (s) of so many turns of the screw-jack from rest (3.6): 2 sqrt(pi turns/K).
+    """The time (s) of this many turns of the screw-jack from rest (3.6): 2 sqrt(pi turns/K).
 
     >>> round(screw_jack_time(1, 10.0), 4)
     1.121

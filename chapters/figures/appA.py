@@ -61,7 +61,7 @@ def components():
                 s.arrow(tail, tip, f"$P_{name}$", "acceleration")
         s.arrow(O, (x, y, z), r"$\mathbf{P}$", "velocity")
 
-    def told(around, up):
+    def lengths(around, up):
         x, y, z = triple(around, up)
         return rf"$P_x = {x:.2f},\quad P_y = {y:.2f},\quad P_z = {z:.2f};\quad|\mathbf{{P}}|$ = 1"
 
@@ -72,7 +72,7 @@ def components():
         alt="A vector P of length one from the origin of three axes i, j, k. Three arrows along the "
         "axes, of the lengths of its components, lead head to tail from the origin to its tip.",
         size=(6.2, 4.6),
-        title=told,
+        title=lengths,
     )
 
 

@@ -81,7 +81,7 @@ def three_observers(build):
 
 
 def _surroundings(s, own, n, t):
-    """What rests beside the observer, or turns: the horse for the rider, the platform else."""
+    """What the observer sees at rest or turning: the horse for the rider, else the platform."""
     if n == 2:
         s.box(O, own, (0.4, 1.3, 0.5))
         return

@@ -94,18 +94,18 @@ def flight(jet, elevation):
 
 @with_sliders(
     Slider("elevation", 35, 10, 80, 5, label="γ₀", unit="°"),
-    Slider("gone", 25, 0, 100, 5, label="of the flight", unit="%"),
+    Slider("percent", 25, 0, 100, 5, label="of the flight", unit="%"),
     alt="A jet of water leaves a nozzle at the ground, up to the right at the angle gamma_0, and "
     "comes down on a parabola. The velocity of a particle is tangent to it; the acceleration "
     "has the same length and points straight down at every place.",
     size=(7.4, 4.4),
 )
-def jet(ax, build, elevation, gone):
+def jet(ax, build, elevation, percent):
     """Figure 2.3: the jet, from ``build(t, speed, elevation, g)``, its path."""
     _, speed, g = FEET
     ground, up = Frame("ground"), math.radians(elevation)
     time, places = flight(build, up)
-    t = time * gone / 100
+    t = time * percent / 100
     P = ground.point("P", *along(lambda t: build(t, speed, up, g), t))
     s = Sketch(ax, ground, plane="xy")
     s.road([(-1.5, 0, 0), (21, 0, 0)])
@@ -147,18 +147,18 @@ def turning_tangent(ax, turn):
 
 
 @with_sliders(
-    Slider("gone", 0, 0, 100, 5, label="of the flight", unit="%"),
+    Slider("percent", 0, 0, 100, 5, label="of the flight", unit="%"),
     alt="The parabola of the jet with a particle on it. A dashed arc of the circle of curvature "
     "follows the jet closely near the particle; its centre lies below. The circle is smallest "
     "when the particle is at the top. Tangential and normal acceleration are drawn.",
     size=(6.4, 6),
 )
-def curvature_of_the_jet(ax, build, gone):
+def curvature_of_the_jet(ax, build, percent):
     """Figure 2.5: the jet and its circle of curvature, from ``build(t, speed, elevation, g)``."""
     up, speed, g = FEET
     ground = Frame("ground")
     time, places = flight(build, up)
-    P = ground.point("P", *along(lambda t: build(t, speed, up, g), time * gone / 100))
+    P = ground.point("P", *along(lambda t: build(t, speed, up, g), time * percent / 100))
     here = frenet(P.velocity(ground), P.acceleration(ground))
     place, out = parts(P.position(ground)), parts(here.to_center.components(ground))
     centre = shifted(place, out)

@@ -226,8 +226,8 @@ def one_vector(ax, theta, phi):
         if abs(x) > 1e-9:
             s.arrow(start, tip, rf"$Q_{name}$", kind="acceleration")
     s.arrow(P, tip, r"$\mathbf{Q}$", kind="velocity")
-    told = ", ".join(f"{round(x, 2) + 0.0:.2f}" for x in parts)
-    ax.set_title(rf"$(Q_R,Q_\theta,Q_\phi)$ = ({told}); $|Q|$ = {Q.norm():.2f}", fontsize=11)
+    text = ", ".join(f"{round(x, 2) + 0.0:.2f}" for x in parts)
+    ax.set_title(rf"$(Q_R,Q_\theta,Q_\phi)$ = ({text}); $|Q|$ = {Q.norm():.2f}", fontsize=11)
 
 
 def tip_of(ground, place, v):

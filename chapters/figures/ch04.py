@@ -163,17 +163,17 @@ def small_turn(ax, turn):
 
 @with_sliders(
     Slider("r", 0.3, 0.1, 0.6, 0.05, unit="m"),
-    Slider("gone", 0, 0, 360, 5, label="gone round", unit="°"),
+    Slider("azimuth", 0, 0, 360, 5, label="azimuth", unit="°"),
     alt="A cone lies on a plane with its apex at O and rolls round the vertical axis Z. The "
     "velocity of the highest point P is twice that of the centre B, in the same direction; "
     "omega lies along the line of contact OC, alpha lies in the plane at right angles to it.",
 )
-def rolling_cone(ax, build, r, gone):
-    """Figure 4.6: the cone, from ``build(h, r, nu, gone)``, its frames."""
+def rolling_cone(ax, build, r, azimuth):
+    """Figure 4.6: the cone, from ``build(h, r, nu, azimuth)``, its frames."""
     h, nu = 0.4, 0.6
-    ground, carriage, axle, cone = build(h, r, nu, math.radians(gone))
+    ground, carriage, axle, cone = build(h, r, nu, math.radians(azimuth))
     round_Z = float(-carriage.angular_velocity(ground).z)
-    spun = math.radians(gone) * float(cone.angular_velocity(axle).x) / round_Z
+    spun = math.radians(azimuth) * float(cone.angular_velocity(axle).x) / round_Z
     B, C, P = (axle.point(name, h, 0, z) for name, z in (("B", 0), ("C", -r), ("P", r)))
     v_P = cone.point("P", h, 0, r).velocity(ground)
     s = Sketch(ax, ground, azimuth=-65, elevation=25)
@@ -196,9 +196,9 @@ def cone_film(build):
     time = 2 * math.pi * h**2 / (nu * math.hypot(h, r))
 
     def draw(t, ax):
-        gone = 2 * math.pi * t / time
-        ground, carriage, axle, cone = build(h, r, nu, gone)
-        spun = gone * float(cone.angular_velocity(axle).x / -carriage.angular_velocity(ground).z)
+        azimuth = 2 * math.pi * t / time
+        ground, carriage, axle, cone = build(h, r, nu, azimuth)
+        spun = azimuth * float(cone.angular_velocity(axle).x / -carriage.angular_velocity(ground).z)
         s = Sketch(ax, ground, azimuth=-65, elevation=25)
         s.ground(O, ground.k, size=1.1)
         s.cone(O, cone.i, length=h, radius=r)
@@ -390,11 +390,11 @@ def step_sizes(steps, errors, floor):
     ax.set(xlabel="step h (s)", ylabel="relative error of the acceleration")
     ax.legend(frameon=False, fontsize=9)
     best = {name: min(zip(found, steps, strict=True)) for name, found in errors.items()}
-    told = "; ".join(f"{name} {error:.0e} at h = {h:.0e} s" for name, (error, h) in best.items())
+    text = "; ".join(f"{name} {error:.0e} at h = {h:.0e} s" for name, (error, h) in best.items())
     show_figure(
         fig,
         alt="Error of an acceleration by finite differences against the step, on logarithmic "
-        f"scales: each curve falls and rises again. Least errors: {told}. The formula (4.18) has "
+        f"scales: each curve falls and rises again. Least errors: {text}. The formula (4.18) has "
         f"{floor:.0e}.",
     )
 

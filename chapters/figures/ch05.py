@@ -17,7 +17,7 @@ EARTH = 6.371e6  # m
 
 
 @with_sliders(
-    Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="light one has gone", unit="m"),
+    Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="path of the light one", unit="m"),
     Slider("ratio", 2, 1, 4, 1, label="heavy : light"),
     alt="Two skaters push each other off with a pole. The forces on them are equal, opposite and along the "
     "line that joins them. The heavy one moves less; the centre of mass G stays.",

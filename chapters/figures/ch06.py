@@ -396,10 +396,10 @@ def _throw_scene(s, C, r, u, t, inside):
     stars.
     """
     omega = math.sqrt(G / r)
-    gone = 0.0 if inside else omega * t
-    _rim(s, C, r, gone)
+    turned = 0.0 if inside else omega * t
+    _rim(s, C, r, turned)
     for angle, name in ((0.0, "thrower"), (math.pi, "friend")):
-        place = _rim_place(C, r, angle - gone)
+        place = _rim_place(C, r, angle - turned)
         s.dot(place)
         s.label(place, name, bold=False)
     s.line(_rim_place(C, r, 0.0), _rim_place(C, r, math.pi))  # the aim

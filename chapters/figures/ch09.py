@@ -219,8 +219,8 @@ def balancing(ax, build, x1, x2):
     weights = balancing_masses(body, A, B, planes, radius=0.1)
     s = in_bearings(ax, ground, shaft, A, B)
     draw_masses(s, shaft, body.parts, (x1 / 100, x2 / 100), weights)
-    told = ", ".join(f"{w.name}: {1000 * w.mass:.0f} g" for w in weights)
-    ax.set_title(told, fontsize=11)
+    text = ", ".join(f"{w.name}: {1000 * w.mass:.0f} g" for w in weights)
+    ax.set_title(text, fontsize=11)
 
 
 @with_sliders(

@@ -313,15 +313,15 @@ def draw_cones(s, ground, ratio, theta, psi, phi):
 @with_sliders(
     Slider("ratio", 0.4, 0.2, 1.9, 0.1, label="I/I₀"),
     Slider("theta", 35, 10, 60, 5, label="θ", unit="°"),
-    Slider("gone", 60, 0, 360, 10, label="gone round", unit="°"),
+    Slider("precession", 60, 0, 360, 10, label="precession ψ", unit="°"),
     alt="Two cones with one apex: the space cone about the fixed angular momentum H, the body "
     "cone about the axis z of the body. They touch along the angular velocity omega. For a "
     "slender body the body cone rolls on the outside of the space cone.",
     size=(6.4, 4.8),
 )
-def cones(ax, ratio, theta, gone):
+def cones(ax, ratio, theta, precession):
     """Figure 10.9: the body cone rolls on the space cone."""
-    ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(gone)
+    ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(precession)
     phi = psi * (1 - ratio) * math.cos(theta) / ratio
     draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
     sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "no spin"

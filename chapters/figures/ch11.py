@@ -38,7 +38,7 @@ def bars(ax, energies, low, high, unit="J"):
 
 
 def _name_scale(ax, name):
-    """Write it above the scale; beside it labels of the panel on the left may come near."""
+    """Write the name above the scale: labels of the panel on the left may come near its side."""
     ax.set_title(name, loc="left", fontsize=10)
 
 
@@ -56,8 +56,8 @@ def tug(pull, track, winch):
     forces = np.array([pull(*place, 0)[:2] for place in places], float)
     F_t = (forces * tangents).sum(axis=1)
 
-    def draw(axes, gone):
-        n = round(30 * gone)
+    def draw(axes, distance):
+        n = round(30 * distance)
         A = (*places[n], 0)
         sketch = Sketch(axes[0], Frame("ground"), plane="xy")
         sketch.path([(x, y, 0) for x, y in places])
@@ -68,12 +68,12 @@ def tug(pull, track, winch):
         for place, name in (((*winch, 0), "W"), (A, "A")):
             sketch.label(place, name)
         _area(axes[1], s, F_t, n)
-        U = work_along(pull, track, 0.0, gone).value if gone else 0.0
+        U = work_along(pull, track, 0.0, distance).value if distance else 0.0
         axes[1].set_title(f"work so far: {U:.1f} J", fontsize=11)
 
     interactive_figure(
         draw,
-        Slider("gone", 4, 0, 8, 0.25, label="x of the sledge", unit="m"),
+        Slider("distance", 4, 0, 8, 0.25, label="x of the sledge", unit="m"),
         alt="Left: a sledge A on a curved track, pulled by a rope towards the winch W; the force F "
         "points to W and dr along the track. Right: the component of F along the track against "
         "the distance covered, with the area so far filled; beyond the winch it is negative.",

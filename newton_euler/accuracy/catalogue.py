@@ -10,11 +10,11 @@ from matplotlib.figure import Figure
 from ..algebra.errors import ArgumentError
 from ..scenes import LADDERS, SCENES, ladder
 from .charts.comparisons import comparison_caption, draw_comparison, points_table
+from .charts.drawn import DrawnChart
 from .charts.islands import settled
 from .charts.maps import draw_choices, map_caption, map_table
 from .charts.methods import draw_methods, methods_caption
 from .charts.models import draw_models, measured_models, models_caption
-from .charts.shown import Shown
 from .measurements.comparisons import COMPARISONS
 from .measurements.regime_maps import MAPS
 from .measurements.work_precision import LONGEST, NAMES, TOLERANCES, work_precision
@@ -38,7 +38,7 @@ class Chart:
     name, title, kind : the kind is the heading in a list of all charts
     question : as :data:`METHOD`
     make : a function (quick, progress) that measures and draws, and returns a
-        :class:`~newton_euler.accuracy.charts.shown.Shown`
+        :class:`~newton_euler.accuracy.charts.drawn.DrawnChart`
     """
 
     name: str
@@ -102,7 +102,7 @@ def _scene(name, quick, progress):
     figure, title = Figure(), f"methods of integration on {name}, {found.scene.description}"
     draw_methods(found, figure)
     caption = methods_caption(found) + (ONLY_SOME if quick else "")
-    return Shown(title, found.points, caption, found.explain(), figure)
+    return DrawnChart(title, found.points, caption, found.explain(), figure)
 
 
 def _models(name, quick, progress, tolerance=None):
@@ -110,7 +110,7 @@ def _models(name, quick, progress, tolerance=None):
     points = measured_models(rungs, progress)
     draw_models(points, rungs, figure, tolerance)
     caption, title = models_caption(points, rungs, tolerance), f"models of {name}"
-    return Shown(title, tuple(points), caption, points_table(points, rungs.of), figure)
+    return DrawnChart(title, tuple(points), caption, points_table(points, rungs.of), figure)
 
 
 def _comparison(name, quick, progress):
@@ -118,7 +118,7 @@ def _comparison(name, quick, progress):
     points = comparison.measure(progress, quick)
     draw_comparison(comparison, points, figure)
     caption = comparison_caption(comparison, points)
-    return Shown(comparison.title, tuple(points), caption, points_table(points), figure)
+    return DrawnChart(comparison.title, tuple(points), caption, points_table(points), figure)
 
 
 def _map(name, quick, progress):
@@ -129,4 +129,4 @@ def _map(name, quick, progress):
     figure.set(layout_engine="constrained", size_inches=(10.0, 5.2))
     draw_choices(chart, found, figure.subplots())
     caption, table = map_caption(chart, found, smoothed), map_table(chart, found)
-    return Shown(chart.title, tuple(map(tuple, found)), caption, table, figure)
+    return DrawnChart(chart.title, tuple(map(tuple, found)), caption, table, figure)

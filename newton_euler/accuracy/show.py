@@ -9,12 +9,12 @@ from ..algebra.scalars import Scalar
 from .catalogue import MODEL, chart_named
 from .charts.axes import chart
 from .charts.comparisons import points_table, ways_caption
-from .charts.shown import Shown
+from .charts.drawn import DrawnChart
 from .measurements.comparisons import measured_ways
 
 
 @checked
-def show_chart(name: str, quick: bool = True, tolerance: float | None = None) -> Shown:
+def show_chart(name: str, quick: bool = True, tolerance: float | None = None) -> DrawnChart:
     """Measure, draw and display the chart of this name with a caption that is generated from what
     was measured; returns it, with its ``points`` and its ``caption``.
 
@@ -42,7 +42,7 @@ def compare(
     ways: Mapping[str, Callable[[], object]],
     exact: Scalar | Sequence[Scalar],
     title: str = "ways to one result",
-) -> Shown:
+) -> DrawnChart:
     """Measure, draw and display the cost and the error of several ways to one result, with a
     caption that is generated from what was measured; returns it, with its ``points``.
 
@@ -63,6 +63,6 @@ def compare(
     ax = figure.subplots()
     chart(points, ax)
     ax.set_title(title, fontsize=11)
-    found = Shown(title, tuple(points), ways_caption(points), points_table(points), figure)
+    found = DrawnChart(title, tuple(points), ways_caption(points), points_table(points), figure)
     found.show()
     return found

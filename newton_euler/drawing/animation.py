@@ -35,8 +35,8 @@ from ..algebra.scalars import clipped, real, scalar, to_plain
 from .page.recorder import share_window, sketches_on
 
 MAX_PICTURES = 600
-MAX_PIXELS = 300e6  # of all pictures together: about ten megabytes of HTML
-# of a picture. Measured: files a third as large as with all colours, and no visible difference
+MAX_PIXELS = 300e6  # in all pictures together: about ten megabytes of HTML
+# palette of a picture; measured: a third of the file with all colours, and no visible difference
 COLOURS = 128
 
 

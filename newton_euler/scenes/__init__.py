@@ -38,7 +38,7 @@ def __getattr__(name):
 
 def scene(name: str) -> catalogue.Scene:
     """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists all names if
-    there is none.
+    no scene has it.
     """
     return _found("SCENES", name)
 

@@ -10,7 +10,7 @@ from typing import Any
 from ...algebra.errors import ArgumentError, checked_but
 from .pictures import alt_text, bundle, show
 from .sliders import Slider
-from .stage import Stage, told
+from .stage import Stage, in_words
 
 MOST_SAMPLES = 90
 
@@ -27,7 +27,7 @@ def interactive_figure(
     """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments.
 
     draw : draws on one matplotlib Axes, by a Sketch on it or by its own plots, and returns nothing
-    alt : what can be seen in it, in 8 words or more; or a function of the values that says it
+    alt : what can be seen in it, in 8 words or more; or a function of the values that returns it
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one
     title : of the whole figure, or a function of the values
@@ -42,7 +42,8 @@ def interactive_figure(
     stage.rehearse([*_samples(sliders, bool(stage.sketches(start))), start])
 
     def picture(values, png=False):
-        words, image = alt_text(_said(alt, values)), stage.picture(values, _said(title, values))
+        words = alt_text(_for_values(alt, values))
+        image = stage.picture(values, _for_values(title, values))
         return bundle(image, words, stage.css_size, stage.png() if png else None)
 
     shown = show(picture(start, png=True), display_id=True)
@@ -55,14 +56,14 @@ def _check_names(sliders):
         raise ArgumentError(f"an interactive figure has sliders with different names; got {names}")
 
 
-def _said(text, values):
-    """The text, or what the function of the values says."""
+def _for_values(text, values):
+    """The text, or that which the function of the values returns."""
     return text(**values) if callable(text) else text
 
 
 def _samples(sliders, many):
     """Values of all sliders: a grid over their ranges, with its corners; or the corners alone,
-    which will do for plots, as they have no window to be found.
+    which is enough for plots, since they have no common window.
     """
     counts = (17, 9, 4, 3, 2) if many else (2,)
     count = next(n for n in counts if n ** len(sliders) <= MOST_SAMPLES or n == 2)
@@ -76,7 +77,7 @@ def _update(shown, picture, values):
     try:
         data, _ = picture(values)
     except Exception as error:
-        text = f"No picture for {told(values)}. {type(error).__name__}: {error}"
+        text = f"No picture for {in_words(values)}. {type(error).__name__}: {error}"
         data = {"text/html": f"<p>{escape(text)}</p>", "text/plain": text}
     shown.update(data, raw=True)
 

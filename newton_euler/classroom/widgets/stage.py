@@ -23,12 +23,12 @@ class Stage:
         self.figure = Figure(figsize=size)
         self.axes = self.figure.subplots(*_pair(panels, "panels", int))
         self._bare = [len(ax.get_children()) for ax in self.figure.axes]
-        self._plain = True  # there are nothing but sketches
+        self._plain = True  # nothing is drawn but sketches
         self._rehearsed = False
         self._window = self._one = None
 
     def rehearse(self, samples):
-        """Record the sketches of many pictures, which the window shall hold."""
+        """Record the sketches of many pictures, and find the window that holds them all."""
         from ...drawing.page.recorder import share_window
 
         sketches = [sketch for values in samples for sketch in self.sketches(values)]
@@ -38,11 +38,11 @@ class Stage:
             self._one, self._window = sketches[0], share_window(sketches)
 
     def sketches(self, values):
-        """The sketches of the picture for these values; none if it has plots alone."""
+        """The sketches of the picture for these values; empty if it has plots only."""
         try:
             return self._drawn(values)
         except Exception as error:
-            error.add_note(f"This came up while the picture for {told(values)} was drawn.")
+            error.add_note(f"This came up while the picture for {in_words(values)} was drawn.")
             raise
 
     def picture(self, values, title):
@@ -99,7 +99,7 @@ class Stage:
                 _remove_plots(ax)
 
     def _lay_out(self, sketches):
-        """Sketches fill the figure, but for titles; plots keep room for what stands beside."""
+        """Sketches fill the figure except for titles; plots keep room for the labels of axes."""
         if sketches:
             axes = self.figure.axes
             titled = any(ax.get_title() for ax in axes)
@@ -120,7 +120,7 @@ def _remove_plots(ax):
             artist.remove()
 
 
-def told(values):
+def in_words(values):
     """The values in words."""
     return ", ".join(f"{name} = {x:g}" for name, x in values.items())
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from ...algebra.vectors import FrameError, scale3, sub3
+from ...algebra.vectors import FrameError, dot3, scale3, sub3
 from ...kinematics.frames import Frame
 from ..page.primitives import SQUARE
 from ..page.projection import circle, moved, norm3, normal_of, on_plane, unit3
@@ -138,7 +138,7 @@ class Solids(Recorder):
         C, axis, r = self._place(C), self._unit(axis), self._length(radius)
         rim = self._rim(C, axis, r)
         outline = circle(C, self.view.eye, r)
-        half = [p for p in outline if sum(a * b for a, b in zip(sub3(p, C), axis, strict=True)) > 0]
+        half = [p for p in outline if dot3(sub3(p, C), axis) > 0]
         self._capped(self._extend(half), rim, scale3(-1, axis), open)
 
     def _capped(self, points, rim, outwards, is_open):

@@ -7,7 +7,7 @@ from ...algebra.vectors import FrameError, cross3, scale3, sub3
 from ..page.projection import between, moved, on_circle, on_plane, perpendicular_towards
 from ..page.recorder import Place, Recorder
 
-STEPS = 24  # of one coil
+STEPS = 24  # straight pieces of one coil
 
 
 class Springs(Recorder):
@@ -15,7 +15,7 @@ class Springs(Recorder):
 
     def spring(self, A: Place, B: Place, radius: float | None = None, coils: int = 8) -> None:
         """Draw a coil spring from A to B, as a zigzag; or with a ``radius`` in metres as a helix of
-        so many ``coils``, round a shaft for example.
+        this many ``coils``, for example round a shaft.
         """
         A, B = self._places(A, B)
         if radius is not None:

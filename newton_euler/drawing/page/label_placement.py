@@ -72,9 +72,7 @@ def label_shifts(canvas, half_of, edges, before):
 
 
 def placing_order(notes):
-    """The labels in the order in which they are placed: first those that stay where they are told
-    to.
-    """
+    """The labels in the order in which they are placed: those at a fixed offset first."""
     return sorted(notes, key=lambda note: note.fixed is None)
 
 

@@ -33,7 +33,7 @@ def faults(ax: Any) -> list[str]:
     sketches = sketches_on(ax)
     _draw(ax.figure)
     found = _label_faults(ax)
-    for drawn in (sketch.drawn for sketch in sketches):
+    for drawn in filter(None, (sketch.drawn for sketch in sketches)):
         found += [fault for triad in drawn.triads for fault in _alike(drawn, *triad)]
         found += _strays(ax, drawn)
     return found

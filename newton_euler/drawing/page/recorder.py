@@ -35,7 +35,7 @@ class Window:
     labels: dict = field(default_factory=dict)
 
 
-MAX_PLACES = 10**6  # of one curve
+MAX_PLACES = 10**6  # places of one curve at most
 
 
 class Recorder:
@@ -67,7 +67,8 @@ class Recorder:
         self._extent: list = []  # places that fit on the page
         self._longest: dict = {}  # of the arrows of each kind
         self._shortest = 0.25  # of the longest; less would be hard to see
-        self._pending, self._before, self._window = False, None, None
+        self._pending, self._before = False, None
+        self._window: Window | None = None  # that of an animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
 
     # -- conversion of places, directions and lengths
@@ -91,7 +92,7 @@ class Recorder:
             )
         try:
             v = v.components(self.frame) if isinstance(v, Vector) else v
-            if not hasattr(v, "__len__") or len(v) == 3:  # what has no end is not gone through
+            if not hasattr(v, "__len__") or len(v) == 3:  # an endless iterator is not read
                 v = tuple(v)
         except TypeError:
             v = (v,)
@@ -132,11 +133,11 @@ class Recorder:
 
     @staticmethod
     def _float(x):
-        """The number ``x`` as a float; of a quantity with a unit, or of text, none."""
+        """``x`` as a float; TypeError or ValueError for a quantity with a unit, and for text."""
         return float(to_plain(scalar(x)))
 
     def _or_default(self, x):
-        """A length in metres, or what stands for the default: None, or 0."""
+        """A length in metres; None and 0 stand for the default and are returned as they are."""
         return x if x is None or (isinstance(x, (int, float)) and not x) else self._length(x)
 
     def _several(self, places, what):
@@ -222,14 +223,14 @@ class Recorder:
         return canvas
 
 
-def laid_out(sketch, window):
+def laid_out(sketch: Recorder, window: Window) -> Canvas:
     """The canvas of the picture in this window, its strokes in the order of drawing."""
     canvas = sketch._canvas(window.pt, window.centre)
     canvas.strokes = painters_order(canvas)
     return canvas
 
 
-def sketches_on(ax):
+def sketches_on(ax: Any) -> list[Recorder]:
     """The sketches on these axes that are not rendered yet."""
     found, locator = [], ax.get_axes_locator()
     while isinstance(sketch := getattr(locator, "__self__", None), Recorder):
@@ -238,11 +239,11 @@ def sketches_on(ax):
     return found
 
 
-def share_window(sketches):
+def share_window(sketches: Sequence[Recorder]) -> Window:
     """Give one window to the sketches of many pictures of one size: one scale for all, and for all
     arrows of one kind. Returns it.
     """
-    longest = {}
+    longest: dict = {}
     for sketch in sketches:
         for kind, size in sketch._longest.items():
             longest[kind] = max(size, longest.get(kind, 0))
@@ -255,7 +256,7 @@ def share_window(sketches):
     return window
 
 
-def join_window(old, window, sketches):
+def join_window(old: Recorder, window: Window, sketches: Sequence[Recorder]) -> Window:
     """Give these sketches of one picture the window and the scale of arrows of ``old``, a sketch
     that has shared them. Returns the window, or a wider one where they would leave it.
     """

@@ -2,13 +2,16 @@
 sharp on every screen. For figures that are drawn anew while a slider is dragged.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 from .glyphs import outline
 from .label_placement import label_shifts
 from .primitives import BLACK, DASHES, FONT, STYLES
-from .recorder import laid_out
+from .recorder import Recorder, Window, laid_out
 
 
-def svg(figure, sketches, window):
+def svg(figure: Any, sketches: Sequence[Recorder], window: Window) -> str:
     """The SVG of a figure whose axes show nothing but ``sketches``, which share a window, and
     titles; matplotlib does not draw it.
     """

@@ -11,9 +11,10 @@ time.
 vertical plane, and in space.
 """
 
+from collections.abc import Callable
 from operator import attrgetter
 
-from ...algebra.scalars import atan2, cos, sin, sqrt, tan
+from ...algebra.scalars import Scalar, atan2, cos, sin, sqrt, tan
 from ...motion.model import Model, Neglected, is_absent
 from ..catalogue import scene
 from ..closed_forms.harmonic import constant_rate, uniform_acceleration
@@ -32,7 +33,10 @@ def _drag_of_scene(s, p, t):
     20.0, (50.0, 0.1, 0.0, 100.0),
     m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=25.0,
 )  # fmt: skip
-def vertical_flight(m, g, thrust=0, drag=0, lift=0):
+def vertical_flight(
+    m: Scalar, g: Scalar, thrust: Scalar | Callable = 0, drag: Scalar | Callable = 0,
+    lift: Scalar | Callable = 0,
+) -> Model:  # fmt: skip
     """The Model of flight in a vertical plane (6.3): states v, gamma, x, y (y up).
 
     Without thrust and drag the energy v^2/2 + g y is an invariant; without lift as well the
@@ -54,7 +58,10 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     (50.0, 0.0, 0.0, 0.0, 0.0, 100.0),
     m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=22.5, bank=0.5,
 )  # fmt: skip
-def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
+def flight(
+    m: Scalar, g: Scalar, thrust: Scalar | Callable = 0, drag: Scalar | Callable = 0,
+    lift: Scalar | Callable = 0, bank: Scalar | Callable = 0,
+) -> Model:  # fmt: skip
     """The Model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is
     that of :func:`vertical_flight`.
 
@@ -72,9 +79,10 @@ def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
 
 @scene("6.12", "aircraft", "straight, in a level turn, in a vertical plane, in space", ladder=True)
 def ladder(
-    m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05,
-    start=(60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t=20.0,
-):  # fmt: skip
+    m: Scalar = 1000.0, g: Scalar = 9.81, thrust: Scalar = 1000.0, lift: Scalar = 2.8,
+    drag: Scalar = 0.27, bank: Scalar = 0.05,
+    start: tuple[Scalar, ...] = (60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t: Scalar = 20.0,
+) -> Ladder:  # fmt: skip
     """The models of a flight at fixed controls, the coarsest first: a
     :class:`~newton_euler.scenes.ladders.Ladder` for the position, in m, until ``t``.
 

@@ -5,9 +5,10 @@ and a car on wheels against the air. The particle costs as much to compute as th
 needs fewer data.
 """
 
+from collections.abc import Callable
 from math import inf
 
-from ...algebra.scalars import atan, sin, sqrt
+from ...algebra.scalars import Scalar, atan, sin, sqrt
 from ...motion.model import Model, ModelError, Named, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import constant_rate, integrated_square
@@ -30,7 +31,10 @@ def _waves(s, p, t):
     m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.5, g=9.81, force=_constant_power,
     slope=_waves,
 )  # fmt: skip
-def car(m, wheel_mass, gyration, radius, air, g, force, slope, wheels=4):
+def car(
+    m: Scalar, wheel_mass: Scalar, gyration: Scalar, radius: Scalar, air: Scalar, g: Scalar,
+    force: Scalar | Callable, slope: Scalar | Callable, wheels: Scalar = 4,
+) -> Model:  # fmt: skip
     """The Model of a car whose wheels roll without slipping, against the air: states s, the
     distance up the hill, and v.
 
@@ -48,9 +52,10 @@ def car(m, wheel_mass, gyration, radius, air, g, force, slope, wheels=4):
 
 @scene("11.19", "car on a hill", "a particle, a car on wheels, air", ladder=True)
 def ladder(
-    m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81, force=2500.0, slope=0.08,
-    start=(0.0, 10.0), t=10.0,
-):  # fmt: skip
+    m: Scalar = 1200.0, wheel_mass: Scalar = 20.0, gyration: Scalar = 0.25, radius: Scalar = 0.3,
+    air: Scalar = 0.4, g: Scalar = 9.81, force: Scalar = 2500.0, slope: Scalar = 0.08,
+    start: tuple[Scalar, ...] = (0.0, 10.0), t: Scalar = 10.0,
+) -> Ladder:  # fmt: skip
     """The models of one start, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder`
     for the distance, in m, until ``t``.
 

@@ -9,7 +9,7 @@ below the level of its support.
 
 from dataclasses import replace
 
-from ...algebra.scalars import ZERO, sqrt
+from ...algebra.scalars import ZERO, Scalar, sqrt
 from ...algebra.vectors import add3, cross3, dot3, scale3
 from ...applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
 from ...motion.model import Model, Neglected
@@ -20,7 +20,7 @@ from .low_pressure import STATES, air_near_low
 PLACE = "place in plan, m"
 
 
-def any_swing(length, g):
+def any_swing(length: Scalar, g: Scalar) -> Model:
     """The Model for an Earth at rest, with swings of any size below the level of the support:
     states x, y, dx, dy.
 
@@ -33,7 +33,10 @@ def any_swing(length, g):
     return Model(name, parameters, STATES, _at_rest, neglects=(ROTATION,))
 
 
-def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
+def full(
+    length: Scalar, g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE,
+    radius: Scalar = EARTH_RADIUS,
+) -> Model:  # fmt: skip
     """The Model for swings of any size with all terms of (6.10): centrifugal acceleration and
     gravity are those at the position of the bob. States x, y, dx, dy.
     """
@@ -45,14 +48,10 @@ def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
     ladder=True,
 )  # fmt: skip
 def ladder(
-    length=67.0,
-    g=9.81,
-    latitude=0.8526,
-    rate=EARTH_RATE,
-    radius=EARTH_RADIUS,
-    start=(1.5, 0.0, 0.0, 0.0),
-    t=100.0,
-):
+    length: Scalar = 67.0, g: Scalar = 9.81, latitude: Scalar = 0.8526, rate: Scalar = EARTH_RATE,
+    radius: Scalar = EARTH_RADIUS, start: tuple[Scalar, ...] = (1.5, 0.0, 0.0, 0.0),
+    t: Scalar = 100.0,
+) -> Ladder:  # fmt: skip
     """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in plan, m.
 
     start : x, y, dx, dy; the default length and latitude are those of the Panthéon.

@@ -9,7 +9,7 @@ Foucault's pendulum.
 :func:`ladder` has three models: the Earth at rest, the Earth rotating, and friction as well.
 """
 
-from ...algebra.scalars import radians, sqrt
+from ...algebra.scalars import Scalar, radians, sqrt
 from ...applications.earth import EARTH_RATE, coriolis_parameter
 from ...motion.model import Model, Neglected, is_absent
 from ..catalogue import scene
@@ -36,7 +36,10 @@ DAY = 86_400.0  # s
     600.0, (3.0, 0.0, 0.0, 0.0),
     latitude=radians(48.85), pressure_gradient=9.81 / 67.0,
 )  # fmt: skip
-def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
+def air_near_low(
+    latitude: Scalar, pressure_gradient: Scalar = 0, friction: Scalar = 0,
+    rate: Scalar = EARTH_RATE,
+) -> Model:  # fmt: skip
     """The Model of a parcel of air (6.33): states x, y from the centre, and dx, dy, seen from the
     ground.
 
@@ -57,13 +60,10 @@ def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
 
 @scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
 def ladder(
-    latitude=0.8,
-    pressure_gradient=2e-9,
-    friction=1e-5,
-    rate=EARTH_RATE,
-    start=(0.0, -4e5, 8.0, 0.0),
-    t=10_800.0,
-):
+    latitude: Scalar = 0.8, pressure_gradient: Scalar = 2e-9, friction: Scalar = 1e-5,
+    rate: Scalar = EARTH_RATE, start: tuple[Scalar, ...] = (0.0, -4e5, 8.0, 0.0),
+    t: Scalar = 10_800.0,
+) -> Ladder:  # fmt: skip
     """The models of one parcel of air, the coarsest first: a
     :class:`~newton_euler.scenes.ladders.Ladder` for its position in m until ``t`` in s.
 
@@ -75,14 +75,15 @@ def ladder(
     ['air near a low, Earth at rest', 'air near a low, without friction', 'air near a low']
     """
     full = air_near_low(latitude, pressure_gradient, friction, rate)
-    still, smooth = (
-        Model(f"air near a low, {name}", full.parameters, STATES, *functions)
-        for name, *functions in (
-            ("Earth at rest", _still, _ENERGY, _still_exact, (ROTATION, FRICTION)),
-            ("without friction", _smooth, _INVARIANTS, _exact, (FRICTION,)),
-        )
+    name, given = "air near a low", full.parameters
+    still = Model(
+        f"{name}, Earth at rest", given, STATES, _still, _ENERGY, _still_exact, (ROTATION, FRICTION)
     )
-    return Ladder.of_models("air near a low", POSITION, t, start, ("x", "y"), still, smooth, full)
+    neglects = (FRICTION,)
+    smooth = Model(
+        f"{name}, without friction", given, STATES, _smooth, _INVARIANTS, _exact, neglects
+    )
+    return Ladder.of_models(name, POSITION, t, start, ("x", "y"), still, smooth, full)
 
 
 def _still(s, p, t):

@@ -16,6 +16,7 @@ import math
 from dataclasses import replace
 
 from ...algebra.scalars import (
+    Scalar,
     atan2,
     cos,
     epsilon,
@@ -47,7 +48,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
     "5.10", "planet, eccentric", "a comet that passes close to its sun: eccentricity 0.75",
     20.0, (0.6, 0.8, -0.4, 0.3), mu=1.0,
 )  # fmt: skip
-def orbit(mu):
+def orbit(mu: Scalar) -> Model:
     """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
     over mass, and the Laplace vector's two components.
 
@@ -184,7 +185,7 @@ def _halley(E, e, rest, M):
 # -- a satellite over the equator
 
 
-def circle(mu, r, sense=1):
+def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     """The Model of a circular orbit of radius r: its only state is the azimuth ``angle`` (rad);
     ``sense`` is 1 for counterclockwise, -1 for clockwise.
 
@@ -204,7 +205,7 @@ def circle(mu, r, sense=1):
     30_000.0, (7e6, 0.0, 0.0),
     mu=EARTH_GM, oblateness=EARTH_OBLATENESS, swept=7e6 * 7.6e3,
 )  # fmt: skip
-def over_equator(mu, oblateness, swept):
+def over_equator(mu: Scalar, oblateness: Scalar, swept: Scalar) -> Model:
     """The Model of a satellite over the equator of an oblate Earth: states r, r_rate and the
     azimuth ``angle``; ``swept`` is r^2 times the rate of the angle.
 
@@ -220,7 +221,10 @@ def over_equator(mu, oblateness, swept):
     "5.10", "satellite", "circle, Kepler's ellipse, ellipse that the Earth's bulge turns",
     ladder=True,
 )  # fmt: skip
-def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3), t=30_000.0):
+def ladder(
+    mu: Scalar = EARTH_GM, oblateness: Scalar = EARTH_OBLATENESS,
+    start: tuple[Scalar, ...] = (7e6, 0.0, 0.0, 7.6e3), t: Scalar = 30_000.0,
+) -> Ladder:  # fmt: skip
     """The three models, circle, ellipse and oblate Earth: a
     :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start``
     x, y, v_x, v_y.

@@ -19,7 +19,7 @@ projectile, full in air
 
 from operator import attrgetter
 
-from ...algebra.scalars import ZERO, cos, sqrt
+from ...algebra.scalars import ZERO, Scalar, cos, sqrt
 from ...algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
 from ...applications.earth import (
     EARTH_RADIUS,
@@ -42,7 +42,10 @@ START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # of the scenes
 LARGEST = 8
 
 
-def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+def flat(
+    g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
+    drag: Scalar = 0,
+) -> Model:  # fmt: skip
     """The Model of free fall with constant g on an Earth at rest. The other parameters only serve
     the bounds of what it neglects.
 
@@ -57,7 +60,10 @@ def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     "the shot with constant g and the Coriolis acceleration only",
     40.0, START, g=9.82, latitude=0.8,
 )  # fmt: skip
-def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+def coriolis(
+    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
+    drag: Scalar = 0,
+) -> Model:  # fmt: skip
     """The Model with the rotation to first order (6.24). The states vx, vy, vz are the velocity
     without the rotation.
     """
@@ -65,7 +71,10 @@ def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     return _model("Coriolis to first order", given, _turned, neglects, _turned_exact)
 
 
-def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+def plumb(
+    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
+    drag: Scalar = 0,
+) -> Model:  # fmt: skip
     """The Model with the effective gravity of the origin, constant, and the Coriolis acceleration
     (6.16); it has an exact solution.
     """
@@ -73,7 +82,10 @@ def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     return _model("Coriolis and effective gravity", given, _uniform, neglects, _uniform_exact)
 
 
-def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+def flat_in_air(
+    g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
+    drag: Scalar = 0,
+) -> Model:  # fmt: skip
     """The Model with constant g on an Earth at rest, with air."""
     return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
@@ -82,14 +94,20 @@ def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     "6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms",
     40.0, START, g=9.82, latitude=0.8,
 )  # fmt: skip
-def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+def full(
+    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
+    drag: Scalar = 0,
+) -> Model:  # fmt: skip
     """The Model with all terms of (6.10) and the attraction of a sphere (5.22). Invariants: energy,
     and angular momentum about the axis, in the inertial frame.
     """
     return _model("full", locals(), _full, (AIR,), None, _INVARIANTS)
 
 
-def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+def full_in_air(
+    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
+    drag: Scalar = 0,
+) -> Model:  # fmt: skip
     """The Model of :func:`full` with air that rotates with the Earth."""
     return _model("full in air", locals(), _full_in_air)
 
@@ -99,9 +117,10 @@ def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     ladder=True,
 )  # fmt: skip
 def ladder(
-    g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8,
-    start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0,
-):  # fmt: skip
+    g: Scalar = 9.82, latitude: Scalar = 0.8, rate: Scalar = EARTH_RATE,
+    radius: Scalar = EARTH_RADIUS, drag: Scalar = 1e-8,
+    start: tuple[Scalar, ...] = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t: Scalar = 10.0,
+) -> Ladder:  # fmt: skip
     """The models of one projectile, in the order of their cost, six, or four if ``drag`` is 0: a
     :class:`~newton_euler.scenes.ladders.Ladder` for the position until ``t``.
     """

@@ -12,7 +12,7 @@ the rotating station, and with the air.
 
 from dataclasses import replace
 
-from ...algebra.scalars import ZERO, sqrt
+from ...algebra.scalars import ZERO, Scalar, sqrt
 from ...algebra.vectors import add3, cross3, scale3
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
@@ -24,7 +24,7 @@ STATES = ("x", "y", "dx", "dy")
 CREEP = 0.01  # m/s, small against any throw, so that the drag has a derivative at rest
 
 
-def station_rate(g, radius):
+def station_rate(g: Scalar, radius: Scalar) -> Scalar:
     """The rate of rotation, rad/s, at which a body at the rim weighs as much as on the Earth:
     sqrt(g/radius).
 
@@ -38,7 +38,7 @@ def station_rate(g, radius):
     "6.7", "space station", "a body let go 20 m from the axis, until it is at the rim", 15.0,
     (20.0, 0.0, 0.0, 0.0), omega=-station_rate(9.81, 100.0),
 )  # fmt: skip
-def free_body(omega):
+def free_body(omega: Scalar) -> Model:
     """The Model of a free body seen in the station (6.10): states x, y along station axes from the
     axis of rotation, dx, dy seen there.
 
@@ -49,7 +49,7 @@ def free_body(omega):
     return Model("free body in a turning station", locals(), STATES, _rates, _INVARIANTS, _exact)
 
 
-def body_in_air(omega, air, creep=CREEP):
+def body_in_air(omega: Scalar, air: Scalar, creep: Scalar = CREEP) -> Model:
     """The Model of a body in the air, which rotates with the station: the drag over the mass is
     ``air`` times the square of the speed seen there. States as for :func:`free_body`.
 
@@ -64,7 +64,10 @@ def body_in_air(omega, air, creep=CREEP):
 
 
 @scene("6.7", "space station", "uniform gravity, the turning station, air", ladder=True)
-def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=1.0):
+def ladder(
+    omega: Scalar = -0.3, radius: Scalar = 100.0, air: Scalar = 0.002,
+    start: tuple[Scalar, ...] = (98.5, 0.0, -2.0, 1.0), t: Scalar = 1.0,
+) -> Ladder:  # fmt: skip
     """The models of a throw near (radius, 0) at the rim, the coarsest first: a
     :class:`~newton_euler.scenes.ladders.Ladder` for the position in m until t.
 

@@ -13,7 +13,7 @@ that is let go.
 from dataclasses import replace
 from math import copysign
 
-from ...algebra.scalars import acos, cos, is_numeric, max_abs, sin, sqrt, to_plain
+from ...algebra.scalars import Scalar, acos, cos, is_numeric, max_abs, sin, sqrt, to_plain
 from ...applications.gyroscopes import GyroError
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
@@ -24,7 +24,7 @@ ANGLE = "angle theta, rad"
 STATES = ("theta", "theta_rate")
 
 
-def rod(mass, length, omega, g):
+def rod(mass: Scalar, length: Scalar, omega: Scalar, g: Scalar) -> dict[str, Scalar]:
     """The parameters of the thin rod of the book: a dict for :func:`swing_out`, :func:`least_rate`
     and :func:`hinged`.
 
@@ -38,7 +38,7 @@ def rod(mass, length, omega, g):
     }
 
 
-def least_rate(weight_moment, inertia_difference, **_):
+def least_rate(weight_moment: Scalar, inertia_difference: Scalar, **_: Scalar) -> Scalar:
     """The rate sqrt(m g d/(I_n - I_r)) (rad/s) above which the body swings out; for the rod sqrt(3
     g/(2 L)). Up to it, hanging down is stable.
 
@@ -48,7 +48,9 @@ def least_rate(weight_moment, inertia_difference, **_):
     return sqrt(weight_moment / inertia_difference)
 
 
-def swing_out(weight_moment, inertia_difference, omega, **_):
+def swing_out(
+    weight_moment: Scalar, inertia_difference: Scalar, omega: Scalar, **_: Scalar
+) -> Scalar:
     """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g
     d/((I_n - I_r) omega^2)), (10.31) with I = 0.
 
@@ -67,7 +69,10 @@ def swing_out(weight_moment, inertia_difference, omega, **_):
     return acos(c)
 
 
-def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None):
+def stiffness(
+    theta: Scalar, weight_moment: Scalar, inertia_difference: Scalar, omega: Scalar,
+    about_hinge: Scalar | None = None,
+) -> Scalar:  # fmt: skip
     """The square of the angular frequency of small swings about theta, 0 or :func:`swing_out`;
     stable where it is positive.
 
@@ -88,7 +93,10 @@ def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None)
     12.0, (0.2, 0.5),
     **rod(3.0, 2.0, 4.0, 9.81),
 )  # fmt: skip
-def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
+def hinged(
+    weight_moment: Scalar, inertia_difference: Scalar, omega: Scalar,
+    about_hinge: Scalar | None = None,
+) -> Model:  # fmt: skip
     """The Model of swinging on a shaft at a constant rate: states theta and theta_rate; invariant
     the energy seen in the rotating frame.
 
@@ -99,7 +107,10 @@ def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
     return Model("hinged on a turning shaft", locals(), STATES, _rates, {"energy": _energy})
 
 
-def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_hinge=None):
+def on_free_shaft(
+    weight_moment: Scalar, inertia_difference: Scalar, omega: Scalar, shaft: Scalar, theta: Scalar,
+    about_hinge: Scalar | None = None,
+) -> Model:  # fmt: skip
     """The Model of swinging on a shaft without moment, whose rate is ``omega`` when the angle is
     ``theta``: states as for :func:`hinged`.
 
@@ -120,7 +131,10 @@ def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_
 
 
 @scene("10.7", "turning shaft", "small swings, any swings, a shaft that is let go", ladder=True)
-def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0), t=4.0):
+def ladder(
+    mass: Scalar = 3.0, length: Scalar = 2.0, omega: Scalar = 4.0, g: Scalar = 9.81,
+    shaft: Scalar = 400.0, start: tuple[Scalar, ...] = (1.3, 0.0), t: Scalar = 4.0,
+) -> Ladder:  # fmt: skip
     """The models of the thin rod on a shaft, the coarsest first: a
     :class:`~newton_euler.scenes.ladders.Ladder` for theta, in rad, until ``t``.
 

@@ -11,7 +11,7 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from ...algebra.scalars import asin, cos, scalar, sin, sqrt, where
+from ...algebra.scalars import Scalar, asin, cos, scalar, sin, sqrt, where
 from ...motion.model import Model, Neglected, comparable
 from ..catalogue import scene
 from ..closed_forms.elliptic import counted, coupled
@@ -30,7 +30,7 @@ STATES = ("theta", "omega")
     "11.17", "pendulum, over the top", "a rigid pendulum released near the upright position",
     15.0, (3.1, 0.0), m=2.0, I=0.5, l=0.5, g=10.0,
 )  # fmt: skip
-def physical_pendulum(m, I, l, g):
+def physical_pendulum(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
     """The Model of the pendulum: states theta and omega; the energy (11.32) is an
     invariant.
 
@@ -84,7 +84,7 @@ def _exact(s, p, t):
 # -- smaller models
 
 
-def small_swings(m, I, l, g):
+def small_swings(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
     """The Model of the body at small angles, a harmonic oscillator; states as for
     :func:`physical_pendulum`.
 
@@ -94,7 +94,7 @@ def small_swings(m, I, l, g):
     return Model("pendulum, small swings", locals(), STATES, _small, {}, _small_exact, (SINE,))
 
 
-def particle(m, l, g, I=0):
+def particle(m: Scalar, l: Scalar, g: Scalar, I: Scalar = 0) -> Model:
     """The Model of the mathematical pendulum, with the whole mass at the distance l from the axis.
     I only serves the bound of what it neglects.
 
@@ -110,7 +110,10 @@ def particle(m, l, g, I=0):
 
 
 @scene("11.17", "physical pendulum", "small swings, a particle, a rigid body", ladder=True)
-def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
+def ladder(
+    m: Scalar = 1.0, I: Scalar = 0.002, l: Scalar = 1.0, g: Scalar = 9.81,
+    start: tuple[Scalar, ...] = (0.3, 0.0), t: Scalar = 10.0,
+) -> Ladder:  # fmt: skip
     """The three models, small swings, particle and body: a
     :class:`~newton_euler.scenes.ladders.Ladder` for theta in rad, until ``t`` after the start
     (theta, omega).

@@ -10,7 +10,7 @@ against the air. The block costs as much to compute as the sphere, but needs no 
 
 from dataclasses import replace
 
-from ...algebra.scalars import integer_like, radians, sin
+from ...algebra.scalars import Scalar, integer_like, radians, sin
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import constant_rate, integrated_square
@@ -24,7 +24,7 @@ STATES = ("x", "v")
     "11.15", "sphere on an incline", "a sphere that rolls down a plane of 30 degrees",
     2.0, (1.0, 0.5), slope=radians(30.0), g=9.8,
 )  # fmt: skip
-def rolling_down(slope, g, k=None):
+def rolling_down(slope: Scalar, g: Scalar, k: Scalar | None = None) -> Model:
     """The Model of rolling straight down a plane of inclination ``slope`` (rad): states x, down the
     plane, and v; invariant the energy over mass.
 
@@ -40,7 +40,7 @@ def rolling_down(slope, g, k=None):
     )
 
 
-def rolling_in_air(slope, g, air, k=None):
+def rolling_in_air(slope: Scalar, g: Scalar, air: Scalar, k: Scalar | None = None) -> Model:
     """The Model of rolling down against a drag ``air`` m v^2; air (1/m) is rho C_D A/(2 m). v is
     not negative.
 
@@ -58,7 +58,10 @@ def rolling_in_air(slope, g, air, k=None):
     "11.15", "sphere on an incline",
     "a block that slides without friction, rolling, rolling in air", ladder=True,
 )  # fmt: skip
-def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
+def ladder(
+    slope: Scalar = 0.3, g: Scalar = 9.81, air: Scalar = 2e-3, k: Scalar = 0.4,
+    start: tuple[Scalar, ...] = (0.0, 0.0), t: Scalar = 5.0,
+) -> Ladder:  # fmt: skip
     """The models of one run, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for
     the distance, in m, until ``t``.
 
@@ -85,7 +88,7 @@ def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
 
 
-def inertia_ratio(like, k):
+def inertia_ratio(like: Scalar, k: Scalar | None) -> Scalar:
     """``k``, or if it is None that of a solid sphere, 2/5, exactly in the kind of number of
     ``like``.
     """

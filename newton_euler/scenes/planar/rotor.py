@@ -7,9 +7,10 @@ psi is the angle of rotation, from the downward vertical to the x axis of the bo
 it.
 """
 
+from collections.abc import Callable
 from operator import attrgetter
 
-from ...algebra.scalars import cos, sin, sqrt
+from ...algebra.scalars import Scalar, cos, sin, sqrt
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import constant_rate
@@ -24,7 +25,9 @@ STATES = ("psi", "omega")
     8.0, (0.0, 0.0),
     mass=2.0, x=0.1, y=0.0, I=0.5, g=10.0, moment=2.5,
 )  # fmt: skip
-def turning_rotor(mass, x, y, I, g, moment=0):
+def turning_rotor(
+    mass: Scalar, x: Scalar, y: Scalar, I: Scalar, g: Scalar, moment: Scalar | Callable = 0
+) -> Model:
     """The Model of the rotation under a moment M about the shaft (9.10): states psi and omega.
 
     x, y : coordinates of G in the body's axes; I about the axis of the shaft; moment : a number or
@@ -38,7 +41,10 @@ def turning_rotor(mass, x, y, I, g, moment=0):
 
 
 @scene("9.5", "rotor", "constant rate, no weight, dead weight", ladder=True)
-def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0), t=20.0):
+def ladder(
+    mass: Scalar = 20.0, x: Scalar = 2e-4, y: Scalar = 0.0, I: Scalar = 0.5, g: Scalar = 9.81,
+    moment: Scalar = 0.5, start: tuple[Scalar, ...] = (0.0, 10.0), t: Scalar = 20.0,
+) -> Ladder:  # fmt: skip
     """The models of a rotor that a constant moment turns, the coarsest first: a
     :class:`~newton_euler.scenes.ladders.Ladder` for psi, in rad, until ``t``.
 

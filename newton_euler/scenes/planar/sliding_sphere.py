@@ -8,6 +8,7 @@ has a closed form, :func:`newton_euler.chapters.examples.ch08.rolling_begins`; a
 right-hand side with sign(slip) would chatter. The mass cancels.
 """
 
+from ...algebra.scalars import Scalar
 from ...motion.model import Model
 from ..catalogue import scene
 from ..closed_forms.harmonic import uniform_acceleration
@@ -20,7 +21,9 @@ STATES = ("x", "v", "omega")
     "8.6", "sliding sphere", "a sphere thrown without spin, until it begins to roll",
     1.0, (0.0, 7.0, 0.0), mu=0.2, g=10.0, radius=0.5,
 )  # fmt: skip
-def sliding(mu, g, radius, k=None, sense=1):
+def sliding(
+    mu: Scalar, g: Scalar, radius: Scalar, k: Scalar | None = None, sense: Scalar = 1
+) -> Model:
     """The Model of the sphere while it slides: states x, v, omega.
 
     k : moment of inertia over m r^2; default: 2/5 of a sphere; 1/2 for a cylinder
@@ -39,7 +42,7 @@ def sliding(mu, g, radius, k=None, sense=1):
     "8.6", "rolling sphere", "a sphere that rolls on the level",
     2.0, (6.0, 5.0, -10.0), radius=0.5,
 )  # fmt: skip
-def rolling(radius, k=None):
+def rolling(radius: Scalar, k: Scalar | None = None) -> Model:
     """The Model of the sphere while it rolls on the level, where only x changes; states as for
     :func:`sliding`.
 

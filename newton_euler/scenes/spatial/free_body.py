@@ -14,7 +14,7 @@ ellipse (a circle for the symmetric body), or run away where z is the axis of th
 moment.
 """
 
-from ...algebra.scalars import is_finite, is_numeric, max_abs, sqrt, where
+from ...algebra.scalars import Scalar, is_finite, is_numeric, max_abs, sqrt, where
 from ...algebra.vectors import dot3
 from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
@@ -35,12 +35,12 @@ STATES = "w_x", "w_y", "w_z"
     "10.8", "free body, calm", "a spin near the axis of the least moment",
     20.0, (1.0, 0.1, 0.4), I_x=1.0, I_y=1.5, I_z=2.2,
 )  # fmt: skip
-def free_body(I_x, I_y, I_z):
+def free_body(I_x: Scalar, I_y: Scalar, I_z: Scalar) -> Model:
     """The Model of the free body: states w_x, w_y, w_z along its principal axes (rad/s); invariants
     ``energy`` and ``momentum``, the size of H.
 
     The numbers given are taken as exact, and the exact solution is right to a few round-offs of t
-    times the rate of the motion, wherever it starts: beside the separatrix, on it, or at rest about
+    times the rate of the motion, wherever it starts: near the separatrix, on it, or at rest about
     an axis. t, and the states, may be arrays; expressions raise
     :class:`~newton_euler.motion.model.ModelError`.
 
@@ -120,7 +120,7 @@ def _gap(k, I, w):
 # -- a wobble about the axis of spin
 
 
-def symmetric_wobble(I_x, I_y, I_z, spin):
+def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
     """The Model with the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the
     constant rate about z.
 
@@ -138,7 +138,7 @@ def symmetric_wobble(I_x, I_y, I_z, spin):
     )
 
 
-def small_wobble(I_x, I_y, I_z, spin):
+def small_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
     """The Model to first order in its states w_x and w_y; ``spin`` is the constant rate about z.
 
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
@@ -148,7 +148,10 @@ def small_wobble(I_x, I_y, I_z, spin):
 
 
 @scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
-def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
+def ladder(
+    I_x: Scalar = 1.0, I_y: Scalar = 1.02, I_z: Scalar = 1.5,
+    start: tuple[Scalar, ...] = (0.1, 0.0, 5.0), t: Scalar = 10.0,
+) -> Ladder:  # fmt: skip
     """The three models, symmetric body, small wobble and free body: a
     :class:`~newton_euler.scenes.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the
     start.

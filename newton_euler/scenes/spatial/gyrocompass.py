@@ -1,6 +1,6 @@
 """The gyrocompass (10.11): a gyroscope whose axis is kept level swings about north."""
 
-from ...algebra.scalars import cos, sin
+from ...algebra.scalars import Scalar, cos, sin
 from ...motion.model import Model
 from ..catalogue import scene
 
@@ -10,7 +10,9 @@ from ..catalogue import scene
     120.0, (1.0, 0.0),
     I0=0.002, I=0.003, omega_z=1000.0, earth_rate=7.292e-5, latitude=0.8,
 )  # fmt: skip
-def gyrocompass(I0, I, omega_z, earth_rate, latitude):
+def gyrocompass(
+    I0: Scalar, I: Scalar, omega_z: Scalar, earth_rate: Scalar, latitude: Scalar
+) -> Model:
     """The Model of a gyroscope whose axis is kept level, which swings about north: states azimuth
     (rad, from north) and azimuth_rate.
 

@@ -12,7 +12,7 @@ bar swings like a simple pendulum of the length 2 L/3. Friction is a moment agai
 
 from dataclasses import replace
 
-from ...algebra.scalars import ZERO, cos, sin
+from ...algebra.scalars import ZERO, Scalar, cos, sin
 from ...algebra.vectors import add3, scale3
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
@@ -31,7 +31,7 @@ PLACE = "place of the tip in plan, m"
     8.0, (cos(1.2), sin(1.2), 0.0, 0.0, 0.1, 0.7),
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
-def pendulum(mass, length, g):
+def pendulum(mass: Scalar, length: Scalar, g: Scalar) -> Model:
     """The Model of the pendulum without a singular position, a
     :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
 
@@ -46,7 +46,7 @@ def pendulum(mass, length, g):
     8.0, (2.0, 0.0),
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
-def nodding(mass, length, g, theta, precession):
+def nodding(mass: Scalar, length: Scalar, g: Scalar, theta: Scalar, precession: Scalar) -> Model:
     """The Model of the angle theta alone, for a start at ``theta`` (rad, from the upward vertical)
     with this rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
 
@@ -63,7 +63,7 @@ def nodding(mass, length, g, theta, precession):
 # -- the tip in plan
 
 
-def small_swings(length, g):
+def small_swings(length: Scalar, g: Scalar) -> Model:
     """The Model of small swings without friction, on an ellipse: states x, y, dx, dy of the tip.
 
     >>> small_swings(3.0, 10.0).derivative((0.1, -0.2, 0.0, 0.2))
@@ -73,7 +73,7 @@ def small_swings(length, g):
     return replace(damped, name="bar, small swings", neglects=(SIZE, FRICTION))
 
 
-def small_swings_with_friction(length, g, friction):
+def small_swings_with_friction(length: Scalar, g: Scalar, friction: Scalar) -> Model:
     """The Model of small swings with friction, on an ellipse that shrinks; friction is below 2
     sqrt(3 g/(2 length)), the critical damping.
     """
@@ -82,14 +82,14 @@ def small_swings_with_friction(length, g, friction):
     )
 
 
-def any_swing(length, g):
+def any_swing(length: Scalar, g: Scalar) -> Model:
     """The Model of any swing below the level of the joint, without friction: that of a bob on a
     cord with the gravity 3 g/2.
     """
     return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
 
 
-def any_swing_with_friction(length, g, friction):
+def any_swing_with_friction(length: Scalar, g: Scalar, friction: Scalar) -> Model:
     """The Model of any swing with friction: states x, y, dx, dy of the tip."""
     return Model("bar, any swing with friction", locals(), STATES, _full)
 
@@ -98,7 +98,10 @@ def any_swing_with_friction(length, g, friction):
     "10.4", "spherical pendulum", "small swings and any, with friction in the joint or without",
     ladder=True,
 )  # fmt: skip
-def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
+def ladder(
+    length: Scalar = 1.0, g: Scalar = 9.81, friction: Scalar = 0.02,
+    start: tuple[Scalar, ...] = (0.05, 0.0, 0.0, 0.1), t: Scalar = 5.0,
+) -> Ladder:  # fmt: skip
     """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position of the tip
     in plan, m, from the ``start`` x, y, dx, dy.
 

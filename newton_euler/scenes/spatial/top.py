@@ -11,7 +11,7 @@ the vertical.
 from dataclasses import replace
 from operator import attrgetter
 
-from ...algebra.scalars import cos, sin, sqrt, tan
+from ...algebra.scalars import Scalar, cos, sin, sqrt, tan
 from ...algebra.vectors import dot3
 from ...kinematics.rotations import (
     apply,
@@ -39,7 +39,9 @@ def tilted(theta):
     return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
 
-def momentum_difference(I0, I, theta, precession, omega_z):
+def momentum_difference(
+    I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, omega_z: Scalar
+) -> Scalar:
     """p_psi - p_phi: the constant by which the angular momentum about the vertical exceeds that
     about the axis, I omega_z.
 
@@ -60,7 +62,9 @@ def momentum_difference(I0, I, theta, precession, omega_z):
     10.0, (0.6, 0.0),
     **TOP, momentum_difference=momentum_difference(1.0, 1.5, 0.6, 0.0, SPIN),
 )  # fmt: skip
-def nutation(I0, I, mgr, omega_z, momentum_difference):
+def nutation(
+    I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar, momentum_difference: Scalar
+) -> Model:
     """The Model of the nutation alone (10.24), with the cyclic angles eliminated: states theta,
     theta_rate; invariant the energy, less that of spin.
 
@@ -111,7 +115,7 @@ def _nutation_energy(s, p, t):
     "10.5", "top, angles", "the nutating top in Euler's angles",
     10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP,
 )  # fmt: skip
-def euler(I0, I, mgr, omega_z):
+def euler(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
     """The Model of the top in Euler angles (10.25): states psi, theta, phi, psi_rate, theta_rate;
     invariants energy and p_psi. Singular at theta = 0 and pi.
 
@@ -146,7 +150,7 @@ def _euler_vertical(s, p, t):
 
 
 @scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
-def nonspinning_frame(I0, I, mgr, omega_z):
+def nonspinning_frame(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
     """The Model of the top in a frame that follows its axis and does not rotate about it, (10.20)
     with Omega_z = 0: it has no singular position and no fast angle.
 
@@ -198,7 +202,7 @@ _NONSPINNING_INVARIANTS = {
     "10.5", "top, attitude", "the nutating top by the quaternion of the body",
     10.0, tilted(0.6), **TOP,
 )  # fmt: skip
-def attitude(I0, I, mgr, omega_z):
+def attitude(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
     """The Model of the top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself,
     for animations, with the fewest operations.
 
@@ -229,7 +233,7 @@ def _attitude_rates(s, p, t):
     "10.8", "free symmetric body", "a football, with its attitude",
     10.0, (1.0, 0.0, 0.0, 0.0, 0.8, 0.0), I0=3.0, I=1.0, omega_z=6.0,
 )  # fmt: skip
-def free(I0, I, omega_z):
+def free(I0: Scalar, I: Scalar, omega_z: Scalar) -> Model:
     """The Model of a symmetric body without moment (10.35), (10.36): the states of
     :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.
 

@@ -10,7 +10,7 @@ which are singular where the axis is vertical, and by the quaternion, which is n
 from contextlib import suppress
 from operator import attrgetter
 
-from ...algebra.scalars import cos, sin
+from ...algebra.scalars import Scalar, cos, sin
 from ...applications.gyroscopes import GyroError, steady_precession
 from ...kinematics.rotations import (
     euler_matrix,
@@ -29,7 +29,7 @@ DIRECTION = "direction of the axis, rad"
 RATES = "w_x", "w_y", "w_z"
 
 
-def top_slow_precession(I, mgr, omega_z, theta):
+def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) -> Model:
     """The Model of steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi;
     theta is constant.
 
@@ -44,7 +44,9 @@ def top_slow_precession(I, mgr, omega_z, theta):
     )
 
 
-def top_steady_precession(I0, I, mgr, omega_z, theta):
+def top_steady_precession(
+    I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar
+) -> Model:
     """The Model of steady precession (10.33) at the slow one of its two rates.
     :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
 
@@ -60,7 +62,9 @@ def top_steady_precession(I0, I, mgr, omega_z, theta):
     )
 
 
-def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
+def top_precession_and_nutation(
+    I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar, momentum_difference: Scalar
+) -> Model:
     """The Model of nutation (10.24) with its precession: states theta, theta_rate, psi;
     parameters as for :func:`newton_euler.scenes.spatial.top.nutation`.
     """
@@ -75,7 +79,7 @@ def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
     )
 
 
-def asymmetric_top_euler_angles(I0, I, mgr, asymmetry):
+def asymmetric_top_euler_angles(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Scalar) -> Model:
     """The Model of the body with unequal moments in Euler angles: states psi, theta, phi, and the
     body rates w_x, w_y, w_z. Singular at theta = 0 and pi.
     """
@@ -83,7 +87,7 @@ def asymmetric_top_euler_angles(I0, I, mgr, asymmetry):
     return Model("top of unequal moments, Euler's angles", given, states, _euler)
 
 
-def asymmetric_top_quaternion(I0, I, mgr, asymmetry):
+def asymmetric_top_quaternion(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Scalar) -> Model:
     """The Model of the body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y,
     w_z.
     """
@@ -94,9 +98,10 @@ def asymmetric_top_quaternion(I0, I, mgr, asymmetry):
     "10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True
 )
 def ladder(
-    I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, precession=0.34,
-    asymmetry=1e-3, t=1.0,
-):  # fmt: skip
+    I0: Scalar = 0.02, I: Scalar = 0.01, mgr: Scalar = 0.5, omega_z: Scalar = 150.0,
+    theta: Scalar = 0.6, theta_rate: Scalar = 0.0, precession: Scalar = 0.34,
+    asymmetry: Scalar = 1e-3, t: Scalar = 1.0,
+) -> Ladder:  # fmt: skip
     """The five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the
     axis, a unit vector, so its errors are angles.
 
@@ -187,5 +192,5 @@ def _quaternion(s, p, t):
 
 
 NUTATION = Neglected("the nutation", None, DIRECTION)
-NO_TRANSVERSE = Neglected("I0 psi' cos(theta) beside I omega_z", None, DIRECTION)
+NO_TRANSVERSE = Neglected("I0 psi' cos(theta) against I omega_z", None, DIRECTION)
 ASYMMETRY = Neglected("the difference of the transverse moments", None, DIRECTION)

@@ -8,7 +8,7 @@ import pytest
 
 from newton_euler.accuracy import compare, show_chart
 from newton_euler.accuracy.catalogue import QUICK_METHODS
-from newton_euler.accuracy.charts import models, shown
+from newton_euler.accuracy.charts import drawn, models
 from newton_euler.accuracy.charts.comparisons import ways_caption
 from newton_euler.accuracy.measurements.measure import Measured
 from newton_euler.algebra.errors import ArgumentError
@@ -18,7 +18,7 @@ from newton_euler.algebra.errors import ArgumentError
 def displayed(monkeypatch):
     """What a notebook would show: alt texts and the HTML of captions."""
     seen = []
-    monkeypatch.setattr(shown, "show_figure", lambda figure, alt: seen.append(alt))
+    monkeypatch.setattr(drawn, "show_figure", lambda figure, alt: seen.append(alt))
     page = SimpleNamespace(HTML=str, display=seen.append)
     monkeypatch.setitem(__import__("sys").modules, "IPython.display", page)
     return seen

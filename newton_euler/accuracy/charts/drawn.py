@@ -1,6 +1,4 @@
-"""One chart as it is shown: a picture, with a caption and a text in its place, all generated from
-the points that were measured.
-"""
+"""A chart as drawn: picture, caption, alternative text and table, all from the same points."""
 
 from dataclasses import dataclass, field
 from html import escape
@@ -10,14 +8,14 @@ from ...classroom import show_figure
 
 
 @dataclass(frozen=True, eq=False)
-class Shown:
+class DrawnChart:
     """A chart that was measured and drawn.
 
-    title : what it is about
+    title : its subject
     points : what was measured, a tuple; of a map, the choices
     caption : sentences that follow from the points
-    table : the points as text, which ``print`` shows
-    figure : of matplotlib
+    table : the points as text, which ``print`` writes
+    figure : a Figure of matplotlib
     """
 
     title: str
@@ -28,7 +26,7 @@ class Shown:
 
     @property
     def alt(self) -> str:
-        """The text that stands for the picture."""
+        """The alternative text of the picture."""
         return f"Chart: {self.title}. {self.caption}"
 
     def show(self) -> None:
