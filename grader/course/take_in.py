@@ -103,7 +103,7 @@ def owners(name: str, students: Mapping[str, Names]) -> list[str]:
 
 def _is_named(own, words):
     return any(_holds(words, i) for i in own["ids"]) or (
-        own["name"] and (own["name"] <= set(words) or _run_together(own["name"], words))
+        own["name"] and (own["name"] <= set(words) or any(_joins(w, own["name"]) for w in words))
     )
 
 
@@ -112,8 +112,8 @@ def _holds(words, wanted):
     return any(words[k : k + n] == wanted for k in range(len(words) - n + 1))
 
 
-def _run_together(name, words):
-    return any(len(w) == sum(map(len, name)) and all(part in w for part in name) for w in words)
+def _joins(word, name):
+    return len(word) == sum(map(len, name)) and all(part in word for part in name)
 
 
 def _chosen(entries, assignment, students, result):
