@@ -135,9 +135,7 @@ def worst(runs, count=20):
 
 
 def answers(runs):
-    """The runs as :class:`~newton_euler.accuracy.measurements.honesty.Answer`, for the chart of honesty, without
-    the methods that a model cannot use.
-    """
+    """The runs as answers of the chart of honesty, without the methods that a model cannot use."""
     return [
         Answer(
             r.row,
