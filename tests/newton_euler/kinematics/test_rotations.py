@@ -564,7 +564,7 @@ def test_one_bad_instant_among_many_is_refused():
         axis_angle(R)
 
 
-def test_rounded_entries_are_accepted_if_their_tolerance_is_said():
+def test_rounded_entries_are_accepted_within_the_given_tolerance():
     R = [[round(x, 3) for x in row] for row in rotation_matrix((1.0, 2.0, 3.0), 0.8)]
     with pytest.raises(RotationError, match="tolerance="):
         axis_angle(R)
