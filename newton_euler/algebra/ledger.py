@@ -8,7 +8,7 @@ import itertools
 import operator
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Generic, TypeVar
 
@@ -323,7 +323,7 @@ class Amount(NamedTerms):
     """
 
     value: Scalar
-    terms: Mapping[str, Scalar] = ()  # type: ignore[assignment]
+    terms: Terms = field(default_factory=Terms)
     what: str = "work"
     number: str = "11.1"
     error: float = 0.0
