@@ -105,7 +105,7 @@ def _test(sheet: Sheet, cell: Cell, seen: str) -> Job:
 
 
 def _forms(task: Task) -> dict[str, str]:
-    return task.forms or {a.key: nb.form(a) for a in task.exercise.answers}
+    return task.forms or {a.key: str(a.form) for a in task.exercise.answers}
 
 
 def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
@@ -123,10 +123,7 @@ def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
             f"the notebook ended by itself in the cell of {unread[0]}; answers that came later "
             "were not read"
         )
-        receipts = {
-            **receipts,
-            unread[0]: {"id": unread[0], "answers": None, "faults": None, "error": PROCESS_ENDED},
-        }
-    return Executed(
-        receipts, result["tests"], result["errors"], result["sandbox"], "; ".join(notes)
-    )
+        lost: Receipt = {"id": unread[0], "answers": None, "faults": None, "error": PROCESS_ENDED}
+        receipts[unread[0]] = lost
+    note = "; ".join(notes)
+    return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)
