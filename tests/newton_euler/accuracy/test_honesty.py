@@ -71,8 +71,8 @@ def liar(monkeypatch):
 
 
 def test_answers_have_the_true_error_and_the_estimate(liar):
-    told = [(a.method, a.asked, a.error, a.estimate) for a in liar[:5]]
-    assert told == [
+    output = [(a.method, a.asked, a.error, a.estimate) for a in liar[:5]]
+    assert output == [
         ("auto", 1e-3, 5e-4, 1e-3),
         ("auto", 1e-6, 3e-6, 5e-6),
         ("auto", 1e-9, 4e-4, 1e-10),
@@ -119,14 +119,14 @@ def test_a_method_that_takes_long_is_asked_for_no_more_digits():
 
 
 def test_progress_is_reported_scene_by_scene_and_never_goes_back():
-    told = []
-    honesty((SCENE, "low"), (1e-3,), ("exact", "auto"), progress=lambda *now: told.append(now))
-    assert [words for _, words in told] == [
+    output = []
+    honesty((SCENE, "low"), (1e-3,), ("exact", "auto"), progress=lambda *now: output.append(now))
+    assert [words for _, words in output] == [
         *(f"{SCENE}: {m}" for m in ("exact", "auto")),
         *(f"low: {m}" for m in ("exact", "auto")),
     ]
-    assert all(a < b for (a, _), (b, _) in pairwise(told))
-    assert 0 <= told[0][0] < told[-1][0] < 1
+    assert all(a < b for (a, _), (b, _) in pairwise(output))
+    assert 0 <= output[0][0] < output[-1][0] < 1
 
 
 # -- what is counted
@@ -319,10 +319,10 @@ def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsy
     path = tmp_path / "new" / "picture.svg"
     options = "--scene", "Sphere-on-an-incline", "--methods", "exact, auto", "--quick"
     assert run("honesty", *options, "--out", str(path)) == 0
-    told = capsys.readouterr()
-    assert f"written: {path} and {path.with_suffix('.csv')}" in told.out
-    assert {line.split()[0] for line in told.out.splitlines()[1:3]} == {"exact", "auto"}
-    assert not told.err  # progress is for terminals
+    output = capsys.readouterr()
+    assert f"written: {path} and {path.with_suffix('.csv')}" in output.out
+    assert {line.split()[0] for line in output.out.splitlines()[1:3]} == {"exact", "auto"}
+    assert not output.err  # progress is for terminals
     picture = path.read_text(encoding="utf-8")
     assert picture.lstrip().startswith("<?xml")
     with open(path.with_suffix(".csv"), newline="", encoding="utf-8") as file:
@@ -355,7 +355,7 @@ def test_what_does_not_exist_is_refused_with_what_does(options, words, capsys):
 
 def test_help_explains_the_chart_and_the_list_names_it(capsys):
     assert run("honesty", "--help") == 0
-    told = capsys.readouterr().out
-    assert all(word in told for word in ("met %", "covers %", "est/true", "ring", "cross"))
+    output = capsys.readouterr().out
+    assert all(word in output for word in ("met %", "covers %", "est/true", "ring", "cross"))
     assert run("--list") == 0
     assert "honesty --help" in capsys.readouterr().out

@@ -86,10 +86,10 @@ def test_no_module_of_scenes_that_makes_a_model_is_forgotten():
         sys.setprofile(None)
         print(*seen, sep="\\n")
     """
-    told = subprocess.run(
+    output = subprocess.run(
         [sys.executable, "-c", program], cwd=ROOT, check=True, capture_output=True, text=True
     ).stdout
-    assert modules - set(told.splitlines()) == set()
+    assert modules - set(output.splitlines()) == set()
 
 
 def test_a_scene_that_does_not_exist_is_refused_with_those_that_do():
@@ -150,15 +150,15 @@ def apart(a, b):
 @pytest.fixture(scope="module")
 def swing():
     """The pendulum by a few methods."""
-    told = []
+    output = []
     found = work_precision(
         "pendulum",
         (1e-3, 1e-6, 1e-9),
         ("dop853", "lie-poisson4", "yoshida6", "auto"),
         longest=math.inf,  # the points shall not depend on how busy the machine is
-        progress=lambda *now: told.append(now),
+        progress=lambda *now: output.append(now),
     )
-    return found, told
+    return found, output
 
 
 def test_measured_errors_are_those_of_direct_integration(swing):
@@ -207,7 +207,7 @@ def test_methods_that_a_scene_cannot_use_have_no_points(swing):
     assert all(p.cost > 0 for p in found.points)
 
 
-def test_progress_is_told_and_never_goes_back(swing):
+def test_progress_is_reported_and_never_goes_back(swing):
     fractions = [fraction for fraction, _ in swing[1]]
     assert all(a <= b for a, b in pairwise(fractions))
     assert 0 <= fractions[0] < fractions[-1] <= 1
@@ -215,20 +215,20 @@ def test_progress_is_told_and_never_goes_back(swing):
 
 
 def test_the_table_has_all_numbers_and_the_ratios_of_auto(swing):
-    told = swing[0].explain()
-    assert told.count("yoshida6 ") >= 3
+    output = swing[0].explain()
+    assert output.count("yoshida6 ") >= 3
     for rtol, (ratio, best) in swing[0].ratios.items():
         assert best in ("dop853", "yoshida6")
-        assert f"auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" in told
+        assert f"auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" in output
 
 
-def test_a_method_that_takes_long_is_asked_for_no_more_digits_and_that_is_said():
+def test_a_method_that_takes_long_is_asked_for_no_more_digits_and_named():
     found = work_precision("sphere on an incline", (1e-3, 1e-4), ("dop853",), longest=0.0)
     assert [p.asked for p in found.points] == [1e-3]
     assert found.too_slow["dop853"].startswith("not asked for less than 1e-03, which took")
 
 
-def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_that_is_said():
+def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_is_named():
     found = work_precision("rolling sphere", (1e-6, 1e-7, 1e-8), ("verlet",), longest=math.inf)
     assert METHODS["verlet"].min_rtol == 1e-7
     assert [p.asked for p in found.points] == [1e-6, 1e-7]
@@ -267,7 +267,7 @@ def run(*arguments):
 
 def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
     assert run("--list") == 0
-    told = capsys.readouterr().out
+    output = capsys.readouterr().out
     names = list(charts())
     assert len({re.sub("[^a-z]", "", n.lower()) for n in names}) == len(names)
     assert set(names) == {
@@ -276,14 +276,14 @@ def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
         *COMPARISONS,
         *(f"map of {n}" for n in MAPS),
     }
-    assert all(f"  {name} " in told for name in names)
+    assert all(f"  {name} " in output for name in names)
 
 
 def test_an_unknown_name_is_refused_with_the_list(capsys, tmp_path):
     assert run("top", "topp", "--out", str(tmp_path)) == 2
-    told = capsys.readouterr()
-    assert "no chart 'topp'" in told.err
-    assert "models of projectile" in told.err
+    output = capsys.readouterr()
+    assert "no chart 'topp'" in output.err
+    assert "models of projectile" in output.err
     assert not list(tmp_path.iterdir())
 
 
@@ -301,23 +301,23 @@ def test_with_models_only_ladders_are_known(capsys):
 )
 def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
     assert run(name, "--quick", "--format", "svg", "--out", str(tmp_path / "new")) == 0
-    told = capsys.readouterr()
-    assert f"written: {tmp_path / 'new' / file}" in told.out
-    assert "time" in told.out
-    assert not told.err  # progress is for terminals
+    output = capsys.readouterr()
+    assert f"written: {tmp_path / 'new' / file}" in output.out
+    assert "time" in output.out
+    assert not output.err  # progress is for terminals
     assert (tmp_path / "new" / file).read_text().lstrip().startswith("<?xml")
 
 
 def test_the_module_runs_as_a_program():
-    told = subprocess.run(
+    output = subprocess.run(
         [sys.executable, "-W", "error", "-m", "newton_euler.accuracy", "--help"],
         cwd=ROOT,
         check=True,
         capture_output=True,
         text=True,
     )
-    assert "models of projectile" in told.stdout
-    assert not told.stderr
+    assert "models of projectile" in output.stdout
+    assert not output.stderr
 
 
 @pytest.mark.parametrize("package", ["click", "rich"])
@@ -326,9 +326,11 @@ def test_without_click_or_rich_it_says_what_to_install(package):
         f"import runpy, sys; sys.modules[{package!r}] = None; "
         "runpy.run_module('newton_euler.accuracy', run_name='__main__')"
     )
-    told = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True)
-    assert told.returncode == 1
-    assert told.stderr == (
+    output = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True
+    )
+    assert output.returncode == 1
+    assert output.stderr == (
         f"python -m newton_euler.accuracy needs the package {package}: pip install "
         "'newton-euler[course]'\n"
     )
@@ -336,6 +338,6 @@ def test_without_click_or_rich_it_says_what_to_install(package):
 
 def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
     assert run("map of steady precession", "--quick", "--out", str(tmp_path)) == 0
-    told = capsys.readouterr().out
-    assert "none: it nutates" in told
+    output = capsys.readouterr().out
+    assert "none: it nutates" in output
     assert (tmp_path / "map-of-steady-precession.png").stat().st_size > 10_000

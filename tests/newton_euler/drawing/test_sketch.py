@@ -1,4 +1,4 @@
-"""Drawing: to scale and right-handed, finished by itself, mistakes told in words."""
+"""Drawing: to scale and right-handed, finished by itself, mistakes output in words."""
 
 import io
 import math
