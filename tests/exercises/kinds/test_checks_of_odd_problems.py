@@ -3,66 +3,44 @@ stops at the digits of its numbers, with mistakes that cannot be told apart.
 """
 
 from dataclasses import replace
-from types import SimpleNamespace
 
-import pytest
 import sympy
 from mpmath import findroot, mp, mpf
 
 from exercises import problem
-from exercises.catalogue import Answer, Given, variants
+from exercises.catalogue import Answer, Given
 from exercises.catalogue.checks import alike, check
 from newton_euler import atan, pi, sin, sqrt
 
-EMPTY = replace(
-    problem("4/16"), id="7/28", givens={}, symbols={}, mistakes={}, struck={}, checked={}
-)
 LENGTH = Answer("x", "number", "m", "a length")
 RADIUS = Given("r", 0.3, "m", "radius", (0.2, 0.4))
-
-
-@pytest.fixture
-def problem_with(monkeypatch):
-    """A function that makes a problem of these data and this code."""
-
-    def make(solve, prove, wrong=lambda g: {}, **data):
-        p = replace(EMPTY, **data)
-        vars(p)["code"] = SimpleNamespace(solve=solve, prove=prove, mistakes=wrong)
-        monkeypatch.setattr(variants, "problem", lambda _: p)
-        variants._compiled.cache_clear()
-        return p
-
-    yield make
-    variants._compiled.cache_clear()
 
 
 # -- without numbers
 
 
-def cone(solve, prove, problem_with):
+def cone(solve, prove, made):
     answers = (Answer("alpha", "number", "deg", "half angle of the cone"),)
-    return problem_with(
-        lambda g: {"alpha": solve(g)}, lambda g: {"alpha": prove(g)}, answers=answers
-    )
+    return made(lambda g: {"alpha": solve(g)}, lambda g: {"alpha": prove(g)}, answers=answers)
 
 
 def by_search(g):
     return findroot(lambda x: 4 * mp.sin(x) ** 2 - mp.cos(x) ** 2, mpf("0.5"))
 
 
-def test_a_problem_without_numbers_is_solved_in_fifty_digits_and_as_a_formula(problem_with):
-    p = cone(lambda g: atan(sqrt(g.one) / 2), by_search, problem_with)
+def test_a_madeout_numbers_is_solved_in_fifty_digits_and_as_a_formula(made):
+    p = cone(lambda g: atan(sqrt(g.one) / 2), by_search, made)
     assert check(p, seeds=3) == []
     assert p.formulas()["alpha"] == sympy.atan(sympy.Rational(1, 2)) * 180 / sympy.pi
 
 
-def test_a_float_in_a_problem_without_numbers_is_caught(problem_with):
-    (fault,) = check(cone(lambda g: atan(0.5), by_search, problem_with))
+def test_a_float_in_a_madeout_numbers_is_caught(made):
+    (fault,) = check(cone(lambda g: atan(0.5), by_search, made))
     assert fault.startswith("alpha: solve in 50 digits and prove differ")
 
 
 def test_one_has_the_kind_of_the_givens_and_stays_when_they_change():
-    p = replace(EMPTY, givens={"r": RADIUS})
+    p = replace(problem("4/16"), givens={"r": RADIUS}, symbols={})
     with mp.workdps(40):
         g = p.base({"r": mpf("0.3")}).but(r=mpf(2))
         assert sqrt(3 * g.one) ** 2 - 3 < mpf(10) ** -38
@@ -70,14 +48,14 @@ def test_one_has_the_kind_of_the_givens_and_stays_when_they_change():
     assert isinstance(p.base({"r": sympy.Symbol("r")}).one, sympy.Integer)
 
 
-def test_what_does_not_vary_is_proved_once(problem_with):
+def test_what_does_not_vary_is_proved_once(made):
     proofs = []
 
     def prove(g):
         proofs.append(g)
         return by_search(g)
 
-    p = cone(lambda g: atan(g.one / 2), prove, problem_with)
+    p = cone(lambda g: atan(g.one / 2), prove, made)
     check(p, seeds=1)
     once = len(proofs)
     check(p, seeds=50)
@@ -87,20 +65,20 @@ def test_what_does_not_vary_is_proved_once(problem_with):
 # -- digits and zero
 
 
-def test_a_proof_that_stops_at_the_digits_of_its_numbers_has_fifty(problem_with):
+def test_a_proof_that_stops_at_the_digits_of_its_numbers_has_fifty(made):
     digits = []
 
     def prove(g):
         digits.append(mp.dps)
         return {"x": g.r}
 
-    check(problem_with(lambda g: {"x": g.r}, prove, givens={"r": RADIUS}, answers=(LENGTH,)))
+    check(made(lambda g: {"x": g.r}, prove, givens={"r": RADIUS}, answers=(LENGTH,)))
     assert set(digits) == {50}
 
 
-def nothing(offset, problem_with):
+def nothing(offset, made):
     """A problem whose key is zero up to round-off in ``solve``, and ``offset`` in ``prove``."""
-    return problem_with(
+    return made(
         lambda g: {"x": g.r * sin(pi(g.r))},
         lambda g: {"x": mpf(offset)},
         givens={"r": RADIUS},
@@ -108,21 +86,21 @@ def nothing(offset, problem_with):
     )
 
 
-def test_a_key_of_zero_holds_up_to_its_absolute_tolerance(problem_with):
-    assert check(nothing("1e-30", problem_with), seeds=2) == []
-    assert check(nothing("0", problem_with), seeds=2) == []
+def test_a_key_of_zero_holds_up_to_its_absolute_tolerance(made):
+    assert check(nothing("1e-30", made), seeds=2) == []
+    assert check(nothing("0", made), seeds=2) == []
 
 
-def test_a_key_of_zero_that_the_proof_denies_is_caught(problem_with):
-    faults = check(nothing("1e-7", problem_with))
+def test_a_key_of_zero_that_the_proof_denies_is_caught(made):
+    faults = check(nothing("1e-7", made))
     assert faults[0].startswith("x: solve in floats and prove differ by 1.0e+00 of its size")
 
 
 # -- mistakes that cannot be told apart
 
 
-def test_two_mistakes_with_the_same_wrong_answer_are_a_warning(problem_with):
-    p = problem_with(
+def test_two_mistakes_with_the_same_wrong_answer_are_a_warning(made):
+    p = made(
         lambda g: {"x": g.r},
         lambda g: {"x": g.r},
         lambda g: {"twice": {"x": 2 * g.r}, "diameter": {"x": g.r + g.r}, "half": {"x": g.r / 2}},
@@ -135,8 +113,8 @@ def test_two_mistakes_with_the_same_wrong_answer_are_a_warning(problem_with):
     assert warning.startswith("the mistakes twice and diameter give the same wrong x")
 
 
-def test_mistakes_that_agree_only_by_chance_are_no_warning(problem_with):
-    p = problem_with(
+def test_mistakes_that_agree_only_by_chance_are_no_warning(made):
+    p = made(
         lambda g: {"x": g.r},
         lambda g: {"x": g.r},
         lambda g: {"tenfold": {"x": 10 * g.r}, "three": {"x": 0 * g.r + 3}},

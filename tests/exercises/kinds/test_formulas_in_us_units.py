@@ -2,14 +2,10 @@
 symbols that are positive where their range is, without components that vanish.
 """
 
-from dataclasses import replace
-from types import SimpleNamespace
-
 import pytest
 import sympy
 
-from exercises import problem
-from exercises.catalogue import Answer, Symbol, variants
+from exercises.catalogue import Answer, Symbol
 from exercises.catalogue.checks import check
 from newton_euler import Frame, cos, sin, sqrt
 from newton_euler.algebra.units import SI, US, Dimension, Unit, UnitError
@@ -20,23 +16,12 @@ def symbols(**units):
     return {n: Symbol(n, u, (low.get(n, 0.5), 1.2)) for n, u in units.items()}
 
 
-EMPTY = replace(problem("4/16"), id="8/6", givens={}, mistakes={}, struck={}, checked={})
-
-
 @pytest.fixture
-def problem_with(monkeypatch):
+def problem_with(made):
     """A function that makes a problem of this code, these symbols and answers."""
-
-    def make(solve, units, answers, prove=None):
-        p = replace(EMPTY, symbols=symbols(**units), answers=tuple(answers))
-        code = SimpleNamespace(solve=solve, prove=prove or solve, mistakes=lambda g: {})
-        vars(p)["code"] = code
-        monkeypatch.setattr(variants, "problem", lambda _: p)
-        variants._compiled.cache_clear()
-        return p
-
-    yield make
-    variants._compiled.cache_clear()
+    return lambda solve, units, answers: made(
+        solve, symbols=symbols(**units), answers=tuple(answers)
+    )
 
 
 WHEEL = {"r": "ft", "e": "ft", "theta": "rad", "g": "ft/s^2"}

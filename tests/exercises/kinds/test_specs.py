@@ -8,7 +8,6 @@ import yaml
 from exercises.catalogue import CatalogueError
 from exercises.catalogue.format import read_problem
 from exercises.catalogue.specs import mistake_names, write_chapter
-from grader.commands.exercises import new
 
 SPEC = """\
 # Chapter 2: planar kinematics. Problems 2/1 .. 2/2.
@@ -113,9 +112,3 @@ def test_a_problem_that_does_not_fit_the_format_is_told_and_nothing_is_written(s
 def test_names_of_mistakes_are_identifiers_and_differ():
     names = mistake_names(["takes 2*omega x v the other way", "takes 2*omega x v", "2 for 3"])
     assert list(names) == ["takes_omega_x_v", "takes_omega_x_v_2", "mistake"]
-
-
-def test_the_command_prints_the_paths(spec, capsys):
-    to = str(spec.parent / "to")
-    new.main(["ch02", "--spec", str(spec), "--to", to, "--only", "2/1"], standalone_mode=False)
-    assert capsys.readouterr().out.split() == [f"{to}/ch02/p01.yaml", f"{to}/ch02/p01.py"]

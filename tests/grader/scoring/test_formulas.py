@@ -4,6 +4,7 @@ import pytest
 
 from exercises.catalogue import problem
 from exercises.catalogue.variants import POINTS
+from grader.scoring import score_receipt
 from grader.scoring.numbers import Numbers, numbers_of
 from newton_euler.answers.tolerance import is_right
 from newton_euler.answers.trees import NODES
@@ -86,3 +87,13 @@ def test_all_formulas_of_a_receipt_share_the_operations():
     half = ["+", SPEED, *[["*", 0, OMEGA] for _ in range(NODES // 5)]]
     parts = judged(problem("4/2"), {"speed": half, "acc_mag": half})
     assert [part.verdict for part in parts.values()] == ["right", "unreadable"]
+
+
+def test_a_number_beside_formulas_is_one_number():
+    """And not one for each point at which the formulas are compared."""
+    p = problem("A/9")
+    answers = {"dudt": [["*", 4, "t"], ["*", 6, "t"], ["+", ["*", 2, "t"], -1]]}
+    parts = score_receipt(p, p.book_values, {"answers": {**answers, "dudt_1": [8, 12, 3]}}).parts
+    assert [x.verdict for x in parts] == ["right", "right"]
+    wrong = score_receipt(p, p.book_values, {"answers": {"dudt_1": [8, 11, 3]}}).parts[1]
+    assert wrong.diagnosis.startswith("keeps the constant along j")

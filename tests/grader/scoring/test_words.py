@@ -1,0 +1,79 @@
+"""Words and counts: scored, and diagnosed by the listed mistakes."""
+
+from dataclasses import replace
+
+import pytest
+
+from exercises.catalogue import variants
+from grader.reports.diagnoses import diagnosis_shares
+from grader.scoring import numbers, score_receipt
+from newton_euler.answers.diagnosis import OR
+from tests.exercises.kinds.thrown import (
+    DOF,
+    SENSE,
+    SLIPS,
+    SPEED,
+    THROWN,
+    ball,
+    mistakes,
+    sense,
+    solve,
+)
+from tests.making import made as made
+
+
+@pytest.fixture(autouse=True)
+def scored_problem(made, monkeypatch):
+    """What is made is found by scoring, too."""
+    kept = (numbers._without_givens, numbers._of_book, numbers._traced_key, numbers._traced_wrong)
+    monkeypatch.setattr(numbers, "find_problem", lambda problem_id: variants.problem(problem_id))
+    for of_problems in kept:
+        of_problems.cache_clear()
+    yield
+    for of_problems in kept:
+        of_problems.cache_clear()
+
+
+def scored(p, **answers):
+    parts = score_receipt(p, p.book_values, {"answers": answers}).parts
+    return {x.key: x for x in parts if x.key in answers}
+
+
+def test_a_listed_wrong_word_is_named(made):
+    part = scored(ball(made), sense="falls")["sense"]
+    assert (part.verdict, part.points, part.diagnosis) == ("wrong", 0, SLIPS["downward"])
+    assert part.message == "not right; it fits a solution that takes downward as positive"
+
+
+def test_a_listed_wrong_count_is_named_with_all_mistakes_that_give_it(made):
+    slips = {"fixed": "forgets that the hook moves", "rigid": "takes the rope for a rod"}
+    p = made(
+        lambda g: {"dof": lambda: 3},
+        wrong=lambda g: {"fixed": {"dof": 2}, "rigid": {"dof": 2}},
+        answers=(DOF,),
+        mistakes=slips,
+    )
+    assert scored(p, dof=3)["dof"].verdict == "right"
+    assert scored(p, dof=2)["dof"].diagnosis == OR.join(slips.values())
+    assert scored(p, dof=7)["dof"].diagnosis is None
+    assert scored(p, dof=True)["dof"].diagnosis is None
+
+
+def test_every_listed_mistake_in_a_word_is_named_in_the_report(made):
+    p = ball(made)
+    assert diagnosis_shares([p], 1)[p.id] == {"named": 4}
+
+
+def test_a_word_that_follows_from_a_wrong_number_earns_its_share(made):
+    """Who has the speed wrong has the sense right that goes with it."""
+    answers = (replace(SPEED, weight=1.0), replace(SENSE, follow_through=0.5))
+
+    def ordered(g):
+        found = solve(g)
+        return {"v": found["v"], "sense": found["sense"]}
+
+    p = made(ordered, wrong=mistakes, answers=answers, givens=THROWN, mistakes=SLIPS)
+    p.code.follows = {"sense": lambda g, v: sense(v)}
+    v, word = score_receipt(p, p.book_values, {"answers": {"v": -2.0, "sense": "falls"}}).parts
+    assert (v.verdict, word.verdict, word.points) == ("wrong", "wrong", 0.5)
+    assert "follows from your v" in word.message
