@@ -1,4 +1,4 @@
-"""honesty.py and its chart: what counts as a promise kept, what is drawn where, and the command."""
+"""measurements/honesty.py, charts/honesty.py: what counts as a promise kept, what is drawn where, and the command."""
 
 import csv
 import math
@@ -10,7 +10,6 @@ import pytest
 from matplotlib.figure import Figure
 
 from newton_euler.accuracy.charts.honesty import PROMISE, draw_honesty
-from newton_euler.accuracy.command import main
 from newton_euler.accuracy.measurements import honesty as measuring
 from newton_euler.accuracy.measurements.honesty import (
     COLUMNS,
@@ -302,60 +301,3 @@ def test_what_is_wrong_without_measure_is_drawn_at_the_edge():
     _, promise, estimate, _ = drawn([answer(error=math.inf), answer("ok", estimate=math.inf)])
     assert PROMISE[1] in [x for x, _ in marks(promise)]
     assert len(marks(estimate)) == 2
-
-
-# -- the command
-
-
-def run(*arguments):
-    """Its exit code."""
-    with pytest.raises(SystemExit) as end:
-        main(arguments, prog_name="python -m newton_euler.accuracy")
-    return end.value.code
-
-
-def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(measuring, "timed_run", lambda run, method: (run(), 1e-3, 1e-3))
-    path = tmp_path / "new" / "picture.svg"
-    options = "--scene", "Sphere-on-an-incline", "--methods", "exact, auto", "--quick"
-    assert run("honesty", *options, "--out", str(path)) == 0
-    output = capsys.readouterr()
-    assert f"written: {path} and {path.with_suffix('.csv')}" in output.out
-    assert {line.split()[0] for line in output.out.splitlines()[1:3]} == {"exact", "auto"}
-    assert not output.err  # progress is for terminals
-    picture = path.read_text(encoding="utf-8")
-    assert picture.lstrip().startswith("<?xml")
-    with open(path.with_suffix(".csv"), newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    assert tuple(rows[0]) == COLUMNS
-    assert {r["problem"] for r in rows} == {SCENE}
-    assert [float(r["asked"]) for r in rows if r["method"] == "exact"] == [
-        1e-3,
-        1e-5,
-        1e-7,
-        1e-9,
-        1e-11,
-    ]
-    assert all(float(r["error"]) < 1e-14 for r in rows if r["method"] == "exact")
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (("--scene", "topp"), "there is no 'topp'; there are planet; "),
-        (("--methods", "dop"), "there is no 'dop'; there are exact; taylor"),
-        (("--out", "honesty.txt"), "a picture ends in .png, .svg or .pdf, got 'honesty.txt'"),
-        (("--scene", SCENE, "--methods", "lie-poisson4"), "none of these methods can be used"),
-    ],
-)
-def test_what_does_not_exist_is_refused_with_what_does(options, words, capsys):
-    assert run("honesty", *options) == 2
-    assert words in capsys.readouterr().err
-
-
-def test_help_explains_the_chart_and_the_list_names_it(capsys):
-    assert run("honesty", "--help") == 0
-    output = capsys.readouterr().out
-    assert all(word in output for word in ("met %", "covers %", "est/true", "ring", "cross"))
-    assert run("--list") == 0
-    assert "honesty --help" in capsys.readouterr().out
