@@ -2,87 +2,22 @@
 states to 30 digits.
 """
 
-from newton_euler import Model, cos, scenes, sin, sqrt
+from newton_euler import scenes
 from newton_euler.accuracy.measurements import work_precision as precision
-from newton_euler.motion import second_order
 from newton_euler.scenes.catalogue import Scene
 from newton_euler.scenes.spatial.top import SPIN
 from newton_euler.scenes.spatial.top import tilted as top_start
+from tests.models import forced, oscillator
 
 __all__ = [
     "ALL",
     "SCENES",
     "SPIN",
-    "free_body",
-    "from_farthest",
-    "kepler",
-    "oscillator",
     "reference",
     "sizes",
     "top_start",
     "true_error",
 ]
-
-
-def free_body(A=1.0, B=2.0, C=3.0):
-    """Euler's equations without moments."""
-
-    def rates(s, p, t):
-        return (
-            (p.B - p.C) / p.A * (s.y * s.z),
-            (p.C - p.A) / p.B * (s.z * s.x),
-            (p.A - p.B) / p.C * (s.x * s.y),
-        )
-
-    invariants = {
-        "energy": lambda s, p, t: (p.A * s.x**2 + p.B * s.y**2 + p.C * s.z**2) / 2,
-        "momentum": lambda s, p, t: (p.A * s.x) ** 2 + (p.B * s.y) ** 2 + (p.C * s.z) ** 2,
-    }
-    return Model("free body", {"A": A, "B": B, "C": C}, ("x", "y", "z"), rates, invariants)
-
-
-def kepler():
-    """A planet, GM = 1."""
-
-    def accelerations(s, p, t):
-        r2 = s.x * s.x + s.y * s.y
-        return -s.x / (r2 * sqrt(r2)), -s.y / (r2 * sqrt(r2))
-
-    energy = {"energy": lambda s, p, t: (s.dx**2 + s.dy**2) / 2 - 1 / sqrt(s.x**2 + s.y**2)}
-    return second_order("planet", {}, ("x", "y"), accelerations, invariants=energy)
-
-
-def from_farthest(mu, a, e):
-    """The state (x, y, v_x, v_y) at the farthest point of the ellipse of semi-axis a and
-    eccentricity e: at x = -a(1 + e).
-
-    >>> from_farthest(1.0, 1.0, 0.0)
-    (-1.0, 0.0, 0.0, -1.0)
-    """
-    return -a * (1 + e), 0 * a, 0 * a, -sqrt(mu * (1 - e) / (a * (1 + e)))
-
-
-def oscillator(exact=True):
-    """x'' = -k x."""
-
-    def solution(s, p, t):
-        w = sqrt(p.k)
-        return s.x * cos(w * t) + s.dx / w * sin(w * t), s.dx * cos(w * t) - w * s.x * sin(w * t)
-
-    return second_order(
-        "oscillator", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,), exact=solution if exact else None,
-        invariants={"energy": lambda s, p, t: s.dx**2 + p.k * s.x**2},
-    )  # fmt: skip
-
-
-def forced():
-    """Driven, damped: its rates depend on time."""
-    return second_order(
-        "forced",
-        {"c": 0.2, "k": 1.0},
-        ("x",),
-        lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,),
-    )
 
 
 ONLY_HERE = {

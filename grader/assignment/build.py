@@ -48,12 +48,11 @@ def build_assignment(
     exchange: str | Path | None = None,
     id_column: str | None = None,
 ) -> Built:
-    """Write the source notebook of a chapter into a new course, or with ``update`` into an existing
-    one; returns :class:`Built`.
+    """Write the source notebook of a chapter, or of the problems ``only``, into a new course, or
+    with ``update`` into an existing one.
 
-    students : path of a roster as CSV; id_column : the header of its ids. only : numbers of the
-        problems to include; default: all. bar : a ``rich`` progress bar. name, exchange : of a new
-        course, see :func:`~grader.course.creation.new_course`.
+    students : path of a roster as CSV; id_column : the header of its ids. bar : a ``rich`` progress
+        bar. name, exchange : of a new course
     """
     selected, title = select_problems(chapter, only), catalogue.chapter(chapter).title
     roster = read_roster(students, id_column) if students else None

@@ -30,27 +30,20 @@ def kept_numbers(
         handed_out = _handed_out(course, assignment, student)
         drawn = course.values(assignment, student, missing)
         values = {p.id: {**drawn[p.id], **handed_out.get(p.id, {})} for p in missing}
-        kept |= keep_numbers(course, assignment, student, missing, values, kept)
+        kept = keep_numbers(course, assignment, student, missing, values)
     return {p.id: _today(p, kept[p.id], path) for p in problems}
 
 
 def keep_numbers(
-    course: Course,
-    assignment: str,
-    student: str,
-    problems: Iterable[Problem],
-    values: SheetValues,
-    before: KeptNumbers | None = None,
+    course: Course, assignment: str, student: str, problems: Iterable[Problem], values: SheetValues
 ) -> KeptNumbers:
-    """Write the numbers of these problems, in addition to ``before``; returns them all."""
-    kept = {
-        **(before or {}),
-        **{
-            p.id: {n: [x, p.givens[n].unit] for n, x in values[p.id].items() if n in p.givens}
-            for p in problems
-        },
-    }
-    write_json(numbers_path(course, assignment, student), kept)
+    """Add the numbers of these problems to those that are kept; returns them all."""
+    path = numbers_path(course, assignment, student)
+    kept = _read(path)
+    for p in problems:
+        given = ((n, x) for n, x in values[p.id].items() if n in p.givens)
+        kept[p.id] = {n: [x, p.givens[n].unit] for n, x in given}
+    write_json(path, kept)
     return kept
 
 
@@ -59,7 +52,7 @@ def numbers_path(course: Course, assignment: str, student: str) -> Path:
     return course.path / "numbers" / assignment / f"{student}.json"
 
 
-def _read(path):
+def _read(path: Path) -> KeptNumbers:
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:

@@ -24,15 +24,12 @@ def make_personal_copies(
     workers: int | None = None,
     right_or_wrong: bool = False,
 ) -> dict[str, Path]:
-    """Write the personal copies of an assignment for ``students`` (default: the roster); returns
-    {student: path}. Copies of the assignment's other notebooks with problems are in the same
-    folder.
+    """Write the personal copies of an assignment for ``students`` (default: the roster), of all its
+    notebooks with problems; returns {student: path}. Figures show a student's own numbers, so that
+    they are drawn for each, on ``workers`` processes.
 
-    right_or_wrong : let receipts say whether an answer is right; what that reveals is described in
+    right_or_wrong : let receipts say whether an answer is right, see
         :mod:`newton_euler.answers.seals`
-
-    Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes
-    (default: one per processor).
     """
     students = list(students) if students is not None else course.roster()
     if unknown := sorted(set(students) - set(course.roster())):
@@ -92,11 +89,8 @@ def exchange_outbound(course: Course, assignment: str) -> Path:
 def copy_to_exchange(
     course: Course, assignment: str, outbound: str | Path, paths: Mapping[str, Path]
 ) -> None:
-    """Copy personal notebooks ({student: path}) next to ``outbound``, the exchange's folder of the
-    released assignment.
-
-    They are not within it, so that a fetch without the course's configuration gets the released
-    notebook and no student's numbers.
+    """Copy personal notebooks ({student: path}) next to ``outbound``, the released assignment in
+    the exchange: not into it, so that a plain fetch gets no student's numbers.
     """
     from .fetch import FOLDER, personal_name
 

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
@@ -16,11 +17,11 @@ from .sheet import Task, tasks
 WORTH = ("points", "weights", "follow_through", "checksum")
 
 
+@dataclass(eq=False)
 class Released:
     """A notebook as generated for release: shared by all students, so not to be modified."""
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    path: Path
 
     @cached_property
     def notebook(self) -> Notebook:
@@ -84,11 +85,8 @@ def master_notebook(
     name: str | None = None,
     values: SheetValues | None = None,
 ) -> Notebook:
-    """The trusted notebook of a student: the released one as it is now, with the student's numbers,
-    and the figures of the copy that was handed out.
-
-    name : of the notebook; default: that of the assignment. values : the student's numbers;
-        default: they are read
+    """The trusted notebook of a student, by default that of the assignment's name: the released one
+    as it is now, with the student's numbers, and the figures of the copy that was handed out.
     """
     name = name or assignment
     found = released(course, assignment).get(name)

@@ -39,11 +39,9 @@ def refuse_existing(path: str | Path) -> None:
 def new_course(
     path: str | Path, name: str | None = None, exchange: str | Path | None = None
 ) -> Iterator[Course]:
-    """A context with a new course without students or assignments, in a folder that is empty or
-    does not exist yet. If the block raises, nothing of it remains.
+    """A context with a new course, in a folder that is empty or does not exist yet; if the block
+    raises, nothing of it remains. Its id follows from ``name``, by default that of the folder.
 
-    name : of the course, from which its id follows; default: the folder's. exchange : nbgrader's
-        exchange folder, if it is not nbgrader's default.
     The folder is marked as unfinished until the block has ended, so that the next build replaces
     what a killed one has left.
     """

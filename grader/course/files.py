@@ -47,7 +47,7 @@ def write_json(path: Path, content: Any, indent: int | None = 1, mode: int = PRI
 def write_notebook(path: Path, notebook: Mapping[str, Any]) -> None:
     """:func:`write_json` without line breaks, for the notebooks of a class: mostly figures."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    _write(path, _as_json(notebook) + b"\n", PRIVATE)
+    write_bytes(path, _as_json(notebook) + b"\n")
 
 
 def _as_json(content):
@@ -59,10 +59,11 @@ def _as_json(content):
 
 def write_text(path: Path, text: str, mode: int = PRIVATE) -> None:
     """Write a text file, atomically."""
-    _write(path, text.encode("utf-8"), mode)  # a text that cannot be encoded leaves no file
+    write_bytes(path, text.encode("utf-8"), mode)  # a text that cannot be encoded leaves no file
 
 
-def _write(path: Path, data: bytes, mode: int) -> None:
+def write_bytes(path: Path, data: bytes, mode: int = PRIVATE) -> None:
+    """Write a file, atomically."""
     partial = path.with_name(f".{path.name}.partial")
     partial.unlink(missing_ok=True)
     with open(os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode), "wb") as f:

@@ -16,7 +16,7 @@ from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
 from typing import TypedDict
 
-from .files import PRIVATE, write_text
+from .files import write_bytes, write_text
 from .folder import Course
 from .identity import CourseError, same_student
 
@@ -71,7 +71,7 @@ def take_in(
             if len(entries) > MAX_ENTRIES:
                 raise CourseError(f"{archive} has {len(entries)} entries, more than a class has")
             chosen = _chosen(entries, assignment, students, result)
-            _write(course, assignment, z, chosen, (replace, times), result)
+            _write(course, assignment, z, chosen, replace, times, result)
     except UNREADABLE as error:
         raise CourseError(f"{archive} is not a zip archive that can be read ({error})") from error
     return result
@@ -98,14 +98,12 @@ def owners(name: str, students: Mapping[str, Names]) -> list[str]:
     """The students whose id or whole name is in the name of a file or of its folder."""
     # Canvas joins the parts of a name: doejane_4711_815_work.ipynb
     places = [_words(part) for part in PurePosixPath(name.removesuffix(".ipynb")).parts]
-    return [
-        s for s, own in students.items() for place in [p for p in places if _is_named(own, p)][:1]
-    ]
+    return [s for s, own in students.items() if any(_is_named(own, place) for place in places)]
 
 
 def _is_named(own, words):
     return any(_holds(words, i) for i in own["ids"]) or (
-        own["name"] and (own["name"] <= set(words) or _run_together(own["name"], words))
+        own["name"] and (own["name"] <= set(words) or any(_joins(w, own["name"]) for w in words))
     )
 
 
@@ -114,8 +112,8 @@ def _holds(words, wanted):
     return any(words[k : k + n] == wanted for k in range(len(words) - n + 1))
 
 
-def _run_together(name, words):
-    return any(len(w) == sum(map(len, name)) and all(part in w for part in name) for w in words)
+def _joins(word, name):
+    return len(word) == sum(map(len, name)) and all(part in word for part in name)
 
 
 def _chosen(entries, assignment, students, result):
@@ -130,13 +128,9 @@ def _chosen(entries, assignment, students, result):
         fits = [] if why else owners(entry.filename, students)
         if len(fits) == 1:
             found.setdefault(fits[0], []).append(entry)
-        else:
-            why = why or (
-                f"its name fits several students: {', '.join(fits)}"
-                if fits
-                else "its name fits nobody on the roster"
-            )
-            result.refused.append((entry.filename, why))
+            continue
+        whose = f"several students: {', '.join(fits)}" if fits else "nobody on the roster"
+        result.refused.append((entry.filename, why or f"its name fits {whose}"))
     chosen = {}
     for student, own in found.items():
         named = [e for e in own if _holds(_words(e.filename), _words(assignment))]
@@ -170,8 +164,8 @@ def _refusal(entry):
     return ""
 
 
-def _write(course, assignment, archive, chosen, how, result):
-    (replace, times), total = how, 0
+def _write(course, assignment, archive, chosen, replace, times, result):
+    total = 0
     present = {same_student(s): s for s in course.submissions(assignment)}
     for student, entry in sorted(chosen.items()):
         if same_student(student) in present and not replace:
@@ -197,8 +191,4 @@ def _put(course, assignment, student, content, date):
         with contextlib.suppress(ValueError):  # month 0 in a careless archive
             when = datetime(*date, tzinfo=UTC)
             write_text(folder / "timestamp.txt", f"{when:%Y-%m-%d %H:%M:%S} UTC\n")
-    path = folder / f"{assignment}.ipynb"
-    partial = folder / f".{path.name}.partial"
-    partial.write_bytes(content)
-    partial.chmod(PRIVATE)
-    partial.replace(path)
+    write_bytes(folder / f"{assignment}.ipynb", content)

@@ -20,12 +20,8 @@ FEW = 100  # students: for up to this many only their rows are read, else those 
 
 @dataclass
 class Entry:
-    """What is written for one student.
-
-    notebooks : the graded ones by name, without those that are missing from the submission
-    timestamp : of the submission; None if it has none, and an earlier one stays
-    changed : False if the work is the same as last time, and points given by hand need no second
-        look
+    """What is written for one student: the graded notebooks by name, the time of submission (None:
+    an earlier one stays), and whether the work is new, so that points by hand need a second look.
     """
 
     student: str

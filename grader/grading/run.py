@@ -24,15 +24,12 @@ def grade(
     scheduler: str | None = None,
     report: Callable[[str], object] | None = None,
 ) -> list[Result]:
-    """Grade the submissions of an assignment and write gradebook and annotated notebooks; returns a
-    list of :class:`Result`.
+    """Grade the submissions of an assignment; writes gradebook and annotated notebooks.
 
-    students : ids to grade; default: all who submitted. force : also run submissions again that
-        have not changed since they were graded.
-    workers : number of processes; default: one per processor. sandbox : False runs student code
-        without isolation. progress : called with each Result.
-    scheduler : the address of a Dask cluster, in place of workers here (see
-        :mod:`grader.grading.cluster`). report : called with a line about each of its workers.
+    students : ids to grade; default: all who submitted. force : run unchanged submissions, too.
+    workers : number of processes; default: one per processor. scheduler : the address of a Dask
+        cluster instead (see :mod:`grader.grading.cluster`), ``report`` is called with a line about
+        each of its workers. progress : called with each Result.
 
     A submission that cannot be graded is reported in its Result; its earlier grade, and all other
     submissions, are unaffected.

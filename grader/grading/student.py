@@ -107,10 +107,7 @@ class Run:
 
 def _missing(folder, names):
     others = sorted(f.name for f in folder.glob("*.ipynb")) if folder.is_dir() else []
-    found = (
-        f"it holds {', '.join(others)}; if that is the work, rename it"
-        if others
-        else "it holds no notebook"
-    )
+    found = f"it holds {', '.join(others)}; if that is the work, rename it"
+    found = found if others else "it holds no notebook"
     asked = " and ".join(f"{n}.ipynb" for n in names)
     return f"expected the notebook {asked} in {folder}, and {found}"

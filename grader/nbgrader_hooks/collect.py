@@ -54,13 +54,9 @@ class CollectRegularFiles(ExchangeCollect):
         return False
 
     def do_copy(self, src: str, dest: str, log: Any = None) -> None:
+        limits = self.coursedir.max_file_size * KILOBYTE, self.coursedir.max_dir_size * KILOBYTE
         try:
-            left_out = copy_regular(
-                src,
-                dest,
-                self.coursedir.max_file_size * KILOBYTE,
-                self.coursedir.max_dir_size * KILOBYTE,
-            )
+            left_out = copy_regular(src, dest, *limits)
         except OSError as error:
             self.log.error("%r could not be collected: %s", src, error)
             return

@@ -101,12 +101,8 @@ class GradesAndFigures(GetGrades):
 
     def _get_comment(self, cell, resources):
         super()._get_comment(cell, resources)
-        comment = self.gradebook.find_comment(
-            cell.metadata["nbgrader"]["grade_id"],
-            self.notebook_id,
-            self.assignment_id,
-            self.student_id,
-        )
+        place = self.notebook_id, self.assignment_id, self.student_id
+        comment = self.gradebook.find_comment(cell.metadata["nbgrader"]["grade_id"], *place)
         cell.metadata.nbgrader["manual_comment"] = comment.manual_comment
 
     def preprocess_cell(

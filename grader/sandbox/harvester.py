@@ -35,7 +35,9 @@ SETTINGS = (  # (name, value that forbids user namespaces, value that allows the
 
 
 class Reply(TypedDict):
-    """What a run gives back, see :meth:`Harvester.run`."""
+    """What a run gives back: receipts by problem, outcomes of tests and errors of other cells by
+    name; ``sandbox``: CAGED or "unsandboxed: asked for"; ``ended``: "done", or why it was stopped.
+    """
 
     receipts: dict[str, Receipt]
     tests: dict[str, Outcome]
@@ -46,11 +48,9 @@ class Reply(TypedDict):
 
 
 class Harvester:
-    """Workers that run submissions: ``with Harvester(2) as h: h.run(cells)``. ``run`` may be called
-    from several threads.
-
-    sandbox : False runs student code without isolation. True never does: where the machine refuses
-        the cage, :class:`HarvestError` is raised.
+    """Workers that run submissions: ``with Harvester(2) as h: h.run(cells)``, also from several
+    threads. Only ``sandbox=False`` runs code without isolation; where the machine refuses the cage,
+    :class:`HarvestError` is raised.
     """
 
     def __init__(self, workers: int | None = None, sandbox: bool = True) -> None:
@@ -88,8 +88,7 @@ class Harvester:
     def run(
         self, cells: Sequence[Job], seconds: float = SECONDS, cell_seconds: float = CELL_SECONDS
     ) -> Reply:
-        """Run the cells of one submission; returns {"receipts": {problem id: record}, "tests":
-        {name: outcome}, "errors": {name: sentence}, "sandbox", "ended", "seconds"}.
+        """Run the cells of one submission; raises :class:`HarvestError` if it cannot be caged.
 
         cells : in the order in which they run, dicts by "role":
             "run": "name", "text";
@@ -98,11 +97,8 @@ class Harvester:
             "harvest": "problem", "forms", "symbols": the answers are read at this place;
             "test": "name", "text" (what students see), "hidden" (the full text).
         seconds : for all cells, and again for all tests; cell_seconds : for each.
-        "sandbox" is "namespaces" or "unsandboxed: asked for"; "ended" is "done" or the reason why
-        the run was stopped. The full text of a test reaches the cage only when all cells have run,
-        in a copy of the process that was made at its place; its outcome is {"error": sentence or
-        None, "value": of its last expression: a float, "other" or None}. Raises
-        :class:`HarvestError` if the job cannot be caged.
+        The full text of a test reaches the cage only when all cells have run, in a copy of the
+        process that was made at its place.
         """
         tests = [c for c in cells if c["role"] == "test"]
         if len(tests) > MOST_TESTS:

@@ -89,11 +89,9 @@ class Worker:
     def run(
         self, cells: Sequence[Job], texts: Sequence[str], limits: Limits
     ) -> tuple[dict[str, str], bytes, list[Outcome]]:
-        """Run a job; returns ({"sandbox", "ended"}, bytes of the receipts, [outcome of a test]).
-
-        texts : of the tests, in order, not in ``cells``. limits : {"seconds", "cell_seconds",
-            "sandbox", "ipython"}. When it returns the process still ends what the job has started;
-            ``settle`` waits for that.
+        """Run a job; returns ({"sandbox", "ended"}, bytes of the receipts, outcomes of the tests,
+        whose ``texts`` are not in ``cells``). The process then still ends what the job has started;
+        ``settle`` waits for that.
         """
         with _Files(cells, len(texts)) as files, self._or_gone():
             line = json.dumps({**limits, "tests": len(texts)}).encode() + b"\n"

@@ -123,10 +123,7 @@ def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
             f"the notebook ended by itself in the cell of {unread[0]}; answers that came later "
             "were not read"
         )
-        receipts = {
-            **receipts,
-            unread[0]: {"id": unread[0], "answers": None, "faults": None, "error": PROCESS_ENDED},
-        }
-    return Executed(
-        receipts, result["tests"], result["errors"], result["sandbox"], "; ".join(notes)
-    )
+        lost: Receipt = {"id": unread[0], "answers": None, "faults": None, "error": PROCESS_ENDED}
+        receipts[unread[0]] = lost
+    note = "; ".join(notes)
+    return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)

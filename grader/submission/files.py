@@ -36,11 +36,8 @@ def parse_notebook(name: str, content: bytes) -> dict[str, Any]:
     try:
         submitted = load_json(content)
     except (ValueError, RecursionError) as error:
-        what = (
-            "is empty"
-            if not content.strip()
-            else f"is damaged and cannot be read as a notebook ({error})"
-        )
+        damage = f"is damaged and cannot be read as a notebook ({error})"
+        what = damage if content.strip() else "is empty"
         raise UnreadableError(f"{name} {what}") from error
     if not isinstance(submitted, dict) or not isinstance(submitted.get("cells"), list):
         raise UnreadableError(f"{name} is not a notebook of format 4: it has no list of cells")

@@ -61,7 +61,9 @@ def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, W
         else:
             now = _trusted(cell, what, copies)
         cells += [*now, *(_own_cell(*own) for own in added.get(n, []))]
-    return {**master, "cells": _with_ids(cells)}, work
+    for n, cell in enumerate((c for c in cells if own_metadata(c).get("role") == OWN), 1):
+        cell["id"] = f"own-{n}"
+    return {**master, "cells": cells}, work
 
 
 def _sorted_out(master, submitted):
@@ -98,14 +100,6 @@ def _sorted_out(master, submitted):
     return found, added, note
 
 
-def _with_ids(cells):
-    """The cells, those that a student added with ids of their own."""
-    own = [c for c in cells if own_metadata(c).get("role") == OWN]
-    for n, cell in enumerate(own, 1):
-        cell["id"] = f"own-{n}"
-    return cells
-
-
 def cell_names(cell: Mapping[str, Any]) -> Iterator[tuple[str | None, ...]]:
     """The names of a cell: grade id, role in a problem, id in the notebook; best first."""
     grade_id = nbgrader_metadata(cell).get("grade_id")
@@ -135,7 +129,11 @@ def _edited(cell, what, copies):
     """
     if not copies:
         missing = {**_clean(cell), "source": "" if what == "answer" else cell["source"]}
-        return [] if what == "plain" else [missing], _missing(cell, what)
+        note = (
+            f"the answer cell of {own_metadata(cell).get('problem')} is missing from the notebook; "
+            "fetch the assignment again and paste your work into it"
+        )
+        return [] if what == "plain" else [missing], note if what == "answer" else ""
     texts = [_text(c)[:MOST_TEXT] for c in copies[:MOST_COPIES]]
     changed = [n for n, t in enumerate(texts) if not is_untouched(cell, t)]
     at = changed[0] if changed else 0
@@ -151,15 +149,6 @@ def _edited(cell, what, copies):
     which = "the first one that was filled in" if changed else "the first one"
     note = f"the notebook holds {len(copies)} copies of the answer cell; {which} was graded"
     return cells, note
-
-
-def _missing(cell, what):
-    if what != "answer":
-        return ""
-    return (
-        f"the answer cell of {own_metadata(cell)['problem']} is missing from the notebook; fetch "
-        "the assignment again and paste your work into it"
-    )
 
 
 def is_untouched(cell: Cell, text: str) -> bool:

@@ -385,8 +385,9 @@ def recorded(f, **constants):
     try:
         shape = _shape(f(*by_place, **values), leaves, keys)
     except TypeError as error:
-        # NumPy's own message on an unknown kind of number does not help
-        if "ufunc" not in str(error) and str(error) != NO_VALUE:
+        # a function of NumPy does not know steps, and its own message does not help; NumPy has no
+        # class of its own for this error
+        if "ufunc" not in str(error) or isinstance(error, NewtonEulerError):
             raise
         raise ScalarError(NO_VALUE) from error
     defaults = {

@@ -5,8 +5,8 @@ size.
 from collections.abc import Callable
 
 from .scalars import (
-    _LIBRARIES,
     FUNCTIONS,
+    LIBRARIES,
     ZERO,
     DivisionError,
     RangeError,
@@ -225,7 +225,7 @@ def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> M
         if rate is not None or acceleration is not None:
             raise ScalarError(f"{value!r} already has its rates; leave out rate= and acceleration=")
         return value
-    if callable(value) and _root(type(value)) not in _LIBRARIES:
+    if callable(value) and _root(type(value)) not in LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
     value = scalar(value)
     rates = [value]

@@ -8,7 +8,7 @@ import itertools
 import operator
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Generic, TypeVar
 
@@ -102,9 +102,14 @@ class Terms(dict[str, T], Generic[T]):
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
         raise TermError(f"no term {name!r}; the terms are {', '.join(self) or 'none'}")
 
-    def __or__(self, other: "Terms[T]") -> "Terms[T]":  # type: ignore[override]
-        """The terms of both, in order: those whose names they share are all kept."""
-        return Terms([*self.named(), *other.named()])
+    def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
+        """The terms of both, in order: those whose names they share are all kept.
+
+        >>> Terms({"x": 1.0}) | {"no slip": 2.0}
+        {'x': 1.0, 'no slip': 2.0}
+        """
+        more = other if isinstance(other, Terms) else Terms(other)
+        return Terms([*self.named(), *more.named()])
 
     def named(self) -> Iterator[tuple[str, T]]:
         """Pairs (name as given, term)."""
@@ -318,7 +323,7 @@ class Amount(NamedTerms):
     """
 
     value: Scalar
-    terms: Mapping[str, Scalar] = ()  # type: ignore[assignment]
+    terms: Terms = field(default_factory=Terms)
     what: str = "work"
     number: str = "11.1"
     error: float = 0.0

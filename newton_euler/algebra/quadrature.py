@@ -66,7 +66,7 @@ def _piece(f, start, end, rtol, exact):
 def _value(f, x):
     try:
         return scalar(f(x))
-    except (ArithmeticError, ValueError) as problem:
+    except (ArithmeticError, SingularError) as problem:
         raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
 
 

@@ -19,13 +19,14 @@ number is found by the number's type.
 import math
 import zlib
 from fractions import Fraction
+from functools import reduce
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 FUNCTIONS = (
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt",
 )  # fmt: skip
-_LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
+LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 
 # The type of a number of any kind. The kinds share their operators but no base class, so a type
 # checker cannot know more; when a program runs, it is a class by which annotations are read.
@@ -444,6 +445,38 @@ sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
 )
 
 
+def hypot(*values: Scalar) -> Scalar:
+    """The root of the sum of the squares; of floats and arrays wherever it is a float, though the
+    squares overflow or underflow.
+
+    >>> hypot(3e-200, 4e-200), hypot(ZERO, ZERO)
+    (5e-200, 0)
+    """
+    some = [x for x in values if x is not ZERO]
+    for x in some:
+        if type(x) is not float:
+            break
+    else:
+        return math.hypot(*some) if some else ZERO
+    if all(type(x) is float or _has_floats(x) for x in some):
+        return _hypot_of_arrays(import_module("numpy"), some)
+    return sqrt(sum((x * x for x in some), ZERO))
+
+
+def _hypot_of_arrays(numpy, values):
+    with numpy.errstate(over="ignore", under="ignore"):
+        square = sum(x * x for x in values)
+        root = numpy.sqrt(square)
+    lost = (square < 1e-280) | (square > 1e300)  # digits of the squares, or all of them
+    # numpy.hypot is right everywhere, and takes three times as long
+    return numpy.where(lost, reduce(numpy.hypot, values, 0.0), root) if lost.any() else root
+
+
+def _has_floats(x):
+    """True for an array or a number of NumPy with real floats."""
+    return getattr(getattr(x, "dtype", None), "kind", "") == "f"
+
+
 def atan2(y: Scalar, x: Scalar) -> Scalar:
     """The angle of the point (x, y) from the x axis, in (-pi, pi], for scalars of any kind.
 
@@ -594,7 +627,7 @@ def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     """
     if isinstance(condition, _Own) and hasattr(condition, "where"):
         return condition.where(a, b)
-    if not isinstance(condition, (bool, int, float)) and _root(type(condition)) not in _LIBRARIES:
+    if not isinstance(condition, (bool, int, float)) and _root(type(condition)) not in LIBRARIES:
         raise ScalarError(f"where chooses by a comparison, as x > 0, got {clipped(condition)}")
     if getattr(condition, "shape", ()):
         # words may be chosen too

@@ -131,7 +131,7 @@ class Step(_Own):
         return _inner("root", lambda x: (f(x),), (low, high), (f((low + high) / 2),))[0]
 
     def _no_value(self, *_):
-        raise TypeError(NO_VALUE)
+        raise ScalarError(NO_VALUE)
 
     __bool__ = __float__ = _no_value
 

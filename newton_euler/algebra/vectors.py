@@ -21,6 +21,7 @@ from .scalars import (
     Scaled,
     atan2,
     clipped,
+    hypot,
     is_expression,
     is_numeric,
     is_zero,
@@ -31,7 +32,6 @@ from .scalars import (
     scalar,
     short,
     shown,
-    sqrt,
     to_plain,
     where,
 )
@@ -313,7 +313,7 @@ class Vector(Scaled, NamedTerms):
 
     def norm(self) -> Scalar:
         """The magnitude (A.12)."""
-        return to_plain(sqrt(dot3(self.c, self.c)))
+        return to_plain(hypot(*self.c))
 
     def direction(self) -> "Vector":
         """The unit vector along it (A.1). Raises :class:`FrameError` for a zero vector."""
@@ -404,7 +404,7 @@ class Vector(Scaled, NamedTerms):
         """
         if subject is None:
             subject = self._ledger.subject
-        ledger = Ledger(kind, subject, terms or (lambda: self.terms))
+        ledger = Ledger(kind, subject, (lambda: self.terms) if terms is None else terms)
         return Vector(self.c, self.frame, self._own_rate, ledger)
 
     def explain(self, unit: str = "") -> Explanation:

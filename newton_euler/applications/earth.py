@@ -14,6 +14,7 @@ contains the centrifugal part.
 [0, 5.1563e-05, 5.1563e-05] in ground
 """
 
+from collections.abc import Iterable
 from itertools import accumulate, pairwise
 
 from ..algebra.errors import NewtonEulerError, checked
@@ -37,6 +38,9 @@ from ..kinematics.frames import Frame
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
 EARTH_GM = 3.986004418e14  # m^3/s^2: gravitational constant times mass (WGS 84)
+
+
+Triple = tuple  # three scalars, components along ground axes
 
 
 class EarthError(NewtonEulerError, ValueError):
@@ -111,7 +115,7 @@ def earth_rate(ground: Frame) -> Vector:
     return ground.angular_velocity(ground.tree[0])
 
 
-def earth_rate3(latitude, rate=EARTH_RATE):
+def earth_rate3(latitude: Scalar, rate: Scalar = EARTH_RATE) -> Triple:
     """The Earth's angular velocity (6.18) as a triple along ground axes.
 
     >>> earth_rate3(0.0)
@@ -121,7 +125,7 @@ def earth_rate3(latitude, rate=EARTH_RATE):
     return ZERO, rate * cos(latitude), rate * sin(latitude)
 
 
-def attraction3(r, g, radius):
+def attraction3(r: Triple, g: Scalar, radius: Scalar) -> Triple:
     """The acceleration by the attraction of the Earth, as a triple along ground axes, at the triple
     ``r`` from the ground's origin (5.22).
 
@@ -136,7 +140,7 @@ def attraction3(r, g, radius):
     return tuple(to_plain(-factor * q) for q in (x, y, z))
 
 
-def centrifugal3(r, omega, radius):
+def centrifugal3(r: Triple, omega: Triple, radius: Scalar) -> Triple:
     """The centrifugal acceleration -omega x (omega x rho), as a triple along ground axes, at the
     triple ``r`` from the ground's origin.
     """
@@ -252,7 +256,7 @@ def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
     return named_sum("force near the earth", f"in {v.frame.name}", parts, v.frame)
 
 
-def launch_direction(azimuth, elevation):
+def launch_direction(azimuth: Scalar, elevation: Scalar) -> Triple:
     """The direction of a shot (6.17) as a triple along ground axes; azimuth from east toward
     north.
     """
@@ -304,7 +308,7 @@ def _along(frame, *vectors):
     return [v.expressed_in(frame).c for v in vectors]
 
 
-def coriolis_series(v, g, w, factors):
+def coriolis_series(v: Triple, g: Triple, w: Triple, factors: Iterable[tuple]) -> Triple:
     """The sum of (-2 w x)^n (a v + b g) over the pairs (a, b) of ``factors``, n = 0, 1, ..., of
     triples: by Horner's scheme.
     """
@@ -322,12 +326,12 @@ def _integrals(t, m, order):
     return list(pairwise(powers[m:]))
 
 
-def position3(t, v, g, w, order=1):
+def position3(t: Scalar, v: Triple, g: Triple, w: Triple, order: int = 1) -> Triple:
     """The displacement by (6.20), to any order in w, of triples. Order 1 is (6.24)."""
     return coriolis_series(v, g, w, _integrals(t, 1, order))
 
 
-def velocity3(t, v, g, w, order=1):
+def velocity3(t: Scalar, v: Triple, g: Triple, w: Triple, order: int = 1) -> Triple:
     """The rate of :func:`position3`."""
     return coriolis_series(v, g, w, _integrals(t, 0, order))
 

@@ -176,7 +176,7 @@ def _check_moments(I0, I):
         )
 
 
-def check_top(I0, I, spin, omega_z):
+def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None) -> None:
     """Raises :class:`GyroError` unless a body can have I0 and I, and one of its two rates about the
     axis is given.
     """

@@ -105,12 +105,20 @@ def nutation(
     )
 
 
-def exchanged(condition, x, y):
+def exchanged(condition: Scalar, x: Scalar, y: Scalar) -> tuple[Scalar, Scalar]:
     """The pair, exchanged where the condition holds."""
     return where(condition, y, x), where(condition, x, y)
 
 
-def turning_points(S, C, rate, I0, mgr, momenta, transverse):
+def turning_points(
+    S: Scalar,
+    C: Scalar,
+    rate: Scalar,
+    I0: Scalar,
+    mgr: Scalar,
+    momenta: tuple[Scalar, Scalar],
+    transverse: tuple[Scalar, Scalar],
+) -> tuple[tuple, tuple, Scalar]:
     """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits
     from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0.
 

@@ -2,10 +2,13 @@
 the moments, Schwarz's inequality for the products.
 """
 
+from collections.abc import Iterable
 from math import inf
+from typing import Any
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import (
+    Scalar,
     epsilon,
     is_finite,
     is_numeric,
@@ -14,6 +17,7 @@ from ..algebra.scalars import (
     to_plain,
     without_rates,
 )
+from ..kinematics.frames import Frame, Point
 
 AXES = "xyz"
 PRODUCTS = ("xy", "yz", "zx")
@@ -25,7 +29,7 @@ class MassError(NewtonEulerError, ValueError):
     """
 
 
-def positive(x, what):
+def positive(x: Scalar, what: str) -> None:
     """Raises :class:`MassError` unless ``x`` is positive and finite; ``what`` is its name."""
     if type(x) is float and 0 < x < inf:
         return
@@ -36,7 +40,7 @@ def positive(x, what):
         )
 
 
-def not_negative(x, what):
+def not_negative(x: Scalar, what: str) -> None:
     """Raises :class:`MassError` if ``x``, a number, or an element of it is negative or not finite;
     ``what`` is its name.
     """
@@ -47,7 +51,7 @@ def not_negative(x, what):
         raise MassError(f"{what} is zero or positive, got {to_plain(x)}")
 
 
-def triangle_inequality(moments, tolerance):
+def triangle_inequality(moments: tuple, tolerance: float) -> None:
     """Raises :class:`MassError` if one of three moments, numbers, is larger than the sum of the
     others, by more than ``tolerance`` times the largest.
     """
@@ -74,7 +78,7 @@ def _refuse_moment(moments, n):
     )
 
 
-def check(I, tolerance, slack):
+def check(I: Any, tolerance: float, slack: float) -> None:
     """Raises :class:`MassError` if no body can have the inertia ``I``, see
     :meth:`newton_euler.bodies.inertia.Inertia.check`.
     """
@@ -139,7 +143,7 @@ def _below(x, bound):
     return not is_positive(x - bound) and max_abs(x - bound) > 0
 
 
-def round_off(mass, points, frame):
+def round_off(mass: Scalar, points: Iterable[Point], frame: Frame) -> float:
     """A bound of the error by rounding in moments of this mass at the points: 100 round-offs of
     m r^2; 0 for expressions.
     """

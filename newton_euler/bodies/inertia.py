@@ -15,7 +15,7 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 is the angular momentum.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from ..algebra.errors import checked
@@ -322,7 +322,7 @@ def _three(values, what):
     return given
 
 
-def axis_index(name):
+def axis_index(name: str) -> tuple[int, int]:
     """Index and sign of an axis written as "x" or "-x"."""
     bare = name.removeprefix("-")
     if len(bare) != 1 or bare not in AXES:
@@ -357,7 +357,7 @@ def _equal(a, b):
     return a is b or is_zero(a - b)
 
 
-def together(parts, frame, name="G"):
+def together(parts: Iterable, frame: Frame, name: str = "G") -> tuple[Scalar, Point]:
     """Total mass and centre of parts that have a mass and a centre; the centre moves in ``frame``
     as they do.
     """

@@ -176,7 +176,7 @@ def _middle(position, limits, weigh, name):
     if any(isinstance(x, Moving) for x in (*(x for pair in limits for x in pair), *place)):
         raise MassError(
             f"the points of {name} move: their rates and the derivatives by the parameters cannot "
-            "be told apart. Put in the values at the instant"
+            "be distinguished. Put in the values at the instant"
         )
     return middle
 

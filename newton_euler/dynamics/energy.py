@@ -302,11 +302,6 @@ def audit(
     (True, 96.2361)
     """
     potentials, powers = potentials or {}, powers or {}
-    both = sorted({*potentials} & {*powers})
-    if both:
-        raise EnergyError(
-            f"{both[0]!r} is given a potential and a power; its work would be counted twice"
-        )
     T = _at_both(kinetic, "the kinetic energy", start, end)
     V = {n: _at_both(v, f"the potential of {n}", start, end) for n, v in potentials.items()}
     U = {

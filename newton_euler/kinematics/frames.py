@@ -652,7 +652,7 @@ def vanishes(x: Scalar, small: float = 0) -> bool:
     return is_numeric(x) and min_abs(without_rates(x)) <= small
 
 
-def divided_by_length(axis, length, error):
+def divided_by_length(axis: tuple, length: Scalar, error: type[Exception]) -> tuple:
     """The unit vector of an axis of known length; an error if that is zero at any instant."""
     if vanishes(length) or not is_finite(length):
         raise error(

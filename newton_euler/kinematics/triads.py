@@ -6,6 +6,7 @@ below measure whether a direction is determined, or only round-off.
 """
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 from ..algebra.jets import Moving, as_moving
 from ..algebra.pickles import Found
@@ -86,7 +87,7 @@ class _Turning:
         return value
 
 
-def turning_of(axes):
+def turning_of(axes: Sequence[Sequence[Any]]) -> tuple[tuple, tuple]:
     """Angular velocity and acceleration, each along the axes, of axes with :class:`Moving`
     components: omega_1 = e_2' . e_3, and so on.
     """

@@ -67,9 +67,9 @@ def integrate(
     t0, t1 = time_span(t)
     state = start_state(model, start)
     check_options(rtol, method, step, progress)
-    events, samples = event_tuple(events), sample_request(samples, t0, t1)
+    looked_for, sampled = event_tuple(events), sample_request(samples, t0, t1)
     preparing = perf_counter() - begun
-    run = Run(system, t0, t1, state, rtol, events, samples, progress, step, preparing)
+    run = Run(system, t0, t1, state, rtol, looked_for, sampled, progress, step, preparing)
     if system.many or (state is not start and any(type(x) is not float for x in state)):
         return integrate_many(run, method)
     return run.by_name(method)

@@ -161,10 +161,11 @@ class Run:
         """The motion by the exact solution."""
         trajectory = self.trajectory(method, self.rtol)
         subject = f"the closed form of {self.system.model.name!r}"
-        if any(not isinstance(part.stepper, method.stepper) for part in trajectory.segments):
-            raise ModelError(
-                f"{subject} ends where it becomes a model without one; take method='auto'"
-            )
+        for part in trajectory.segments:
+            if type(part.stepper) is not method.stepper:
+                raise ModelError(
+                    f"{subject} ends where it becomes a model without one; take method='auto'"
+                )
 
         def errors():
             for system, stepper, t0, t1, x1 in trajectory.segments:

@@ -137,7 +137,7 @@ def submit(course, student, notebook, assignment="ch04", name=None):
 
 def change_source(course, change, assignment="ch04", copies=True):
     """Do what an instructor does: ``change(cells)`` of the source notebook, in place, then generate
-    it again and make the personal copies, unless told not to.
+    it again and make the personal copies, unless asked not to.
     """
     from grader.assignment import make_personal_copies
 

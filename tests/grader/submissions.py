@@ -36,14 +36,43 @@ def untouched(course, student):
     return read(course.personal_path("ch04", student))
 
 
-NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
-    "no receipt cell": (lambda c: without(work(c, "dan"), "receipt-4-16"), 11, None, ""),
-    "no statement and no numbers": (
-        lambda c: without(work(c, "dan"), "statement-4-16", "givens-4-16", "setup"),
-        11,
-        None,
-        "",
+def with_json(course, before, after):
+    """dan's notebook with a change of its JSON."""
+    return json.loads(json.dumps(work(course, "dan")).replace(before, after))
+
+
+def with_cells(course, change):
+    notebook = work(course, "dan")
+    return {**notebook, "cells": change(notebook["cells"])}
+
+
+def worked_in_the_copy(course):
+    cells = work(course, "dan")["cells"]
+    text = next(c["source"] for c in cells if c["id"] == "answer-4-16")
+    return copied(untouched(course, "dan"), "answer-4-16", text)
+
+
+def as_lines(cells):
+    return [{**c, "source": c["source"].splitlines(True)} for c in cells]
+
+
+AS_RIGHT = {  # changes that cost nothing
+    "no receipt cell": lambda c: without(work(c, "dan"), "receipt-4-16"),
+    "no statement and no numbers": lambda c: without(
+        work(c, "dan"), "statement-4-16", "givens-4-16", "setup"
     ),
+    "a copied receipt cell": lambda c: copied(work(c, "dan"), "receipt-4-16", "receipt('4/16')"),
+    "cells in another order": lambda c: with_cells(c, lambda cells: cells[::-1]),
+    "no metadata of ours": lambda c: {**work(c, "dan"), "metadata": {}},
+    "no nbgrader metadata": lambda c: with_json(c, '"nbgrader"', '"gone"'),
+    "metadata of an old schema": lambda c: with_json(
+        c, '"schema_version": 3', '"schema_version": 1'
+    ),
+    "text as a list of lines": lambda c: with_cells(c, as_lines),
+}
+COPIES = "2 copies of the answer cell; the first one that was filled in was graded"
+NOTEBOOKS = {  # how it was changed: (points of dan, problem, words of its note)
+    **{how: (change, 11, None, "") for how, change in AS_RIGHT.items()},
     "no answer cell": (
         lambda c: without(work(c, "dan"), "answer-4-16"),
         8,
@@ -51,59 +80,9 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
         "the answer cell of 4/16 is missing from the notebook; fetch the assignment again",
     ),
     "a copied answer cell": (
-        lambda c: copied(work(c, "dan"), "answer-4-16", "v_D = 1"),
-        11,
-        "4/16",
-        "2 copies of the answer cell; the first one that was filled in was graded",
+        lambda c: copied(work(c, "dan"), "answer-4-16", "v_D = 1"), 11, "4/16", COPIES,
     ),
-    "worked in the copy": (
-        lambda c: copied(
-            without(untouched(c, "dan")),
-            "answer-4-16",
-            next(x["source"] for x in work(c, "dan")["cells"] if x["id"] == "answer-4-16"),
-        ),
-        3,
-        "4/16",
-        "2 copies of the answer cell; the first one that was filled in was graded",
-    ),
-    "a copied receipt cell": (
-        lambda c: copied(work(c, "dan"), "receipt-4-16", "receipt('4/16')"),
-        11,
-        None,
-        "",
-    ),
-    "cells in another order": (
-        lambda c: {**work(c, "dan"), "cells": work(c, "dan")["cells"][::-1]},
-        11,
-        None,
-        "",
-    ),
-    "no metadata of ours": (lambda c: {**work(c, "dan"), "metadata": {}}, 11, None, ""),
-    "no nbgrader metadata": (
-        lambda c: json.loads(json.dumps(work(c, "dan")).replace('"nbgrader"', '"gone"')),
-        11,
-        None,
-        "",
-    ),
-    "metadata of an old schema": (
-        lambda c: json.loads(
-            json.dumps(work(c, "dan")).replace('"schema_version": 3', '"schema_version": 1')
-        ),
-        11,
-        None,
-        "",
-    ),
-    "text as a list of lines": (
-        lambda c: {
-            **work(c, "dan"),
-            "cells": [
-                {**x, "source": x["source"].splitlines(True)} for x in work(c, "dan")["cells"]
-            ],
-        },
-        11,
-        None,
-        "",
-    ),
+    "worked in the copy": (worked_in_the_copy, 3, "4/16", COPIES),
     "half a character": (lambda c: work(c, "dan", p4_1="speed = '\ud800'"), 9, None, ""),
     "markup in an error": (
         lambda c: work(
@@ -114,10 +93,7 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
         "[/red] [bold] <script>",
     ),
     "a magic and a shell command": (
-        lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"),
-        9,
-        None,
-        "",
+        lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"), 9, None, "",
     ),
     "ends the process": (
         lambda c: work(c, "dan", p4_31="import os; os._exit(0)"),
@@ -125,7 +101,7 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
         "4/31",
         "the end of its process: the cell ended Python, crashed it",
     ),
-}
+}  # fmt: skip
 
 
 class Named:

@@ -161,7 +161,7 @@ def test_wrong_uses_end_with_2_and_a_sentence(arguments, words, tmp_path):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["file"]
 
 
-def test_a_given_that_makes_no_sense_is_told():
+def test_a_given_that_makes_no_sense_is_reported():
     code, out = command("solve", "4/10", "--given", "r=0")
     assert code == 2
     assert "4/10 has no answer for r=0" in out

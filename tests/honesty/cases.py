@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from random import Random
 from types import SimpleNamespace
+from typing import NamedTuple
 
 FRACTIONS = (0.13, 0.37, 0.71, 1.0)  # of the time: where states are compared, the end last
 DRAWS = 3  # of each family, for each seed
@@ -140,18 +141,43 @@ def draw(name, seed, number):
     """
     made = FAMILIES.get(name) or HOLDOUT[name]
     return replace(
-        made(Random(f"{name}/{seed}/{number}")), name=f"{name}/{seed}/{number}", tags=made.tags
+        made(Draws(f"{name}/{seed}/{number}")), name=f"{name}/{seed}/{number}", tags=made.tags
     )
 
 
-def decades(rng, low, high):
-    """A random number whose logarithm is evenly distributed."""
-    return math.exp(rng.uniform(math.log(low), math.log(high)))
+class Log(NamedTuple):
+    """A range in which a number is drawn so that its logarithm is evenly distributed."""
+
+    low: float
+    high: float
 
 
-def either(rng, x):
-    """x or -x."""
-    return rng.choice((-x, x))
+class Draws(Random):
+    """Random numbers from ranges: a pair (low, high) is even, ``Log(low, high)`` logarithmic, and a
+    number stands for itself.
+
+    >>> Draws(0).parameters(g=9.81, k=(1.0, 2.0))
+    {'g': 9.81, 'k': 1.8444218515250481}
+    """
+
+    def decades(self, low, high):
+        """A number whose logarithm is evenly distributed."""
+        return math.exp(self.uniform(math.log(low), math.log(high)))
+
+    def either(self, x):
+        """x or -x."""
+        return self.choice((-x, x))
+
+    def values(self, *ranges):
+        """A number from each range, in order."""
+        return tuple(
+            self.decades(*r) if isinstance(r, Log) else self.uniform(*r) if type(r) is tuple else r
+            for r in ranges
+        )
+
+    def parameters(self, **ranges):
+        """A number from each range, by name."""
+        return dict(zip(ranges, self.values(*ranges.values()), strict=True))
 
 
 def around(t, width, count):

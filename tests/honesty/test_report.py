@@ -1,7 +1,13 @@
-"""report.py: the chart of honesty is drawn of the same numbers as the table."""
+"""report.py: the table, the chart of the same numbers, and the command that makes both."""
 
+import csv
 import math
+import os
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
 
 import matplotlib
 import pytest
@@ -64,3 +70,46 @@ def test_the_chart_is_written_beside_the_table_unless_there_is_no_run(tmp_path):
     Found.runs = []
     report.write(tmp_path / "none", [Found], [])
     assert not (tmp_path / "none" / "honesty.png").exists()
+
+
+def test_the_table_counts_what_it_states(tmp_path):
+    base = replace(MET, error=1e-7, unitless=1e-7, inside=5e-6, estimate=1e-6)
+    runs = [
+        base,
+        replace(base, estimate=1e-8),
+        replace(base, outcome="missed", error=1e-3, unitless=1e-3, inside=1e-3),
+        replace(base, outcome="refused", needless=True),
+        replace(base, outcome="raw"),
+        replace(base, outcome="timeout"),
+    ]
+    one, total = report.table(runs)
+    assert (one.runs, one.returned, one.met, one.covers) == (6, 3, 2 / 3, 1 / 3)
+    assert (one.silent, one.refused, one.needless, one.raw, one.timeout) == (1, 1, 1, 1, 1)
+    assert (one.ratio, one.inside) == (pytest.approx(0.1), 2 / 3)
+    assert replace(total, rtol=1e-6) == one
+    assert not total.reaches_goals
+    assert report.line("auto", None, [base]).reaches_goals
+    assert [r.error for r in report.worst(runs)] == [1e-3]
+    found = SimpleNamespace(case="pendulum/0/0", runs=runs, changes=[], dropped="", condition=1.0)
+    report.write(tmp_path, [found], [one, total])
+    with open(tmp_path / "table.csv") as file:
+        assert [row["silent"] for row in csv.DictReader(file)] == ["1", "1"]
+
+
+def test_one_command_prints_the_table_and_what_reproduces_the_worst(tmp_path):
+    root = Path(__file__).parents[2]
+    asked = "--families tiny_spring --draws 1 --jobs 1 --methods auto,dop853 --tolerances 1e-6"
+    folders = ["--cache", tmp_path / "cache", "--out", tmp_path / "out"]
+    run = subprocess.run(
+        [sys.executable, "-m", "tests.honesty", *asked.split(), *folders],
+        cwd=root, capture_output=True, text=True, timeout=600, check=True,
+        env={**os.environ, "PYTHONPATH": str(root)},
+    )  # fmt: skip
+    assert "auto, without heyoka" in run.stdout
+    assert "1 models of 1 families" in run.stdout
+    written = {"changes.csv", "honesty.json", "honesty.png", "runs.csv", "table.csv"}
+    assert {f.name for f in (tmp_path / "out").iterdir()} == written
+    assert len(list((tmp_path / "cache").iterdir())) == 1
+    with open(tmp_path / "out" / "runs.csv") as file:
+        rows = [r for r in csv.DictReader(file) if r["method"] == "dop853"]
+    assert {(r["case"], r["outcome"]) for r in rows} == {("tiny_spring/0/0", "met")}

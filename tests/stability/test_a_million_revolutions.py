@@ -189,7 +189,7 @@ def test_a_splitting_keeps_the_momentum_a_thousand_million_times_better_than_the
     assert energy[-1] > 1e8 * momentum[-1]
 
 
-@pytest.mark.slow
+@pytest.mark.lab
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.told)
 def test_a_million_revolutions_by_each_method(case):
     """Prints what is kept; of methods that would take more than some minutes, what their law makes

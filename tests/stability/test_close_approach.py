@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.particles.orbit import orbit
-from tests.motions import from_farthest
+from tests.models import from_farthest
 
 ORBIT = orbit(1.0)
 PERIOD = 2 * math.pi

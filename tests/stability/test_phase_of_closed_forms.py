@@ -23,7 +23,7 @@ from newton_euler.scenes.planar.pendulum import physical_pendulum, small_swings
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.honesty import closed_forms
-from tests.honesty.cases import decades, either
+from tests.honesty.cases import Draws
 from tests.motions import SCENES
 
 RUNS = 100  # of each family
@@ -73,7 +73,7 @@ def truth(model, t, start):
 
 def sizes(system, t, start):
     """The largest absolute value of each state."""
-    chance = Random(1)
+    chance = Draws(1)
     times = [t * chance.random() for _ in range(SAMPLES)]
     rows = [start, *(system.solution(u, start) for u in (*times, t))]
     return [max(map(abs, column)) or 1.0 for column in zip(*rows, strict=True)]
@@ -92,71 +92,69 @@ def errors(model, t, start):
 
 
 def _springs(chance):
-    w = decades(chance, 1e-2, 1e2)
+    w = chance.decades(1e-2, 1e2)
     start = chance.choice(
         [(1.0, 0.0), (0.0, w), (chance.uniform(-1, 1), chance.uniform(-1, 1) * w)]
     )
-    return spring(w * w), 6.3 / w * decades(chance, 0.1, 1e9), start
+    return spring(w * w), 6.3 / w * chance.decades(0.1, 1e9), start
 
 
 def _pendulum(chance):
     """A model, and the angular frequency of its small swings."""
-    k, m, I, l = (decades(chance, *ends) for ends in ((0.1, 100), (0.5, 5), (0.01, 5), (0.1, 3)))
+    k, m, I, l = (chance.decades(*ends) for ends in ((0.1, 100), (0.5, 5), (0.01, 5), (0.1, 3)))
     return physical_pendulum(m, I, l, k * (I + m * l * l) / (m * l)), math.sqrt(k)
 
 
 def _swings(chance):
     model, w = _pendulum(chance)
-    size = decades(chance, 1e-8, 2.8)
+    size = chance.decades(1e-8, 2.8)
     start = chance.choice([(size, 0.0), (0.0, size * w), (-size, size * w)])
-    return model, 6.3 / w * decades(chance, 0.1, 1e9), start
+    return model, 6.3 / w * chance.decades(0.1, 1e9), start
 
 
 def _beside_the_separatrix(chance):
     model, w = _pendulum(chance)
-    theta, off = chance.uniform(-3, 3), either(chance, decades(chance, 1e-12, 1e-2))
+    theta, off = chance.uniform(-3, 3), chance.either(chance.decades(1e-12, 1e-2))
     return (
         model,
-        6.3 / w * decades(chance, 0.1, 1e6),
+        6.3 / w * chance.decades(0.1, 1e6),
         (theta, 2 * w * math.cos(theta / 2) * (1 + off)),
     )
 
 
 def _orbits(chance):
-    e = chance.choice([0.0, chance.uniform(0, 0.95), 1 - decades(chance, 1e-9, 0.05)])
-    mu = decades(chance, 0.1, 10)
+    e = chance.choice([0.0, chance.uniform(0, 0.95), 1 - chance.decades(1e-9, 0.05)])
+    mu = chance.decades(0.1, 10)
     start = (1 + e, 0.0, 0.0, math.sqrt(mu * (1 - e) / (1 + e)))
-    return orbit(mu), 6.3 / math.sqrt(mu) * decades(chance, 0.1, 1e8), start
+    return orbit(mu), 6.3 / math.sqrt(mu) * chance.decades(0.1, 1e8), start
 
 
 def _bodies(chance):
-    tilt = decades(chance, 1e-10, 1.0)
-    start = (tilt, either(chance, chance.uniform(0.5, 1.5)), tilt * chance.uniform(0.3, 3))
+    tilt = chance.decades(1e-10, 1.0)
+    start = (tilt, chance.either(chance.uniform(0.5, 1.5)), tilt * chance.uniform(0.3, 3))
     model = free_body(1.0, chance.uniform(1.2, 1.8), chance.uniform(2.0, 2.5))
-    return model, 6.3 * decades(chance, 0.1, 1e8), start
+    return model, 6.3 * chance.decades(0.1, 1e8), start
 
 
 def _tops(chance):
     I, mgr, spin, theta = (chance.uniform(*x) for x in ((0.5, 1.5), (-6, 6), (1, 10), (0.1, 2.5)))
     difference = top.momentum_difference(1.0, I, theta, 0.0, spin)
-    t = 6.3 * decades(chance, 0.1, 1e7)
+    t = 6.3 * chance.decades(0.1, 1e7)
     return top.nutation(1.0, I, mgr, spin, difference), t, (theta, chance.choice([0.0, 0.3]))
 
 
 def _sleeping_tops(chance):
     """About the rate at which it wakes; many start upright, where the rates are singular."""
     mgr = chance.uniform(0.5, 6)
-    spin = (
-        2 * math.sqrt(mgr) * chance.choice([1 + decades(chance, 1e-6, 0.5), chance.uniform(2, 3)])
-    )
-    start = (chance.choice([0.0, decades(chance, 1e-6, 0.1)]), decades(chance, 1e-6, 0.1))
-    return top.nutation(1.0, 1.0, mgr, spin, 0.0), 6.3 * decades(chance, 0.1, 1e4), start
+    spin = 2 * math.sqrt(mgr) * chance.choice([1 + chance.decades(1e-6, 0.5), chance.uniform(2, 3)])
+    start = (chance.choice([0.0, chance.decades(1e-6, 0.1)]), chance.decades(1e-6, 0.1))
+    return top.nutation(1.0, 1.0, mgr, spin, 0.0), 6.3 * chance.decades(0.1, 1e4), start
 
 
 def _pushed_springs(chance):
-    n = decades(chance, 0.3, 3)
-    off = either(chance, decades(chance, 1e-8, 0.5))
-    return pushed(n, n * (1 + off)), decades(chance, 0.1, 1e4) / n, (chance.uniform(-1, 1), 0.0)
+    n = chance.decades(0.3, 3)
+    off = chance.either(chance.decades(1e-8, 0.5))
+    return pushed(n, n * (1 + off)), chance.decades(0.1, 1e4) / n, (chance.uniform(-1, 1), 0.0)
 
 
 FAMILIES = {
@@ -175,7 +173,7 @@ FAMILIES = {
 
 
 def drawn(name, runs=RUNS):
-    chance = Random(name)
+    chance = Draws(name)
     return [FAMILIES[name](chance) for _ in range(runs)]
 
 

@@ -138,11 +138,11 @@ def test_no_page_holds_the_code_of_a_problem(site):
 
 def test_no_problem_page_names_a_mistake(site):
     for name in chapters():
-        told = " ".join(" ".join(read(site / "problems" / f"{name}.html").words).split())
+        shown = " ".join(" ".join(read(site / "problems" / f"{name}.html").words).split())
         for p in problems(name):
             for words in p.mistakes.values():
                 text = getattr(words, "text", words)
-                assert len(text) < 25 or text not in told, (p.id, text)
+                assert len(text) < 25 or text not in shown, (p.id, text)
 
 
 def keys(p):

@@ -12,6 +12,7 @@ import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from .base import Stepper
 from .dop853 import Dop853
 from .exact import Exact
 from .scipy import scipy_method
@@ -48,7 +49,7 @@ class Method:
 
     name: str
     description: str
-    stepper: Callable
+    stepper: type[Stepper]
     unusable_because: Callable = lambda system, t0=0.0: None
     order: int | None = None
     min_rtol: float = 1e-13

@@ -72,7 +72,7 @@ def test_personal_copies_are_the_same_when_made_again(ungraded):
     assert ungraded.personal_path("ch04", "ada").read_text() == before
 
 
-def test_an_empty_roster_is_told(ungraded):
+def test_an_empty_roster_is_reported(ungraded):
     from grader.assignment.personal import make_personal_copies
 
     with ungraded.gradebook() as book:

@@ -111,15 +111,17 @@ class _Host:
             listener.close()
 
 
-def prepare(course, folder, names):
-    """A copy of the course in which all have handed in; attackers only those of ``names``."""
+def prepare(course, folder, names, honest=None):
+    """A copy of the course in which all have handed in: attackers only those of ``names``,
+    honest students only those of ``honest`` if it is given.
+    """
     folder.chmod(0o755)
     outside = folder / "outside"
     outside.mkdir()
     outside.joinpath("home").mkdir()
     arena = Arena(copy_of(course, folder / "mechanics"), outside, f"attack-{uuid.uuid4().hex}")
     arena.host = _Host(arena.mark)
-    for student in honest_students():
+    for student in honest or honest_students():
         scene = arena.scene(student)
         notebook = json.loads(json.dumps(master_notebook(arena.course, "ch04", student)))
         _put(notebook, {**right_texts(arena.course, student), "square": SQUARED})

@@ -225,7 +225,8 @@ def test_nothing_runs_on_the_page_on_which_a_person_grades(arena, name):
 def test_where_namespaces_are_refused_nothing_runs_and_nobody_is_graded(released, route):
     folder = a.temporary_folder()
     names = ["machine: files of the instructor", "answers: json", "folders: empty"]
-    found = a.run(a.prepare(released, folder, names), route, before=a.REFUSED)
+    prepared = a.prepare(released, folder, names, honest=a.honest_students()[:2])
+    found = a.run(prepared, route, before=a.REFUSED)
     try:
         assert found.code == 1, found.said[-3000:]
         assert "this machine refuses the cage for student code" in found.said

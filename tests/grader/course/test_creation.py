@@ -51,7 +51,7 @@ def test_build_says_how_many_it_enrolled_and_how_the_roster_was_read(tmp_path):
 
 
 @pytest.mark.parametrize("text", ["soon", "2027-13-01 10:00", "2027-01-31 23:59 Mars/Base"])
-def test_a_due_date_that_is_none_is_told(tmp_path, text):
+def test_a_due_date_that_cannot_be_read_is_refused(tmp_path, text):
     code, out = command("build", "ch04", "--course", tmp_path / "c", "--due", text)
     assert code == 2
     assert "expected a date, a time and the name of a zone" in " ".join(out.split())

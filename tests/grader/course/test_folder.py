@@ -59,7 +59,7 @@ def test_the_configuration_of_a_course_names_no_place(course):
     assert str(REPOSITORY) not in (course.path / "nbgrader_config.py").read_text()
 
 
-def test_a_damaged_identity_is_told(fresh):
+def test_a_damaged_identity_is_reported(fresh):
     (fresh.path / "course.json").write_text("{")
     with pytest.raises(CourseError, match=r"course.json is damaged .* restore it from a backup"):
         _ = Course(fresh.path).name
@@ -83,7 +83,7 @@ def test_ids_that_differ_by_case_only_are_also_noticed_where_nbgrader_added_them
 # -- the gradebook
 
 
-def test_a_locked_gradebook_is_told_in_a_sentence_and_nothing_is_lost(fresh):
+def test_a_locked_gradebook_is_reported_in_a_sentence_and_nothing_is_lost(fresh):
     before = points(fresh)
     lock = sqlite3.connect(fresh.path / "gradebook.db")
     lock.execute("BEGIN EXCLUSIVE")

@@ -61,7 +61,7 @@ def test_every_dialect_in_every_encoding_gives_the_same_students(tmp_path, diale
     assert found == expected
 
 
-def test_how_a_roster_was_read_is_told(tmp_path):
+def test_how_a_roster_was_read_is_reported(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_bytes(MOODLE_GERMAN.encode("cp1252"))
     assert read_roster(path).read_as == (
@@ -115,7 +115,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("how", WRONG)
-def test_a_roster_that_cannot_be_used_is_told_and_no_course_is_made(tmp_path, how):
+def test_a_roster_that_cannot_be_used_is_reported_and_no_course_is_made(tmp_path, how):
     path = tmp_path / "roster.csv"
     path.write_text(WRONG[how][0])
     with pytest.raises(CourseError, match=WRONG[how][1]):
@@ -127,7 +127,7 @@ def test_a_roster_that_cannot_be_used_is_told_and_no_course_is_made(tmp_path, ho
     assert not (tmp_path / "c").exists()
 
 
-def test_a_spreadsheet_is_told(tmp_path):
+def test_a_spreadsheet_is_reported(tmp_path):
     (tmp_path / "r.xlsx").write_bytes(b"PK\3\4 and so on")
     with pytest.raises(CourseError, match="is a spreadsheet; save it as CSV and name that file"):
         read_roster(tmp_path / "r.xlsx")

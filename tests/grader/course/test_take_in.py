@@ -156,7 +156,7 @@ def test_a_bomb_costs_only_itself(named, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("content", [b"", b"not a zip", b"PK\3\4 damaged"])
-def test_what_is_no_archive_is_told(named, tmp_path, content):
+def test_what_is_no_archive_is_refused(named, tmp_path, content):
     (tmp_path / "w.zip").write_bytes(content)
     code, out = command("take-in", "ch04", tmp_path / "w.zip", "--course", named.path)
     assert (code, "is not a zip archive that can be read" in " ".join(out.split())) == (2, True)

@@ -47,7 +47,7 @@ def test_an_instructor_sets_the_weights_of_parts_in_the_notebook(ungraded):
     assert [out_of for _, out_of in parts(result, "4/16").values()] == [0.5, 0.5, 2.0]
 
 
-def test_a_weight_that_cannot_be_used_is_told_and_grades_nobody(ungraded):
+def test_a_weight_that_cannot_be_used_is_reported_and_grades_nobody(ungraded):
     def weigh(cells):
         answer(cells, "4/16")["metadata"]["newton_euler"]["weights"] = {"a_E": 4}
 

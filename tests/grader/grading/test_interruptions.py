@@ -11,7 +11,7 @@ import pytest
 from grader.course import CourseError
 from grader.grading import grade
 from grader.grading.lock import alone
-from tests.grader.courses import environment, gradebook_rows, nbgrader, ran, run
+from tests.grader.courses import command, environment, gradebook_rows, nbgrader, ran
 
 ROUTES = {
     "grade": (sys.executable, "-m", "grader", "grade", "ch04", "--course", "."),
@@ -43,11 +43,14 @@ def test_a_killed_run_is_completed_by_the_next(fresh, course, route, moment):
     time.sleep(rng.uniform(0, 0.5))
     process.send_signal(signal.SIGKILL)
     process.wait()
-    ran(run(*ROUTES[route], cwd=fresh.path))
+    if route == "grade":
+        ran(command("grade", "ch04", "--course", fresh.path))
+    else:
+        ran(nbgrader("autograde", "ch04", cwd=fresh.path))
     assert gradebook_rows(fresh) == gradebook_rows(course)
 
 
-def test_a_second_grader_at_the_same_time_is_told(fresh):
+def test_a_second_grader_at_the_same_time_is_reported(fresh):
     with alone(fresh):
         with pytest.raises(CourseError, match=r"another run is grading .* wait for its end"):
             grade(fresh, "ch04")

@@ -49,7 +49,7 @@ def test_links_pipes_and_devices_are_left_out_and_said(ungraded, inbound):
     assert (ungraded.path / "submitted/eve/ch04/ch04.ipynb").read_text() == "{}"
 
 
-def test_a_folder_with_a_name_that_is_none_stops_nobody(ungraded, inbound):
+def test_a_folder_of_another_name_stops_nobody(ungraded, inbound):
     (inbound / "dan+ch04+whenever+x").mkdir()
     (inbound / "dan+ch04+99999-01-01 10:00:00 UTC+x").mkdir()
     (inbound / "\x1b[2J+ch04+\n").mkdir()

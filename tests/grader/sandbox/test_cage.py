@@ -193,7 +193,7 @@ def test_the_worker_survives_and_leaves_nothing_running(harvester, what):
     assert wait_until(lambda: descendants() <= before)
 
 
-def test_a_deadline_of_the_cell_is_told_and_the_next_cell_still_counts(harvester):
+def test_a_deadline_of_the_cell_is_reported_and_the_next_cell_still_counts(harvester):
     reply = caged(harvester, "while True: pass", "x = 2", seconds=10, cell_seconds=0.5)
     assert (
         "TimeLimit" in reply["receipts"]["0/1"]["error"]

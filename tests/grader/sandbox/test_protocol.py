@@ -50,7 +50,7 @@ def test_givens_may_come_again_and_hold_from_there(harvester):
     assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 2.0}, "0/3": {"x": 1.0}}
 
 
-def test_the_first_error_since_the_givens_is_told_with_the_answers(harvester):
+def test_the_first_error_since_the_givens_is_reported_with_the_answers(harvester):
     givens, answer, harvest = problem("0/1", "x = 3")
     cells = [
         own("first", "before"),

@@ -1,6 +1,4 @@
-"""Chaotic models, for times after which an error at the start is magnified by not more than about
-ten million.
-"""
+"""Chaotic models, for times in which an error at the start grows by at most some ten million."""
 
 import math
 
@@ -12,28 +10,19 @@ from tests.honesty.cases import Case, family
 @family("chaotic")
 def lorenz(rng):
     """Lorenz' equations: errors grow by 2.5 in a unit of time."""
-    parameters = {"sigma": 10.0, "rho": rng.uniform(25.0, 40.0), "beta": rng.uniform(2.0, 3.0)}
-    model = Model(
-        "Lorenz",
-        parameters,
-        ("x", "y", "z"),
-        lambda s, p, t: (
-            p.sigma * (s.y - s.x),
-            s.x * (p.rho - s.z) - s.y,
-            s.x * s.y - p.beta * s.z,
-        ),
-    )
-    return Case(
-        model,
-        rng.uniform(2.0, 12.0),
-        (rng.uniform(-10.0, 10.0), rng.uniform(-10.0, 10.0), rng.uniform(15.0, 30.0)),
-    )
+    parameters = rng.parameters(sigma=10.0, rho=(25.0, 40.0), beta=(2.0, 3.0))
+
+    def rates(s, p, t):
+        return p.sigma * (s.y - s.x), s.x * (p.rho - s.z) - s.y, s.x * s.y - p.beta * s.z
+
+    T, *start = rng.values((2.0, 12.0), (-10.0, 10.0), (-10.0, 10.0), (15.0, 30.0))
+    return Case(Model("Lorenz", parameters, ("x", "y", "z"), rates), T, tuple(start))
 
 
 @family("chaotic")
 def double_pendulum(rng):
     """Two equal links, thrown up far enough to turn over."""
-    parameters = {"g": 9.81, "m": rng.uniform(0.3, 3.0), "L": rng.uniform(0.5, 2.0)}
+    parameters = rng.parameters(g=9.81, m=(0.3, 3.0), L=(0.5, 2.0))
 
     def accelerations(s, p, t):
         c, k = cos(s.a - s.b), sin(s.a - s.b)
@@ -44,59 +33,41 @@ def double_pendulum(rng):
         return (f - p.m * c * h) / d, (M * h - c * f) / (L * d)
 
     model = second_order("double pendulum", parameters, ("a", "b"), accelerations)
-    return Case(
-        model, rng.uniform(1.5, 6.0), (rng.uniform(1.0, 3.0), rng.uniform(-3.0, 3.0), 0.0, 0.0)
-    )
+    T, *start = rng.values((1.5, 6.0), (1.0, 3.0), (-3.0, 3.0), 0.0, 0.0)
+    return Case(model, T, tuple(start))
 
 
 @family("chaotic")
 def henon_heiles(rng):
     """A star in a galaxy, below the energy at which it escapes."""
-    model = second_order(
-        "Henon-Heiles",
-        {"a": 1.0},
-        ("x", "y"),
-        lambda s, p, t: (-s.x - 2 * p.a * s.x * s.y, -s.y - p.a * (s.x * s.x - s.y * s.y)),
-    )
-    energy, y = rng.uniform(0.08, 1 / 6.2), rng.uniform(-0.2, 0.3)
-    v = rng.uniform(-0.2, 0.2)
+    a = lambda s, p, t: (-s.x - 2 * p.a * s.x * s.y, -s.y - p.a * (s.x * s.x - s.y * s.y))
+    energy, y, v = rng.values((0.08, 1 / 6.2), (-0.2, 0.3), (-0.2, 0.2))
     u = math.sqrt(2 * energy - y * y - v * v + 2 * y**3 / 3)
+    model = second_order("Henon-Heiles", {"a": 1.0}, ("x", "y"), a)
     return Case(model, rng.uniform(10.0, 80.0), (0.0, y, u, v))
 
 
 @family("chaotic")
 def roessler(rng):
     """Roessler's spiral, with its sudden leaps."""
-    parameters = {"a": 0.2, "b": 0.2, "c": rng.uniform(4.5, 8.0)}
-    model = Model(
-        "Roessler",
-        parameters,
-        ("x", "y", "z"),
-        lambda s, p, t: (-s.y - s.z, s.x + p.a * s.y, p.b + s.z * (s.x - p.c)),
-    )
-    return Case(
-        model,
-        rng.uniform(10.0, 60.0),
-        (rng.uniform(-5.0, 5.0), rng.uniform(-5.0, 5.0), rng.uniform(0.0, 1.0)),
-    )
+    parameters = rng.parameters(a=0.2, b=0.2, c=(4.5, 8.0))
+    rates = lambda s, p, t: (-s.y - s.z, s.x + p.a * s.y, p.b + s.z * (s.x - p.c))
+    T, *start = rng.values((10.0, 60.0), (-5.0, 5.0), (-5.0, 5.0), (0.0, 1.0))
+    return Case(Model("Roessler", parameters, ("x", "y", "z"), rates), T, tuple(start))
 
 
 @family("chaotic", "forced")
 def driven_pendulum(rng):
     """Damped, and driven hard enough to turn over now and then."""
-    parameters = {"c": rng.uniform(0.2, 0.5), "F": rng.uniform(1.0, 1.6), "w": 0.6667}
-    model = Model(
-        "driven pendulum",
-        parameters,
-        ("theta", "omega"),
-        lambda s, p, t: (s.omega, -sin(s.theta) - p.c * s.omega + p.F * cos(p.w * t)),
-    )
-    return Case(model, rng.uniform(10.0, 50.0), (rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)))
+    parameters = rng.parameters(c=(0.2, 0.5), F=(1.0, 1.6), w=0.6667)
+    rates = lambda s, p, t: (s.omega, -sin(s.theta) - p.c * s.omega + p.F * cos(p.w * t))
+    T, *start = rng.values((10.0, 50.0), (-1.0, 1.0), (-1.0, 1.0))
+    return Case(Model("driven pendulum", parameters, ("theta", "omega"), rates), T, tuple(start))
 
 
 @family("chaotic", "near-singular")
 def three_bodies(rng):
-    """A light body about two heavy ones that circle each other, in their turning frame.
+    """A light body about two heavy ones that circle each other, in their rotating frame.
 
     It may pass close to one.
     """
@@ -108,14 +79,5 @@ def three_bodies(rng):
         return 2 * s.dy + s.x - first * a - second * b, s.y - 2 * s.dx - (first + second) * s.y
 
     model = second_order("three bodies", {"mu": rng.uniform(0.01, 0.5)}, ("x", "y"), accelerations)
-    angle, r = rng.uniform(0.0, 2 * math.pi), rng.uniform(0.5, 0.9)
-    return Case(
-        model,
-        rng.uniform(1.0, 6.0),
-        (
-            0.3 + r * math.cos(angle),
-            r * math.sin(angle),
-            rng.uniform(-0.5, 0.5),
-            rng.uniform(-0.5, 0.5),
-        ),
-    )
+    angle, r, T, u, v = rng.values((0.0, 2 * math.pi), (0.5, 0.9), (1.0, 6.0), *[(-0.5, 0.5)] * 2)
+    return Case(model, T, (0.3 + r * math.cos(angle), r * math.sin(angle), u, v))

@@ -6,15 +6,15 @@ from itertools import pairwise
 from newton_euler import Model, exp, sin, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, decades, either, held_out
+from tests.honesty.cases import Branches, Case, Log, held_out
 
 
 def _states(s, letter, n):
     return [getattr(s, f"{letter}{i}") for i in range(n)]
 
 
-def _named(letter, n):
-    return tuple(f"{letter}{i}" for i in range(n))
+def _named(letters, n):
+    return tuple(f"{a}{i}" for a in letters for i in range(n))
 
 
 @held_out("smooth")
@@ -28,14 +28,10 @@ def fermi_pasta_ulam(rng):
         force = [d + p.a * d * d + p.b * d * d * d for d in pull]
         return tuple(b - a for a, b in pairwise(force))
 
-    parameters = {"a": rng.uniform(0.0, 0.5), "b": rng.uniform(0.0, 1.0)}
-    mode = rng.randint(1, 3)
+    parameters, mode = rng.parameters(a=(0.0, 0.5), b=(0.0, 1.0)), rng.randint(1, 3)
     start = [rng.uniform(0.3, 1.5) * math.sin(math.pi * mode * (i + 1) / (n + 1)) for i in range(n)]
-    return Case(
-        second_order("Fermi, Pasta, Ulam", parameters, _named("x", n), accelerations),
-        rng.uniform(5.0, 20.0),
-        (*start, *[0.0] * n),
-    )
+    model = second_order("Fermi, Pasta, Ulam", parameters, _named("x", n), accelerations)
+    return Case(model, rng.uniform(5.0, 20.0), (*start, *[0.0] * n))
 
 
 @held_out("smooth")
@@ -48,19 +44,15 @@ def toda_ring(rng):
         force = [exp(-p.b * (x[(i + 1) % n] - x[i])) for i in range(n)]
         return tuple(force[i - 1] - force[i] for i in range(n))
 
-    start = [rng.uniform(-0.5, 0.5) for _ in range(2 * n)]
-    return Case(
-        second_order("Toda", {"b": rng.uniform(0.5, 2.0)}, _named("x", n), accelerations),
-        rng.uniform(5.0, 25.0),
-        tuple(start),
-    )
+    start = rng.values(*[(-0.5, 0.5)] * 2 * n)
+    model = second_order("Toda", {"b": rng.uniform(0.5, 2.0)}, _named("x", n), accelerations)
+    return Case(model, rng.uniform(5.0, 25.0), start)
 
 
 @held_out("units", "chaotic")
 def argon_cluster(rng):
     """Three argon atoms in a plane by Lennard-Jones, in metres and kilograms."""
     n = 3
-    parameters = {"eps": 1.65e-21, "sig": 3.4e-10, "m": 6.63e-26}
 
     def accelerations(s, p, t):
         x, y = _states(s, "x", n), _states(s, "y", n)
@@ -75,15 +67,13 @@ def argon_cluster(rng):
                 ax[j], ay[j] = ax[j] - f * dx, ay[j] - f * dy
         return (*ax, *ay)
 
-    d, v = 3.4e-10 * 2 ** (1 / 6), 60.0
+    d = 3.4e-10 * 2 ** (1 / 6)
     places = (0.0, d, d / 2, 0.0, 0.0, d * 0.87)
     start = [x + d * rng.uniform(-0.05, 0.05) for x in places]
-    speeds = [rng.uniform(-v, v) for _ in range(6)]
-    return Case(
-        second_order("argon", parameters, _named("x", n) + _named("y", n), accelerations),
-        rng.uniform(1e-12, 5e-12),
-        (*start, *speeds),
-    )
+    speeds = rng.values(*[(-60.0, 60.0)] * 6)
+    parameters = {"eps": 1.65e-21, "sig": 3.4e-10, "m": 6.63e-26}
+    model = second_order("argon", parameters, _named("xy", n), accelerations)
+    return Case(model, rng.uniform(1e-12, 5e-12), (*start, *speeds))
 
 
 @held_out("stiff", "multi-scale")
@@ -92,7 +82,7 @@ def almost_rigid_link(rng):
     n = 6
     stiff = rng.randrange(1, n)
     parameters = {f"k{i}": 1.0 for i in range(n)}
-    parameters[f"k{stiff}"] = decades(rng, 1e4, 3e5)
+    parameters[f"k{stiff}"] = rng.decades(1e4, 3e5)
 
     def accelerations(s, p, t):
         x = [0, *_states(s, "x", n)]
@@ -100,29 +90,23 @@ def almost_rigid_link(rng):
         return tuple(force[i + 1] - force[i] for i in range(n))
 
     start = [rng.uniform(0.5, 1.0)] * n
-    return Case(
-        second_order("stiff link", parameters, _named("x", n), accelerations),
-        rng.uniform(0.3, 2.0),
-        (*start, *[0.0] * n),
-    )
+    model = second_order("stiff link", parameters, _named("x", n), accelerations)
+    return Case(model, rng.uniform(0.3, 2.0), (*start, *[0.0] * n))
 
 
 @held_out("stiff")
 def heated_rod(rng):
     """Ten slices of a rod whose end is heated to and fro."""
     n = 10
-    parameters = {"d": decades(rng, 1.0, 300.0), "A": rng.uniform(1.0, 50.0), "w": 2.0}
 
     def rates(s, p, t):
         T = [p.A * sin(p.w * t), *_states(s, "T", n)]
         T.append(T[-1])
         return tuple(p.d * (T[i - 1] - 2 * T[i] + T[i + 1]) for i in range(1, n + 1))
 
-    return Case(
-        Model("rod", parameters, _named("T", n), rates),
-        rng.uniform(0.5, 5.0),
-        tuple(rng.choice((0.0, 20.0)) for _ in range(n)),
-    )
+    parameters = rng.parameters(d=Log(1.0, 300.0), A=(1.0, 50.0), w=2.0)
+    T, start = rng.uniform(0.5, 5.0), tuple(rng.choice((0.0, 20.0)) for _ in range(n))
+    return Case(Model("rod", parameters, _named("T", n), rates), T, start)
 
 
 @held_out("smooth")
@@ -134,22 +118,16 @@ def kuramoto(rng):
 
     def rates(s, p, t):
         th = _states(s, "th", n)
-        return tuple(
-            getattr(p, f"w{i}") + p.K * sum(sin(b - th[i]) for b in th if b is not th[i])
-            for i in range(n)
-        )
+        pull = [sum(sin(b - a) for b in th if b is not a) for a in th]
+        return tuple(getattr(p, f"w{i}") + p.K * pull[i] for i in range(n))
 
-    return Case(
-        Model("Kuramoto", parameters, _named("th", n), rates),
-        rng.uniform(5.0, 20.0),
-        tuple(rng.uniform(-3.0, 3.0) for _ in range(n)),
-    )
+    T, *start = rng.values((5.0, 20.0), *[(-3.0, 3.0)] * n)
+    return Case(Model("Kuramoto", parameters, _named(["th"], n), rates), T, tuple(start))
 
 
 @held_out("kinked")
 def cradle(rng):
     """Three balls in a row that push only when they touch."""
-    parameters = {"k": decades(rng, 50.0, 5e3), "g": rng.uniform(1.0, 10.0)}
 
     def accelerations(s, p, t):
         a, b = s.x0 - s.x1, s.x1 - s.x2
@@ -161,23 +139,19 @@ def cradle(rng):
         h = (1 + b[1]) / 2 * p.k * (s.x1 - s.x2)
         return s.dx0, s.dx1, s.dx2, -p.g * s.x0 - f, -p.g * s.x1 + f - h, -p.g * s.x2 + h
 
-    speeds = rng.uniform(-0.3, 0.3), rng.uniform(0.0, 0.3)
+    parameters = rng.parameters(k=Log(50.0, 5e3), g=(1.0, 10.0))
+    u, v, T, x, z = rng.values((-0.3, 0.3), (0.0, 0.3), (1.5, 5.0), (0.3, 1.0), (0.001, 0.1))
     branches = Branches((lambda s, p, t: s.x0 - s.x1, lambda s, p, t: s.x1 - s.x2), pieces)
-    return Case(
-        second_order("cradle", parameters, _named("x", 3), accelerations),
-        rng.uniform(1.5, 5.0),
-        (-rng.uniform(0.3, 1.0), 0.0, rng.uniform(0.001, 0.1), 0.0, *speeds),
-        branches=branches,
-    )
+    model = second_order("cradle", parameters, _named("x", 3), accelerations)
+    return Case(model, T, (-x, 0.0, z, 0.0, u, v), branches=branches)
 
 
 @held_out("chaotic", "near-singular")
 def small_cluster(rng):
     """Four stars in a plane whose attraction is softened a little."""
     n = 4
-    parameters = {"soft": decades(rng, 1e-2, 0.2)} | {
-        f"m{i}": rng.uniform(0.5, 1.5) for i in range(n)
-    }
+    parameters = {"soft": rng.decades(1e-2, 0.2)}
+    parameters |= {f"m{i}": rng.uniform(0.5, 1.5) for i in range(n)}
 
     def accelerations(s, p, t):
         x, y = _states(s, "x", n), _states(s, "y", n)
@@ -197,11 +171,8 @@ def small_cluster(rng):
     angles = [2 * math.pi * (i + rng.uniform(-0.2, 0.2)) / n for i in range(n)]
     places = [math.cos(a) for a in angles] + [math.sin(a) for a in angles]
     speeds = [-0.5 * math.sin(a) for a in angles] + [0.5 * math.cos(a) for a in angles]
-    return Case(
-        second_order("cluster", parameters, _named("x", n) + _named("y", n), accelerations),
-        rng.uniform(0.5, 2.0),
-        (*places, *speeds),
-    )
+    model = second_order("cluster", parameters, _named("xy", n), accelerations)
+    return Case(model, rng.uniform(0.5, 2.0), (*places, *speeds))
 
 
 @held_out("smooth")
@@ -213,63 +184,46 @@ def lattice_of_nine(rng):
 
     def accelerations(s, p, cube):
         u = _states(s, "u", n * n)
-
-        def at(i, j):
-            return u[(i % n) * n + j % n]
-
-        def around(i, j):
-            return at(i + 1, j) + at(i - 1, j) + at(i, j + 1) + at(i, j - 1)
-
-        return tuple(
-            around(i, j) - (4 + p.m) * at(i, j) - p.b * cube(at(i, j))
-            for i in range(n)
-            for j in range(n)
-        )
+        at = lambda i, j: u[(i % n) * n + j % n]
+        around = lambda i, j: at(i + 1, j) + at(i - 1, j) + at(i, j + 1) + at(i, j - 1)
+        force = lambda i, j: around(i, j) - (4 + p.m) * at(i, j) - p.b * cube(at(i, j))
+        return tuple(force(i, j) for i in range(n) for j in range(n))
 
     def by(cube):
-        return second_order(
-            "lattice", parameters, _named("u", n * n), lambda s, p, t: accelerations(s, p, cube)
-        )
+        a = lambda s, p, t: accelerations(s, p, cube)
+        return second_order("lattice", parameters, _named("u", n * n), a)
 
-    parameters = {"m": rng.uniform(-0.5, 1.0), "b": rng.uniform(0.5, 2.0)}
+    parameters = rng.parameters(m=(-0.5, 1.0), b=(0.5, 2.0))
     start = [0.0] * (2 * n * n)
     start[rng.randrange(n * n)] = rng.uniform(0.5, 1.5)
-    return Case(
-        by(lambda x: x**3),
-        rng.uniform(2.0, 8.0),
-        tuple(start),
-        # series of heyoka have no power of zero
-        written_out=by(lambda x: x * x * x),
-    )
+    T, written = rng.uniform(2.0, 8.0), by(lambda x: x * x * x)
+    # series of heyoka have no power of zero
+    return Case(by(lambda x: x**3), T, tuple(start), written_out=written)
 
 
 @held_out("tiny")
 def kink_along_pendulums(rng):
     """Twelve pendulums in a row, tied by springs, of which the first is turned over."""
     n = 12
-    parameters = {"k": rng.uniform(0.5, 3.0), "g": 1.0}
 
     def accelerations(s, p, t):
         a = _states(s, "a", n)
         a = [a[0], *a, a[-1]]
-        return tuple(
-            p.k * (a[i - 1] - 2 * a[i] + a[i + 1]) - p.g * sin(a[i]) for i in range(1, n + 1)
-        )
+        twist = lambda i: p.k * (a[i - 1] - 2 * a[i] + a[i + 1])
+        return tuple(twist(i) - p.g * sin(a[i]) for i in range(1, n + 1))
 
+    parameters = rng.parameters(k=(0.5, 3.0), g=1.0)
     start = [0.0] * (2 * n)
     start[0], start[n] = rng.uniform(1.0, 3.0), rng.uniform(0.0, 5.0)
-    return Case(
-        second_order("row of pendulums", parameters, _named("a", n), accelerations),
-        rng.uniform(2.0, 12.0),
-        tuple(start),
-    )
+    model = second_order("row of pendulums", parameters, _named("a", n), accelerations)
+    return Case(model, rng.uniform(2.0, 12.0), tuple(start))
 
 
 @held_out("mechanics")
 def four_spins(rng):
     """Four magnets by Landau and Lifshitz with a little damping, in a ring."""
     n = 4
-    parameters = {"J": rng.uniform(0.5, 2.0), "lam": rng.uniform(0.0, 0.2), "B": 0.3}
+    parameters = rng.parameters(J=(0.5, 2.0), lam=(0.0, 0.2), B=0.3)
 
     def cross(a, b):
         return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
@@ -296,10 +250,8 @@ def four_spins(rng):
 @held_out("long")
 def two_modes_for_long(rng):
     """Two masses and three springs for a thousand to a hundred thousand swings."""
-    parameters = {"k": decades(rng, 0.1, 10.0), "q": decades(rng, 1e-3, 1.0)}
-
-    def accelerations(s, p, t):
-        return -p.k * s.x - p.q * (s.x - s.y), -p.k * s.y - p.q * (s.y - s.x)
+    parameters = rng.parameters(k=Log(0.1, 10.0), q=Log(1e-3, 1.0))
+    a = lambda s, p, t: (-p.k * s.x - p.q * (s.x - s.y), -p.k * s.y - p.q * (s.y - s.x))
 
     def exact(mp, s, p, t):
         w, W = mp.sqrt(p.k), mp.sqrt(p.k + 2 * p.q)
@@ -307,9 +259,6 @@ def two_modes_for_long(rng):
         b, db = closed_forms.oscillator(mp, W, (s.x - s.y) / 2, (s.dx - s.dy) / 2, t)
         return a + b, a - b, da + db, da - db
 
-    return Case(
-        second_order("two modes", parameters, ("x", "y"), accelerations),
-        6.28 / parameters["k"] ** 0.5 * decades(rng, 10.0, 300.0),
-        (either(rng, 1.0), 0.0, 0.0, 0.0),
-        exact=exact,
-    )
+    model = second_order("two modes", parameters, ("x", "y"), a)
+    T = 6.28 / parameters["k"] ** 0.5 * rng.decades(10.0, 300.0)
+    return Case(model, T, (rng.either(1.0), 0.0, 0.0, 0.0), exact=exact)

@@ -6,7 +6,7 @@ import newton_euler
 from newton_euler import Event, Model, acos, asin, atan2, cos, sin, sqrt, tan, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, decades, either, held_out
+from tests.honesty.cases import Branches, Case, Log, held_out
 
 
 @held_out("kinked", "sticking")
@@ -24,22 +24,15 @@ def skidding_then_rolling(rng):
         f = -sign * p.mu * p.g
         return s.v + f * t, s.w - mp.mpf(5) / 2 * f / p.R * t
 
-    parameters = {"mu": rng.uniform(0.05, 0.3), "g": 9.81, "R": 0.108}
-    v, w = rng.uniform(4.0, 9.0), rng.uniform(-30.0, 30.0)
-    rolls = (v - 0.108 * w) / (3.5 * parameters["mu"] * 9.81)
-    return Case(
-        Model("bowling ball", parameters, ("v", "w"), rates),
-        rolls * rng.choice((0.6, 0.95, 1.4)),
-        (v, w),
-        exact=exact,
-    )
+    mu, v, w = rng.values((0.05, 0.3), (4.0, 9.0), (-30.0, 30.0))
+    model = Model("bowling ball", {"mu": mu, "g": 9.81, "R": 0.108}, ("v", "w"), rates)
+    rolls = (v - 0.108 * w) / (3.5 * mu * 9.81)
+    return Case(model, rolls * rng.choice((0.6, 0.95, 1.4)), (v, w), exact=exact)
 
 
 @held_out("kinked")
 def up_and_down_a_rough_plank(rng):
     """A block kicked up a slope that is too steep for it to stay."""
-    slope = rng.uniform(25.0, 60.0)
-    parameters = {"g": 9.81, "mu": rng.uniform(0.05, 0.4), "deg": slope}
 
     def rates(s, p, t):
         a = p.deg * (math.pi / 180)
@@ -50,31 +43,20 @@ def up_and_down_a_rough_plank(rng):
         up, down = p.g * (mp.sin(a) + p.mu * mp.cos(a)), p.g * (mp.sin(a) - p.mu * mp.cos(a))
         first = min(t, s.v / up)
         then = t - first
-        return (
-            s.v * first - up * first**2 / 2 - down * then**2 / 2 + s.x,
-            s.v - up * first - down * then,
-        )
+        x = s.v * first - up * first**2 / 2 - down * then**2 / 2 + s.x
+        return x, s.v - up * first - down * then
 
-    v = rng.uniform(1.0, 12.0)
-    return Case(
-        Model("rough plank", parameters, ("x", "v"), rates),
-        v / 9.81 * rng.uniform(1.5, 5.0),
-        (0.0, v),
-        exact=exact,
-    )
+    slope, mu, v, T = rng.values((25.0, 60.0), (0.05, 0.4), (1.0, 12.0), (1.5, 5.0))
+    model = Model("rough plank", {"g": 9.81, "mu": mu, "deg": slope}, ("x", "v"), rates)
+    return Case(model, v / 9.81 * T, (0.0, v), exact=exact)
 
 
 @held_out("kinked")
 def bungee_jump(rng):
     """Free fall, then a cord with damping, then flight again; air drag as c v |v|."""
-    parameters = {
-        "m": rng.uniform(50.0, 100.0),
-        "g": 9.81,
-        "L": rng.uniform(10.0, 30.0),
-        "k": rng.uniform(50.0, 200.0),
-        "b": rng.uniform(0.0, 30.0),
-        "c": rng.uniform(0.05, 0.4),
-    }
+    parameters = rng.parameters(
+        m=(50.0, 100.0), g=9.81, L=(10.0, 30.0), k=(50.0, 200.0), b=(0.0, 30.0), c=(0.05, 0.4)
+    )
 
     def rates(s, p, t):
         cord = where(s.y > p.L, p.k * (s.y - p.L) + p.b * s.v, 0.0)
@@ -84,89 +66,59 @@ def bungee_jump(rng):
         cord = (1 + b[0]) / 2 * (p.k * (s.y - p.L) + p.b * s.v)
         return s.v, (p.m * p.g - cord - p.c * b[1] * s.v * s.v) / p.m
 
-    return Case(
-        Model("bungee", parameters, ("y", "v"), rates),
-        rng.uniform(4.0, 30.0),
-        (0.0, 0.0),
-        branches=Branches((lambda s, p, t: s.y - p.L, lambda s, p, t: s.v), pieces),
-    )
+    branches = Branches((lambda s, p, t: s.y - p.L, lambda s, p, t: s.v), pieces)
+    model, T = Model("bungee", parameters, ("y", "v"), rates), rng.uniform(4.0, 30.0)
+    return Case(model, T, (0.0, 0.0), branches=branches)
 
 
 @held_out("kinked", "forced")
 def parachute(rng):
     """A jump from rest; the canopy opens at a given instant and the drag jumps by a hundred."""
-    parameters = {
-        "g": 9.81,
-        "c1": rng.uniform(0.002, 0.005),
-        "c2": rng.uniform(0.1, 0.6),
-        "t1": rng.uniform(3.0, 15.0),
-    }
+    parameters = rng.parameters(g=9.81, c1=(0.002, 0.005), c2=(0.1, 0.6), t1=(3.0, 15.0))
 
     def rates(s, p, t):
         drag = where(t < p.t1, p.c1, p.c2)
         return -s.v, p.g - drag * s.v * sqrt(s.v * s.v)
 
-    branches = Branches(
-        (lambda s, p, t: t - p.t1, lambda s, p, t: s.v),
-        lambda s, p, t, b: (
-            -s.v,
-            p.g - (p.c1 * (1 - b[0]) + p.c2 * (1 + b[0])) / 2 * b[1] * s.v * s.v,
-        ),
-    )
-    return Case(
-        Model("parachute", parameters, ("h", "v"), rates),
-        parameters["t1"] + rng.uniform(1.0, 20.0),
-        (rng.uniform(500.0, 4000.0), 0.0),
-        branches=branches,
-    )
+    def pieces(s, p, t, b):
+        drag = (p.c1 * (1 - b[0]) + p.c2 * (1 + b[0])) / 2
+        return -s.v, p.g - drag * b[1] * s.v * s.v
+
+    branches = Branches((lambda s, p, t: t - p.t1, lambda s, p, t: s.v), pieces)
+    T, h = rng.values((1.0, 20.0), (500.0, 4000.0))
+    model = Model("parachute", parameters, ("h", "v"), rates)
+    return Case(model, parameters["t1"] + T, (h, 0.0), branches=branches)
 
 
 @held_out("forced")
 def kapitza(rng):
     """An inverted pendulum that stands because its pivot shakes fast."""
-    parameters = {
-        "g": 9.81,
-        "L": rng.uniform(0.2, 1.0),
-        "a": rng.uniform(0.01, 0.05),
-        "W": rng.uniform(50.0, 150.0),
-        "c": rng.uniform(0.0, 0.5),
-    }
+    parameters = rng.parameters(g=9.81, L=(0.2, 1.0), a=(0.01, 0.05), W=(50.0, 150.0), c=(0.0, 0.5))
 
     def accelerations(s, p, t):
         return ((p.g - p.a * p.W * p.W * cos(p.W * t)) / p.L * sin(s.th) - p.c * s.dth,)
 
-    return Case(
-        second_order("Kapitza's pendulum", parameters, ("th",), accelerations),
-        rng.uniform(0.5, 2.0),
-        (either(rng, rng.uniform(0.01, 0.5)), 0.0),
-    )
+    T, th = rng.values((0.5, 2.0), (0.01, 0.5))
+    model = second_order("Kapitza's pendulum", parameters, ("th",), accelerations)
+    return Case(model, T, (rng.either(th), 0.0))
 
 
 @held_out("events", "equilibrium")
 def ladder_leaves_the_wall(rng):
     """A ladder from almost upright at a smooth wall, until it loses contact."""
-    tilt = decades(rng, 1e-4, 0.3)
-    parameters = {"g": 9.81, "L": rng.uniform(1.0, 6.0), "c0": math.cos(tilt)}
-    model = second_order(
-        "ladder", parameters, ("th",), lambda s, p, t: (1.5 * p.g / p.L * sin(s.th),)
-    )
+    tilt, L = rng.values(Log(1e-4, 0.3), (1.0, 6.0))
+    parameters = {"g": 9.81, "L": L, "c0": math.cos(tilt)}
+    a = lambda s, p, t: (1.5 * p.g / p.L * sin(s.th),)
     free = Event(lambda s, p, t: 3 * cos(s.th) - 2 * p.c0, -1, True, name="leaves the wall")
-    rate = math.sqrt(1.5 * 9.81 / parameters["L"])
-    return Case(model, (math.log(4 / tilt) + 2.0) / rate, (tilt, 0.0), events=(free,))
+    T = (math.log(4 / tilt) + 2.0) / math.sqrt(1.5 * 9.81 / L)
+    return Case(second_order("ladder", parameters, ("th",), a), T, (tilt, 0.0), events=(free,))
 
 
 @held_out("forced", "law")
 def pendulum_on_a_winch(rng):
     """A pendulum whose length is a law of time, as is the rate of its length."""
-    numbers = {
-        "g": 9.81,
-        "L0": rng.uniform(0.5, 2.0),
-        "a": rng.uniform(0.05, 0.3),
-        "w": rng.uniform(0.5, 6.0),
-    }
-
-    def rates(s, p, t):
-        return s.om, -(2 * p.dL * s.om + p.g * sin(s.th)) / p.L
+    numbers = rng.parameters(g=9.81, L0=(0.5, 2.0), a=(0.05, 0.3), w=(0.5, 6.0))
+    rates = lambda s, p, t: (s.om, -(2 * p.dL * s.om + p.g * sin(s.th)) / p.L)
 
     def written(s, p, t):
         L = p.L0 + p.a * sin(p.w * t)
@@ -176,26 +128,16 @@ def pendulum_on_a_winch(rng):
         "L": lambda s, p, t: p.L0 + p.a * sin(p.w * t),
         "dL": lambda s, p, t: p.a * p.w * cos(p.w * t),
     }
-    return Case(
-        Model("winch", {**numbers, **laws}, ("th", "om"), rates),
-        rng.uniform(3.0, 15.0),
-        (rng.uniform(0.1, 1.5), 0.0),
-        written_out=Model("winch", numbers, ("th", "om"), written),
-    )
+    model = Model("winch", {**numbers, **laws}, ("th", "om"), rates)
+    T, th = rng.values((3.0, 15.0), (0.1, 1.5))
+    return Case(model, T, (th, 0.0), written_out=Model("winch", numbers, ("th", "om"), written))
 
 
 @held_out("kinked", "law")
 def model_rocket(rng):
     """A rocket of a kit: thrust by a table in time, mass that follows it, drag v sqrt(v v)."""
-    numbers = {
-        "g": 9.81,
-        "F1": rng.uniform(15.0, 30.0),
-        "F2": rng.uniform(4.0, 8.0),
-        "ta": rng.uniform(0.2, 0.5),
-        "tb": rng.uniform(1.0, 2.0),
-        "c": decades(rng, 1e-5, 1e-3),
-        "u": 800.0,
-    }
+    numbers = rng.parameters(g=9.81, F1=(15.0, 30.0), F2=(4.0, 8.0), ta=(0.2, 0.5), tb=(1.0, 2.0))
+    numbers |= rng.parameters(c=Log(1e-5, 1e-3), u=800.0)
 
     def rates(s, p, t):
         return s.v, (p.thrust - p.c * s.v * sqrt(s.v * s.v)) / s.m - p.g, -p.thrust / p.u
@@ -208,28 +150,25 @@ def model_rocket(rng):
         return s.v, (F - p.c * b[2] * s.v * s.v) / s.m - p.g, -F / p.u
 
     def written(s, p, t):
-        F = where(t < p.ta, p.F1, where(t < p.tb, p.F2, 0.0))
+        F = thrust(s, p, t)
         return s.v, (F - p.c * s.v * abs(s.v)) / s.m - p.g, -F / p.u
 
-    branches = Branches(
-        (lambda s, p, t: t - p.ta, lambda s, p, t: t - p.tb, lambda s, p, t: s.v), pieces
-    )
-    states = "h", "v", "m"
+    switches = lambda s, p, t: t - p.ta, lambda s, p, t: t - p.tb, lambda s, p, t: s.v
+    name, states = "model rocket", ("h", "v", "m")
+    model = Model(name, {**numbers, "thrust": thrust}, states, rates)
+    T, m = rng.values((0.2, 6.0), (0.2, 0.6))
     return Case(
-        Model("model rocket", {**numbers, "thrust": thrust}, states, rates),
-        numbers["tb"] + rng.uniform(0.2, 6.0),
-        (0.0, 0.0, rng.uniform(0.2, 0.6)),
-        branches=branches,
-        written_out=Model("model rocket", numbers, states, written),
-    )
+        model, numbers["tb"] + T, (0.0, 0.0, m),
+        branches=Branches(switches, pieces), written_out=Model(name, numbers, states, written),
+    )  # fmt: skip
 
 
 @held_out("events", "tiny")
 def rope_off_a_table(rng):
     """A rope of which first a billionth, or a tenth, hangs over the edge, until all of it does."""
-    parameters = {"n": math.sqrt(9.81 / rng.uniform(0.5, 3.0)), "L": 1.0}
-    hangs = decades(rng, 1e-9, 0.1)
-    T = math.acosh(1 / hangs) / parameters["n"] * rng.uniform(0.7, 1.3)
+    n = math.sqrt(9.81 / rng.uniform(0.5, 3.0))
+    hangs = rng.decades(1e-9, 0.1)
+    T = math.acosh(1 / hangs) / n * rng.uniform(0.7, 1.3)
 
     def exact(mp, s, p, t):
         return s.x * mp.cosh(p.n * t), s.x * p.n * mp.sinh(p.n * t)
@@ -238,25 +177,16 @@ def rope_off_a_table(rng):
         t = mp.acosh(p.L / s.x) / p.n
         return [t] if t <= T else []
 
-    return Case(
-        second_order("rope", parameters, ("x",), lambda s, p, t: (p.n * p.n * s.x,)),
-        T,
-        (hangs, 0.0),
-        exact=exact,
-        events=(Event(lambda s, p, t: s.x - p.L, 1, name="all of it hangs"),),
-        event_times=times,
-    )
+    model = second_order("rope", {"n": n, "L": 1.0}, ("x",), lambda s, p, t: (p.n * p.n * s.x,))
+    event = Event(lambda s, p, t: s.x - p.L, 1, name="all of it hangs")
+    return Case(model, T, (hangs, 0.0), exact=exact, events=(event,), event_times=times)
 
 
 @held_out("near-singular")
 def gimbal_in_degrees(rng):
     """Yaw, pitch and roll in degrees of a body that turns steadily, past a pitch near 90."""
-    parameters = {
-        "wx": rng.uniform(-20.0, 20.0),
-        "wy": rng.uniform(10.0, 30.0),
-        "wz": decades(rng, 0.02, 5.0),
-        "rad": math.pi / 180,
-    }
+    parameters = rng.parameters(wx=(-20.0, 20.0), wy=(10.0, 30.0), wz=Log(0.02, 5.0))
+    parameters["rad"] = math.pi / 180
 
     def rates(s, p, t):
         sr, cr = sin(s.roll * p.rad), cos(s.roll * p.rad)
@@ -265,11 +195,9 @@ def gimbal_in_degrees(rng):
         return turn / cos(pitch), p.wy * cr - p.wz * sr, p.wx + turn * tan(pitch)
 
     parameters["wx"] *= rng.choice((0.0, 0.01, 1.0))
-    return Case(
-        Model("gimbal", parameters, ("yaw", "pitch", "roll"), rates),
-        90.0 / parameters["wy"] * rng.uniform(0.8, 2.5),
-        (0.0, rng.uniform(0.0, 30.0), 0.0),
-    )
+    T, pitch = rng.values((0.8, 2.5), (0.0, 30.0))
+    model = Model("gimbal", parameters, ("yaw", "pitch", "roll"), rates)
+    return Case(model, 90.0 / parameters["wy"] * T, (0.0, pitch, 0.0))
 
 
 @held_out("chaotic")
@@ -281,52 +209,36 @@ def swinging_atwood(rng):
         r = (s.r * s.dth * s.dth - p.g * (p.mu - cos(s.th))) / (1 + p.mu)
         return r, -(2 * s.dr * s.dth + p.g * sin(s.th)) / s.r
 
-    return Case(
-        second_order("swinging Atwood machine", parameters, ("r", "th"), accelerations),
-        rng.uniform(0.5, 2.5),
-        (rng.uniform(0.8, 1.5), rng.uniform(1.0, 2.0), 0.0, 0.0),
-    )
+    model = second_order("swinging Atwood machine", parameters, ("r", "th"), accelerations)
+    T, *start = rng.values((0.5, 2.5), (0.8, 1.5), (1.0, 2.0), 0.0, 0.0)
+    return Case(model, T, tuple(start))
 
 
 @held_out("near-singular")
 def bead_on_a_cycloid(rng):
     """Huygens' pendulum by its slope, asin(s/4a), from next to the cusp, where asin has its end."""
-    a = decades(rng, 0.05, 5.0)
-    parameters = {"a4": 4 * a, "g": 9.81}
+    a, T, near = rng.values(Log(0.05, 5.0), (3.0, 40.0), Log(1e-9, 1e-2))
+    rates = lambda s, p, t: (s.v, -p.g * sin(asin(s.s / p.a4)))
 
     def exact(mp, s, p, t):
         return closed_forms.oscillator(mp, mp.sqrt(p.g / p.a4), s.s, s.v, t)
 
-    model = Model(
-        "cycloid", parameters, ("s", "v"), lambda s, p, t: (s.v, -p.g * sin(asin(s.s / p.a4)))
-    )
-    return Case(
-        model,
-        rng.uniform(3.0, 40.0) * math.sqrt(4 * a / 9.81),
-        (4 * a * (1 - decades(rng, 1e-9, 1e-2)), 0.0),
-        exact=exact,
-    )
+    model = Model("cycloid", {"a4": 4 * a, "g": 9.81}, ("s", "v"), rates)
+    return Case(model, T * math.sqrt(4 * a / 9.81), (4 * a * (1 - near), 0.0), exact=exact)
 
 
 @held_out("mechanics")
 def dog_and_rabbit(rng):
     """A dog that steers by atan2 towards a rabbit on a circle."""
-    parameters = {
-        "v": rng.uniform(0.4, 0.9),
-        "W": rng.uniform(0.5, 1.5),
-        "k": rng.uniform(1.0, 5.0),
-    }
+    parameters = rng.parameters(v=(0.4, 0.9), W=(0.5, 1.5), k=(1.0, 5.0))
 
     def rates(s, p, t):
         dx, dy = cos(p.W * t) - s.x, sin(p.W * t) - s.y
         heading = atan2(dy, dx)
         return p.v * cos(s.phi), p.v * sin(s.phi), p.k * sin(heading - s.phi)
 
-    return Case(
-        Model("dog and rabbit", parameters, ("x", "y", "phi"), rates),
-        rng.uniform(5.0, 30.0),
-        (rng.uniform(-3.0, -1.5), rng.uniform(-2.0, 2.0), rng.uniform(-3.0, 3.0)),
-    )
+    T, *start = rng.values((5.0, 30.0), (-3.0, -1.5), (-2.0, 2.0), (-3.0, 3.0))
+    return Case(Model("dog and rabbit", parameters, ("x", "y", "phi"), rates), T, tuple(start))
 
 
 @held_out("near-singular")
@@ -334,42 +246,26 @@ def angle_by_arccosine(rng):
     """A door on a torsion spring under a steady torque, by the cosine and the sine of its angle;
     the spring takes the angle from acos, nearly of one at the turning point.
     """
-    parameters = {"k": rng.uniform(1.0, 10.0)}
-    th = decades(rng, 1e-2, 0.3)
-    parameters["M"] = parameters["k"] * rng.uniform(0.4, 1.0)
-
-    def rates(s, p, t):
-        return -s.s * s.w, s.c * s.w, p.M - p.k * acos(s.c)
-
-    return Case(
-        Model("door", parameters, ("c", "s", "w"), rates),
-        rng.uniform(2.0, 25.0) / parameters["k"] ** 0.5,
-        (math.cos(th), math.sin(th), 0.0),
-    )
+    k, th, M, T = rng.values((1.0, 10.0), Log(1e-2, 0.3), (0.4, 1.0), (2.0, 25.0))
+    rates = lambda s, p, t: (-s.s * s.w, s.c * s.w, p.M - p.k * acos(s.c))
+    model = Model("door", {"k": k, "M": k * M}, ("c", "s", "w"), rates)
+    return Case(model, T / k**0.5, (math.cos(th), math.sin(th), 0.0))
 
 
 @held_out("mechanics", "multi-scale")
 def gyro_with_damping(rng):
     """A fast gyro in two gimbals with damping: it nutates fast and drifts slowly."""
-    parameters = {
-        "H": decades(rng, 10.0, 300.0),
-        "A": rng.uniform(0.5, 1.5),
-        "B": rng.uniform(0.5, 1.5),
-        "c": decades(rng, 1e-3, 3.0),
-        "M": rng.uniform(0.1, 3.0),
-    }
+    parameters = rng.parameters(
+        H=Log(10.0, 300.0), A=(0.5, 1.5), B=(0.5, 1.5), c=Log(1e-3, 3.0), M=(0.1, 3.0)
+    )
 
     def accelerations(s, p, t):
-        return (
-            (p.M - p.c * s.da - p.H * cos(s.a) * s.db) / p.A,
-            (p.H * cos(s.a) * s.da - p.c * s.db) / p.B,
-        )
+        a = (p.M - p.c * s.da - p.H * cos(s.a) * s.db) / p.A
+        return a, (p.H * cos(s.a) * s.da - p.c * s.db) / p.B
 
-    return Case(
-        second_order("gyro", parameters, ("a", "b"), accelerations),
-        rng.uniform(30.0, 300.0) / parameters["H"],
-        (rng.uniform(-0.5, 0.5), 0.0, rng.uniform(-0.1, 0.1), 0.0),
-    )
+    T, *start = rng.values((30.0, 300.0), (-0.5, 0.5), 0.0, (-0.1, 0.1), 0.0)
+    model = second_order("gyro", parameters, ("a", "b"), accelerations)
+    return Case(model, T / parameters["H"], tuple(start))
 
 
 @held_out("mechanics", "closed form")
@@ -383,18 +279,11 @@ def fall_with_a_terminal_speed(rng):
         fallen = m.log(m.cosh(u)) - m.log(m.cosh(before))
         return s.h - vt * vt / p.g * fallen, -vt * m.tanh(u)
 
-    parameters = {"g": 9.81, "c": decades(rng, 1e-4, 1.0)}
-    of_fall = math.sqrt(1 / (9.81 * parameters["c"]))
-    model = Model(
-        "fall",
-        parameters,
-        ("h", "v"),
-        lambda s, p, t: (s.v, p.c * s.v * s.v - p.g),
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    return Case(
-        model,
-        of_fall * rng.choice((decades(rng, 1e-3, 10.0), decades(rng, 10.0, 3000.0))),
-        (rng.uniform(10.0, 1000.0), rng.choice((0.0, -0.5 * 9.81 * of_fall))),
-        exact=solution,
-    )
+    parameters = rng.parameters(g=9.81, c=Log(1e-4, 1.0))
+    scale = math.sqrt(1 / (9.81 * parameters["c"]))
+    rates = lambda s, p, t: (s.v, p.c * s.v * s.v - p.g)
+    brought = lambda s, p, t: solution(newton_euler, s, p, t)
+    model = Model("fall", parameters, ("h", "v"), rates, exact=brought)
+    T = scale * rng.choice(rng.values(Log(1e-3, 10.0), Log(10.0, 3000.0)))
+    start = rng.uniform(10.0, 1000.0), rng.choice((0.0, -0.5 * 9.81 * scale))
+    return Case(model, T, start, exact=solution)

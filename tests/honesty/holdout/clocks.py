@@ -5,129 +5,94 @@ import math
 import newton_euler
 from newton_euler import Model, cos, sin, sqrt
 from newton_euler.motion import second_order
-from tests.honesty import closed_forms
-from tests.honesty.cases import Case, decades, either, held_out
+from tests.honesty import models
+from tests.honesty.cases import Case, Log, held_out
+
+
+def _brought(solution):
+    """A solution ``(m, s, p, t)`` by the functions of a module m, as a model brings it."""
+    return lambda s, p, t: solution(newton_euler, s, p, t)
 
 
 @held_out("forced", "late")
 def tide_by_the_clock_of_unix(rng):
     """A basin driven by three tides, from some instant of this century on, in Unix seconds."""
     begin = float(rng.randrange(1_600_000_000, 1_800_000_000))
-    parameters = {
-        "k": decades(rng, 1e-9, 1e-7),
-        "c": 1e-5,
-        "M2": 1.405189e-4,
-        "S2": 1.454441e-4,
-        "O1": 6.759774e-5,
-        "F": 1e-8,
-    }
+    parameters = {"k": rng.decades(1e-9, 1e-7), "c": 1e-5, "M2": 1.405189e-4, "S2": 1.454441e-4}
+    parameters |= {"O1": 6.759774e-5, "F": 1e-8}
 
     def accelerations(s, p, t):
         pull = p.F * (cos(p.M2 * t) + 0.5 * cos(p.S2 * t) + 0.25 * cos(p.O1 * t))
         return (pull - p.k * s.h - p.c * s.dh,)
 
-    return Case(
-        second_order("tides", parameters, ("h",), accelerations),
-        begin + round(decades(rng, 1e4, 5e5)),
-        (rng.uniform(-1.0, 1.0), 0.0),
-        t0=begin,
-    )
+    T, h = rng.values(Log(1e4, 5e5), (-1.0, 1.0))
+    model = second_order("tides", parameters, ("h",), accelerations)
+    return Case(model, begin + round(T), (h, 0.0), t0=begin)
 
 
 @held_out("forced", "late")
 def seasons_by_julian_dates(rng):
     """The temperature of a soil, its clock in seconds of Julian dates."""
     begin = 86400.0 * (2451545 + rng.randrange(0, 9000))
-    parameters = {"tau": decades(rng, 1e5, 1e7), "n": 1.99e-7, "day": 7.27e-5, "A": 10.0}
+    parameters = rng.parameters(tau=Log(1e5, 1e7), n=1.99e-7, day=7.27e-5, A=10.0)
 
     def rates(s, p, t):
         air = 283.0 + p.A * cos(p.n * t) + 5.0 * cos(p.day * t)
         return (air - s.T) / p.tau, (s.T - s.deep) / (8 * p.tau)
 
-    return Case(
-        Model("soil", parameters, ("T", "deep"), rates),
-        begin + 86400.0 * rng.randint(1, 30),
-        (rng.uniform(270.0, 295.0), 283.0),
-        t0=begin,
-    )
+    t_end, start = begin + 86400.0 * rng.randint(1, 30), (rng.uniform(270.0, 295.0), 283.0)
+    return Case(Model("soil", parameters, ("T", "deep"), rates), t_end, start, t0=begin)
 
 
 @held_out("closed form", "near-singular")
 def nearly_critical_damping(rng):
     """A closed form that divides by the small root of a difference; the model brings it."""
-    w = decades(rng, 0.1, 10.0)
-    parameters = {"w": w, "c": w * (1 - decades(rng, 1e-14, 1e-1))}
+    w = rng.decades(0.1, 10.0)
+    parameters = {"w": w, "c": w * (1 - rng.decades(1e-14, 1e-1))}
 
     def solution(m, s, p, t):
         d = m.sqrt(p.w * p.w - p.c * p.c)
         e, k, c = m.exp(-p.c * t), m.sin(d * t) / d, m.cos(d * t)
-        return (
-            e * (s.x * c + (s.dx + p.c * s.x) * k),
-            e * (s.dx * c - (p.c * s.dx + p.w * p.w * s.x) * k),
-        )
+        x = e * (s.x * c + (s.dx + p.c * s.x) * k)
+        return x, e * (s.dx * c - (p.c * s.dx + p.w * p.w * s.x) * k)
 
-    model = second_order(
-        "nearly critical",
-        parameters,
-        ("x",),
-        lambda s, p, t: (-2 * p.c * s.dx - p.w * p.w * s.x,),
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    return Case(model, rng.uniform(0.5, 8.0) / w, (1.0, rng.uniform(-1.0, 1.0)), exact=solution)
+    a = lambda s, p, t: (-2 * p.c * s.dx - p.w * p.w * s.x,)
+    model = second_order("nearly critical", parameters, ("x",), a, exact=_brought(solution))
+    T, v = rng.values((0.5, 8.0), (-1.0, 1.0))
+    return Case(model, T / w, (1.0, v), exact=solution)
 
 
 @held_out("closed form", "tiny")
 def shot_with_hardly_any_drag(rng):
     """(1 - exp(-c t))/c for a drag of 1e-12 to 1, as it stands in the book."""
-    parameters = {"g": 9.81, "c": decades(rng, 1e-12, 1.0)}
 
     def solution(m, s, p, t):
         e = m.exp(-p.c * t)
-        q = (1 - e) / p.c
-        return (
-            s.x + s.u * q,
-            s.y + (s.v + p.g / p.c) * q - p.g / p.c * t,
-            s.u * e,
-            (s.v + p.g / p.c) * e - p.g / p.c,
-        )
+        q, fall = (1 - e) / p.c, p.g / p.c
+        return s.x + s.u * q, s.y + (s.v + fall) * q - fall * t, s.u * e, (s.v + fall) * e - fall
 
-    model = Model(
-        "shot with drag",
-        parameters,
-        ("x", "y", "u", "v"),
-        lambda s, p, t: (s.u, s.v, -p.c * s.u, -p.g - p.c * s.v),
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    return Case(
-        model,
-        rng.uniform(0.5, 10.0),
-        (0.0, 0.0, rng.uniform(5.0, 50.0), rng.uniform(5.0, 50.0)),
-        exact=solution,
-    )
+    rates = lambda s, p, t: (s.u, s.v, -p.c * s.u, -p.g - p.c * s.v)
+    parameters, states = rng.parameters(g=9.81, c=Log(1e-12, 1.0)), ("x", "y", "u", "v")
+    model = Model("shot with drag", parameters, states, rates, exact=_brought(solution))
+    T, *start = rng.values((0.5, 10.0), 0.0, 0.0, (5.0, 50.0), (5.0, 50.0))
+    return Case(model, T, tuple(start), exact=solution)
 
 
 @held_out("closed form", "forced")
 def beat_by_a_difference(rng):
     """Driven next to its own frequency, by (cos q t - cos w t)/(w^2 - q^2)."""
-    w = decades(rng, 0.3, 10.0)
-    parameters = {"w": w, "q": w * (1 + either(rng, decades(rng, 1e-11, 1e-2))), "F": 1.0}
+    w = rng.decades(0.3, 10.0)
+    parameters = {"w": w, "q": w * (1 + rng.either(rng.decades(1e-11, 1e-2))), "F": 1.0}
 
     def solution(m, s, p, t):
         b = p.F / (p.w * p.w - p.q * p.q)
         c, k = m.cos(p.w * t), m.sin(p.w * t)
-        return (
-            s.x * c + s.dx / p.w * k + b * (m.cos(p.q * t) - c),
-            s.dx * c - p.w * s.x * k + b * (p.w * k - p.q * m.sin(p.q * t)),
-        )
+        x = s.x * c + s.dx / p.w * k + b * (m.cos(p.q * t) - c)
+        return x, s.dx * c - p.w * s.x * k + b * (p.w * k - p.q * m.sin(p.q * t))
 
-    model = second_order(
-        "beat",
-        parameters,
-        ("x",),
-        lambda s, p, t: (p.F * cos(p.q * t) - p.w * p.w * s.x,),
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    return Case(model, decades(rng, 3.0, 300.0) / w, (0.0, 0.0), exact=solution)
+    a = lambda s, p, t: (p.F * cos(p.q * t) - p.w * p.w * s.x,)
+    model = second_order("beat", parameters, ("x",), a, exact=_brought(solution))
+    return Case(model, rng.decades(3.0, 300.0) / w, (0.0, 0.0), exact=solution)
 
 
 @held_out("long", "closed form")
@@ -147,22 +112,16 @@ def foucault(rng):
         X, Y = x * C + y * S, y * C - x * S
         return X, Y, dx * C + dy * S + p.n * Y, dy * C - dx * S - p.n * X
 
-    model = second_order(
-        "Foucault",
-        parameters,
-        ("x", "y"),
-        lambda s, p, t: (-p.w2 * s.x + 2 * p.n * s.dy, -p.w2 * s.y - 2 * p.n * s.dx),
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    return Case(
-        model, decades(rng, 1e2, 1e6), (rng.uniform(0.5, 3.0), 0.0, 0.0, 0.0), exact=solution
-    )
+    a = lambda s, p, t: (-p.w2 * s.x + 2 * p.n * s.dy, -p.w2 * s.y - 2 * p.n * s.dx)
+    model = second_order("Foucault", parameters, ("x", "y"), a, exact=_brought(solution))
+    T, x = rng.values(Log(1e2, 1e6), (0.5, 3.0))
+    return Case(model, T, (x, 0.0, 0.0, 0.0), exact=solution)
 
 
 @held_out("closed form", "units")
 def relativistic_rocket(rng):
     """Constant force on a ship, c^2/a (sqrt(1 + (a t/c)^2) - 1), from seconds to years."""
-    parameters = {"a": decades(rng, 0.01, 100.0), "c": 299792458.0}
+    parameters = rng.parameters(a=Log(0.01, 100.0), c=299792458.0)
 
     def solution(m, s, p, t):
         # q is the momentum over the mass, from which the ship starts
@@ -170,50 +129,35 @@ def relativistic_rocket(rng):
         g, g0 = m.sqrt(1 + (q / p.c) ** 2), m.sqrt(1 + (s.q / p.c) ** 2)
         return s.x + p.c * p.c / p.a * (g - g0), q
 
-    model = Model(
-        "ship",
-        parameters,
-        ("x", "q"),
-        lambda s, p, t: (s.q / sqrt(1 + (s.q / p.c) ** 2), p.a + 0 * s.q),
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    return Case(model, decades(rng, 1.0, 1e8), (0.0, 0.0), exact=solution)
+    rates = lambda s, p, t: (s.q / sqrt(1 + (s.q / p.c) ** 2), p.a + 0 * s.q)
+    model = Model("ship", parameters, ("x", "q"), rates, exact=_brought(solution))
+    return Case(model, rng.decades(1.0, 1e8), (0.0, 0.0), exact=solution)
 
 
 @held_out("long", "closed form", "units")
 def drift_in_crossed_fields(rng):
     """An electron in crossed fields for ten to a million turns, in metres, with its closed form."""
-    parameters = {"wc": decades(rng, 1e7, 1e11), "drift": decades(rng, 1e2, 1e6)}
+    parameters = rng.parameters(wc=Log(1e7, 1e11), drift=Log(1e2, 1e6))
 
     def solution(m, s, p, t):
         c, k = m.cos(p.wc * t), m.sin(p.wc * t)
         u = s.u - p.drift
-        return (
-            s.x + p.drift * t + (u * k + s.v * (1 - c)) / p.wc,
-            s.y + (s.v * k - u * (1 - c)) / p.wc,
-            p.drift + u * c + s.v * k,
-            s.v * c - u * k,
-        )
+        x = s.x + p.drift * t + (u * k + s.v * (1 - c)) / p.wc
+        y = s.y + (s.v * k - u * (1 - c)) / p.wc
+        return x, y, p.drift + u * c + s.v * k, s.v * c - u * k
 
-    model = Model(
-        "crossed fields",
-        parameters,
-        ("x", "y", "u", "v"),
-        lambda s, p, t: (s.u, s.v, p.wc * s.v, -p.wc * (s.u - p.drift)),
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    return Case(
-        model,
-        2 * math.pi / parameters["wc"] * decades(rng, 10.0, 1e6),
-        (0.0, 0.0, rng.choice((0.0, 1e5)), rng.choice((0.0, 1e6))),
-        exact=solution,
-    )
+    rates = lambda s, p, t: (s.u, s.v, p.wc * s.v, -p.wc * (s.u - p.drift))
+    states = "x", "y", "u", "v"
+    model = Model("crossed fields", parameters, states, rates, exact=_brought(solution))
+    T = 2 * math.pi / parameters["wc"] * rng.decades(10.0, 1e6)
+    start = 0.0, 0.0, rng.choice((0.0, 1e5)), rng.choice((0.0, 1e6))
+    return Case(model, T, start, exact=solution)
 
 
 @held_out("long", "closed form")
 def symmetric_body_for_long(rng):
     """A spinning plate that wobbles, for ten to a million turns: its rates, and the wobble rate."""
-    parameters = {"A": 1.0, "C": rng.uniform(1.01, 1.99)}
+    parameters = rng.parameters(A=1.0, C=(1.01, 1.99))
 
     def solution(m, s, p, t):
         n = (p.C - p.A) / p.A * s.z
@@ -224,86 +168,61 @@ def symmetric_body_for_long(rng):
         n = (p.C - p.A) / p.A * s.z
         return -n * s.y, n * s.x, 0 * s.z, s.z
 
-    model = Model(
-        "plate",
-        parameters,
-        ("x", "y", "z", "phi"),
-        rates,
-        exact=lambda s, p, t: solution(newton_euler, s, p, t),
-    )
-    spin = decades(rng, 0.1, 100.0)
-    return Case(
-        model,
-        2 * math.pi / spin * decades(rng, 10.0, 1e6),
-        (spin * decades(rng, 1e-6, 1.0), 0.0, spin, 0.0),
-        exact=solution,
-    )
+    model = Model("plate", parameters, ("x", "y", "z", "phi"), rates, exact=_brought(solution))
+    spin, T, wobble = rng.values(Log(0.1, 100.0), Log(10.0, 1e6), Log(1e-6, 1.0))
+    start = spin * wobble, 0.0, spin, 0.0
+    return Case(model, 2 * math.pi / spin * T, start, exact=solution)
 
 
 @held_out("long")
 def planet_beyond_newton(rng):
     """An orbit whose perihelion moves, by a term 1/r^3 in the attraction, five to fifteen times."""
-    parameters = {"GM": 1.0, "b": decades(rng, 1e-8, 1e-2)}
 
     def accelerations(s, p, t):
         r2 = s.x * s.x + s.y * s.y
         f = -(p.GM + p.b / r2) / r2**1.5
         return f * s.x, f * s.y
 
-    e = rng.uniform(0.0, 0.6)
-    return Case(
-        second_order("perihelion", parameters, ("x", "y"), accelerations),
-        2 * math.pi * rng.uniform(5.0, 15.0),
-        (1 + e, 0.0, 0.0, math.sqrt((1 - e) / (1 + e))),
-    )
+    parameters = rng.parameters(GM=1.0, b=Log(1e-8, 1e-2))
+    e, T = rng.values((0.0, 0.6), (5.0, 15.0))
+    start = 1 + e, 0.0, 0.0, math.sqrt((1 - e) / (1 + e))
+    model = second_order("perihelion", parameters, ("x", "y"), accelerations)
+    return Case(model, 2 * math.pi * T, start)
 
 
 @held_out("long", "forced")
 def ponderomotive_trap(rng):
     """An ion in Paul's trap in SI units for some tens of turns of the field: Mathieu's equation."""
-    f = decades(rng, 1e5, 1e7)
-    parameters = {"W": 2 * math.pi * f, "q": rng.uniform(0.05, 0.7), "a": rng.uniform(-0.02, 0.05)}
-    model = second_order(
-        "Paul trap",
-        parameters,
-        ("x",),
-        lambda s, p, t: (-p.W * p.W / 4 * (p.a - 2 * p.q * cos(p.W * t)) * s.x,),
-    )
-    return Case(model, rng.uniform(10.0, 50.0) / f, (rng.uniform(1e-6, 1e-4), 0.0))
+    f = rng.decades(1e5, 1e7)
+    parameters = {"W": 2 * math.pi * f, **rng.parameters(q=(0.05, 0.7), a=(-0.02, 0.05))}
+    a = lambda s, p, t: (-p.W * p.W / 4 * (p.a - 2 * p.q * cos(p.W * t)) * s.x,)
+    T, x = rng.values((10.0, 50.0), (1e-6, 1e-4))
+    return Case(second_order("Paul trap", parameters, ("x",), a), T / f, (x, 0.0))
 
 
 @held_out("forced", "multi-scale")
 def carrier_with_a_message(rng):
     """A slow resonator that listens to a fast carrier with a slow message on it."""
-    w = decades(rng, 20.0, 120.0)
+    w = rng.decades(20.0, 120.0)
     parameters = {"w": w, "k": w * w, "c": rng.uniform(0.5, 5.0), "m": 1.0, "one": 1.0}
 
     def rates(s, p, t):
         sent = (p.one + 0.5 * sin(p.m * t)) * sin(p.w * t)
         return s.v, p.k * (sent - s.x) - p.c * s.v, (s.x * s.x - s.out) * p.m * 4
 
-    return Case(
-        Model("receiver", parameters, ("x", "v", "out"), rates),
-        rng.uniform(1.0, 4.0),
-        (0.0, 0.0, 0.0),
-    )
+    model = Model("receiver", parameters, ("x", "v", "out"), rates)
+    return Case(model, rng.uniform(1.0, 4.0), (0.0, 0.0, 0.0))
 
 
 @held_out("long", "chaotic")
 def ellipse_by_its_closed_form_at_99(rng):
     """Eccentricity 0.98 to 0.995, up to five revolutions, from the far end."""
-    e = rng.uniform(0.98, 0.995)
+    e, T = rng.values((0.98, 0.995), (0.6, 5.0))
 
     def accelerations(s, p, t):
         r = (s.x**2 + s.y**2) ** 0.5
         return -p.GM * s.x / r**3, -p.GM * s.y / r**3
 
-    def exact(mp, s, p, t):
-        return closed_forms.kepler(mp, p.GM, (s.x, s.y), (s.dx, s.dy), t)
-
-    return Case(
-        second_order("long ellipse", {"GM": 1.0}, ("x", "y"), accelerations),
-        2 * math.pi * rng.uniform(0.6, 5.0),
-        (1 + e, 0.0, 0.0, math.sqrt((1 - e) / (1 + e))),
-        exact=exact,
-    )
+    start = 1 + e, 0.0, 0.0, math.sqrt((1 - e) / (1 + e))
+    model = second_order("long ellipse", {"GM": 1.0}, ("x", "y"), accelerations)
+    return Case(model, 2 * math.pi * T, start, exact=models.exact_orbit)

@@ -5,38 +5,27 @@ import math
 import newton_euler
 from newton_euler import Model, cos, exp, sin, sqrt
 from newton_euler.motion import second_order
-from tests.honesty.cases import Case, decades, either, held_out
+from tests.honesty.cases import Case, Log, held_out
 
 
 @held_out("near-singular", "equilibrium")
 def upright_by_pi(rng):
     """A pendulum put upright at math.pi, which is not quite upright."""
     parameters = {"k": rng.uniform(1.0, 20.0), "c": rng.choice((0.0, 0.2))}
-    model = second_order(
-        "upright", parameters, ("th",), lambda s, p, t: (-p.k * sin(s.th) - p.c * s.dth,)
-    )
-    return Case(model, rng.uniform(3.0, 16.0) / parameters["k"] ** 0.5, (math.pi, 0.0))
+    a = lambda s, p, t: (-p.k * sin(s.th) - p.c * s.dth,)
+    T = rng.uniform(3.0, 16.0) / parameters["k"] ** 0.5
+    return Case(second_order("upright", parameters, ("th",), a), T, (math.pi, 0.0))
 
 
 @held_out("tiny", "equilibrium")
 def lorenz_on_its_axis(rng):
     """Two states that are exactly zero, unstable, and stay so while the third decays."""
-    parameters = {"s": 10.0, "r": rng.uniform(10.0, 30.0), "b": 8 / 3}
-    model = Model(
-        "axis of Lorenz",
-        parameters,
-        ("x", "y", "z"),
-        lambda s, p, t: (
-            p.s * (s.y - s.x),
-            s.x * (p.r - s.z) - s.y,
-            s.x * s.y - p.b * s.z,
-        ),
-    )
-
-    def exact(mp, s, p, t):
-        return mp.mpf(0), mp.mpf(0), s.z * mp.exp(-p.b * t)
-
-    return Case(model, rng.uniform(1.0, 12.0), (0.0, 0.0, rng.uniform(1.0, 40.0)), exact=exact)
+    parameters = rng.parameters(s=10.0, r=(10.0, 30.0), b=8 / 3)
+    rates = lambda s, p, t: (p.s * (s.y - s.x), s.x * (p.r - s.z) - s.y, s.x * s.y - p.b * s.z)
+    exact = lambda mp, s, p, t: (mp.mpf(0), mp.mpf(0), s.z * mp.exp(-p.b * t))
+    model = Model("axis of Lorenz", parameters, ("x", "y", "z"), rates)
+    T, *start = rng.values((1.0, 12.0), 0.0, 0.0, (1.0, 40.0))
+    return Case(model, T, tuple(start), exact=exact)
 
 
 @held_out("multi-scale", "equilibrium")
@@ -47,24 +36,17 @@ def constants_as_states(rng):
         g = s.GM / (s.R * s.R)
         return s.w, -g / p.L * sin(s.th) - p.c * s.w, 0.0 * s.GM, 0.0 * s.R, 0.0 * s.au
 
-    parameters = {"L": decades(rng, 0.1, 10.0), "c": rng.uniform(0.0, 0.2)}
-    return Case(
-        Model("constants", parameters, ("th", "w", "GM", "R", "au"), rates),
-        rng.uniform(3.0, 20.0),
-        (decades(rng, 1e-4, 2.0), 0.0, 3.986004418e14, 6.371e6, 1.495978707e11),
-    )
+    parameters = rng.parameters(L=Log(0.1, 10.0), c=(0.0, 0.2))
+    model = Model("constants", parameters, ("th", "w", "GM", "R", "au"), rates)
+    T, th = rng.values((3.0, 20.0), Log(1e-4, 2.0))
+    return Case(model, T, (th, 0.0, 3.986004418e14, 6.371e6, 1.495978707e11))
 
 
 @held_out("multi-scale", "units")
 def bond_beside_an_orbit(rng):
     """A molecule in a comet: a bond of 1e-10 m and 1e-14 s, and an orbit of 1e11 m, in one model."""
-    parameters = {
-        "GM": 1.32712440018e20,
-        "D": 7.4e-19,
-        "a": rng.uniform(1.5e10, 2.5e10),
-        "r": 7.4e-11,
-        "m": decades(rng, 8e-28, 2e-26),
-    }
+    parameters = {"GM": 1.32712440018e20, "D": 7.4e-19}
+    parameters |= rng.parameters(a=(1.5e10, 2.5e10), r=7.4e-11, m=Log(8e-28, 2e-26))
 
     def rates(s, p, t):
         R = sqrt(s.X * s.X + s.Y * s.Y)
@@ -73,11 +55,9 @@ def bond_beside_an_orbit(rng):
         return s.U, s.V, -p.GM * s.X / R**3, -p.GM * s.Y / R**3, s.w, pull
 
     n = parameters["a"] * math.sqrt(2 * parameters["D"] / parameters["m"])
-    return Case(
-        Model("molecule in a comet", parameters, ("X", "Y", "U", "V", "d", "w"), rates),
-        rng.uniform(5.0, 40.0) / n,
-        (1.5e11, rng.uniform(-1e11, 1e11), 0.0, 3e4, 7.4e-11 * rng.uniform(0.9, 1.2), 0.0),
-    )
+    T, Y, d = rng.values((5.0, 40.0), (-1e11, 1e11), (0.9, 1.2))
+    model = Model("molecule in a comet", parameters, ("X", "Y", "U", "V", "d", "w"), rates)
+    return Case(model, T / n, (1.5e11, Y, 0.0, 3e4, 7.4e-11 * d, 0.0))
 
 
 @held_out("multi-scale", "tiny")
@@ -85,18 +65,10 @@ def ripple_on_a_train(rng):
     """A train a thousand kilometres down the line, and a swing of nanometres to micrometres in it,
     as one coordinate each and as their sum.
     """
-    parameters = {"k": rng.uniform(1.0, 30.0)}
-
-    def rates(s, p, t):
-        return 0 * s.V, s.V, s.w, -p.k * s.u, s.V + s.w
-
-    a = decades(rng, 1e-9, 1e-4)
-    x = rng.uniform(1e5, 1e6)
-    return Case(
-        Model("train", parameters, ("V", "X", "u", "w", "sum"), rates),
-        rng.uniform(5.0, 30.0),
-        (rng.uniform(10.0, 80.0), x, a, 0.0, x + a),
-    )
+    rates = lambda s, p, t: (0 * s.V, s.V, s.w, -p.k * s.u, s.V + s.w)
+    k, a, x, T, V = rng.values((1.0, 30.0), Log(1e-9, 1e-4), (1e5, 1e6), (5.0, 30.0), (10.0, 80.0))
+    model = Model("train", {"k": k}, ("V", "X", "u", "w", "sum"), rates)
+    return Case(model, T, (V, x, a, 0.0, x + a))
 
 
 @held_out("forced", "closed form")
@@ -105,26 +77,15 @@ def exact_resonance(rng):
 
     def solution(m, s, p, t):
         c, k = m.cos(p.w * t), m.sin(p.w * t)
-        return (
-            s.x * c + s.dx / p.w * k + p.F * t * k / (2 * p.w),
-            s.dx * c - p.w * s.x * k + p.F * (k / p.w + t * c) / 2,
-        )
+        x = s.x * c + s.dx / p.w * k + p.F * t * k / (2 * p.w)
+        return x, s.dx * c - p.w * s.x * k + p.F * (k / p.w + t * c) / 2
 
-    parameters = {"w": decades(rng, 0.1, 10.0), "F": decades(rng, 1e-6, 10.0)}
+    parameters = rng.parameters(w=Log(0.1, 10.0), F=Log(1e-6, 10.0))
     given = {"exact": lambda s, p, t: solution(newton_euler, s, p, t)}
-    model = second_order(
-        "resonance",
-        parameters,
-        ("x",),
-        lambda s, p, t: (p.F * cos(p.w * t) - p.w * p.w * s.x,),
-        **rng.choice(({}, given)),
-    )
-    return Case(
-        model,
-        2 * math.pi / parameters["w"] * decades(rng, 3.0, 200.0),
-        (0.0, 0.0),
-        exact=solution,
-    )
+    a = lambda s, p, t: (p.F * cos(p.w * t) - p.w * p.w * s.x,)
+    model = second_order("resonance", parameters, ("x",), a, **rng.choice(({}, given)))
+    T = 2 * math.pi / parameters["w"] * rng.decades(3.0, 200.0)
+    return Case(model, T, (0.0, 0.0), exact=solution)
 
 
 @held_out("equilibrium")
@@ -133,46 +94,36 @@ def trojan(rng):
     not stable.
     """
     mu = rng.choice((0.012150585, 0.1, 0.3))
-    parameters = {"mu": mu, "one": 1.0}
 
     def accelerations(s, p, t):
         nu = p.one - p.mu
         a, b = s.x + p.mu, s.x - nu
         d1, d2 = sqrt(a * a + s.y * s.y) ** 3, sqrt(b * b + s.y * s.y) ** 3
-        return (
-            2 * s.dy + s.x - nu * a / d1 - p.mu * b / d2,
-            -2 * s.dx + s.y - nu * s.y / d1 - p.mu * s.y / d2,
-        )
+        x = 2 * s.dy + s.x - nu * a / d1 - p.mu * b / d2
+        return x, -2 * s.dx + s.y - nu * s.y / d1 - p.mu * s.y / d2
 
-    off = rng.choice((0.0, decades(rng, 1e-9, 1e-2)))
-    return Case(
-        second_order("Trojan", parameters, ("x", "y"), accelerations),
-        rng.uniform(5.0, 25.0),
-        (0.5 - mu + off, math.sqrt(3) / 2, 0.0, 0.0),
-    )
+    off = rng.choice((0.0, rng.decades(1e-9, 1e-2)))
+    model = second_order("Trojan", {"mu": mu, "one": 1.0}, ("x", "y"), accelerations)
+    return Case(model, rng.uniform(5.0, 25.0), (0.5 - mu + off, math.sqrt(3) / 2, 0.0, 0.0))
 
 
 @held_out("long", "equilibrium")
 def circle_in_polar_coordinates(rng):
-    """A circular orbit in polar coordinates: radius and its rate stay, the angle runs on."""
+    """A circular orbit in polar coordinates: radius and its rate stay, the angle increases."""
     h = 2.0 ** rng.randint(-3, 3)
+    exact = lambda mp, s, p, t: (s.r, s.phi + p.h / (s.r * s.r) * t, s.dr)
 
-    def exact(mp, s, p, t):
-        return s.r, s.phi + p.h / (s.r * s.r) * t, s.dr
+    def rates(s, p, t):
+        return s.dr, p.h / (s.r * s.r), p.h * p.h / s.r**3 - p.GM / (s.r * s.r)
 
-    model = Model(
-        "circle",
-        {"h": h, "GM": 1.0},
-        ("r", "phi", "dr"),
-        lambda s, p, t: (s.dr, p.h / (s.r * s.r), p.h * p.h / s.r**3 - p.GM / (s.r * s.r)),
-    )
-    return Case(model, h**3 * decades(rng, 3.0, 1e3), (h * h, 0.0, 0.0), exact=exact)
+    model = Model("circle", {"h": h, "GM": 1.0}, ("r", "phi", "dr"), rates)
+    return Case(model, h**3 * rng.decades(3.0, 1e3), (h * h, 0.0, 0.0), exact=exact)
 
 
 @held_out("tiny", "closed form")
 def onset_of_an_oscillation(rng):
     """Hopf's normal form from 1e-8 up to its circle; the model knows the way."""
-    parameters = {"a": decades(rng, 0.1, 5.0), "w": decades(rng, 0.3, 30.0)}
+    parameters = rng.parameters(a=Log(0.1, 5.0), w=Log(0.3, 30.0))
 
     def rates(s, p, t):
         r2 = s.x * s.x + s.y * s.y
@@ -186,25 +137,17 @@ def onset_of_an_oscillation(rng):
 
     given = {"exact": lambda s, p, t: solution(newton_euler, s, p, t)}
     model = Model("onset", parameters, ("x", "y"), rates, **rng.choice(({}, given)))
-    return Case(
-        model,
-        rng.uniform(3.0, 30.0) / parameters["a"],
-        (decades(rng, 1e-8, 1e-2), 0.0),
-        exact=solution,
-    )
+    T, x = rng.values((3.0, 30.0), Log(1e-8, 1e-2))
+    return Case(model, T / parameters["a"], (x, 0.0), exact=solution)
 
 
 @held_out("tiny")
 def buckling(rng):
     """A strut over its load: it leaves the straight line from a millionth, or a billionth."""
-    parameters = {"P": rng.uniform(0.5, 3.0), "c": rng.uniform(0.1, 1.0)}
-    model = second_order(
-        "strut",
-        parameters,
-        ("x",),
-        lambda s, p, t: (p.P * s.x - s.x * s.x * s.x - p.c * s.dx,),
-    )
-    return Case(model, rng.uniform(10.0, 40.0), (either(rng, decades(rng, 1e-10, 1e-4)), 0.0))
+    parameters = rng.parameters(P=(0.5, 3.0), c=(0.1, 1.0))
+    a = lambda s, p, t: (p.P * s.x - s.x * s.x * s.x - p.c * s.dx,)
+    T, x = rng.values((10.0, 40.0), Log(1e-10, 1e-4))
+    return Case(second_order("strut", parameters, ("x",), a), T, (rng.either(x), 0.0))
 
 
 @held_out("equilibrium", "kinked")
@@ -214,55 +157,34 @@ def terminal_speed_from_the_start(rng):
     v = math.sqrt(g / c)
     if v != round(v):
         g, v = g * 2, math.sqrt(g * 2 / c)
-
-    def exact(mp, s, p, t):
-        return s.h + s.v * t, s.v
-
-    model = Model(
-        "terminal speed",
-        {"g": g, "c": c},
-        ("h", "v"),
-        lambda s, p, t: (s.v, -p.g - p.c * s.v * abs(s.v)),
-    )
-    return Case(model, rng.uniform(1.0, 1000.0), (rng.uniform(0.0, 1e4), -v), exact=exact)
+    rates = lambda s, p, t: (s.v, -p.g - p.c * s.v * abs(s.v))
+    exact = lambda mp, s, p, t: (s.h + s.v * t, s.v)
+    T, h = rng.values((1.0, 1000.0), (0.0, 1e4))
+    model = Model("terminal speed", {"g": g, "c": c}, ("h", "v"), rates)
+    return Case(model, T, (h, -v), exact=exact)
 
 
 @held_out("tiny", "multi-scale")
 def slow_growth_beside_a_fast_swing(rng):
-    """An instability of 1e-12 a second beside a swing, which it gets hold of in the end."""
-    parameters = {"w": rng.uniform(3.0, 10.0), "s": rng.uniform(0.3, 1.0), "q": 0.1}
-
-    def rates(s, p, t):
-        return s.v, -p.w * p.w * s.x - p.q * s.y * s.v, p.s * s.y * (1 - s.y)
-
-    return Case(
-        Model("slow growth", parameters, ("x", "v", "y"), rates),
-        rng.uniform(10.0, 45.0),
-        (1.0, 0.0, decades(rng, 1e-12, 1e-6)),
-    )
+    """An instability of 1e-12 a second beside a swing, which it affects in the end."""
+    rates = lambda s, p, t: (s.v, -p.w * p.w * s.x - p.q * s.y * s.v, p.s * s.y * (1 - s.y))
+    parameters = rng.parameters(w=(3.0, 10.0), s=(0.3, 1.0), q=0.1)
+    T, y = rng.values((10.0, 45.0), Log(1e-12, 1e-6))
+    return Case(Model("slow growth", parameters, ("x", "v", "y"), rates), T, (1.0, 0.0, y))
 
 
 @held_out("tiny", "forced")
 def push_of_a_nanonewton(rng):
     """A test mass of micrograms at rest, by a bump exp(-u^2) of nanonewtons, in SI units."""
     T = rng.uniform(10.0, 60.0)
-    parameters = {
-        "m": decades(rng, 1e-9, 1e-6),
-        "k": decades(rng, 1e-9, 1e-6),
-        "F": decades(rng, 1e-12, 1e-9),
-        "a": T * rng.uniform(0.3, 0.6),
-        "w": T * rng.uniform(0.03, 0.1),
-    }
+    parameters = rng.parameters(m=Log(1e-9, 1e-6), k=Log(1e-9, 1e-6), F=Log(1e-12, 1e-9))
+    parameters |= {"a": T * rng.uniform(0.3, 0.6), "w": T * rng.uniform(0.03, 0.1)}
     parameters["k"] = parameters["m"] * rng.uniform(0.1, 4.0)
 
     def accelerations(s, p, t):
         u = (t - p.a) / p.w
         return ((p.F * exp(-u * u) - p.k * s.x) / p.m,)
 
-    knots = tuple(parameters["a"] + parameters["w"] * k / 2 for k in range(-22, 23))
-    return Case(
-        second_order("nanonewton", parameters, ("x",), accelerations),
-        T,
-        (0.0, 0.0),
-        knots=tuple(x for x in knots if 0 < x < T),
-    )
+    knots = (parameters["a"] + parameters["w"] * k / 2 for k in range(-22, 23))
+    model = second_order("nanonewton", parameters, ("x",), accelerations)
+    return Case(model, T, (0.0, 0.0), knots=tuple(x for x in knots if 0 < x < T))

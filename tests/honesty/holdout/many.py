@@ -2,34 +2,33 @@
 
 import math
 
+import numpy as np
+
 from newton_euler import Model, cos, exp, sin, where
 from newton_euler.motion import second_order
-from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, decades, held_out
+from tests.honesty import closed_forms, models
+from tests.honesty.cases import Branches, Case, Log, held_out
 
 COUNTS = (3, 64, 80)
 
 
-def _array(values):
-    import numpy as np
-
-    return np.array(list(values))
+def _drawn(rng, n, within):
+    return np.array(rng.values(*[within] * n))
 
 
 @held_out("batch", "stiff")
 def many_dampers(rng):
     """Springs from soft to stiff, hardly damped to almost critically."""
     n = rng.choice(COUNTS)
-    w = _array(decades(rng, 0.1, 1e2) for _ in range(n))
-    c = w * _array(decades(rng, 1e-4, 0.99) for _ in range(n))
+    w = _drawn(rng, n, Log(0.1, 1e2))
+    c = w * _drawn(rng, n, Log(1e-4, 0.99))
+    a = lambda s, p, t: (-2 * p.c * s.dx - p.w * p.w * s.x,)
 
     def exact(mp, s, p, t):
         return closed_forms.damped(mp, p.w, p.c, s.x, s.dx, t)
 
-    model = second_order(
-        "dampers", {"w": w, "c": c}, ("x",), lambda s, p, t: (-2 * p.c * s.dx - p.w * p.w * s.x,)
-    )
-    start = _array(rng.uniform(-1.0, 1.0) for _ in range(n)), _array(0.0 for _ in range(n))
+    start = _drawn(rng, n, (-1.0, 1.0)), np.zeros(n)
+    model = second_order("dampers", {"w": w, "c": c}, ("x",), a)
     return Case(model, rng.uniform(1.0, 5.0), start, exact=exact)
 
 
@@ -37,23 +36,14 @@ def many_dampers(rng):
 def many_tanks(rng):
     """Tanks of which some run empty soon, some never."""
     n = rng.choice(COUNTS)
-    c = _array(decades(rng, 1e-2, 3.0) for _ in range(n))
+    c = _drawn(rng, n, Log(1e-2, 3.0))
 
     def exact(mp, s, p, t):
         return (max(mp.sqrt(s.h) - p.c * t / 2, mp.mpf(0)) ** 2,)
 
-    model = Model(
-        "tanks",
-        {"c": c},
-        ("h",),
-        lambda s, p, t: (where(s.h > 0, -p.c * where(s.h > 0, s.h, 0.0) ** 0.5, 0.0),),
-    )
-    return Case(
-        model,
-        rng.uniform(0.5, 2.0),
-        (_array(rng.uniform(0.2, 2.0) for _ in range(n)),),
-        exact=exact,
-    )
+    rates = lambda s, p, t: (where(s.h > 0, -p.c * where(s.h > 0, s.h, 0.0) ** 0.5, 0.0),)
+    model, T = Model("tanks", {"c": c}, ("h",), rates), rng.uniform(0.5, 2.0)
+    return Case(model, T, (_drawn(rng, n, (0.2, 2.0)),), exact=exact)
 
 
 @held_out("batch", "separatrix")
@@ -62,78 +52,55 @@ def pendulums_of_all_kinds(rng):
     n = rng.choice(COUNTS)
     kinds = [rng.randrange(4) for _ in range(n)]
     kinds[:2] = 0, 2
-    angles = [
-        (0.0, rng.uniform(-0.1, 0.1), math.pi - decades(rng, 1e-6, 1e-2), 0.0)[k] for k in kinds
-    ]
-    speeds = [(1e-9, 0.0, 0.0, rng.uniform(2.2, 20.0))[k] for k in kinds]
-
-    def exact(mp, s, p, t):
-        return closed_forms.pendulum(mp, p.k, s.theta, s.omega, t)
-
-    model = Model(
-        "all kinds", {"k": 1.0}, ("theta", "omega"), lambda s, p, t: (s.omega, -p.k * sin(s.theta))
-    )
-    return Case(model, rng.uniform(2.0, 15.0), (_array(angles), _array(speeds)), exact=exact)
+    angle = lambda: (0.0, rng.uniform(-0.1, 0.1), math.pi - rng.decades(1e-6, 1e-2), 0.0)
+    angles = np.array([angle()[k] for k in kinds])
+    speeds = np.array([(1e-9, 0.0, 0.0, rng.uniform(2.2, 20.0))[k] for k in kinds])
+    model = models.pendulum(1.0, "all kinds")
+    return Case(model, rng.uniform(2.0, 15.0), (angles, speeds), exact=models.exact_pendulum)
 
 
 @held_out("batch", "kinked")
 def many_springs_with_a_stop(rng):
     """Masses between stops of which some are never reached, some all the time, soft and hard."""
     n = rng.choice(COUNTS)
-    gap = _array(decades(rng, 0.05, 5.0) for _ in range(n))
-    k = _array(decades(rng, 1.0, 1e4) for _ in range(n))
-
-    def accelerations(s, p, t):
-        return (cos(t) - s.x - p.k * where(s.x > p.gap, s.x - p.gap, 0.0),)
-
-    branches = Branches(
-        (lambda s, p, t: s.x - p.gap,),
-        lambda s, p, t, b: (s.dx, cos(t) - s.x - (1 + b[0]) / 2 * p.k * (s.x - p.gap)),
-    )
-    model = second_order("stops", {"gap": gap, "k": k}, ("x",), accelerations)
-    zero = _array(0.0 for _ in range(n))
-    return Case(
-        model,
-        rng.uniform(3.0, 12.0),
-        (zero, _array(rng.uniform(-1.0, 1.0) for _ in range(n))),
-        branches=branches,
-    )
+    parameters = {"gap": _drawn(rng, n, Log(0.05, 5.0)), "k": _drawn(rng, n, Log(1.0, 1e4))}
+    a = lambda s, p, t: (cos(t) - s.x - p.k * where(s.x > p.gap, s.x - p.gap, 0.0),)
+    pieces = lambda s, p, t, b: (s.dx, cos(t) - s.x - (1 + b[0]) / 2 * p.k * (s.x - p.gap))
+    model, T = second_order("stops", parameters, ("x",), a), rng.uniform(3.0, 12.0)
+    start = np.zeros(n), _drawn(rng, n, (-1.0, 1.0))
+    return Case(model, T, start, branches=Branches((lambda s, p, t: s.x - p.gap,), pieces))
 
 
 @held_out("batch", "near-singular", "units")
 def many_comets(rng):
-    """Ellipses round the Sun in metres, of eccentricity 0 to 0.99, for one time."""
+    """Ellipses about the Sun in metres, of eccentricity 0 to 0.99, for one time."""
     n, gm, au = rng.choice(COUNTS), 1.32712440018e20, 1.495978707e11
     e = [rng.choice((0.0, rng.uniform(0.0, 0.99))) for _ in range(n)]
-    a = [au * decades(rng, 0.5, 30.0) for _ in range(n)]
+    a = [au * rng.decades(0.5, 30.0) for _ in range(n)]
 
     def accelerations(s, p, t):
         r3 = (s.x**2 + s.y**2) ** 1.5
         return -p.GM * s.x / r3, -p.GM * s.y / r3
 
-    def exact(mp, s, p, t):
-        return closed_forms.kepler(mp, p.GM, (s.x, s.y), (s.dx, s.dy), t)
-
-    zero = _array(0.0 for _ in range(n))
-    far = _array(b * (1 + f) for f, b in zip(e, a, strict=True))
-    slow = _array(math.sqrt(gm / b * (1 - f) / (1 + f)) for f, b in zip(e, a, strict=True))
+    far = np.array([b * (1 + f) for f, b in zip(e, a, strict=True)])
+    slow = np.array([math.sqrt(gm / b * (1 - f) / (1 + f)) for f, b in zip(e, a, strict=True)])
     model = second_order("comets", {"GM": gm}, ("x", "y"), accelerations)
-    return Case(model, decades(rng, 1e7, 1e8), (far, zero, zero, slow), exact=exact)
+    start = far, np.zeros(n), np.zeros(n), slow
+    return Case(model, rng.decades(1e7, 1e8), start, exact=models.exact_orbit)
 
 
 @held_out("batch", "tiny")
 def many_growths(rng):
     """Logistic growth from 1e-12 to beyond the limit, slow and fast."""
     n = rng.choice(COUNTS)
-    r = _array(decades(rng, 0.01, 10.0) for _ in range(n))
-    x = [decades(rng, 1e-12, 3.0) for _ in range(n)]
+    r, x = _drawn(rng, n, Log(0.01, 10.0)), _drawn(rng, n, Log(1e-12, 3.0))
     x[0] = rng.choice((0.0, 1.0, x[0]))
 
     def exact(mp, s, p, t):
         return (s.x / (s.x + (1 - s.x) * mp.exp(-p.r * t)) if s.x else mp.mpf(0),)
 
     model = Model("growths", {"r": r}, ("x",), lambda s, p, t: (p.r * s.x * (1 - s.x),))
-    return Case(model, rng.uniform(1.0, 20.0), (_array(x),), exact=exact)
+    return Case(model, rng.uniform(1.0, 20.0), (x,), exact=exact)
 
 
 @held_out("batch", "forced")
@@ -141,18 +108,19 @@ def many_pulses(rng):
     """Masses at rest that are pushed at different times, early or late, or not at all."""
     n, T = rng.choice(COUNTS), rng.uniform(10.0, 30.0)
     at = [T * rng.uniform(0.1, 0.95) for _ in range(n)]
-    F = _array(rng.choice((0.0, 1.0, -1.0)) for _ in range(n))
-    width = T * decades(rng, 0.01, 0.05)
+    F = np.array([rng.choice((0.0, 1.0, -1.0)) for _ in range(n)])
+    width = T * rng.decades(0.01, 0.05)
 
     def accelerations(s, p, t):
         u = (t - p.at) / p.w
         return (p.F * exp(-u * u) - s.x,)
 
-    model = second_order("pulses", {"at": _array(at), "w": width, "F": F}, ("x",), accelerations)
-    looked = {at[i] for i in {0, 1, n // 2, n - 1}}
-    knots = sorted(a + width * k / 2 for a in looked for k in range(-22, 23))
-    zero = _array(0.0 for _ in range(n))
-    return Case(model, T, (zero, zero), knots=tuple(x for x in knots if 0 < x < T))
+    parameters = {"at": np.array(at), "w": width, "F": F}
+    model = second_order("pulses", parameters, ("x",), accelerations)
+    judged = {at[i] for i in {0, 1, n // 2, n - 1}}
+    knots = sorted(a + width * k / 2 for a in judged for k in range(-22, 23))
+    knots = tuple(x for x in knots if 0 < x < T)
+    return Case(model, T, (np.zeros(n), np.zeros(n)), knots=knots)
 
 
 @held_out("batch", "chaotic")
@@ -167,9 +135,8 @@ def many_double_pendulums(rng):
         A = -(p.g * (2 * sin(s.a) - sin(s.b) * c) + k * (s.db * s.db + s.da * s.da * c)) / den
         return A, (2 * p.g * (sin(s.a) * c - sin(s.b)) + k * (2 * s.da * s.da + s.db**2 * c)) / den
 
-    size = [decades(rng, 1e-4, 2.5) for _ in range(n)]
-    size[0] = 0.0
-    start = _array(size), _array(x * rng.uniform(-1, 1) for x in size)
-    zero = _array(0.0 for _ in range(n))
+    a = _drawn(rng, n, Log(1e-4, 2.5))
+    a[0] = 0.0
+    b = np.array([x * rng.uniform(-1, 1) for x in a])
     model = second_order("double pendulums", {"g": 9.81}, ("a", "b"), accelerations)
-    return Case(model, rng.uniform(0.5, 1.5), (*start, zero, zero))
+    return Case(model, rng.uniform(0.5, 1.5), (a, b, np.zeros(n), np.zeros(n)))

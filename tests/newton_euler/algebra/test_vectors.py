@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, Vector, at, compiled, cos, cross, dot, moving, sin
-from newton_euler.algebra import Explanation, FrameError, ScalarError, TermError, same
+from newton_euler.algebra import ZERO, Explanation, FrameError, ScalarError, TermError, same
 from tests.kinds import KINDS, close, number, numbers
 
 ground = Frame("ground")
@@ -490,3 +490,22 @@ def test_angle_between_nearly_parallel_vectors_keeps_its_digits():
     P, Q = ground.vector(1.0, 0, 0), ground.vector(math.cos(small), math.sin(small), 0)
     assert abs(P.angle_to(Q) / small - 1) < 1e-15
     assert math.acos(P.dot(Q)) == 0.0  # the textbook formula loses it
+
+
+@given(st.floats(-300, 300), st.floats(-300, 300), st.floats(0.3, 3.0), st.floats(-1.0, 1.0))
+def test_eqn_A_12_a_norm_is_right_wherever_it_is_a_float(power, other, theta, phi):
+    x, y, z = 10.0**power * math.cos(theta), 10.0**other * math.sin(theta), -(10.0**power) * phi
+    exact = float(mp.sqrt(mp.fsum(mp.mpf(c) ** 2 for c in (x, y, z))))
+    assert ground.vector(x, y, z).norm() == pytest.approx(exact, rel=1e-15)
+    many = ground.vector(np.array([x, 3.0, 0.0]), np.array([y, 4.0, 0.0]), np.array([z, 0.0, 0.0]))
+    assert many.norm() == pytest.approx([exact, 5.0, 0.0], rel=1e-15)
+    assert ground.vector(x, np.float64(y), 0).norm() == pytest.approx(math.hypot(x, y), rel=1e-15)
+
+
+def test_a_norm_keeps_structural_zeros_and_the_kind_of_the_components():
+    assert ground.vector(0, 0, 0).c == (ZERO,) * 3
+    assert type(ground.vector(0, 0, 0).norm()) is int
+    tiny = mp.mpf(10) ** -400
+    assert close(ground.vector(3 * tiny, 4 * tiny, 0).norm() / tiny, 5, 1e-28)
+    assert ground.vector(3, sympy.Symbol("x"), 0).norm() == sympy.sqrt(sympy.Symbol("x") ** 2 + 9)
+    assert ground.vector(Dimension(0, 1), Dimension(0, 1), 0).norm() == Dimension(0, 1)

@@ -453,9 +453,9 @@ def test_a_projectile_explains_its_terms():
     r = e.projectile_position(
         10.0, e.launch_velocity(ground, 100.0, 0.3, 0.5), -9.81 * ground.k, e.earth_rate(ground)
     )
-    told = str(r.explain("m"))
-    assert "equation (6.24)" in told
-    assert "fall turned  -1/3 omega x g t^3" in told
+    text = str(r.explain("m"))
+    assert "equation (6.24)" in text
+    assert "fall turned  -1/3 omega x g t^3" in text
     assert close(
         r.without("fall turned", "launch turned"), r.terms["launch"] + r.terms["fall"], 1e-12
     )

@@ -460,7 +460,15 @@ def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is()
             steady_precession(I0, I, theta, mgr=mgr, **{of: least * (1 - 1e-6)})
 
 
-def test_of_many_instants_one_without_a_precession_is_told():
+@pytest.mark.parametrize("of", ["spin", "omega_z"])
+def test_round_off_does_not_refuse_the_least_spin_itself(of):
+    for theta in np.linspace(0.05, 1.5, 30).tolist():
+        least = least_spin(0.6, 0.25, theta, mgr=1.5, of=of)
+        found = steady_precession(0.6, 0.25, theta, mgr=1.5, **{of: least})
+        assert found.slow == pytest.approx(found.fast, rel=1e-6)
+
+
+def test_one_instant_of_many_without_a_precession_is_refused():
     with pytest.raises(GyroError, match="no steady precession is possible"):
         steady_precession(0.6, 0.25, 0.9, spin=np.array([12.0, 0.1]), mgr=1.5)
 
@@ -479,7 +487,7 @@ def test_without_spin_a_body_with_its_axis_level_holds_no_moment():
         steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0)
 
 
-def test_a_rod_without_axial_moment_is_told_that_no_spin_helps():
+def test_no_spin_helps_a_rod_without_axial_moment():
     with pytest.raises(GyroError, match="without I no spin helps"):
         steady_precession(1.0, 0, 0.5, spin=100.0, mgr=1.0)
 
@@ -673,7 +681,7 @@ def test_near_the_vertical_no_digits_are_lost(tilt):
     assert abs(found.theta_max - true.theta_max) < 1e-14
 
 
-def test_a_pendulum_in_a_plane_is_told():
+def test_a_pendulum_in_a_plane_is_planar():
     found = nutation(1.0, 0, 2.0, 2.5, 0.0, 0.0, omega_z=0.0)
     assert found.kind == "planar"
     assert found.theta_max == pytest.approx(math.pi, abs=1e-14)

@@ -1,18 +1,14 @@
-"""Chapter 9: fixed-axis rotation. (9.7)-(9.10), against the printed sums and against mass points in
-explicit motion; balance and balancing.
-"""
+"""Chapter 9: reactions of a rotor against mass points in explicit motion; balance and balancing."""
 
 import math
 
 import mpmath as mp
-import numpy as np
 import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension, Frame, compiled, cos, sin
+from newton_euler import Frame
 from newton_euler.applications.rotors import (
     RotorError,
     balance,
@@ -24,9 +20,6 @@ from newton_euler.applications.rotors import (
 )
 from newton_euler.bodies.body import Body, composite, particle
 from newton_euler.bodies.solids import disk, plate, rod
-from newton_euler.chapters.examples.ch09 import unbalanced_rotor
-from newton_euler.dynamics.momentum import resultant_moment
-from newton_euler.scenes.planar.rotor import turning_rotor
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
@@ -35,175 +28,6 @@ every_kind = pytest.mark.parametrize("kind", KINDS)
 def tolerance(kind):
     """Absolute, for quantities of order 10: some round-offs of the kind."""
     return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
-
-
-# -- general case (9.7)-(9.10)
-
-MASS, CENTRE, MOMENTS, PRODUCTS = (
-    3,
-    ("0.02", "-0.03", "0.05"),
-    ("0.4", "0.5", "0.3"),
-    ("0.01", "-0.02", "0.03"),
-)
-
-
-def general(kind):
-    """The scene, and what (9.9) is written in: m, centre, I_xz, I_yz, I_zz, a, b, psi, omega,
-    alpha, g.
-    """
-    m, g, a, b, psi, omega, alpha = numbers(
-        kind, MASS, "9.81", "0.25", "0.35", "0.8", "3.5", "-2.5"
-    )
-    centre, moments, products = (numbers(kind, *v) for v in (CENTRE, MOMENTS, PRODUCTS))
-    scene = unbalanced_rotor(m, centre, moments, products, a, b, psi, omega, alpha)
-    return scene, (m, centre, products[2], products[1], moments[2], a, b, psi, omega, alpha, g)
-
-
-def printed_9_9(m, centre, Ixz, Iyz, Izz, a, b, psi, omega, alpha, g):
-    """The ten sums of (9.9), (9.10), as the book has them (the fourth term of A_y with its right
-    sign).
-    """
-    x, y, z = centre
-    length, c, s, w2 = a + b, cos(psi), sin(psi), omega * omega
-    A = (
-        m * g * (z - b) / length * c
-        - b / length * m * w2 * x
-        + w2 / length * Ixz
-        - b / length * m * alpha * y
-        + alpha / length * Iyz,
-        -m * g * (z - b) / length * s
-        - b / length * m * w2 * y
-        + w2 / length * Iyz
-        + b / length * m * alpha * x
-        - alpha / length * Ixz,
-    )
-    B = (
-        -m * g * (z + a) / length * c
-        - a / length * m * w2 * x
-        - w2 / length * Ixz
-        - a / length * m * alpha * y
-        - alpha / length * Iyz,
-        m * g * (z + a) / length * s
-        - a / length * m * w2 * y
-        - w2 / length * Iyz
-        + a / length * m * alpha * x
-        + alpha / length * Ixz,
-    )
-    return (*A, 0), (*B, 0), m * g * (x * s + y * c) + alpha * Izz
-
-
-@every_kind
-def test_eqn_9_7_sum_of_forces(kind):
-    scene, (m, (x, y, _), *_, psi, omega, alpha, g) = general(kind)
-    found = scene.reactions(gravity=g * scene.ground.i)
-    expected = (
-        -m * g * cos(psi) - m * alpha * y - m * omega * omega * x,
-        m * g * sin(psi) + m * alpha * x - m * omega * omega * y,
-        0,
-    )
-    assert close(found.A + found.B, expected, tolerance(kind))
-    assert close(found.axial, 0, tolerance(kind))
-
-
-@every_kind
-def test_eqn_9_8_sum_of_moments_about_the_origin(kind):
-    scene, (m, (_, _, z), Ixz, Iyz, _, a, b, psi, omega, alpha, g) = general(kind)
-    found = scene.reactions(gravity=g * scene.ground.i)
-    left = (a * found.A.y - b * found.B.y, -a * found.A.x + b * found.B.x)
-    right = (
-        -m * g * z * sin(psi) - alpha * Ixz + omega * omega * Iyz,
-        -m * g * z * cos(psi) - alpha * Iyz - omega * omega * Ixz,
-    )
-    assert close(left, right, tolerance(kind))
-
-
-@every_kind
-def test_eqn_9_9_reactions_of_any_rotor(kind):
-    scene, numbers_of_it = general(kind)
-    found = scene.reactions(gravity=numbers_of_it[-1] * scene.ground.i)
-    A, B, _ = printed_9_9(*numbers_of_it)
-    assert close(found.A, A, tolerance(kind))
-    assert close(found.B, B, tolerance(kind))
-
-
-@every_kind
-def test_eqn_9_9_term_by_term(kind):
-    scene, (m, (x, y, z), Ixz, Iyz, _, a, b, psi, omega, alpha, g) = general(kind)
-    terms, length, w2 = scene.reactions(gravity=g * scene.ground.i).A.terms, a + b, omega * omega
-    for name, expected in {
-        "weight": (m * g * (z - b) / length * cos(psi), -m * g * (z - b) / length * sin(psi), 0),
-        "static": (-b / length * m * w2 * x, -b / length * m * w2 * y, 0),
-        "dynamic": (w2 / length * Ixz, w2 / length * Iyz, 0),
-        "static_euler": (-b / length * m * alpha * y, b / length * m * alpha * x, 0),
-        "dynamic_euler": (alpha / length * Iyz, -alpha / length * Ixz, 0),
-    }.items():
-        assert close(terms[name], expected, tolerance(kind)), name
-
-
-@every_kind
-def test_eqn_9_10_the_driving_moment(kind):
-    scene, numbers_of_it = general(kind)
-    found = scene.reactions(gravity=numbers_of_it[-1] * scene.ground.i)
-    assert close(found.moment, printed_9_9(*numbers_of_it)[2], tolerance(kind))
-
-
-def test_eqn_9_9_as_formulas():
-    m, x, y, z, Ixz, Iyz, Izz, psi, omega, alpha, g = sympy.symbols(
-        "m x y z Ixz Iyz Izz psi omega alpha g", real=True
-    )
-    a, b = sympy.symbols("a b", positive=True)
-    Ixx, Iyy, Ixy = sympy.symbols("Ixx Iyy Ixy")
-    scene = unbalanced_rotor(
-        m, (x, y, z), (Ixx, Iyy, Izz), (Ixy, Iyz, Ixz), a, b, psi, omega, alpha
-    )
-    found = scene.reactions(gravity=g * scene.ground.i)
-    A, B, M = printed_9_9(m, (x, y, z), Ixz, Iyz, Izz, a, b, psi, omega, alpha, g)
-    for mine, printed in zip((*found.A, *found.B, found.moment), (*A, *B, M), strict=True):
-        assert sympy.simplify(sympy.expand(mine - printed)) == 0
-
-
-def test_eqn_9_9_has_the_units_of_force():
-    mass, length, time, pure = (
-        Dimension(1, 0, 0),
-        Dimension(0, 1, 0),
-        Dimension(0, 0, 1),
-        Dimension(),
-    )
-    inertia = mass * length**2
-    scene = unbalanced_rotor(
-        mass,
-        (length,) * 3,
-        (inertia,) * 3,
-        (inertia,) * 3,
-        length,
-        length,
-        pure,
-        1 / time,
-        1 / time**2,
-    )
-    found = scene.reactions(gravity=length / time**2 * scene.ground.i)
-    assert {found.A.x, found.A.y, found.B.x, found.B.y} == {mass * length / time**2}
-    assert found.moment == mass * length**2 / time**2
-
-
-def test_reactions_can_be_compiled():
-    def force(psi, omega, alpha):
-        scene = unbalanced_rotor(
-            3.0,
-            (0.02, -0.03, 0.05),
-            (0.4, 0.5, 0.3),
-            (0.01, -0.02, 0.03),
-            0.25,
-            0.35,
-            psi,
-            omega,
-            alpha,
-        )
-        return scene.reactions(gravity=9.81 * scene.ground.i).A
-
-    psi = np.linspace(0, 6, 7)
-    fast = compiled(force)(psi, 3.0, 2.0)
-    assert close(fast[:2], force(psi, 3.0, 2.0).components()[:2], 1e-13)
 
 
 # -- mass points in explicit motion: no inertia matrix, no omega x H
@@ -256,23 +80,6 @@ def test_reactions_hold_for_mass_points_in_explicit_motion(oblique):
     assert close(
         (a * FA[1] - b * FB[1], -a * FA[0] + b * FB[0], found.moment), tuple(moment), small
     )
-
-
-def test_the_rate_of_momentum_is_that_of_chapter_8():
-    scene, _ = general("float")
-    found = scene.reactions()
-    arm_A, arm_B = scene.A - scene.O, scene.B - scene.O
-    held = arm_A.cross(found.A) + arm_B.cross(found.B) + found.axis * found.moment
-    assert close(held, resultant_moment(scene.body, scene.ground, scene.O), 1e-13)
-
-
-def test_the_reactions_do_not_depend_on_the_point_of_the_terms():
-    scene, _ = general("float")
-    gravity = 9.81 * scene.ground.i
-    for about in (None, scene.A, scene.B, scene.shaft.point("Q", 0, 0, 7.0)):
-        found = reactions(scene.body, scene.A, scene.B, scene.ground, gravity, about)
-        assert close(found.A, scene.reactions(gravity).A, 1e-12)
-        assert close(found.B, scene.reactions(gravity).B, 1e-12)
 
 
 def test_a_vertical_shaft_carries_the_weight_along_itself():
@@ -501,26 +308,3 @@ def test_balance_of_expressions_is_refused_and_imbalance_is_not():
 
 
 # -- the exercises' kind of question, and motion
-
-
-def test_eqn_9_10_as_motion_keeps_its_energy():
-    model = turning_rotor(2.0, 0.1, 0.05, 0.3, 9.81, moment=0.4)
-    rhs = model.compiled_rhs()
-    out = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()),
-        (0, 5),
-        (0.3, 1.0),
-        method="DOP853",
-        rtol=1e-12,
-        atol=1e-12,
-    )
-    energies = [model.invariant("energy", state) for state in out.y.T.tolist()]
-    assert max(energies) - min(energies) < 1e-9
-
-
-@every_kind
-def test_eqn_9_10_as_motion_agrees_with_the_moment(kind):
-    scene, (m, (x, y, _), _, _, Izz, _, _, psi, omega, _, g) = general(kind)
-    moment = scene.reactions(gravity=g * scene.ground.i).moment
-    model = turning_rotor(m, x, y, Izz, g, moment)
-    assert close(model.derivative((psi, omega))[1], numbers(kind, "-2.5"), 10 * tolerance(kind))

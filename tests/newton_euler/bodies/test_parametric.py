@@ -74,7 +74,7 @@ def test_eqn_5_12_5_13_and_7_10_numbers(name):
     assert close(body.content, known.mass / 2, 1e-10)
 
 
-def test_the_error_told_is_not_smaller_than_the_true_one():
+def test_the_estimated_error_is_not_smaller_than_the_true_one():
     position, limits, known = NUMERIC["ball, Cartesian"]
     for rtol in (1e-3, 1e-6, 1e-9):
         body = integrated(position, *limits, frame=F, density=2.0, rtol=rtol)

@@ -195,7 +195,7 @@ def test_a_sphere_keeps_the_axes_of_the_frame():
 
 @pytest.mark.parametrize("gap", [1e-1, 1e-2, 3e-3])
 def test_the_report_tells_how_far_noise_turns_the_axes(gap):
-    """Three digits of data (0.1 %): the median turn over many tries is within the angle told, 95 %
+    """Three digits of data (0.1 %): the median turn over many tries is within the reported angle, 95 %
     within three times it.
     """
     noise, true = 1e-3, (2.0, 2.0 + gap * 3, 3.0)
@@ -204,9 +204,9 @@ def test_the_report_tells_how_far_noise_turns_the_axes(gap):
         I, R = tilted(true, (1.0, 0.4, -0.6), 1.1, noise, seed)
         turns.append(angle_between(I.principal().axes[0].components(), R[:, 0]))
     clean, _ = tilted(true, (1.0, 0.4, -0.6), 1.1)
-    told = clean.principal(noise).turns[0]
-    assert told / 20 < np.median(turns) < told
-    assert np.quantile(turns, 0.95) < 3 * told
+    reported = clean.principal(noise).turns[0]
+    assert reported / 20 < np.median(turns) < reported
+    assert np.quantile(turns, 0.95) < 3 * reported
 
 
 def test_nearly_equal_moments_are_reported_against_the_noise_of_the_data():

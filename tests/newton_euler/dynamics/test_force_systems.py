@@ -103,7 +103,7 @@ def test_the_wrench_is_equivalent_and_its_couple_is_along_its_force(kind):
     assert close(nearest, 0, 100 * tolerance(kind))
 
 
-def test_a_single_force_a_couple_and_balance_are_told_in_words():
+def test_a_single_force_a_couple_and_balance_are_described():
     F, P, O = ground.vector(0, 0, 2.0), ground.point("P", 1.0, 0, 0), ground.point("O", 0, 0, 0)
     single = ForceSystem([(F, P)]).wrench(O)
     assert (single.kind, single.pitch) == ("force", 0.0)

@@ -77,10 +77,6 @@ def by_rectangular(m, t, xyz):
     )
 
 
-def along(F, axes):
-    return tuple(sum(a * b for a, b in zip(F, axis, strict=True)) for axis in axes)
-
-
 @every_kind
 def test_eqn_6_1_force_is_mass_times_acceleration_both_ways(kind):
     m, x, y, z = numbers(kind, 2, 5, 6, -3)
@@ -123,26 +119,6 @@ def test_eqn_6_5_tangential_and_normal_components(kind):
 
 
 @every_kind
-def test_eqn_6_6_polar_components(kind):
-    m, t, r, theta, _ = coordinates(kind)
-    ground = Frame("ground")
-    P = polar(ground, "P", at(r, t), at(theta, t))
-    F = resultant_force(m, P.acceleration(ground))
-    c, s = cos(theta(t)), sin(theta(t))
-    wanted = along(
-        by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), 0)),
-        ((c, s, 0), (-s, c, 0), (0, 0, 1)),
-    )
-    assert close(F, wanted, 10 * small(kind))
-    R, T = at(r, t), at(theta, t)
-    assert close(F.terms["coriolis"], (0, 2 * m * R.rate * T.rate, 0), small(kind))
-    assert close(F.terms["centripetal"], (-m * R.value * T.rate**2, 0, 0), 10 * small(kind))
-    assert close(
-        coordinate_accelerations(m, P, push=F), (R.acceleration, T.acceleration), 10 * small(kind)
-    )
-
-
-@every_kind
 def test_eqn_6_7_rectangular_components_in_space(kind):
     m, t, x, y, z = coordinates(kind)
     ground = Frame("ground")
@@ -150,51 +126,31 @@ def test_eqn_6_7_rectangular_components_in_space(kind):
     assert close(F, by_rectangular(m, t, lambda t: (x(t), y(t), z(t))), small(kind))
 
 
-@every_kind
-def test_eqn_6_8_cylindrical_components(kind):
-    m, t, r, theta, z = coordinates(kind)
-    ground = Frame("ground")
-    P = cylindrical(ground, "P", at(r, t), at(theta, t), at(z, t))
-    F = resultant_force(m, P.acceleration(ground))
-    c, s = cos(theta(t)), sin(theta(t))
-    wanted = along(
-        by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), z(t))),
-        ((c, s, 0), (-s, c, 0), (0, 0, 1)),
-    )
-    assert close(F, wanted, 10 * small(kind))
-    assert close(
-        coordinate_accelerations(m, P, push=F),
-        [at(q, t).acceleration for q in (r, theta, z)],
-        10 * small(kind),
-    )
+SYSTEMS = {
+    polar: lambda r, theta: (r * cos(theta), r * sin(theta), 0),
+    cylindrical: lambda r, theta, z: (r * cos(theta), r * sin(theta), z),
+    spherical: lambda R, theta, phi: (
+        R * cos(phi) * cos(theta),
+        R * cos(phi) * sin(theta),
+        R * sin(phi),
+    ),
+}
 
 
 @every_kind
-def test_eqn_6_9_spherical_components(kind):
-    m, t, R, theta, phi = coordinates(kind)
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_eqn_6_6_and_6_8_and_6_9_forces_in_curvilinear_coordinates_both_ways(kind, system):
+    m, t, *q = coordinates(kind)
+    q = q[:2] if system is polar else q
     ground = Frame("ground")
-    P = spherical(ground, "P", at(R, t), at(theta, t), at(phi, t))
+    P = system(ground, "P", *(at(f, t) for f in q))
     F = resultant_force(m, P.acceleration(ground))
-
-    def place(t):
-        level = R(t) * cos(phi(t))
-        return level * cos(theta(t)), level * sin(theta(t)), R(t) * sin(phi(t))
-
-    c, s, cf, sf = cos(theta(t)), sin(theta(t)), cos(phi(t)), sin(phi(t))
-    e_R, e_theta, e_phi = (cf * c, cf * s, sf), (-s, c, 0), (-sf * c, -sf * s, cf)
-    assert close(F, along(by_rectangular(m, t, place), (e_R, e_theta, e_phi)), 20 * small(kind))
-    assert close(
-        coordinate_accelerations(m, P, push=F),
-        [at(q, t).acceleration for q in (R, theta, phi)],
-        50 * small(kind),
-    )
-    total = [
-        sum(part)
-        for part in zip(
-            *(tuple(term.expressed_in(P.local)) for term in F.terms.values()), strict=True
-        )
-    ]
-    assert close(tuple(F), total, 20 * small(kind))
+    wanted = by_rectangular(m, t, lambda t: SYSTEMS[system](*(f(t) for f in q)))
+    assert F.frame is P.local
+    assert close(F.components(ground), wanted, 20 * small(kind))
+    assert close(sum(F.terms.values()), F, 20 * small(kind))
+    second = [at(f, t).acceleration for f in q]
+    assert close(coordinate_accelerations(m, P, push=F), second, 50 * small(kind))
 
 
 def test_forces_along_curved_coordinates_may_come_as_components_or_as_vectors():
@@ -237,9 +193,9 @@ def test_eqn_6_10_force_by_way_of_a_moving_frame_and_what_is_seen_there(kind):
 def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
     ground = Frame("ground")
     P = polar(ground, "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
-    told = str(resultant_force(4.0, P.acceleration(ground)).explain("N"))
-    assert told.startswith("polar force of P in ground, equation (6.6)")
-    assert "coriolis  m (2 r' theta' e_theta)" in told
+    text = str(resultant_force(4.0, P.acceleration(ground)).explain("N"))
+    assert text.startswith("polar force of P in ground, equation (6.6)")
+    assert "coriolis  m (2 r' theta' e_theta)" in text
     disk = ground.rotate("disk", "z", rate=2.0)
     seen = relative_acceleration(
         1.0, disk.point("Q", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0 * disk.i

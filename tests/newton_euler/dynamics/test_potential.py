@@ -266,17 +266,6 @@ def test_a_potential_found_in_symbols():
     assert sympy.expand(V + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
 
 
-def test_a_potential_found_in_symengine():
-    symengine = pytest.importorskip("symengine")
-    k, x = symengine.symbols("k x")
-    assert (
-        sympy.expand(
-            find_potential(lambda x, y, z: (-k * x, 0, 0))(x, 0, 0) - sympy.sympify(k * x**2) / 2
-        )
-        == 0
-    )
-
-
 def test_a_potential_found_differentiates_to_the_force():
     V, P = find_potential(down_hill), Frame("ground").point("P", 2.0, -0.5, 1.5)
     assert close(-gradient(V, P), down_hill(2.0, -0.5, 1.5), 1e-14)
@@ -303,9 +292,9 @@ def test_the_curl_by_hand(kind):
 def test_a_force_with_curl_has_no_potential():
     with pytest.raises(
         NoPotential, match=r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero"
-    ) as told:
+    ) as refused:
         find_potential(lambda x, y, z: (-y, x, 0))
-    assert told.value.curl == (0, 0, 2)
+    assert refused.value.curl == (0, 0, 2)
     g = sympy.symbols("g_xy g_yx")
     with pytest.raises(NoPotential, match=r"-g_xy \+ g_yx|g_yx - g_xy"):
         find_potential(lambda x, y, z: (g[0] * y, g[1] * x, 0))
@@ -328,9 +317,9 @@ def test_a_hole_in_the_region_is_found_by_a_loop_round_it():
     circle = lambda s: (0.8 * cos(2 * math.pi * s), 0.9 * sin(2 * math.pi * s), 0.5)
     with pytest.raises(
         NoPotential, match=r"round loop 1 the force does the work 6\.28319, though its curl is zero"
-    ) as told:
+    ) as refused:
         find_potential(vortex, base=(1, 0, 0), box=box, loops=[circle])
-    assert told.value.circulation == pytest.approx(2 * math.pi)
+    assert refused.value.circulation == pytest.approx(2 * math.pi)
     # a region that does not go round it
     V = find_potential(vortex, base=(1, 0, 0), box=((0.5, 1), (-1, 1), (0, 1)))
     assert V(1.0, 1.0, 0.0) == pytest.approx(-math.pi / 4)
@@ -362,7 +351,7 @@ def test_a_hole_elsewhere_needs_its_own_loop():
         (lambda x, y, z: ("x", 0, 0), "the force has no value at.*expected a number"),
     ],
 )
-def test_fields_that_are_none_are_refused_in_words(field, message):
+def test_what_is_not_a_field_is_refused(field, message):
     with pytest.raises(WorkError, match=message):
         find_potential(field)
 

@@ -240,7 +240,7 @@ def test_on_the_axis_the_way_back_is_refused_in_words(back):
 
 @pytest.mark.parametrize("distance", [1e-1, 1e-4, 1e-8, 1e-12])
 @every_system
-def test_beside_the_axis_rates_are_large_and_right_to_the_last_digits(system, distance):
+def test_near_the_axis_rates_are_large_and_right_to_the_last_digits(system, distance):
     """A straight line that misses the axis by the distance: theta' = v/distance; against 30 digits
     on the same numbers.
     """
@@ -258,11 +258,11 @@ def test_beside_the_axis_rates_are_large_and_right_to_the_last_digits(system, di
             assert abs(f.acceleration - m.acceleration) <= 100 * EPS * largest
         again = make(ground, "P", *float_).acceleration(ground).components(ground)
         # terms of order v^2/distance cancel; in spherical coordinates cos phi has lost digits
-        # besides, because phi is a float near pi/2
+        # too, because phi is a float near pi/2
         assert close(again, a, 50 * EPS * (1 + distance ** (-2 if system == "spherical" else -1)))
 
 
-def test_naively_the_rates_beside_the_pole_would_be_lost():
+def test_naively_the_rates_near_the_pole_would_be_lost():
     """phi from arcsin(z/R) and its rate by the chain rule lose half of the digits 1e-8 off the
     pole; the engine keeps them.
     """

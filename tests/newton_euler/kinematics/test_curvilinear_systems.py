@@ -193,14 +193,14 @@ def test_at_an_axis_a_pole_or_a_focus_the_coordinates_are_refused_in_words(posit
 
 
 @pytest.mark.parametrize("off", [1e-3, 1e-8, 1e-12, 1e-100])
-def test_beside_the_axis_unit_vectors_are_right_to_the_last_digits(off):
+def test_near_the_axis_unit_vectors_are_right_to_the_last_digits(off):
     ground = Frame("ground")
     P = curvilinear(ground, "P", about_z, off, 0.5, 1.0)
     assert close(P.local.j.components(ground), (-math.sin(0.5), math.cos(0.5), 0), 3e-16)
 
 
 @pytest.mark.parametrize(("off", "tolerance_"), [(1e-3, 1e-12), (1e-8, 1e-7), (1e-12, 1e-3)])
-def test_beside_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation_is(
+def test_near_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation_is(
     off, tolerance_
 ):
     """The float nearest to pi/2 - off is off by up to 1e-16, which is 1e-16/off of its distance

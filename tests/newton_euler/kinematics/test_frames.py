@@ -880,7 +880,7 @@ def robot():
         lambda ground, arm: ground.rotate("rod", "x", origin=arm.parent.point("A", 1, 0, 0)),
     ],
 )
-def test_two_trees_with_the_same_names_are_called_that(ask):
+def test_the_error_names_two_trees_with_the_same_names(ask):
     (ground, _), (_, arm) = robot(), robot()
     with pytest.raises(
         FrameError, match=r"two trees with the same names.*build once and pass the frame ground"
@@ -950,7 +950,7 @@ def test_an_axis_without_direction_is_refused(zero):
         (moving(1.0, 2.0), 0, 0),
     ],
 )
-def test_an_axis_that_is_none_is_refused_with_what_an_axis_is(axis):
+def test_what_is_not_an_axis_is_refused(axis):
     with pytest.raises(
         FrameError,
         match=r"an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components",

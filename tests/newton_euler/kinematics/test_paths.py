@@ -254,7 +254,7 @@ def test_a_straight_line_in_polar_components_is_seen_from_its_ledger():
 
 
 @pytest.mark.parametrize("x", [1e-150, 1e-12, 1e-8, 1e-3])
-def test_beside_an_inflection_curvature_is_exact_and_on_it_refused(x):
+def test_near_an_inflection_curvature_is_exact_and_at_it_refused(x):
     def cubic(q):
         return q, q**3, 0
 

@@ -540,16 +540,6 @@ def test_arrays_are_read_instant_by_instant():
             "entries must have values.*Dimension",
         ),
     ],
-    ids=[
-        "number",
-        "2 x 2",
-        "instants first",
-        "reflection",
-        "stretched",
-        "nan",
-        "symbols",
-        "dimensions",
-    ],
 )
 def test_what_is_no_rotation_is_refused_in_words(matrix, error, words):
     for read in (axis_angle, quaternion_from_matrix, euler_angles):
@@ -564,7 +554,7 @@ def test_one_bad_instant_among_many_is_refused():
         axis_angle(R)
 
 
-def test_rounded_entries_are_accepted_if_their_tolerance_is_said():
+def test_rounded_entries_are_accepted_within_the_given_tolerance():
     R = [[round(x, 3) for x in row] for row in rotation_matrix((1.0, 2.0, 3.0), 0.8)]
     with pytest.raises(RotationError, match="tolerance="):
         axis_angle(R)

@@ -17,7 +17,7 @@ from newton_euler.motion.methods.splitting import (
     splitting,
 )
 from newton_euler.motion.prepared import prepared_model
-from tests.motions import free_body
+from tests.models import free_body
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 

@@ -9,7 +9,7 @@ from newton_euler.motion import second_order
 from newton_euler.motion.methods.table import MAX_COARSE_TOLERANCE, METHODS
 from newton_euler.motion.methods.taylor import LEVELS, level_of
 from newton_euler.motion.prepared import prepared_model
-from tests.motions import free_body
+from tests.models import free_body
 
 RUNGE_KUTTA, SERIES = METHODS["dop853"], METHODS["taylor"]
 SPRING = second_order("spring", {}, ("x",), lambda s, p, t: (-s.x,))

@@ -26,7 +26,8 @@ from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
-from tests.motions import from_farthest, reference
+from tests.models import from_farthest
+from tests.motions import reference
 
 EPS = 2.0**-52
 # the nutating top of the benchmarks

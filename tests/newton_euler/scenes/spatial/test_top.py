@@ -116,7 +116,7 @@ def test_a_top_that_reaches_the_vertical():
     assert max(abs(extremes)) == pytest.approx(found.theta_max, abs=1e-10)
 
 
-def test_a_small_tilt_grows_at_the_rate_given():
+def test_a_small_tilt_grows_at_the_predicted_rate():
     I0, I, mgr, wz = 0.25, 0.5, 1.0, 1.6
     growth = sleeping_top(I0, I, mgr, wz).growth
     rhs = top.nonspinning_frame(I0, I, mgr, wz).compiled_rhs()

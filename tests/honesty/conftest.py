@@ -1,0 +1,25 @@
+"""What the tests of the harness share."""
+
+import pytest
+
+import tests.honesty.families
+import tests.honesty.holdout  # noqa: F401
+from tests.honesty.cases import draw
+from tests.honesty.references import reference
+
+
+@pytest.fixture(scope="session")
+def cache(tmp_path_factory):
+    """The folder of the references of this session."""
+    return tmp_path_factory.mktemp("references")
+
+
+@pytest.fixture
+def known(cache):
+    """A function that draws a case and returns it with its reference."""
+
+    def drawn(name, seed=0, number=0):
+        case = draw(name, seed, number)
+        return case, reference(case, cache)
+
+    return drawn

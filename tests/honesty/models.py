@@ -1,0 +1,72 @@
+"""Models that several families draw, and their exact solutions as a reference takes them."""
+
+from newton_euler import Model, cos, sin, sqrt
+from newton_euler.motion import second_order
+from tests.honesty import closed_forms
+
+
+def spring(name="spring", closed=False, **parameters):
+    """x'' = -k x; ``closed`` : it brings its solution."""
+    solution = _swing if closed else None
+    return second_order(name, parameters, ("x",), lambda s, p, t: (-p.k * s.x,), exact=solution)
+
+
+def _swing(s, p, t):
+    n = sqrt(p.k)
+    return s.x * cos(n * t) + s.dx / n * sin(n * t), s.dx * cos(n * t) - n * s.x * sin(n * t)
+
+
+def exact_spring(mp, s, p, t):
+    return closed_forms.oscillator(mp, mp.sqrt(p.k), s.x, s.dx, t)
+
+
+def exact_damped(mp, s, p, t):
+    """x'' = -k x - 2 c x'."""
+    return closed_forms.damped(mp, mp.sqrt(p.k), p.c, s.x, s.dx, t)
+
+
+def pendulum(k, name="pendulum"):
+    """theta'' = -k sin(theta)."""
+    rates = lambda s, p, t: (s.omega, -p.k * sin(s.theta))
+    return Model(name, {"k": k}, ("theta", "omega"), rates)
+
+
+def exact_pendulum(mp, s, p, t):
+    return closed_forms.pendulum(mp, p.k, s.theta, s.omega, t)
+
+
+def free_body(A, B, C):
+    """Euler's equations without moments."""
+
+    def rates(s, p, t):
+        return (
+            (p.B - p.C) / p.A * s.y * s.z,
+            (p.C - p.A) / p.B * s.z * s.x,
+            (p.A - p.B) / p.C * s.x * s.y,
+        )
+
+    return Model("free body", {"A": A, "B": B, "C": C}, ("x", "y", "z"), rates)
+
+
+def exact_free_body(mp, s, p, t):
+    return closed_forms.free_body(mp, (p.A, p.B, p.C), (s.x, s.y, s.z), t)
+
+
+def orbit(name, GM):
+    """About a fixed centre, in its plane."""
+
+    def accelerations(s, p, t):
+        r2 = s.x * s.x + s.y * s.y
+        return -p.GM * s.x / (r2 * sqrt(r2)), -p.GM * s.y / (r2 * sqrt(r2))
+
+    return second_order(name, {"GM": GM}, ("x", "y"), accelerations)
+
+
+def exact_orbit(mp, s, p, t):
+    return closed_forms.kepler(mp, p.GM, (s.x, s.y), (s.dx, s.dy), t)
+
+
+def exact_growth(mp, s, p, t):
+    """x' = r x (K - x)/K."""
+    e = mp.exp(-p.r * t)
+    return (p.K * s.x / (s.x + (p.K - s.x) * e),)

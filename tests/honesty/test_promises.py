@@ -1,0 +1,113 @@
+"""What the engine promises: a few models by default, all families in the laboratory."""
+
+import importlib.util
+import os
+
+import pytest
+
+from newton_euler import prepare
+from tests.honesty import judge, references, report
+from tests.honesty.cases import DRAWS, FAMILIES
+from tests.honesty.workers import Plan, results
+
+needs_heyoka = pytest.mark.skipif(
+    importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed"
+)
+LONG = 120.0  # seconds, far more than a call takes: on a busy machine a limit decides nothing
+BROKEN_ONCE = {  # the family, seed, draw, and how it is asked
+    "prepared runs cross kinks": ("dry_friction", 0, 0, "auto", "prepared", 1e-9),
+    "batches cross kinks": ("dry_friction", 0, 0, "auto", "batch of 64", 1e-9),
+    "series cross kinks": ("dry_friction", 0, 0, "taylor", "", 1e-9),
+    "taylor beside a large state": ("beside_a_constant", 0, 0, "taylor", "", 1e-9),
+    "dop853 beside a large state": ("beside_a_constant", 0, 0, "dop853", "", 1e-9),
+    "lost events": ("zeros_of_a_spring_by_its_closed_form", 0, 1, "auto", "", 1e-6),
+    "phase of a closed form": ("pendulum_by_its_closed_form", 0, 2, "auto", "", 1e-12),
+    "rates without a value": ("tank_with_an_overflow", 0, 1, "scipy DOP853", "", 1e-6),
+    "splitting near a separatrix": ("pendulum_beside_the_upright", 0, 2, "yoshida8", "", 1e-9),
+}
+
+
+@pytest.mark.parametrize("asked", BROKEN_ONCE.values(), ids=BROKEN_ONCE)
+def test_an_answer_is_as_accurate_as_asked_and_the_estimate_covers_it(asked, known):
+    *drawn, method, way, rtol = asked
+    if drawn[0] == "dry_friction" or method == "taylor":
+        pytest.importorskip("heyoka")
+    case, truth = known(*drawn)
+    run = judge.judged(case, {0: truth}, method, way, rtol, seconds=LONG)
+    # "unfit": a series does not take rates with kinks
+    assert run.outcome in ("met", "unfit") or (run.outcome == "refused" and not run.needless)
+    assert run.covers is not False
+
+
+@needs_heyoka
+def test_a_call_gives_the_same_answer_after_others(known):
+    case, truth = known("dry_friction")
+    first = {1e-9: judge.answer(case, 1e-9)}
+    prepare(case.model)
+    (change,) = judge.repeated(case, truth, first, calls=3)
+    assert not change.gross
+
+
+@needs_heyoka
+def test_a_large_batch_returns_an_estimate(known):
+    case, truth = known("pendulum")
+    run = judge.judged(case, {0: truth}, "auto", "batch of 64", 1e-6, seconds=LONG)
+    assert run.estimate is not None
+
+
+@needs_heyoka
+def test_two_threads_get_the_answers_that_each_gets_alone(known):
+    case, truth = known("pendulum")
+    (prepared, *_) = judge.in_two_threads(case, truth, calls=8000, seconds=30.0)
+    assert prepared.answers == 0
+
+
+SAMPLE = (
+    *("pendulum", "free_body", "close_approach", "charged_particle", "beside_a_constant"),
+    *("beside_a_traveller", "fast_and_slow", "tank_that_runs_empty", "chain_of_decays"),
+    *("near_resonance", "spring_by_its_closed_form", "free_body_by_its_closed_form"),
+)
+
+
+def test_a_sample_of_models_reaches_the_goals_without_raw_errors_or_needless_refusals(known):
+    """Calls by auto for a few models whose references are cheap."""
+    runs = [
+        judge.judged(case, {0: truth}, "auto", "", rtol, seconds=LONG)
+        for case, truth in map(known, SAMPLE)
+        for rtol in judge.TOLERANCES
+    ]
+    found = report.line("auto", None, runs)
+    assert found.runs == 4 * len(SAMPLE)
+    assert (found.raw, found.timeout, found.needless) == (0, 0, 0)
+    assert found.met > 0.8
+    assert found.reaches_goals
+
+
+@pytest.fixture(scope="module")
+def everything():
+    """All families, every method: half an hour and more."""
+    cases = [(name, 0, k) for name in FAMILIES for k in range(DRAWS)]
+    return list(results(cases, Plan(cache=str(references.cache_folder())), os.cpu_count()))
+
+
+@pytest.mark.lab
+def test_references_are_reached(everything):
+    assert sum(bool(r.dropped) for r in everything) <= 0.02 * len(everything)
+
+
+@pytest.mark.lab
+def test_every_way_to_ask_reaches_the_goals(everything):
+    lines = report.table([run for r in everything for run in r.runs])
+    assert [x for x in lines if x.rtol is not None and not x.reaches_goals] == []
+
+
+@pytest.mark.lab
+def test_every_call_ends_with_an_answer_or_a_refusal(everything):
+    runs = [run for r in everything for run in r.runs]
+    assert [run.words for run in runs if run.outcome in ("raw", "timeout")] == []
+
+
+@pytest.mark.lab
+def test_no_answer_depends_on_what_ran_before_or_beside_it(everything):
+    changes = [c for r in everything for c in r.changes]
+    assert [c for c in changes if c.gross or (c.answers and len(c.methods) < 2)] == []

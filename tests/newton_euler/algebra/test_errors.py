@@ -1,0 +1,106 @@
+"""An error of the caller's own function reaches the caller as raised; one that a wrong argument
+causes inside the engine is raised in words.
+"""
+
+import pytest
+
+from newton_euler import Model, integral, integrate, root, solve_linear, solve_rates
+from newton_euler.algebra import NewtonEulerError, compiled
+from newton_euler.algebra.errors import ArgumentError, checked
+from newton_euler.algebra.scalars import DivisionError, RangeError, Scalar, ScalarError
+from newton_euler.dynamics import audit, work_along, work_integral
+from newton_euler.motion import ModelError
+
+# texts of Python and NumPy for arguments that do not fit
+ERRORS = [
+    IndexError("tuple index out of range"),
+    TypeError("f() takes 1 positional argument but 2 were given"),
+    TypeError("'NoneType' object is not iterable"),
+    TypeError("'<' not supported between instances of 'str' and 'float'"),
+    ValueError("operands could not be broadcast together with shapes (3,) (2,)"),
+    ValueError("not enough values to unpack (expected 3, got 2)"),
+    KeyError("mass"),
+    AttributeError("the state has no spin"),
+    RuntimeError("no more data"),
+]
+
+# public functions that call a function of the user
+CALLS = {
+    "solve_linear": lambda f: solve_linear(f, "a"),
+    "solve_rates": lambda f: solve_rates(f, 1),
+    "integral": lambda f: integral(f, 0.0, 1.0),
+    "root": lambda f: root(f, 0.0, 1.0),
+    "compiled": lambda f: compiled(f)(1.0),
+    "work_along": lambda f: work_along(lambda x, y, z: (x, 0, 0), f, 0.0, 1.0),
+    "work_integral": lambda f: work_integral(f, 0.0, 1.0),
+    "audit": lambda f: audit(f, 0.0, 1.0),
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+@pytest.mark.parametrize("error", ERRORS, ids=lambda e: f"{type(e).__name__}: {e}"[:30])
+def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, error):
+    def own(x):
+        raise error
+
+    with pytest.raises(type(error)) as caught:
+        CALLS[name](own)
+    assert caught.value is error
+    assert "own" in [entry.name for entry in caught.traceback]
+
+
+def test_an_error_of_a_right_hand_side_is_the_cause_of_the_error_that_names_the_model():
+    def own(s, p, t):
+        return s.x + (1, 2, 3)[t]
+
+    with pytest.raises(ModelError, match="right-hand side of 'mine' fails") as caught:
+        integrate(Model("mine", {}, ("x",), own), 1.0, (1.0,))
+    assert type(caught.value.__cause__) is TypeError
+    assert not isinstance(caught.value.__cause__, NewtonEulerError)
+
+
+def test_an_error_in_a_library_that_the_users_function_calls_arrives_as_raised():
+    import numpy as np
+
+    with pytest.raises(ValueError, match="could not be broadcast") as caught:
+        integral(lambda x: np.ones(2) + np.ones(3), 0.0, 1.0)
+    assert not isinstance(caught.value, NewtonEulerError)
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_function_with_other_parameters_than_are_passed_is_refused_in_words(name):
+    def wrong(a, b, c, d):
+        return 0.0
+
+    with pytest.raises(ScalarError if name == "compiled" else NewtonEulerError, match="missing"):
+        CALLS[name](wrong)
+
+
+@checked
+def ratio(a: Scalar, b: Scalar = 2.0, *more: Scalar, f=None, **others: Scalar) -> Scalar:
+    return a / b if f is None else f(a)
+
+
+def test_an_error_in_the_engine_names_the_function_and_its_arguments():
+    # this file stands for the engine here: `ratio` without a function of its user
+    ratio.__wrapped__.__globals__["__name__"] = "newton_euler.of_a_test"
+    try:
+        with pytest.raises(DivisionError, match=r"ratio\(1.0, 0.0\) has no value: float division"):
+            ratio(1.0, 0.0)
+        with pytest.raises(RangeError, match=r"ratio\(1\.0, f=<lambda>\) has no value"):
+            ratio(1.0, f=lambda a: 10.0**400)
+        with pytest.raises(ArgumentError, match=r"ratio\(1\.0, f=x\) cannot be computed with"):
+            ratio(1.0, f=type("x", (), {"__name__": "x"})())
+    finally:
+        ratio.__wrapped__.__globals__["__name__"] = __name__
+
+
+def test_arguments_are_checked_wherever_they_stand():
+    for call in (
+        lambda: ratio("1"),
+        lambda: ratio(1.0, 2.0, "3"),
+        lambda: ratio(1.0, b="2"),
+        lambda: ratio(1.0, c="2"),
+    ):
+        with pytest.raises(TypeError, match=r"ratio: \w+ is a number .* got '\d' of type str"):
+            call()

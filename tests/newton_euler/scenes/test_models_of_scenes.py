@@ -1,0 +1,105 @@
+"""Models of scenes: their exact solutions and invariants against their right-hand sides."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from newton_euler import Frame, at, moving, polar
+from newton_euler.dynamics import coordinate_accelerations
+from newton_euler.motion.model import (
+    second_order,
+)
+from newton_euler.scenes.particles.aircraft import vertical_flight
+from newton_euler.scenes.particles.low_pressure import air_near_low
+from newton_euler.scenes.particles.projectile import flat
+from newton_euler.scenes.particles.space_station import free_body
+from tests.kinds import close
+
+
+def pendulum(m=1.0, g=9.81, length=2.0):
+    """From its forces, in polar coordinates: x down, the cord takes what it must and so does not
+    matter for theta.
+    """
+
+    def accelerations(s, p, t):
+        ground = Frame("ground")
+        bob = polar(ground, "bob", p.length, moving(s.theta, rate=s.dtheta))
+        return coordinate_accelerations(p.m, bob, weight=p.m * p.g * ground.i)[1:]
+
+    return second_order("pendulum", {"m": m, "g": g, "length": length}, ("theta",), accelerations)
+
+
+def test_the_state_form_follows_from_forces_in_polar_coordinates():
+    model = pendulum()
+    assert model.states == ("theta", "dtheta")
+    assert close(model.derivative((0.4, 1.5)), (1.5, -9.81 / 2 * math.sin(0.4)), 1e-15)
+    assert close(model.compiled_rhs()(0.0, 0.4, 1.5), (1.5, -9.81 / 2 * math.sin(0.4)), 1e-15)
+    g, length, theta = sympy.symbols("g length theta")
+    assert (
+        sympy.simplify(
+            pendulum(1, g, length).derivative((theta, 0))[1] + g * sympy.sin(theta) / length
+        )
+        == 0
+    )
+
+
+MODELS = {
+    "flight": vertical_flight(2.0, 9.81),
+    "station": free_body(-0.3),
+    "low": air_near_low(0.8, 1e-2, rate=0.2),
+    "flat": flat(9.81),
+}
+
+
+each_model = pytest.mark.parametrize("name", MODELS)
+
+
+@each_model
+def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
+    """Differentiated by the product rule, to 26 digits."""
+    model = MODELS[name]
+    # or sin(0.8) has 16
+    model = model.changed(**{n: mp.mpf(x) for n, x in model.parameters.items() if x})
+    start = [mp.mpf(x) / 7 for x in (20, 3, -4, 5, 6, 8)][: len(model.states)]
+    small = mp.mpf(10) ** -26
+    assert close(model.solution(mp.mpf(0), start), start, small)
+    t = mp.mpf(3) / 4
+    rates = [
+        at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(len(start))
+    ]
+    assert close(rates, model.derivative(model.solution(t, start), t), small)
+
+
+@each_model
+def test_exact_solutions_against_an_integrator(name):
+    model = MODELS[name]
+    rhs, start = model.compiled_rhs(), [3.0, 0.4, -0.6, 0.7, 0.9, 1.1][: len(model.states)]
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()), (0, 5), start, method="DOP853", rtol=1e-12, atol=1e-12
+    )
+    assert close(model.solution(5.0, start), tuple(run.y[:, -1]), 1e-9)
+
+
+@each_model
+@given(x=st.lists(st.floats(0.5, 10), min_size=6, max_size=6))
+def test_invariants_have_no_rate(name, x):
+    model = MODELS[name]
+    state = x[: len(model.states)]
+    moved = [moving(q, rate) for q, rate in zip(state, model.derivative(state), strict=True)]
+    for invariant in model.invariants:
+        assert abs(getattr(model.invariant(invariant, moved), "rate", 0)) < 1e-12 * 8 * 10**3
+
+
+def test_solution_of_many_instants_at_once():
+    t = np.linspace(0, 2, 5)
+    x, y, dx, dy = MODELS["station"].solution(t, (1.0, 2.0, 3.0, 4.0))
+    assert x.shape == (5,)
+    assert close(
+        [q[2] for q in (x, y, dx, dy)], MODELS["station"].solution(1.0, (1.0, 2.0, 3.0, 4.0)), 1e-14
+    )
