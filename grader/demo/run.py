@@ -25,11 +25,7 @@ from ..grading import grade
 from ..reports import diagnosis_table, gradebook_table
 from .sample_students import STUDENTS, submission
 
-EXCHANGE_WITHIN = """
-from pathlib import Path
-
-c.Exchange.root = str(Path(__file__).resolve().parent / "exchange")
-"""
+EXCHANGE_WITHIN = "c.Exchange.root = str(Path(__file__).resolve().parent / 'exchange')\n"
 MARK = ".newton_euler_demo"  # a folder with this file may be replaced
 
 
