@@ -1,6 +1,8 @@
 """``python -m tests.honesty``: how often is a result as accurate as asked, on random models?"""
 
 import time
+from functools import partial
+from itertools import product
 from pathlib import Path
 
 import click
@@ -85,143 +87,71 @@ def _cases(context, parameter, texts):
     out = []
     for text in texts:
         name, *numbers = text.split("/")
-        if (
-            name not in {**FAMILIES, **HOLDOUT}
-            or len(numbers) != 2
-            or not all(n.isdigit() for n in numbers)
-        ):
+        known = name in FAMILIES or name in HOLDOUT
+        if not (known and len(numbers) == 2 and all(n.isdigit() for n in numbers)):
             raise click.BadParameter(f"a case is family/seed/draw, as lorenz/0/2, got {text!r}")
         out.append((name, *map(int, numbers)))
     return out
 
 
+option = partial(click.option, show_default=True)
+COUNT = click.IntRange(1)
+FOLDER = click.Path(file_okay=False, path_type=Path)
+ALL = {**FAMILIES, **HOLDOUT}
+METHODS = "auto", *METHOD_NAMES
+USUAL = ",".join(f"{x:g}" for x in TOLERANCES)
+
+
 @click.command(help=HELP, context_settings={"max_content_width": 100})
-@click.option(
-    "--families",
-    default="",
-    callback=_several({**FAMILIES, **HOLDOUT}),
-    metavar="A,B",
-    help="only these families",
-)
-@click.option("--holdout", is_flag=True, help="the families of the holdout in place of the others")
-@click.option(
-    "--seeds", default=1, show_default=True, type=click.IntRange(1), help="how many seeds"
-)
-@click.option("--first-seed", default=0, show_default=True, help="the first of them")
-@click.option(
-    "--draws",
-    default=DRAWS,
-    show_default=True,
-    type=click.IntRange(1),
-    help="models of each family for each seed",
-)
-@click.option(
+@option("--families", callback=_several(ALL), metavar="A,B", help="only these families")
+@option("--holdout", is_flag=True, help="the families of the holdout in place of the others")
+@option("--seeds", default=1, type=COUNT, help="how many seeds")
+@option("--first-seed", default=0, help="the first of them")
+@option("--draws", default=DRAWS, type=COUNT, help="models of each family for each seed")
+@option(
     "--case",
     "cases",
     multiple=True,
     callback=_cases,
     metavar="F/S/D",
-    help="this case instead, every call listed; may be repeated",
+    help="this case, every call listed; may be repeated",
 )
-@click.option(
-    "--methods",
-    default="",
-    callback=_several(("auto", *METHOD_NAMES)),
-    metavar="A,B",
-    help="only these methods",
-)
-@click.option(
-    "--tolerances",
-    default=",".join(f"{x:g}" for x in TOLERANCES),
-    show_default=True,
-    callback=_numbers,
-    help="errors asked for",
-)
-@click.option(
-    "--without-heyoka", "heyoka", flag_value="without", help="as if heyoka were not installed"
-)
-@click.option(
+@option("--methods", callback=_several(METHODS), metavar="A,B", help="only these methods")
+@option("--tolerances", default=USUAL, callback=_numbers, help="errors asked for")
+@option("--without-heyoka", "heyoka", flag_value="without", help="as if heyoka were not installed")
+@option(
     "--with-heyoka-only",
     "heyoka",
     flag_value="with",
-    help="without the lines of auto that go without heyoka",
+    help="without the lines of auto without heyoka",
 )
-@click.option("--no-changes", is_flag=True, help="do not repeat calls nor run them in two threads")
-@click.option(
-    "--jobs", default=2, show_default=True, type=click.IntRange(1), help="cases at the same time"
-)
-@click.option("--seconds", default=SECONDS, show_default=True, help="that a call may take")
-@click.option(
-    "--reference-seconds",
-    default=REFERENCE_SECONDS,
-    show_default=True,
-    help="that a reference may take",
-)
-@click.option(
-    "--cache",
-    type=click.Path(file_okay=False, path_type=Path),
-    help="folder of the references (default: the user's cache)",
-)
-@click.option(
-    "--out",
-    type=click.Path(file_okay=False, path_type=Path),
-    help="folder for the table, the runs and the changes as CSV and JSON, and the chart",
-)
-@click.option(
-    "--worst",
-    "count",
-    default=20,
-    show_default=True,
-    help="how many of the worst answers are listed",
-)
-@click.option("--list", "listed", is_flag=True, help="list the families and end")
-def main(
-    families,
-    holdout,
-    seeds,
-    first_seed,
-    draws,
-    cases,
-    methods,
-    tolerances,
-    heyoka,
-    no_changes,
-    jobs,
-    seconds,
-    reference_seconds,
-    cache,
-    out,
-    count,
-    listed,
-):
+@option("--no-changes", is_flag=True, help="do not repeat calls nor run them in two threads")
+@option("--jobs", default=2, type=COUNT, help="cases at the same time")
+@option("--seconds", default=SECONDS, help="that a call may take")
+@option("--reference-seconds", default=REFERENCE_SECONDS, help="that a reference may take")
+@option("--cache", type=FOLDER, help="folder of the references (default: the user's cache)")
+@option("--out", type=FOLDER, help="folder for the chart, the table, and all calls as CSV and JSON")
+@option("--worst", "count", default=20, help="how many of the worst answers are listed")
+@option("--list", "listed", is_flag=True, help="list the families and end")
+def main(families, holdout, listed, cache, out, count, jobs, cases, **asked):
     """Run it."""
     console = Console(width=None if Console().is_terminal else 140)
     known = HOLDOUT if holdout else FAMILIES
     if listed:
         for name, f in known.items():
-            console.print(
-                f"{name:30} {', '.join(f.tags):28} {f.__doc__.strip().splitlines()[0]}",
-                highlight=False,
-                soft_wrap=True,
-            )
+            about = f.__doc__.strip().splitlines()[0]
+            text = f"{name:30} {', '.join(f.tags):28} {about}"
+            console.print(text, highlight=False, soft_wrap=True)
         return
-    wanted = cases or [
-        (n, seed, k)
-        for seed in range(first_seed, first_seed + seeds)
-        for n in families or known
-        for k in range(draws)
-    ]
+    first, seeds, draws = asked["first_seed"], asked["seeds"], asked["draws"]
+    drawn = product(range(first, first + seeds), families or known, range(draws))
     plan = Plan(
-        methods or ("auto", *METHOD_NAMES),
-        tolerances,
-        heyoka or "both",
-        seconds,
-        reference_seconds,
-        str(cache or cache_folder()),
-        not no_changes,
-    )
+        asked["methods"] or METHODS, asked["tolerances"], asked["heyoka"] or "both",
+        asked["seconds"], asked["reference_seconds"], str(cache or cache_folder()),
+        not asked["no_changes"],
+    )  # fmt: skip
     begun = time.perf_counter()
-    found = _followed(wanted, plan, jobs)
+    found = _followed(cases or [(n, seed, k) for seed, n, k in drawn], plan, jobs)
     lines = report.table([r for f in found for r in f.runs])
     printing.everything(console, found, lines, count, time.perf_counter() - begun, bool(cases))
     if out:

@@ -189,58 +189,36 @@ def judged(case, truths, method, way, rtol, seconds=SECONDS, integrate=integrate
     """
     asked = Run(case.name, case.tags, method, way, rtol)
     begun = perf_counter()
+
+    def without_answer(outcome, taken, words, needless=False):
+        seconds = perf_counter() - begun
+        found = {"outcome": outcome, "taken": taken, "words": words, "needless": needless}
+        return replace(asked, seconds=seconds, **found)
+
     try:
         with limited(seconds):
             answers, taken = _asked(case, truths, method, way, rtol, integrate, prepare)
             passed = perf_counter() - begun
     except TimeUp:
-        return replace(
-            asked,
-            taken="timeout",
-            outcome="timeout",
-            seconds=seconds,
-            words=f"no answer in {seconds:g} s",
-        )
+        return without_answer("timeout", "timeout", f"no answer in {seconds:g} s")
     except ModelError as error:
         unfit = "cannot be used" in str(error)
         needless = method == "auto" and all(reachable(truth, rtol) for truth in truths.values())
-        return replace(
-            asked,
-            taken=type(error).__name__,
-            outcome="unfit" if unfit else "refused",
-            needless=needless,
-            seconds=perf_counter() - begun,
-            words=str(error),
-        )
+        outcome = "unfit" if unfit else "refused"
+        return without_answer(outcome, type(error).__name__, str(error), needless)
     except Exception as error:  # whatever it is, a user meets it
-        return replace(
-            asked,
-            taken=type(error).__name__,
-            outcome="raw",
-            seconds=perf_counter() - begun,
-            words=f"{type(error).__name__}: {error}",
-        )
-    worst = None
-    for k, (end, estimate, inside, found) in answers.items():
-        run = _compared(case, truths[k], end, estimate, inside, found, asked)
-        if worst is None or run.error > worst.error:
-            worst = run
-    return replace(worst, taken=taken, seconds=passed)
+        name = type(error).__name__
+        return without_answer("raw", name, f"{name}: {error}")
+    runs = [_compared(case, truths[k], *answer, asked) for k, answer in answers.items()]
+    return replace(max(runs, key=lambda run: run.error), taken=taken, seconds=passed)
 
 
 def _compared(case, truth, end, estimate, inside, found, asked):
     """One motion against its reference."""
-    rtol = asked.rtol
+    rtol, found_none = asked.rtol, {"error": math.inf, "unitless": math.inf}
+    given = replace(asked, outcome="missed", estimate=estimate, end=end)
     if case.singular:
-        return replace(
-            asked,
-            outcome="missed",
-            error=math.inf,
-            unitless=math.inf,
-            estimate=estimate,
-            end=end,
-            words="there is no motion at that time",
-        )
+        return replace(given, words="there is no motion at that time", **found_none)
     about = truth.sizes, truth.natural
     error, unitless = (true_error(end, truth.states[-1], *about, unit) for unit in (UNIT, 0.0))
     words = f"end {end!r}, true {tuple(float(Fraction(x)) for x in truth.states[-1])!r}"
@@ -249,18 +227,11 @@ def _compared(case, truth, end, estimate, inside, found, asked):
         error, unitless = max(error, times), max(unitless, times)
         if times == math.inf:
             words = f"{len(found)} events of {len(truth.events)}"
-    rows = zip(inside, truth.states[:-1], strict=False) if inside else ()
+    rows = zip(inside or (), truth.states[:-1], strict=False)
     worst = max((true_error(row, true, *about) for row, true in rows), default=math.nan)
-    return replace(
-        asked,
-        outcome="met" if error <= rtol else "missed",
-        error=error,
-        unitless=unitless,
-        inside=worst,
-        estimate=estimate,
-        end=end,
-        words=words,
-    )
+    outcome = "met" if error <= rtol else "missed"
+    measured = {"error": error, "unitless": unitless, "inside": worst}
+    return replace(given, outcome=outcome, words=words, **measured)
 
 
 def _asked(case, truths, method, way, rtol, integrate, prepare):
@@ -269,27 +240,19 @@ def _asked(case, truths, method, way, rtol, integrate, prepare):
     """
     way = way.removesuffix(WITHOUT).removesuffix(", ")
     if way == PREPARED:
-        return {
-            0: (tuple(prepare(case.model, rtol, method)(case.t_end, case.start)), None, None, None)
-        }, method
+        end = tuple(prepare(case.model, rtol, method)(case.t_end, case.start))
+        return {0: (end, None, None, None)}, method
     if way.startswith("batch"):
         return _batch(case, truths, method, int(way.rpartition(" ")[2]), rtol, integrate)
     samples = case.times if way == SAMPLES else None
     motion = integrate(case.model, case.span, case.start, rtol, method, case.events, samples)
     estimate = float(motion.error)
-    end = tuple(motion.end.values())
-    begin, last = case.t0, motion.t_end
-    times = [t for t in case.times[:-1] if begin <= t <= last]
-    if samples:
-        rows = list(zip(*(x.tolist() for x in motion.states.values()), strict=True))[: len(times)]
-    else:
-        rows = (
-            list(zip(*(x.tolist() for x in motion.at(times).values()), strict=True))
-            if times
-            else []
-        )
+    times = [t for t in case.times[:-1] if case.t0 <= t <= motion.t_end]
+    states = motion.states if samples else motion.at(times) if times else {}
+    rows = list(zip(*(x.tolist() for x in states.values()), strict=True))[: len(times)]
     found = [(_number(case, e.name), e.t) for e in motion.events] if case.events else None
-    return {0: (end, None if math.isnan(estimate) else estimate, rows, found)}, motion.method.name
+    answer = tuple(motion.end.values()), None if math.isnan(estimate) else estimate, rows, found
+    return {0: answer}, motion.method.name
 
 
 def _number(case, name):
@@ -307,14 +270,11 @@ def _batch(case, truths, method, count, rtol, integrate):
     if case.count > 1:
         start, places = case.start, {k: k for k in truths}
     else:
-        spread = np.linspace(-0.01, 0.01, count)
-        spread[[0, count // 2, -1]] = 0.0
+        spread, same = np.linspace(-0.01, 0.01, count), (0, count // 2, count - 1)
+        spread[list(same)] = 0.0
         if {"singular", "near-singular"} & set(case.tags):
             spread[:] = 0.0
-        start, places = (
-            tuple(x * (1 + spread) for x in case.start),
-            dict.fromkeys((0, count // 2, count - 1), 0),
-        )
+        start, places = tuple(x * (1 + spread) for x in case.start), dict.fromkeys(same, 0)
     motions = integrate(case.model, case.span, start, rtol, method)
     answers = {}
     for place, k in places.items():
@@ -328,9 +288,8 @@ def _batch(case, truths, method, count, rtol, integrate):
 def _worse(a, b, truth):
     if a is None or not truth.states:
         return b
-    return max(
-        a, b, key=lambda answer: true_error(answer[0], truth.states[-1], truth.sizes, truth.natural)
-    )
+    about = truth.states[-1], truth.sizes, truth.natural
+    return max(a, b, key=lambda answer: true_error(answer[0], *about))
 
 
 def _same(a, b):
@@ -395,20 +354,18 @@ def answer(case, rtol, integrate=integrate):
 
 
 def _change(case, truth, way, rtol, answers, methods):
-    first = answers[0]
-    others = [a for a in answers[1:] if not _same(a, first)]
-    moved = 0.0
-    for a in others:
-        comparable = len(a) == len(first) and truth.sizes
-        moved = max(
-            moved,
-            true_error(a, [Fraction(x) for x in first], truth.sizes, truth.natural)
-            if comparable and all(map(math.isfinite, first))
-            else math.inf,
-        )
-    return Change(
-        case.name, way, rtol, len(others), len(answers), moved, tuple(dict.fromkeys(methods))
-    )
+    first, *rest = answers
+    others = [a for a in rest if not _same(a, first)]
+    finite = truth.sizes and all(map(math.isfinite, first))
+
+    def moved(a):
+        if not finite or len(a) != len(first):
+            return math.inf
+        return true_error(a, [Fraction(x) for x in first], truth.sizes, truth.natural)
+
+    worst = max(map(moved, others), default=0.0)
+    taken = tuple(dict.fromkeys(methods))
+    return Change(case.name, way, rtol, len(others), len(answers), worst, taken)
 
 
 def in_two_threads(

@@ -101,11 +101,8 @@ def reference(case, cache=None, seconds=SECONDS):
 
 def cache_folder():
     """The folder of the user in which references are kept unless another is given."""
-    return (
-        Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-        / "newton_euler"
-        / "honesty"
-    )
+    root = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return root / "newton_euler" / "honesty"
 
 
 def _tuples(x):
@@ -123,22 +120,13 @@ def _store(path, record):
 
 def _key(case):
     """A hash of all that the reference depends on."""
-    rates, watched = _Problem(case).formulas
-    parts = [
-        VERSION,
-        rates.source,
-        [w.source for w in watched],
-        dict(case.model.parameters),
-        case.start,
-        case.times,
-        case.t0,
-        case.knots,
-        case.singular_at,
-    ]
+    problem = _Problem(case)
+    watched = [w.source for w in problem.watched]
+    parts = [VERSION, problem.rates.source, watched, dict(case.model.parameters)]
+    parts += [case.start, case.times, case.t0, case.knots, case.singular_at]
     parts += [("all extrema", e.direction, e.terminal, e.then is not None) for e in case.events]
-    parts += [
-        inspect.getsource(f) if f else None for f in (case.exact, case.event_times, case.impact)
-    ]
+    known = case.exact, case.event_times, case.impact
+    parts += [inspect.getsource(f) if f else None for f in known]
     if case.exact:
         parts.append(inspect.getsource(closed_forms))
     elif watched:
@@ -152,19 +140,15 @@ def _key(case):
 def _computed(case, seconds):
     begun = perf_counter()
     if case.singular:
-        return Reference(
-            (), (), (), (), math.inf, (), math.inf, ("given: no motion there", "none"), 0.0
-        )
+        ways = "given: no motion there", "none"
+        return Reference((), (), (), (), math.inf, (), math.inf, ways, 0.0)
     try:
         with limited(seconds):
             found, way, again = _first(case)
-            sizes, natural = _sizes(case, found.way)
-            condition = (
-                max(_distance(again(seed), found, sizes, natural) for seed in (1, 2)) / NUDGE
-            )
-        checked, agreement = _second(
-            case, found, sizes, natural, max(seconds - (perf_counter() - begun), 1.0)
-        )
+            about = sizes, natural = _sizes(case, found.way)
+            moved = max(_distance(again(seed), found, *about) for seed in (1, 2))
+        left = max(seconds - (perf_counter() - begun), 1.0)
+        checked, agreement = _second(case, found, sizes, natural, left)
     except TimeUp:
         raise NoReferenceError(f"not reached in {seconds:g} s") from None
     except (ArithmeticError, ValueError) as error:
@@ -173,17 +157,9 @@ def _computed(case, seconds):
         raise NoReferenceError(f"{way} and {checked} differ by {agreement:.1g}")
     events, margin = found.events(case)
     states = tuple(tuple(_text(x) for x in row) for row in found.states)
-    return Reference(
-        tuple(map(_text, found.times)),
-        states,
-        sizes,
-        natural,
-        float(condition),
-        events,
-        margin,
-        (way, checked),
-        float(agreement),
-    )
+    times, condition, ways = tuple(map(_text, found.times)), float(moved / NUDGE), (way, checked)
+    agreement = float(agreement)
+    return Reference(times, states, *about, condition, events, margin, ways, agreement)
 
 
 def _text(x):
@@ -205,11 +181,8 @@ def _first(case):
         stepper, way = Extrapolation(_Problem(case), DIGITS), "extrapolation, 42 digits"
     else:
         stepper, way = TaylorSeries(_Problem(case), BITS), "Taylor series, 42 digits"
-    return (
-        _followed(case, stepper, DIGITS, None),
-        way,
-        lambda seed: _followed(case, stepper, DIGITS, seed),
-    )
+    again = lambda seed: _followed(case, stepper, DIGITS, seed)
+    return again(None), way, again
 
 
 def _second(case, found, sizes, natural, seconds):
@@ -331,11 +304,6 @@ class _Problem:
         functions = [*(branches.switches if branches else ()), *(e.function for e in case.events)]
         self.watched = [_formula(model, g) for g in functions]
 
-    @property
-    def formulas(self):
-        """Traced: the rates and the functions that are watched."""
-        return self.rates, self.watched
-
 
 def _formula(model, f):
     """A function ``(s, p, t)`` of a model, traced."""
@@ -356,14 +324,8 @@ class _Motion:
     """The states at the times of comparison, states along the way, and the events of a case."""
 
     def __init__(self):
-        self.times, self.states, self.way, self.found, self.extrema, self.ranges = (
-            [],
-            [],
-            [],
-            [],
-            [],
-            {},
-        )
+        self.times, self.states, self.way, self.found, self.extrema = [], [], [], [], []
+        self.ranges = {}
 
     def events(self, case):
         """The events with their weights, and the margin."""

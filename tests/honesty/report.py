@@ -64,10 +64,8 @@ class Line:
 def line(row, rtol, runs):
     """The :class:`Line` of some runs."""
     answers = [r for r in runs if r.returned]
-    covers, inside = (
-        [r.covers for r in answers if r.covers is not None],
-        [r.inside <= 10 * r.rtol for r in answers if not math.isnan(r.inside)],
-    )
+    covers = [r.covers for r in answers if r.covers is not None]
+    inside = [r.inside <= 10 * r.rtol for r in answers if not math.isnan(r.inside)]
     count = Counter(r.outcome for r in runs)
     return Line(
         row,
@@ -115,9 +113,8 @@ def by_subject(runs, row="auto"):
     for r in runs:
         if r.row == row or (r.tags[0] == "batch" and r.method == row and "without" not in r.way):
             subjects[r.tags[0]].append(r)
-    return sorted(
-        ((s, line(row, None, found)) for s, found in subjects.items()), key=lambda pair: pair[1].met
-    )
+    lines = ((subject, line(row, None, found)) for subject, found in subjects.items())
+    return sorted(lines, key=lambda pair: pair[1].met)
 
 
 def worst(runs, count=20):
@@ -125,11 +122,8 @@ def worst(runs, count=20):
 
     Of each case and way only the worst.
     """
-    first = {}
-    for r in sorted(
-        (r for r in runs if r.outcome == "missed"),
-        key=lambda r: -r.error / max(r.rtol, r.estimate or 0.0),
-    ):
+    missed, first = [r for r in runs if r.outcome == "missed"], {}
+    for r in sorted(missed, key=lambda r: -r.error / max(r.rtol, r.estimate or 0.0)):
         first.setdefault((r.case, r.row), r)
     return list(first.values())[:count]
 

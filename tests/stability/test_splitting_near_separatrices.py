@@ -25,7 +25,10 @@ def swing(t, rate):
         return 2 * mpmath.asin(k * mpmath.ellipfun("sn", mpmath.mpf(t), m=k * k))
 
 
-@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-8])
+FINE = pytest.param(1e-8, marks=pytest.mark.slow)  # millions of steps of a low order
+
+
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, FINE])
 @pytest.mark.parametrize("below", [1e-2, 1e-5, 1e-8])
 @pytest.mark.parametrize("method", SPLITTING)
 def test_a_swing_nearly_to_the_top_is_as_accurate_as_told(method, below, rtol):

@@ -56,42 +56,17 @@ def test_a_global_counts_as_it_is_when_the_model_is_integrated(method, again):
     assert model.derivative(START) == (0.0, -1.62)
 
 
-WAYS = []
-
-
-def way(make):
-    """A way to change what a right-hand side reads: a function of no argument that returns one with
-    the acceleration 9.81, and a function that makes it 1.62.
-    """
-    WAYS.append(make)
-    return make
-
-
-@way
-def of_global():
-    space = cell(FALL)
+def of_cell(text, **more):
+    """The right-hand side of a cell that reads the global G, and a function that changes G."""
+    space = cell(text, **more)
     return space["rhs"], lambda: space.update(G=1.62)
 
 
-@way
-def of_helper():
-    space = cell("def pull(): return -G\ndef rhs(s, p, t): return s.v, pull()")
-    return space["rhs"], lambda: space.update(G=1.62)
-
-
-@way
 def of_new_helper():
     space = cell("def pull(): return -9.81\ndef rhs(s, p, t): return s.v, pull()")
     return space["rhs"], lambda: exec("def pull(): return -1.62", space)
 
 
-@way
-def of_inner_function():
-    space = cell("def rhs(s, p, t):\n    pull = lambda: -G\n    return s.v, pull()")
-    return space["rhs"], lambda: space.update(G=1.62)
-
-
-@way
 def of_closure():
     g = 9.81
 
@@ -102,130 +77,122 @@ def of_closure():
     return lambda s, p, t: (s.v, -g), change
 
 
-@way
 def of_closed_helper():
     space = cell("def make(f): return lambda s, p, t: (s.v, f())\ndef pull(): return -G")
     return space["make"](space["pull"]), lambda: space.update(G=1.62)
 
 
-@way
-def of_mutable_default():
-    default = [9.81]
+def of_mutable_default(default):
     rhs = lambda s, p, t, g=default: (s.v, -g[0])
     return rhs, lambda: default.__setitem__(0, 1.62)
 
 
-@way
 def of_default():
     rhs = lambda s, p, t, g=9.81: (s.v, -g)
     return rhs, lambda: setattr(rhs, "__defaults__", (1.62,))
 
 
-@way
 def of_keyword_default():
     rhs = lambda s, p, t, *, g=9.81: (s.v, -g)
     return rhs, lambda: rhs.__kwdefaults__.update(g=1.62)
 
 
-@way
-def of_attribute():
-    constants = SimpleNamespace(g=9.81)
+def of_attribute(constants):
+    """Of an object, a class or a module."""
+    constants.g = 9.81
     return lambda s, p, t: (s.v, -constants.g), lambda: setattr(constants, "g", 1.62)
 
 
-@way
 def of_dict():
     space = cell("def rhs(s, p, t): return s.v, -CONSTANTS['g']", CONSTANTS={"g": 9.81})
     return space["rhs"], lambda: space["CONSTANTS"].update(g=1.62)
 
 
-@way
-def of_array():
-    g = np.array([9.81])
+def of_array(g):
     return lambda s, p, t: (s.v, -float(g[0])), lambda: g.fill(1.62)
 
 
-@way
-def of_class():
-    class Moon:
-        g = 9.81
-
-    return lambda s, p, t: (s.v, -Moon.g), lambda: setattr(Moon, "g", 1.62)
-
-
-@way
-def of_module():
-    module = ModuleType("constants_of_a_user")
+def of_module(name, text):
+    sys.modules[name] = module = ModuleType(name)
     module.g = 9.81
-    space = cell("def rhs(s, p, t): return s.v, -constants.g", constants=module)
-    return space["rhs"], lambda: setattr(module, "g", 1.62)
+    return cell(text, constants=module)["rhs"], lambda: setattr(module, "g", 1.62)
 
 
-@way
-def of_module_inside():
-    sys.modules["constants_inside"] = module = ModuleType("constants_inside")
-    module.g = 9.81
-    space = cell("def rhs(s, p, t):\n    from constants_inside import g\n    return s.v, -g")
-    return space["rhs"], lambda: setattr(module, "g", 1.62)
+class Rates:
+    """Its bound method and the object itself are right-hand sides."""
+
+    __hash__ = None
+
+    def __init__(self):
+        self.g = 9.81
+
+    def __call__(self, s, p, t):
+        return s.v, -self.g
 
 
-@way
-def of_method():
-    class Body:
-        g = 9.81
-
-        def rates(self, s, p, t):
-            return s.v, -self.g
-
-    body = Body()
-    return body.rates, lambda: setattr(body, "g", 1.62)
+def of_object(rates, rhs):
+    return rhs, lambda: setattr(rates, "g", 1.62)
 
 
-@way
-def of_object():
-    class Rates:
-        g = 9.81
-        __hash__ = None
-
-        def __call__(self, s, p, t):
-            return s.v, -self.g
-
-    rates = Rates()
-    return rates, lambda: setattr(rates, "g", 1.62)
+def of_method(rates):
+    return of_object(rates, rates.__call__)
 
 
-@way
 def of_partial():
     space = cell("def rates(k, s, p, t): return s.v, -k*G")
     return partial(space["rates"], 1.0), lambda: space.update(G=1.62)
 
 
-@way
 def of_code():
     rhs, other = cell(FALL)["rhs"], cell("def rhs(s, p, t): return s.v, -1.62")["rhs"]
     return rhs, lambda: setattr(rhs, "__code__", other.__code__)
 
 
-@way
 def of_name_that_comes():
     space = cell("def rhs(s, p, t): return s.v, -9.81*abs(1)")
     return space["rhs"], lambda: space.update(abs=lambda x: 1.62 / 9.81)
 
 
-@way
-def of_eval():
-    space = cell("def rhs(s, p, t): return s.v, -eval('G')")
-    return space["rhs"], lambda: space.update(G=1.62)
-
-
-@way
 def of_engine_closure():
     space = cell("def pull(s, p, t): return (-G,)")
     rhs = second_order("fall", {}, ("h",), space["pull"]).rhs
     return lambda s, p, t: rhs(SimpleNamespace(dh=s.v), p, t), lambda: space.update(G=1.62)
 
 
-@pytest.mark.parametrize("make", WAYS, ids=lambda f: f.__name__)
+CALLED = "def pull(): return -G\ndef rhs(s, p, t): return s.v, pull()"
+INNER = "def rhs(s, p, t):\n    pull = lambda: -G\n    return s.v, pull()"
+IMPORTED = "def rhs(s, p, t):\n    from constants_inside import g\n    return s.v, -g"
+# ways to change what a right-hand side reads: functions of no argument that return one with the
+# acceleration 9.81, and a function that makes it 1.62
+WAYS = {
+    "global": lambda: of_cell(FALL),
+    "helper": lambda: of_cell(CALLED),
+    "new helper": of_new_helper,
+    "inner function": lambda: of_cell(INNER),
+    "closure": of_closure,
+    "closed helper": of_closed_helper,
+    "mutable default": lambda: of_mutable_default([9.81]),
+    "default": of_default,
+    "keyword default": of_keyword_default,
+    "attribute": lambda: of_attribute(SimpleNamespace()),
+    "dict": of_dict,
+    "array": lambda: of_array(np.array([9.81])),
+    "class": lambda: of_attribute(type("Moon", (), {})),
+    "module": lambda: of_module(
+        "constants_of_a_user", "def rhs(s, p, t): return s.v, -constants.g"
+    ),
+    "module inside": lambda: of_module("constants_inside", IMPORTED),
+    "method": lambda: of_method(Rates()),
+    "object": lambda: of_object(rates := Rates(), rates),
+    "partial": of_partial,
+    "code": of_code,
+    "name that comes": of_name_that_comes,
+    "eval": lambda: of_cell("def rhs(s, p, t): return s.v, -eval('G')"),
+    "closure of the engine": of_engine_closure,
+}
+
+
+@pytest.mark.parametrize("make", WAYS.values(), ids=WAYS)
 @pytest.mark.parametrize("ran_before", [True, False])
 def test_whatever_a_right_hand_side_reads_it_is_not_stale(make, ran_before):
     """The motion after the change is the same, bit for bit, whether or not one ran before it."""
