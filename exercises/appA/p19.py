@@ -12,7 +12,8 @@ def vectors(g):
 
 def solve(g):
     P, G = vectors(g)
-    return {"e": P.cross(G).direction()}
+    normal = P.cross(G)
+    return {"n": normal, "e": normal.direction()}
 
 
 def steps(g):
@@ -23,7 +24,7 @@ def steps(g):
 
 def prove(g):
     """What is left of i, j or k without its parts along P and along what is square to P in the
-    plane, on the side from which P, G and it are right-handed.
+    plane; as e on the side from which P, G and it are right-handed.
     """
     P, G = [g.P_1, g.P_2, g.P_3], [g.G_1, g.G_2, g.G_3]
 
@@ -34,13 +35,15 @@ def prove(g):
     across = rest(G, P)
     left = max((rest(rest(v, P), across) for v in ([1, 0, 0], [0, 1, 0], [0, 0, 1])), key=size)
     side = mp.sign(mp.det(mp.matrix([P, G, left])))
-    return {"e": scaled(side / size(left), left)}
+    return {"n": left, "e": scaled(side / size(left), left)}
 
 
 def mistakes(g):
     P, G = vectors(g)
     normal = P.cross(G)
     return {
+        "diagonal": {"n": P + G},
+        "difference": {"n": P - G},
         "not_divided": {"e": normal},
         "magnitudes": {"e": normal / (P.norm() * G.norm())},
         "G_x_P": {"e": -normal.direction()},

@@ -2,11 +2,11 @@
 is a :class:`Problem`.
 """
 
-from .model import SYMBOLIC, Answer, CatalogueError, Chapter, Given, Givens, Problem, Symbol
+from .model import Answer, CatalogueError, Chapter, Given, Givens, Problem, Symbol
 from .reading import chapter, chapters, problem, problems, select
 from .units import in_frame
 
 __all__ = [
-    "SYMBOLIC", "Answer", "CatalogueError", "Chapter", "Given", "Givens", "Problem", "Symbol",
+    "Answer", "CatalogueError", "Chapter", "Given", "Givens", "Problem", "Symbol",
     "chapter", "chapters", "in_frame", "problem", "problems", "select",
 ]  # fmt: skip

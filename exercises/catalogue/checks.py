@@ -11,7 +11,6 @@ from mpmath import mp, mpc, mpf
 from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.forms import WORDS
 
 from .following import earlier_answers, follow
 from .model import CatalogueError
@@ -66,7 +65,7 @@ def alike(p, seeds=1):
             for one, other in combinations(wrong, 2)
             for key in wrong[one].keys() & wrong[other].keys()
             # of few words, two mistakes often have the same
-            if p.answer(key).kind != "choice" and _same(wrong[one][key], wrong[other][key])
+            if not p.answer(key).kind.has_options and _same(wrong[one][key], wrong[other][key])
         }
         same = pairs if same is None else same & pairs
     return [
@@ -164,7 +163,7 @@ def _dimensions(p):
     faults = []
     for key, answer in answers.items():
         a = p.answer(key)
-        if a.kind in WORDS:
+        if a.kind.is_word:
             continue
         asked = unit(a.unit).dimension
         for x in flat(answer):
@@ -182,7 +181,7 @@ def _exchanged(p):
         named = p.code.mistakes(g)
     except DimensionError:  # a wrong model may add unlike quantities
         return []
-    asked = {a.key: unit(a.unit).dimension for a in p.answers if a.kind not in WORDS}
+    asked = {a.key: unit(a.unit).dimension for a in p.answers if not a.kind.is_word}
     faults = []
     for name, answers in named.items():
         for key, answer in answers.items():
@@ -209,11 +208,13 @@ def _agreement(p, seed, proof):
         return [str(error)]
     for a in p.answers:
         found = right[a.key]
-        if a.kind in WORDS:
+        if a.kind.is_word:
             faults += _word_faults(a, found[0], word(proved[a.key]))
             continue
         ways = {"solve in floats": found, "solve in 50 digits": flat(precise[a.key])}
-        faults += _differences(a.key, ways, flat(proved[a.key]), a.atol)
+        with mp.workdps(DIGITS):
+            (by_proof,) = a.kind.like((flat(proved[a.key]),), (flat(precise[a.key]),))
+        faults += _differences(a.key, ways, by_proof, a.atol)
     faults += (step_faults(p, given) if seed == 0 else []) or _steps_against_proof(p, given, proof)
     faults += _hidden(p, given, p.same_in_book if seed == 0 else ())
     return faults or _following(p, given, right)
@@ -294,9 +295,9 @@ def _is_real(numbers):
 
 
 def _word_faults(answer, solved, proved):
-    if answer.kind == "choice" and solved not in answer.of:
+    if answer.kind.has_options and solved not in answer.of:
         return [f"{answer.key}: solve says {solved!r}, which is none of {', '.join(answer.of)}"]
-    if answer.kind == "count" and type(solved) is not int:
+    if answer.kind.is_word and not answer.kind.readings(solved, answer.form, {}, []):
         return [f"{answer.key}: solve gives {solved!r}, which is no whole number"]
     if solved != proved:
         return [f"{answer.key}: solve says {solved}, prove says {proved}"]
@@ -313,13 +314,17 @@ def _hidden(p, given, exempt):
     for name, answers in wrong.items():
         for key, points in answers.items():
             a, real = p.answer(key), list(filter(_is_real, points))
-            if a.kind == "choice" and not {x for (x,) in points} <= set(a.of):
+            if a.kind.has_options and not {x for (x,) in points} <= set(a.of):
                 faults.append(f"the mistake {name} gives {key} a word that is none of {a.of}")
             elif not real and book:
                 faults.append(f"the mistake {name} gives no real {key}")
-            elif name in exempt or (a.kind in WORDS and not book):
+            elif name in exempt or (a.kind.is_word and not book):
                 continue
-            elif points == right[key] if a.kind in WORDS else not apart(points, right[key]):
+            elif (
+                points == right[key]
+                if a.kind.is_word
+                else not apart(a.kind.like(points, right[key]), right[key])
+            ):
                 faults.append(
                     f"the mistake {name} gives nearly the right {key}: {_shown(points[0])}; if it "
                     "does so only with the numbers of the book, write same_in_book: true"
@@ -335,7 +340,7 @@ def _following(p, given, right):
         if strange:
             return [f"follows has {', '.join(strange)}; the problem asks for {', '.join(asked)}"]
         found = follow(p, key, given, {n: right[n] for n in earlier})
-        if p.answer(key).kind in WORDS:
+        if p.answer(key).kind.is_word:
             same = tuple(found) == tuple(right[key])
         else:
             same = distance(found, right[key]) <= AGREEMENT

@@ -12,7 +12,6 @@ from functools import cache
 
 from newton_euler import Frame
 from newton_euler.algebra.units import unit
-from newton_euler.answers.forms import WORDS
 
 from .units import in_unit
 from .variants import flat
@@ -35,21 +34,17 @@ def follow(p, key, values, earlier):
     frame = Frame("axes of the answers")
     taken = {name: _in_base(p, name, earlier[name], frame) for name in earlier_answers(p)[key]}
     found = p.code.follows[key](p.base(values), **taken)
-    if p.answer(key).kind in WORDS:
+    if p.answer(key).kind.is_word:
         return (word(found),)
     return flat(in_unit(found, p.answer(key), p.system))
 
 
 def _in_base(p, name, numbers, frame):
     answer = p.answer(name)
-    if answer.kind in WORDS:
+    if answer.kind.is_word:
         return numbers[0]
-    stated = unit(answer.unit)
-    if answer.kind.startswith("matrix"):
-        base = [stated.to_base(x, p.system) for x in numbers]
-        return tuple(tuple(base[n : n + 3]) for n in (0, 3, 6))
-    x = frame.vector(*numbers) if answer.kind.startswith("vector") else numbers[0]
-    return stated.to_base(x, p.system)
+    base = [unit(answer.unit).to_base(x, p.system) for x in numbers]
+    return frame.vector(*base) if answer.kind.is_vector else answer.kind.nested(base)
 
 
 def acceleration_of(omega, alpha, r):

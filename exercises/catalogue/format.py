@@ -6,8 +6,9 @@ import math
 from reprlib import repr as short
 
 from newton_euler.algebra.units import unit
+from newton_euler.answers.kinds import KINDS
 
-from .model import KINDS, Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
+from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
 
 # angles away from 0 and 90 degrees, where formulas that differ may agree
 SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
@@ -83,14 +84,15 @@ def _symbol(name, s):
 def _answer(a):
     optional = ("unit", "of", "atol", "weight", "follow_through", "symbol")
     _check_keys(a, "an answer", ("key", "kind", "means"), optional)
-    key, kind, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
-    if kind not in KINDS:
-        raise CatalogueError(f"{key}: kind {kind!r} is none of {', '.join(sorted(KINDS))}")
+    key, name, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
+    if name not in KINDS:
+        raise CatalogueError(f"{key}: kind {name!r} is none of {', '.join(sorted(KINDS))}")
+    kind = KINDS[name]
     if not isinstance(of, list):
         raise CatalogueError(
             f"{key}: of must be the list of words to choose from, and is {short(of)}"
         )
-    if (kind == "choice") != bool(of):
+    if kind.has_options != bool(of):
         raise CatalogueError(
             f"{key}: a choice has of: [...] with its words, and no other kind has; this is a {kind}"
         )

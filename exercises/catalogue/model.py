@@ -11,17 +11,12 @@ from functools import cached_property
 
 from newton_euler.algebra.scalars import integer_like, is_numeric, scalar
 from newton_euler.algebra.units import SI, unit
-from newton_euler.answers.forms import WORDS
+from newton_euler.answers.forms import Form, kind_named
+from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import symbol
 
 from .units import in_unit, system_of
 from .words import word, words_at
-
-KINDS = {
-    "number", "vector", "matrix", "expression", "vector_expression", "matrix_expression",
-    "interval", "count", "choice",
-}  # fmt: skip
-SYMBOLIC = {"expression", "vector_expression", "matrix_expression"}
 
 
 class CatalogueError(ValueError):
@@ -79,21 +74,32 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a problem asks for. ``atol`` is the absolute tolerance, in ``unit``, for a key that is
-    zero; ``weight`` is its share of the problem's points, beside those of the other answers;
-    ``follow_through`` the part of them that it earns where it is wrong, but follows from a
-    student's own earlier answers; ``latex`` is how it is printed, where its key does not say it.
+    """What a problem asks for.
+
+    kind : may be given by its name. atol : the absolute tolerance, in ``unit``, for a key that is
+    zero. weight : its share of the problem's points, beside those of the other answers.
+    follow_through : the part of them that it earns where it is wrong, but follows from a student's
+    own earlier answers. latex : how it is printed, where its key does not say it.
     """
 
     key: str
-    kind: str
+    kind: Kind
     unit: str
     means: str
-    of: tuple = ()
+    of: tuple[str, ...] = ()
     atol: float = 1e-6
     weight: float = 1.0
     follow_through: float = 0.0
     latex: str = ""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.kind, str):
+            object.__setattr__(self, "kind", kind_named(self.kind))
+
+    @property
+    def form(self) -> Form:
+        """The form in which it is answered."""
+        return Form(self.kind, self.unit, self.of)
 
 
 class Givens:
@@ -188,12 +194,12 @@ class Problem:
     @property
     def symbolic(self):
         """True if any answer is a formula in the problem's symbols."""
-        return any(a.kind in SYMBOLIC for a in self.answers)
+        return any(a.kind.is_formula for a in self.answers)
 
     @property
     def has_words(self):
         """True if any answer is a word or a count."""
-        return any(a.kind in WORDS for a in self.answers)
+        return any(a.kind.is_word for a in self.answers)
 
     def answer(self, key):
         """The answer asked for under this key."""
@@ -219,7 +225,7 @@ class Problem:
     @cached_property
     def notation(self):
         """How each given, symbol and answer is printed, in LaTeX: {name: symbol}."""
-        asked = {a.key: a.latex or symbol(a.key, "vector" in a.kind) for a in self.answers}
+        asked = {a.key: a.latex or symbol(a.key, a.kind.is_vector) for a in self.answers}
         stated = (*self.givens.items(), *self.symbols.items())
         return asked | {n: q.latex or symbol(n) for n, q in stated}
 
@@ -287,7 +293,7 @@ class Problem:
             return found
         if all(is_numeric(x) and not getattr(x, "shape", ()) for x in values.values()):
             return [
-                {k: word(x) if self.answer(k).kind in WORDS else x for k, x in answers.items()}
+                {k: word(x) if self.answer(k).kind.is_word else x for k, x in answers.items()}
                 for answers in found
             ]
         words = words_at(self, lambda g: self._words_of(compute(g)), values, one)
@@ -300,7 +306,7 @@ class Problem:
             (n, k): x
             for n, answers in enumerate(results)
             for k, x in answers.items()
-            if self.answer(k).kind in WORDS
+            if self.answer(k).kind.is_word
         }
 
     def formulas(self):

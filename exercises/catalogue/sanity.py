@@ -8,10 +8,8 @@ from functools import cache
 
 import numpy as np
 
-from newton_euler.answers.forms import WORDS
 from newton_euler.answers.sanity import KINETIC
 
-from .model import SYMBOLIC
 from .variants import at_points, drawn_value
 
 DRAWS = 100  # sets of numbers
@@ -25,7 +23,7 @@ def sane_answers(p):
     """
     # not the change of one, which may be negative
     found = {a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)}
-    asked = [a for a in p.answers if a.kind not in SYMBOLIC and a.kind not in WORDS]
+    asked = [a for a in p.answers if a.kind.has_size]
     if not asked:
         return found
     rng = random.Random(f"sizes of {p.id}")

@@ -5,7 +5,6 @@ import re
 from newton_euler.algebra.scalars import ZERO, is_expression, probe, scalar
 from newton_euler.algebra.units import SI, US, unit
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.forms import WORDS
 
 _US = {"ft", "in", "mi", "slug", "lb", "oz"}
 _METRIC = {"m", "mm", "cm", "km", "g", "kg", "N", "kN", "J", "W", "Pa"}
@@ -24,7 +23,7 @@ def in_unit(value, answer, system=SI):
     Vector with its terms. A word or count, or the function that gives it, is itself. What vanishes
     whatever the symbols are is 0.
     """
-    if answer.kind in WORDS:
+    if answer.kind.is_word:
         return value
     if isinstance(value, (tuple, list)):
         return tuple(in_unit(v, answer, system) for v in value)

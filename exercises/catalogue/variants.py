@@ -13,17 +13,12 @@ import numpy as np
 
 from newton_euler import compiled
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.forms import WORDS
-from newton_euler.answers.tolerance import SEPARATION
+from newton_euler.answers.tolerance import MAJORITY, SEPARATION, distance
 
-from .model import SYMBOLIC, CatalogueError
+from .model import CatalogueError
 from .reading import problem
 
 DRAWS = 300  # attempts before a range is called impossible
-# a component of a vector is zero, or at least so much of the whole: one that is left out must show
-COMPONENT = 0.01
-# of the points at which formulas are compared, so many must be there, or show a difference
-MAJORITY = 0.5
 POINTS = 8  # number of points at which formulas are compared
 SENSITIVITY = 50  # a given rounded to 0.1 % may change an answer by 5 % at the most
 
@@ -95,28 +90,14 @@ def objection(p, values):
     """
     right, wrong = at_points(p, values)
     for key, points in right.items():
-        if fault := _unfit(p.answer(key), points):
+        if fault := p.answer(key).kind.unfit(points):
             return f"gives {key} {fault}"
     for name, answers in wrong.items():
         for key, points in answers.items():
-            if p.answer(key).kind not in WORDS and not apart(points, right[key]):
+            kind = p.answer(key).kind
+            if not kind.is_word and not apart(kind.like(points, right[key]), right[key]):
                 return f"hides the mistake {name}: its {key} is within {SEPARATION:.0%} of the key"
     return _ill_conditioned(p, values, right)
-
-
-def _unfit(answer, points):
-    """What is wrong with a key as such, as the end of a sentence, or None."""
-    if answer.kind in WORDS:
-        return None
-    if answer.kind in SYMBOLIC:  # compared component by component, at all points that there are
-        there = sum(math.isfinite(math.hypot(*x)) for x in points)
-        return None if there >= MAJORITY * len(points) else "= nan at most points of its symbols"
-    for x in points:
-        if not all(map(math.isfinite, x)):
-            return f"= {x}"
-        if small := _small_component(x):
-            return f"with a component of {small:.1e} of the whole"
-    return None
 
 
 def _ill_conditioned(p, values, right):
@@ -128,16 +109,10 @@ def _ill_conditioned(p, values, right):
             continue
         moved, _ = at_points(p, {**values, given: values[given] * 1.001})
         for key, points in right.items():
-            kind = p.answer(key).kind
-            if kind in SYMBOLIC:
-                continue
-            if kind in WORDS:
-                if moved[key] != points:
-                    return f"is ill-conditioned: 0.1 % of {given} changes {key}"
-                continue
-            change = max(map(distance, moved[key], points))
+            change = p.answer(key).kind.change(moved[key], points)
             if not change <= 0.001 * SENSITIVITY:
-                return f"is ill-conditioned: 0.1 % of {given} changes {key} by {change:.0%}"
+                by = "" if math.isinf(change) else f" by {change:.0%}"
+                return f"is ill-conditioned: 0.1 % of {given} changes {key}{by}"
     return None
 
 
@@ -151,21 +126,6 @@ def apart(wrong, right):
         if math.isfinite(math.hypot(*x, *key))
     ]
     return sum(far) >= MAJORITY * len(far)
-
-
-def _small_component(answer):
-    """The size of a component that is neither zero up to round-off nor large enough to be missed,
-    relative to the whole; None if there is none.
-    """
-    whole = math.hypot(*answer)
-    shares = [abs(x) / whole for x in answer] if whole else []
-    return next((share for share in shares if 1e-9 < share < COMPONENT), None)
-
-
-def distance(a, b):
-    """The difference of two answers, tuples of floats, relative to ``b`` if that is not zero."""
-    size = math.hypot(*b)
-    return math.hypot(*(x - y for x, y in zip(a, b, strict=True))) / (size or 1.0)
 
 
 def flat(answer):

@@ -17,11 +17,10 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, lru_cache
 
-from exercises.catalogue import Answer, Problem
+from exercises.catalogue import Problem
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.sanity import sane_answers
 from exercises.catalogue.sections import section_line
-from newton_euler.answers.forms import Form
 from newton_euler.answers.notation import (
     GREEK,
     bare_unit,
@@ -170,18 +169,13 @@ def starter(p: Problem) -> str:
     """The source of the answer cell as it is handed out."""
     width = max(len(a.key) for a in p.answers)
     lines = [f"# {p.id}: your work; then a value for each name"]
-    lines += [f"{a.key:<{width}} = None  # {form(a)}: {a.means}" for a in p.answers]
+    lines += [f"{a.key:<{width}} = None  # {a.form}: {a.means}" for a in p.answers]
     return "\n".join(lines)
-
-
-def form(a: Answer) -> str:
-    """The form of an answer as the notebook states it: "vector, mm/s"."""
-    return str(Form(a.kind, a.unit, a.of))
 
 
 def receipt_cell(p: Problem) -> str:
     """The source of the locked cell that checks the form of the answers."""
-    forms = ", ".join(f'{a.key}="{form(a)}"' for a in p.answers)
+    forms = ", ".join(f'{a.key}="{a.form}"' for a in p.answers)
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
     own = {q: x.latex for q, x in ({a.key: a for a in p.answers} | p.symbols).items() if x.latex}
     notation = f"notation={own!r}, " if own else ""
@@ -243,7 +237,7 @@ def _problem_cells(p, values, figure):
     # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell
     # without one would lose its text
     answer = starter(p).replace("\n", "\n### BEGIN SOLUTION\n### END SOLUTION\n", 1)
-    asked = {a.key: form(a) for a in p.answers}
+    asked = {a.key: str(a.form) for a in p.answers}
     own: OwnMetadata = {"role": "answer", "problem": p.id, "asked": asked}
     marks: NbgraderMetadata = {
         "grade": True, "solution": True, "locked": False, "grade_id": answer_id(p.id),

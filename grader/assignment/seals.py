@@ -1,12 +1,10 @@
 """Seals of the right answers in a student's own copy, at the instructor's choice."""
 
-from exercises.catalogue import SYMBOLIC, problem
-from newton_euler.answers.forms import WORDS
+from exercises.catalogue import problem
 from newton_euler.answers.seals import seal
 
 from ..scoring.numbers import numbers_of
 from .cells import Notebook, SheetValues, own_metadata
-from .notebook import form
 from .sheet import tasks
 
 
@@ -29,16 +27,15 @@ def with_seals(notebook: Notebook, values: SheetValues) -> Notebook:
 def _seals(p, values, asked):
     """{answer: seal}; none of an answer that the sheet asks for in another form than today's."""
     numbers = numbers_of(p, values)
-    return {
-        a.key: _seal(a, numbers) for a in p.answers if asked is None or asked.get(a.key) == form(a)
-    }
+    same = [a for a in p.answers if asked is None or asked.get(a.key) == str(a.form)]
+    return {a.key: _seal(a, numbers) for a in same}
 
 
 def _seal(answer, numbers):
     key = numbers.key[answer.key]
-    if answer.kind in WORDS:
+    if answer.kind.is_word:
         return seal(answer.kind, key[0][0])
-    if answer.kind not in SYMBOLIC:
+    if not answer.kind.is_formula:
         return seal(answer.kind, key[0])
     n = next(n for n, point in enumerate(key) if all(x == x for x in point))
     at = {name: float(points[n]) for name, points in numbers.symbols.items()}

@@ -4,7 +4,7 @@ import copy
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from exercises.catalogue import SYMBOLIC, Answer, Problem
+from exercises.catalogue import Answer, Problem
 
 from ..assignment.cells import Notebook, SheetValues, Values, own_metadata
 from ..reports import nested
@@ -27,7 +27,7 @@ def right_answers(p: Problem, values: Values) -> dict[str, str]:
 
 def literal(a: Answer, value: Any) -> str:
     """The Python source of an answer."""
-    if a.kind in SYMBOLIC:
+    if a.kind.is_formula:
         return _source(nested(value, str))
     return repr(nested(value, lambda x: x if isinstance(x, (int, str)) else float(x)))
 

@@ -124,4 +124,4 @@ def scores_of(entry: Mapping[str, Any], wanted: Collection[str]) -> dict[str, Sc
 
 
 def _score(s):
-    return Score(s["problem"], tuple(Part(**p) for p in s["parts"]), s["note"])
+    return Score(s["problem"], tuple(map(Part.from_dict, s["parts"])), s["note"])

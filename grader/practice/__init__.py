@@ -2,10 +2,10 @@
 models and worked solutions, for a student who has the engine alone.
 """
 
-from .build import HELP, Left, PracticeError, write_practice
+from .build import HELP, LeftOut, PracticeError, write_practice
 from .graded import graded_numbers
 from .measure import practice_shares
 
 __all__ = [
-    "HELP", "Left", "PracticeError", "graded_numbers", "practice_shares", "write_practice",
+    "HELP", "LeftOut", "PracticeError", "graded_numbers", "practice_shares", "write_practice",
 ]  # fmt: skip

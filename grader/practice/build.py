@@ -8,13 +8,13 @@ import os
 import re
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from pathlib import Path
 
 from exercises.catalogue import chapter, problem
 from exercises.catalogue.wording import term_text
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.forms import WORDS
+from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.figures import figure_png
@@ -34,7 +34,7 @@ class PracticeError(CourseError):
 
 
 @dataclass(frozen=True)
-class Left:
+class LeftOut:
     """A problem that is not in the file, and why."""
 
     problem: str
@@ -42,7 +42,7 @@ class Left:
 
 
 def write_practice(path, problems, count=10, help="solution", graded=None, workers=None, done=None):
-    """Write the practice file of ``problems``; returns the :class:`Left` ones.
+    """Write the practice file of ``problems``; returns the :class:`LeftOut` ones.
 
     count : how many sets of numbers each has, the book's among them
     help : the most that a student is shown: one of ``HELP``
@@ -56,7 +56,7 @@ def write_practice(path, problems, count=10, help="solution", graded=None, worke
     jobs = [(p.id, count, help, graded.get(p.id)) for p in problems]
     with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
         for found in pool.map(_packed, jobs):
-            if isinstance(found, Left):
+            if isinstance(found, LeftOut):
                 left.append(found)
             else:
                 pages.append(found)
@@ -84,21 +84,22 @@ def _write(path, pages, help):
 
 
 def _packed(job):
-    """(page, figures) of a problem, or why it is :class:`Left`."""
+    """(page, figures) of a problem, or why it is :class:`LeftOut`."""
     return page_of(*job)
 
 
 def page_of(name, count, help, graded=None, draw=figure_png):
-    """(page, figures) of the problem of this number, or why it is :class:`Left`; ``graded`` are the
-    numbers that students have of it, None where it is in no course.
+    """(page, figures) of the problem of this number, or why it is :class:`LeftOut`.
+
+    graded : the numbers that students have of it, None where it is in no course
     """
     p = twin(problem(name))
     sets = sets_of_numbers(p, count, graded or ())
     computed = [quantities(p, values) for values in sets]
     if graded is not None and (same := _same_for_all(p, computed)):
-        return Left(name, f"its {' and '.join(same)} would tell a graded answer")
+        return LeftOut(name, f"its {' and '.join(same)} would give away a graded answer")
     if not sets:
-        return Left(name, "all its numbers are graded ones")
+        return LeftOut(name, "all its numbers are graded ones")
     figures, variants = {}, []
     for values, (described, right) in zip(sets, computed, strict=True):
         variants.append(_variant(p, values, described, right, help))
@@ -107,15 +108,15 @@ def page_of(name, count, help, graded=None, draw=figure_png):
             file = f"{slug(name)}-{hashlib.sha256(png).hexdigest()[:12]}.png"
             figures[file] = png  # a figure without numbers is there once
             variants[-1]["figure"] = file
-    labels = list(dict.fromkeys((key, group, text) for v in variants
-                                for key, group, text, _ in v["wrong"]))  # fmt: skip
+    labels = list(dict.fromkeys((key, cause) for v in variants for key, cause, _ in v["wrong"]))
     place = {label: n for n, label in enumerate(labels)}
     for v in variants:
-        v["wrong"] = [[place[key, group, text], x] for key, group, text, x in v["wrong"]]
+        v["wrong"] = [[place[key, cause], x] for key, cause, x in v["wrong"]]
     page = {
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
-        "quantities": _described(p, computed, help), "labels": labels, "variants": variants,
+        "quantities": _described(p, computed, help), "variants": variants,
+        "labels": [(key, *astuple(cause)) for key, cause in labels],
         "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
     return page, figures
@@ -140,7 +141,7 @@ def _described(p, computed, help):
 
 def _zero(key, kind, computed):
     """How small a step counts as zero: a millionth of the largest that it is, 1e-6 if all are."""
-    if kind in WORDS:
+    if KINDS[kind].is_word:
         return 0.0
     sizes = [math.hypot(*right[key]) for _, right in computed if key in right]
     return 1e-6 * (max(sizes) or 1.0)

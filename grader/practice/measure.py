@@ -10,19 +10,23 @@ import time
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 
-from newton_euler.answers import causes
-from newton_euler.answers.diagnosis import DIRECTION, NEAR
-from newton_euler.answers.fit import is_apart
-from newton_euler.answers.forms import WORDS
-from newton_euler.answers.slips import OPPOSITE, OPPOSITE_NUMBER, ORDINALS, ROUNDED
+from newton_euler.answers.causes import (
+    OPPOSITE,
+    ROUNDED,
+    Cause,
+    exchanged_components,
+    left_out_component,
+    reversed_components,
+)
+from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.tolerance import is_apart
 from newton_euler.classroom.practising.problems import PracticeProblem
 from newton_euler.classroom.practising.progress import Progress
 
-from .build import Left, page_of
+from .build import LeftOut, page_of
 from .quantities import NOISE
 
 LISTED, SLIPS, RANDOM = "listed mistakes", "slips in steps", "random numbers"
-SEEN = NEAR, DIRECTION, ROUNDED  # what is told of an answer is no name of a mistake
 DIGITS = 6  # that a student writes
 RANDOMS = 5  # answers for each quantity
 
@@ -31,7 +35,7 @@ def practice_shares(problems, variants, progress=None):
     """{what was given: Counter of named, misnamed, unnamed, passed}, over this many sets of numbers
     of each problem, and the middle of the times that a check took, in seconds.
 
-    A slip is named if it is told in its own words, or as another that gives the same numbers.
+    A slip is named if it is recognised, or taken for another that gives the same numbers.
     """
     found, times = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}, []
     with ProcessPoolExecutor() as pool:
@@ -48,7 +52,7 @@ def practice_shares(problems, variants, progress=None):
 def _measured(name, variants):
     found, times = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}, []
     page = page_of(name, variants, "solution", draw=_no_figure)
-    for n in range(0 if isinstance(page, Left) else len(page[0]["variants"])):
+    for n in range(0 if isinstance(page, LeftOut) else len(page[0]["variants"])):
         _measure(page[0], n, found, times)
     return found, times
 
@@ -77,43 +81,44 @@ def _measure(page, number, found, times):
     asked = {q["key"]: q for q in page["quantities"] if q["key"] in variant["right"]}
     models = {}
     for label, x in variant["wrong"]:
-        key, group, text = labels[label]
-        models.setdefault(key, []).append((group, text, x))
+        key, *cause = labels[label]
+        models.setdefault(key, []).append((Cause(*cause), x))
     rng = random.Random(f"{page['id']} {number}")
     for key, q in asked.items():
         right = variant["right"][key]
-        for group, text, x in models.get(key, ()):
-            if group == "listed":
-                found[LISTED][_outcome(p, q, x, right, text, models[key], times)] += 1
-            elif q["step"] and group in ("term", "unit", "axes"):
-                found[SLIPS][_outcome(p, q, x, right, text, models[key], times)] += 1
-        if q["kind"] in WORDS:
+        for cause, x in models.get(key, ()):
+            if cause.group == "listed":
+                found[LISTED][_outcome(p, q, x, right, cause, models[key], times)] += 1
+            elif q["step"] and cause.group in ("term", "unit", "axes"):
+                found[SLIPS][_outcome(p, q, x, right, cause, models[key], times)] += 1
+        if KINDS[q["kind"]].is_word:
             continue
-        for text, x in slips(q["kind"], right) if q["step"] else ():
-            found[SLIPS][_outcome(p, q, x, right, text, models.get(key, []), times)] += 1
+        for cause, x in slips(q["kind"], right) if q["step"] else ():
+            found[SLIPS][_outcome(p, q, x, right, cause, models.get(key, []), times)] += 1
         for _ in range(RANDOMS):
             x = _random(right, rng)
             found[RANDOM][_outcome(p, q, x, right, None, models.get(key, []), times)] += 1
 
 
-def _outcome(p, q, x, right, text, models, times):
+def _outcome(p, q, x, right, cause, models, times):
     """named, misnamed, unnamed or passed, of one wrong value."""
     checked = _checked(p, q, x, times)
     if checked.verdicts[q["key"]] == "right":
         return "passed"
-    told = [t for t in causes(checked.causes[q["key"]]) if t not in SEEN]
-    if not told:
+    # an observation is no name of a mistake
+    named = {c for c in checked.explained[q["key"]] if c != ROUNDED and not c.is_observation}
+    if not named:
         return "unnamed"
-    same = {t for _, t, other in models if _equal(x, other)}
-    if q["kind"] not in WORDS:
-        same |= {t for t, other in slips(q["kind"], right) if _equal(x, other)}
-    return "named" if text is None or {text, *same} & set(told) else "misnamed"
+    same = {c for c, other in models if _equal(x, other)}
+    if not KINDS[q["kind"]].is_word:
+        same |= {c for c, other in slips(q["kind"], right) if _equal(x, other)}
+    return "named" if cause is None or {cause, *same} & named else "misnamed"
 
 
 def _checked(p, q, x, times):
     check = p.check_step if q["step"] else p.check
     p.forget()
-    given, start = {q["key"]: _written(x, q["kind"])}, time.perf_counter()
+    given, start = {q["key"]: _written(x, KINDS[q["kind"]])}, time.perf_counter()
     checked = check(**given)
     times.append(time.perf_counter() - start)
     return checked
@@ -122,10 +127,7 @@ def _checked(p, q, x, times):
 def _written(x, kind):
     if not isinstance(x, list):
         return x
-    short = [float(f"{part:.{DIGITS}g}") for part in x]
-    if kind == "matrix":
-        return [short[n : n + 3] for n in (0, 3, 6)]
-    return short if len(short) > 1 else short[0]
+    return kind.nested([float(f"{part:.{DIGITS}g}") for part in x])
 
 
 def _equal(x, other):
@@ -135,24 +137,23 @@ def _equal(x, other):
 
 
 def slips(kind, right):
-    """[(text, numbers)] of slips that are made anywhere: signs, components exchanged or left out.
-    Those that do not differ from the key are none.
+    """[(cause, numbers)] of slips that are made anywhere: signs, components exchanged or left out.
+    Those that do not differ from the key are left out.
     """
-    found = [(OPPOSITE if len(right) > 1 else OPPOSITE_NUMBER, [-x for x in right])]
+    found = [(OPPOSITE, [-x for x in right])]
     size = math.hypot(*right)
     if kind == "vector":
         there = [n for n, x in enumerate(right) if abs(x) > 1e-9 * size]
         for n in there if len(there) > 1 else ():
-            sign = f"has the opposite sign in its {ORDINALS[n]} component"
-            found.append((sign, [-x if m == n else x for m, x in enumerate(right)]))
-            gone = f"leaves out its {ORDINALS[n]} component"
-            found.append((gone, [0.0 if m == n else x for m, x in enumerate(right)]))
+            turned = [-x if m == n else x for m, x in enumerate(right)]
+            found.append((reversed_components([n]), turned))
+            without = [0.0 if m == n else x for m, x in enumerate(right)]
+            found.append((left_out_component(n), without))
         for a, b in ((0, 1), (1, 2), (0, 2)):
             swapped = list(right)
             swapped[a], swapped[b] = right[b], right[a]
-            text = f"exchanges its {ORDINALS[a]} and {ORDINALS[b]} components"
-            found.append((text, swapped))
-    return [(t, x) for t, x in found if size > NOISE and is_apart((tuple(x),), (tuple(right),))]
+            found.append((exchanged_components((a, b)), swapped))
+    return [(c, x) for c, x in found if size > NOISE and is_apart((tuple(x),), (tuple(right),))]
 
 
 def _random(right, rng):

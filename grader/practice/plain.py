@@ -1,8 +1,8 @@
-"""Our texts for a terminal: names as they are typed, formulas of LaTeX as they are said."""
+"""Our texts for a terminal: names as they are typed, formulas of LaTeX as they are spoken."""
 
 import re
 
-_SAID = {
+_SPOKEN = {
     ",": " ", ";": " ", " ": " ", "!": "", "times": " x ", "cdot": " ",
     "nabla": "grad ", "dots": "...", "left": "", "right": "", "text": "",
     "varepsilon": "epsilon", "ge": " >= ", "le": " <= ", "neq": " != ", "quad": " ", "bar": "mean ",
@@ -19,7 +19,7 @@ def plain(text, names, quantity=None):
     """  # noqa: E501
     mentioned = set()
 
-    def said(match):
+    def named(match):
         name = match[1]
         if name not in names:
             return match[0]
@@ -30,7 +30,7 @@ def plain(text, names, quantity=None):
 
     parts = re.split(r"(\$[^$]*\$)", text)
     for n, part in enumerate(parts):
-        parts[n] = formula(part[1:-1], names) if n % 2 else _NAMED.sub(said, part)
+        parts[n] = formula(part[1:-1], names) if n % 2 else _NAMED.sub(named, part)
     joined = " ".join("".join(parts).split())
     return re.sub(r"\b(\w+) = \1 = ", r"\1 = ", joined)
 
@@ -59,7 +59,7 @@ def formula(latex, names=()):
     )
     text = re.sub(r"\^\{([^{}]*)\}", lambda m: f"^{_group(m[1])}", text)
     text = re.sub(r"_\{([^{}]*)\}", r"_\1", text)
-    text = re.sub(r"\\([A-Za-z]+|.)", lambda m: _SAID.get(m[1], f" {m[1]} "), text)
+    text = re.sub(r"\\([A-Za-z]+|.)", lambda m: _SPOKEN.get(m[1], f" {m[1]} "), text)
     text = re.sub(rf"{_FUNCTIONS}\s+\(", r"\1(", text.replace("{", "(").replace("}", ")"))
     text = re.sub(r" ([)\],^/_])", r"\1", re.sub(r"([(\[/]) ", r"\1", " ".join(text.split())))
     return re.sub(r"(^|[=(,] ?)([-+]) (?=\w)", r"\1\2", text).strip()

@@ -10,9 +10,10 @@ import numpy as np
 from exercises.catalogue.steps import in_unit, listed_steps, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.fit import is_apart
-from newton_euler.answers.forms import WORDS
+from newton_euler.answers.causes import listed
+from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.notation import symbol
+from newton_euler.answers.tolerance import is_apart
 
 from ..assignment.notebook import typeset
 from ..scoring.wrong_models import general_models
@@ -29,9 +30,9 @@ def quantities(p, values):
         kind = _kind(s)
         described.append(
             {
-                "key": s.key, "kind": kind, "unit": s.unit, "means": typeset(s.means, p),
+                "key": s.key, "kind": kind.name, "unit": s.unit, "means": typeset(s.means, p),
                 "plain": plain(s.means, p.units), "section": s.section or p.section,
-                "equation": s.equation, "latex": symbol(s.key, kind == "vector"), "atol": 0.0,
+                "equation": s.equation, "latex": symbol(s.key, kind.is_vector), "atol": 0.0,
                 "of": [],
                 "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
             }
@@ -41,7 +42,7 @@ def quantities(p, values):
         a = p.answer(key)
         described.append(
             {
-                "key": key, "kind": a.kind, "unit": a.unit, "means": typeset(a.means, p),
+                "key": key, "kind": a.kind.name, "unit": a.unit, "means": typeset(a.means, p),
                 "plain": plain(a.means, p.units), "section": p.section, "equation": _equation(x),
                 "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "",
                 "step": False,
@@ -58,35 +59,34 @@ def _equation(x):
 def _kind(step):
     value = step.value
     if isinstance(value, Vector):
-        return "vector"
+        return KINDS["vector"]
     if isinstance(value, str):
-        return "choice"
+        return KINDS["choice"]
     if isinstance(value, int) and step.unit == "1":
-        return "count"
-    return {9: "matrix", 2: "interval"}.get(len(flat(value)), "number")
+        return KINDS["count"]
+    return KINDS[{9: "matrix", 2: "interval"}.get(len(flat(value)), "number")]
 
 
 def _numbers(x, kind):
-    return x if kind in WORDS else [float(part) for part in flat(x)]
+    return x if kind.is_word else [float(part) for part in flat(x)]
 
 
 def wrong_numbers(p, values, described, right):
-    """[(key, group, text, numbers)] of the wrong models of all quantities that can be told from the
+    """[(key, cause, numbers)] of the wrong models of all quantities that differ from the
     right ones.
     """
     g = p.base(values)
     found = []
     with np.errstate(all="ignore"):
         for name, answers in _listed(p, values).items():
-            found += [(k, "listed", p.mistakes[name], x) for k, x in answers.items()]
+            cause = listed(name, p.mistakes[name])
+            found += [(key, cause, x) for key, x in answers.items()]
         for compute in (_answers_of(p), _steps_of(p)):
             with contextlib.suppress(ArithmeticError, ValueError):
                 found += general_models(p, g, compute(g), compute)
-    kinds = {q["key"]: q["kind"] for q in described}
+    kinds = {q["key"]: KINDS[q["kind"]] for q in described}
     return [
-        (key, group, text, _short(x))
-        for key, group, text, x in found
-        if _tells(kinds[key], x, right[key])
+        (key, cause, _short(x)) for key, cause, x in found if _differs(kinds[key], x, right[key])
     ]
 
 
@@ -100,7 +100,7 @@ def _listed(p, values):
         wrong = p.wrong({n: np.atleast_1d(float(x)) for n, x in values.items()})
     return {
         name: {
-            k: _one(x) if p.answer(k).kind in WORDS else tuple(map(_one, flat(x)))
+            k: _one(x) if p.answer(k).kind.is_word else tuple(map(_one, flat(x)))
             for k, x in answers.items()
         }
         for name, answers in wrong.items()
@@ -113,7 +113,7 @@ def _one(x):
 
 def _answers_of(p):
     def compute(g):
-        found = {k: x for k, x in p.code.solve(g).items() if p.answer(k).kind not in WORDS}
+        found = {k: x for k, x in p.code.solve(g).items() if not p.answer(k).kind.is_word}
         return p.in_units(found)
 
     return compute
@@ -127,13 +127,13 @@ def _steps_of(p):
     return compute
 
 
-def _tells(kind, x, right):
+def _differs(kind, x, right):
     """True if a model has numbers, and others than the key."""
-    if kind in WORDS:
+    if kind.is_word:
         return isinstance(x, (str, int)) and x != right
-    numbers = [float(part) for part in x]
-    size = math.hypot(*numbers, *right)  # where both are zero, the mistake cannot be seen
-    return size > NOISE and math.isfinite(size) and is_apart((tuple(numbers),), (tuple(right),))
+    key, numbers = (tuple(right),), (tuple(float(part) for part in x),)
+    size = math.hypot(*numbers[0], *right)  # where both are zero, the mistake cannot be seen
+    return size > NOISE and math.isfinite(size) and is_apart(kind.like(numbers, key), key)
 
 
 def _short(x):

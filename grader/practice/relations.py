@@ -8,7 +8,6 @@ import math
 from exercises.catalogue.steps import listed_steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.trace import Step, Trace
-from newton_euler.answers.forms import WORDS
 from newton_euler.classroom.practising.programs import OPERATIONS, operate
 
 
@@ -66,7 +65,7 @@ def _traced(p):
     g = p.base({n: trace.new("argument", n) for n in p.units})
     found = {s.key: (s.value, s.unit) for s in listed_steps(p, g)}
     found |= {k: (x, p.answer(k).unit) for k, x in p.code.solve(g).items()
-              if p.answer(k).kind not in WORDS}  # fmt: skip
+              if not p.answer(k).kind.is_word}  # fmt: skip
     return {
         key: [_inward(part, factor) for part in flat(x)]
         for key, (x, stated) in found.items()

@@ -1,5 +1,5 @@
 """A problem with numbers in place of its symbols: what is practised is computed, and a formula that
-is asked for in an assignment is not told.
+is asked for in an assignment is not given away.
 """
 
 from dataclasses import replace
@@ -8,10 +8,6 @@ from functools import cache
 from exercises.catalogue import Given
 from exercises.catalogue.variants import draw, drawn_value
 
-NUMERIC = {
-    "expression": "number", "vector_expression": "vector", "matrix_expression": "matrix",
-}  # fmt: skip
-
 
 @cache
 def twin(p):
@@ -19,7 +15,7 @@ def twin(p):
     if not p.symbols:
         return p
     numbers = {n: _given(s) for n, s in p.symbols.items()}
-    answers = tuple(replace(a, kind=NUMERIC.get(a.kind, a.kind)) for a in p.answers)
+    answers = tuple(replace(a, kind=a.kind.numeric) for a in p.answers)
     numeric = replace(p, givens={**p.givens, **numbers}, symbols={}, answers=answers, checked={})
     # the units in which its code sees the numbers must stay the same
     vars(numeric)["system"] = p.system

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from exercises.catalogue import SYMBOLIC, Problem, variants
+from exercises.catalogue import Problem, variants
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 
@@ -29,12 +29,12 @@ def answers_json(p: Problem, results: Results) -> dict[str, Any]:
     out = {}
     for a in p.answers:
         value = results[a.key]
-        if a.kind in SYMBOLIC:
-            out[a.key] = {"kind": a.kind, "expr": nested(value, str), "unit": a.unit}
+        if a.kind.is_formula:
+            out[a.key] = {"kind": a.kind.name, "expr": nested(value, str), "unit": a.unit}
         else:
             out[a.key] = {
-                "kind": a.kind,
-                "value": nested(value, _number if a.kind != "choice" else str),
+                "kind": a.kind.name,
+                "value": nested(value, _plain),
                 "unit": a.unit,
             }
     return out
@@ -47,8 +47,8 @@ def nested(value: Any, convert: Callable[[Any], Any]) -> Any:
     return convert(to_plain(value))
 
 
-def _number(x):
-    return x if isinstance(x, int) else float(x)
+def _plain(x):
+    return x if isinstance(x, (int, str)) else float(x)
 
 
 def answers_text(p: Problem, results: Results) -> str:

@@ -7,10 +7,9 @@ from rich.table import Table
 
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import draw
-from newton_euler.answers.forms import WORDS, Form
 from newton_euler.answers.receipts import record
 
-from ..scoring import causes, score_receipt
+from ..scoring import score_receipt
 from .tables import plain_table
 
 OUTCOMES = ("named", "misnamed", "unnamed", "passed")
@@ -42,28 +41,28 @@ def _outcomes(p, values):
         if name in p.same_in_book and values == p.book_values:
             continue
         # a mistake in a word may give the right one
-        made = {k: x for k, x in answers.items() if p.answer(k).kind not in WORDS or x != right[k]}
+        made = {k: x for k, x in answers.items() if not p.answer(k).kind.is_word or x != right[k]}
         for key, tree in _trees(p, made).items():
             part = next(
                 x for x in score_receipt(p, values, {"answers": {key: tree}}).parts if x.key == key
             )
-            yield _outcome(part, p.mistakes[name])
+            yield _outcome(part, name)
 
 
 def _trees(p, answers):
     """Answers as a student's receipt holds them."""
-    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers if a.key in answers}
+    forms = {a.key: a.form for a in p.answers if a.key in answers}
     read, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
     if faults:
         raise ValueError(f"a listed mistake of {p.id} cannot be handed in: {faults}")
     return read
 
 
-def _outcome(part, text):
+def _outcome(part, mistake):
     if part.verdict == "right":
         return "passed"
-    named = causes(part.diagnosis)
-    return "unnamed" if not named else "named" if text in named else "misnamed"
+    named = any((c.group, c.name) == ("listed", mistake) for c in part.causes)
+    return "named" if named else "misnamed" if part.causes else "unnamed"
 
 
 def shares_table(found: Mapping[str, Counter[str]], title: str = "Listed mistakes") -> Table:

@@ -5,6 +5,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from newton_euler.answers import Cause
+
 from ..assignment.released import released
 from ..course import Course, CourseError
 
@@ -21,6 +23,7 @@ class Entry:
     verdict: str
     message: str = ""
     diagnosis: str | None = None
+    causes: tuple[Cause, ...] = ()
 
 
 OF_A_PART = Entry.__dataclass_fields__.keys() - {"student", "problem"}
@@ -33,7 +36,7 @@ def entries(course: Course, assignment: str) -> list[Entry]:
         try:
             record = json.loads(path.read_text(encoding="utf-8"))
             found += [
-                Entry(path.stem, score["problem"], **{k: part[k] for k in part.keys() & OF_A_PART})
+                Entry(path.stem, score["problem"], **_known(part))
                 for score in record["scores"]
                 for part in score["parts"]
             ]
@@ -48,6 +51,11 @@ def entries(course: Course, assignment: str) -> list[Entry]:
             f"grade {assignment} --course {course.path}"
         )
     return found
+
+
+def _known(part):
+    causes = tuple(Cause(*cause) for cause in part.get("causes", ()))
+    return {k: part[k] for k in part.keys() & OF_A_PART} | {"causes": causes}
 
 
 BY_HAND = "by hand"  # the key of an entry with the points that a person gave or took

@@ -22,7 +22,7 @@ class PartStatistics:
 
     difficulty : mean share of its points, so that 1 is easy. discrimination : correlation of its
         points with those of all other parts; None if too few students handed in or all got the
-        same. verdicts, mistakes : how many of each.
+        same. verdicts : how many of each. mistakes : [(words, how many)], the most frequent first.
     """
 
     problem: str
@@ -32,7 +32,7 @@ class PartStatistics:
     difficulty: float
     discrimination: float | None
     verdicts: Counter[str]
-    mistakes: Counter[str]
+    mistakes: list[tuple[str, int]]
 
 
 def part_statistics(course: Course, assignment: str) -> list[PartStatistics]:
@@ -61,8 +61,22 @@ def _of_part(problem, key, found, totals):
         float(points.mean() / out_of) if out_of else 0.0,
         _correlation(points, rest),
         Counter(e.verdict for e in found),
-        Counter(e.diagnosis for e in found if e.diagnosis),
+        mistake_counts(found),
     )
+
+
+def mistake_counts(found: Iterable[Entry]) -> list[tuple[str, int]]:
+    """[(words, how many)] of the mistakes, the most frequent first. A mistake is counted by its
+    causes, whose words may have changed since; it has the words of the last.
+    """
+    counts: Counter[object] = Counter()
+    words: dict[object, str] = {}
+    for e in found:
+        if e.diagnosis:
+            mistake = frozenset(e.causes) or e.diagnosis  # records of older versions have no causes
+            counts[mistake] += 1
+            words[mistake] = e.diagnosis
+    return [(words[mistake], n) for mistake, n in counts.most_common()]
 
 
 def _correlation(x, y):
@@ -80,7 +94,7 @@ def statistics_table(parts: Iterable[PartStatistics]) -> Table:
         "most frequent mistake",
     )
     for p in parts:
-        mistake, count = p.mistakes.most_common(1)[0] if p.mistakes else ("", 0)
+        mistake, count = p.mistakes[0] if p.mistakes else ("", 0)
         table.add_row(
             p.problem,
             p.key,
@@ -112,7 +126,7 @@ def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
                    *(p.verdicts[v] for v in VERDICTS))  # fmt: skip
             writer.writerow((*own, "", ""))
             empty = [""] * (len(own) - 2)
-            writer.writerows((p.problem, p.key, *empty, *m) for m in p.mistakes.most_common())
+            writer.writerows((p.problem, p.key, *empty, *m) for m in p.mistakes)
 
 
 def statistics_figure(parts: Sequence[PartStatistics], path: str | Path) -> None:

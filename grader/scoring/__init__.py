@@ -2,9 +2,9 @@
 wrong one.
 """
 
-from newton_euler.answers import NO_ANSWER, causes
+from newton_euler.answers import NO_ANSWER
 
 from .score import Part, Score, score_receipt
 from .sheet import ScoreError
 
-__all__ = ["NO_ANSWER", "Part", "Score", "ScoreError", "causes", "score_receipt"]
+__all__ = ["NO_ANSWER", "Part", "Score", "ScoreError", "score_receipt"]

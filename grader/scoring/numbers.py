@@ -10,18 +10,19 @@ from itertools import islice
 
 import numpy as np
 
-from exercises.catalogue import SYMBOLIC
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
-from newton_euler.answers.forms import SHAPES, WORDS
+from newton_euler.answers.causes import listed
 
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
 
 class Numbers:
-    """Key and wrong answers of ``problem`` for a student's ``values``."""
+    """Key and wrong answers of ``problem`` for a student's ``values``: the
+    :class:`~newton_euler.answers.verdicts.Numbers` of scoring.
+    """
 
     def __init__(self, problem, values):
         self.problem, self.sample = problem, _sample(problem, values)
@@ -48,30 +49,33 @@ class Numbers:
         found = _run(_key_formula, self.problem, self.sample)
         answers = self.problem.answers
         return {
-            a.key: ((_one_word(a, x),),) if a.kind in WORDS else _points(a, x)
+            a.key: ((_one_word(a, x),),) if a.kind.is_word else _points(a, x)
             for a, x in zip(answers, found, strict=True)
         }
 
     def wrong(self, key):
-        """[(group, text, points)] of every wrong model of the answer ``key`` that can be told."""
-        if key not in self._wrong and self.problem.answer(key).kind in WORDS:
-            self._wrong[key] = self._wrong_words(key)
+        """[(cause, points)] of every wrong model of the answer ``key``."""
+        answer = self.problem.answer(key)
+        if key not in self._wrong and answer.kind.is_word:
+            self._wrong[key] = self._wrong_words(answer)
         elif key not in self._wrong:
             labels, found = self._models
             self._wrong[key] = [
-                (group, text, _points(self.problem.answer(key), x))
-                for (other, group, text), x in zip(labels, found, strict=True)
+                (cause, _points(answer, x))
+                for (other, cause), x in zip(labels, found, strict=True)
                 if other == key
             ]
         return self._wrong[key]
 
-    def _wrong_words(self, key):
-        """Every listed mistake in the word or count ``key``, as for :meth:`wrong`."""
-        answer = self.problem.answer(key)
+    def _wrong_words(self, answer):
+        """Every listed mistake in a word or count, as for :meth:`wrong`."""
         return [
-            ("listed", self.problem.mistakes[name], ((_one_word(answer, (answers[key],)),),))
+            (
+                listed(name, self.problem.mistakes[name]),
+                ((_one_word(answer, (answers[answer.key],)),),),
+            )
             for name, answers in self._wrong_answers.items()
-            if key in answers
+            if answer.key in answers
         ]
 
     @cached_property
@@ -135,7 +139,7 @@ def _points(answer, components):
     """The points of an answer: of a number that stands beside formulas, in a problem with symbols,
     the one that it is at all of them.
     """
-    if answer.kind not in SYMBOLIC:
+    if not answer.kind.is_formula:
         return as_points(components)[:1]
     points = as_points(components)
     return points * POINTS if len(points) == 1 else points  # a formula without symbols, as 0
@@ -175,7 +179,7 @@ def _traced_wrong(problem_id):
 
     def formula(problem, values):
         models = wrong_models(problem, values)
-        labels[:] = [model[:3] for model in models]
+        labels[:] = [model[:2] for model in models]
         return tuple(numbers for *_, numbers in models)
 
     return labels, traced(find_problem(problem_id), formula)
@@ -185,7 +189,7 @@ def _run_wrong(problem, sample):
     for values in (sample, _as_arrays(sample)):
         with contextlib.suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
             return _wrong_at(problem, values)
-    return [], []  # some wrong model has no value, not even nan: none is told
+    return [], []  # some wrong model has no value, not even nan: none is compared
 
 
 def _wrong_at(problem, values):
@@ -193,7 +197,7 @@ def _wrong_at(problem, values):
     if run:
         return labels, run(**values)
     models = wrong_models(problem, values)
-    return [model[:3] for model in models], [numbers for *_, numbers in models]
+    return [model[:2] for model in models], [numbers for *_, numbers in models]
 
 
 def _as_arrays(sample):
@@ -207,7 +211,7 @@ def _as_arrays(sample):
 def _traced_following(problem_id, key):
     """``follows`` of one answer, called with the values and the components of earlier answers."""
     p = find_problem(problem_id)
-    counts = {name: SHAPES.get(p.answer(name).kind, 1) for name in earlier_answers(p)[key]}
+    counts = {name: p.answer(name).kind.length for name in earlier_answers(p)[key]}
     names = [f"{name}_{n}_" for name, count in counts.items() for n in range(count)]
 
     def formula(problem, values):

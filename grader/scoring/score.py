@@ -7,11 +7,13 @@ run, evaluated as code or simplified here.
 
 import json
 import math
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 
+from newton_euler.answers.causes import Cause
+from newton_euler.answers.messages import one_line
 from newton_euler.answers.notation import formula, unit_symbol
 from newton_euler.answers.trees import NODES
-from newton_euler.answers.verdicts import clipped, explain, judge, shown
+from newton_euler.answers.verdicts import explain, judge, value_line
 
 from .numbers import numbers_of
 from .sheet import asked_parts
@@ -20,8 +22,9 @@ from .sheet import asked_parts
 @dataclass(frozen=True)
 class Part:
     """The score of one answer: ``verdict`` is right, wrong, unreadable or blank; ``message`` is for
-    the student and never contains the key; ``read`` is the student's own value as it was read,
-    ``latex`` the same typeset where it is a formula.
+    the student and never contains the key; ``causes`` are what explains a wrong answer, and
+    ``diagnosis`` is that in words; ``read`` is the student's own value as it was read, ``latex``
+    the same typeset where it is a formula.
     """
 
     key: str
@@ -32,6 +35,17 @@ class Part:
     diagnosis: str | None = None
     read: str = ""
     latex: str = ""
+    causes: tuple[Cause, ...] = ()
+
+    @classmethod
+    def from_dict(cls, kept):
+        """A part from what :meth:`Score.as_dict` makes of it."""
+        causes = tuple(Cause(*cause) for cause in kept.get("causes", ()))
+        return cls(**{**kept, "causes": causes})
+
+    def as_dict(self):
+        """The part as a dict that JSON can hold."""
+        return {**vars(self), "causes": [list(astuple(c)) for c in self.causes]}
 
 
 @dataclass(frozen=True)
@@ -56,7 +70,7 @@ class Score:
 
     def as_dict(self):
         """The score as a dict that JSON can hold."""
-        parts = [dict(vars(part)) for part in self.parts]
+        parts = [part.as_dict() for part in self.parts]
         sums = {"points": self.points, "out_of": self.out_of}
         return {**sums, **vars(self), "parts": parts}
 
@@ -93,7 +107,7 @@ def score_receipt(
     answers = receipt.get("answers") if isinstance(receipt.get("answers"), dict) else {}
     faults = receipt.get("faults") if isinstance(receipt.get("faults"), dict) else {}
     error = receipt.get("error")
-    notes = [n for n in (note, f"the cell stopped with {clipped(error)}" if error else "") if n]
+    notes = [n for n in (note, f"the cell stopped with {one_line(error)}" if error else "") if n]
     sheet = asked_parts(problem, points, weights, asked, follow_through)
     numbers, budget = numbers_of(problem, values), [NODES]
     found = {}
@@ -109,7 +123,7 @@ def score_receipt(
 
 def _typeset(part, answers, shown, problem):
     """A formula that was read, in LaTeX with its unit; "" for numbers and for a very long one."""
-    if not shown or not part.form.is_formula or len(shown) >= 200:
+    if not shown or not part.form.kind.is_formula or len(shown) >= 200:
         return ""
     tree = answers[part.answer.key]
     return formula(tree, problem.notation) + unit_symbol(part.form.unit)
@@ -118,12 +132,12 @@ def _typeset(part, answers, shown, problem):
 def _part(part, found, numbers, answers):
     """The score of one answer; ``found`` has what each answer of the problem is."""
     key, out_of, own = part.answer.key, part.out_of, found[part.answer.key]
-    value = shown(part.form, answers.get(key), own.verdict)
+    value = value_line(part.form, answers.get(key), own.verdict)
     if own.verdict != "wrong" or own.given is None:
         earned = out_of if own.verdict == "right" else 0
         return Part(key, earned, out_of, own.verdict, own.message, read=value)
-    message, cause, earlier = explain(part.answer, found, numbers)
-    earned = part.following if earlier else 0
-    if earned:
-        message += f", which earns {earned:.3g} of {out_of:.3g}"
-    return Part(key, earned, out_of, "wrong", message, cause, value)
+    why = explain(part.answer, found, numbers)
+    earned = part.following if why.earlier else 0
+    share = f", which earns {earned:.3g} of {out_of:.3g}" if earned else ""
+    message = why.message + share
+    return Part(key, earned, out_of, "wrong", message, why.diagnosis, value, causes=why.causes)

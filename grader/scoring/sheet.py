@@ -55,7 +55,7 @@ def asked_parts(problem, points=None, weights=None, asked=None, follow_through=N
 
 def _asked(problem, asked):
     if asked is None:
-        return problem.answers, {a.key: Form(a.kind, a.unit, a.of) for a in problem.answers}
+        return problem.answers, {a.key: a.form for a in problem.answers}
     today = {a.key: a for a in problem.answers}
     for key in asked:
         if key not in today:
@@ -77,7 +77,7 @@ def _form(problem, key, text):
 
 def _factor(problem, answer, form):
     """The factor from the unit on the sheet to that of today's exercise."""
-    change = f"{problem.id} asks for {answer.key} as {Form(answer.kind, answer.unit, answer.of)!s}"
+    change = f"{problem.id} asks for {answer.key} as {answer.form!s}"
     if form.kind != answer.kind:
         raise ScoreError(
             f"the sheet asks for {answer.key} as {form!s}, today's {change}: the kinds of answer "

@@ -5,25 +5,21 @@ problem (a term left out or turned, degrees for radians, axes of another frame).
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.forms import WORDS
+from newton_euler.answers import causes
 
 
 def wrong_models(problem, values):
-    """[(answer, group, text, numbers)] of every wrong model, for ``values`` in the units of the
-    text; ``text`` tells a student what the model does.
-
-    The groups are "listed", "term", "unit", "axes" and "turned" for another frame, and "rate" for
-    the rates of turning that an angular velocity is the sum of. Those of words and counts are not
-    traced; they are found apart.
+    """[(answer, cause, numbers)] of every wrong model, for ``values`` in the units of the text.
+    Those of words and counts are not traced; they are found apart.
     """
     g = problem.base(values)
     right = problem.in_units(problem.code.solve(g))
     found = []
     for name, answers in problem.code.mistakes(g).items():
         for key, x in problem.in_units(answers).items():
-            found.append((key, "listed", problem.mistakes[name], flat(x)))
+            found.append((key, causes.listed(name, problem.mistakes[name]), flat(x)))
     found += general_models(problem, g, right, lambda g: problem.in_units(problem.code.solve(g)))
-    return [model for model in found if problem.answer(model[0]).kind not in WORDS]
+    return [model for model in found if not problem.answer(model[0]).kind.is_word]
 
 
 def general_models(problem, g, right, compute):
@@ -33,11 +29,10 @@ def general_models(problem, g, right, compute):
     found = []
     for key, x in right.items():
         if isinstance(x, Vector):
-            found += [(key, "term", text, flat(v)) for text, v in _terms(x, problem)]
-            found += [(key, "rate", name, flat(v)) for name, v in _rates(x)]
-            found += [(key, *model) for model in _frames(x, problem)]
-    for text, changes in _units(problem, g):
-        found += [(key, "unit", text, flat(x)) for key, x in compute(g.but(**changes)).items()]
+            models = (*_terms(x, problem), *_rates(x), *_frames(x, problem))
+            found += [(key, cause, flat(wrong)) for cause, wrong in models]
+    for cause, changes in _units(problem, g):
+        found += [(key, cause, flat(x)) for key, x in compute(g.but(**changes)).items()]
     return found
 
 
@@ -47,47 +42,37 @@ def _terms(right, problem):
     """
     for name in right.terms or ():
         term = term_text(name, right.equation, problem)
-        yield f"leaves out {term}", right.reweighted(**{name: 0})
-        yield f"has {term} with the opposite sign", right.reweighted(**{name: -1})
+        yield causes.term_left_out(name, term), right.reweighted(**{name: 0})
+        yield causes.term_reversed(name, term), right.reweighted(**{name: -1})
     # spherical components have three of them
     halved = {name: 0.5 for name in right.terms or () if name.startswith("coriolis")}
     if halved:
-        yield "writes the Coriolis term without the factor 2", right.reweighted(**halved)
+        yield causes.CORIOLIS_HALVED, right.reweighted(**halved)
 
 
 def _rates(right):
     """The rates of turning whose sum is an angular velocity."""
     if right.terms and right.equation.kind == "angular velocity":
         for name, term in right.terms.items():
-            yield name, term.expressed_in(right.frame)
+            yield causes.rate(name), term.expressed_in(right.frame)
 
 
 def _units(problem, g):
     """Givens used with their number in degrees or revolutions, without conversion."""
     for name, quantity in problem.givens.items():
         if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
-            yield (
-                f"uses {name} in {quantity.unit} as if it were in radians (and seconds)",
-                {name: g.stated(name)},
-            )
+            yield causes.unconverted(name, quantity.unit), {name: g.stated(name)}
 
 
 def _frames(right, problem):
     """Components along the axes of other frames, and those turned the wrong way."""
-    for frame in right.frame.tree:
+    for place, frame in enumerate(right.frame.tree):
         if frame is right.frame:
             continue
-        said = named_in_text(frame.name, problem) and not frame.name.startswith("about ")
-        name = body_text(frame.name) if said else "another frame"
+        known = named_in_text(frame.name, problem) and not frame.name.startswith("about ")
+        name = body_text(frame.name) if known else "another frame"
+        yield causes.other_axes(place, name), right.components(frame)
         yield (
-            "axes",
-            f"has the right vector, but its components along the axes of {name}, not those asked "
-            "for",
-            right.components(frame),
-        )
-        yield (
-            "turned",
-            f"turns the components the wrong way between {name} and the axes asked for (a "
-            "transposed matrix)",
+            causes.turned_the_wrong_way(place, name),
             Vector(right.c, frame).components(right.frame),
         )

@@ -105,7 +105,7 @@ def _test(sheet: Sheet, cell: Cell, seen: str) -> Job:
 
 
 def _forms(task: Task) -> dict[str, str]:
-    return task.forms or {a.key: nb.form(a) for a in task.exercise.answers}
+    return task.forms or {a.key: str(a.form) for a in task.exercise.answers}
 
 
 def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:

@@ -4,6 +4,8 @@ It holds no key. Notebooks of courses released before version 0.2 import ``expec
 from here; today they are in :mod:`newton_euler.classroom`.
 """
 
-from .diagnosis import causes
+from .causes import Cause, sentence
+from .forms import AnswerError, Form
+from .kinds import KINDS, Kind
 from .receipts import expect, receipt
-from .verdicts import NO_ANSWER, Judged, explain, judge
+from .verdicts import NO_ANSWER, Explained, Judged, explain, judge

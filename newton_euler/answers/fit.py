@@ -1,13 +1,14 @@
 """How well the numbers of a wrong model fit a wrong answer: closely, loosely or not at all."""
 
 import math
+from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from functools import cached_property
+from typing import Any
 
-from .tolerance import NOISE, SEPARATION
+from .tolerance import NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
-ROUND_OFF = 1e-6  # an answer with all its digits differs from its model by less
 
 
 class Fit:
@@ -15,34 +16,35 @@ class Fit:
     the answer at every point, and away from the key.
     """
 
-    def __init__(self, given, key, rtol):
+    def __init__(self, given: Points, key: Points, rtol: float):
         self.given, self.key, self.rtol = given, key, rtol
         self.sizes = [math.hypot(*k) for k in key]
         points = range(len(key))
         self.index = next((n for n in points if math.isfinite(self.sizes[n])), None)
 
-    def near(self, models):
-        """Those of [(..., points)] that may fit, by one component: nearly all models do not."""
+    def near(self, models: Iterable[tuple[Any, Points]]) -> list[tuple[Any, Points]]:
+        """Those of [(cause, points)] that may fit, by one component: nearly all models do not."""
         if self.index is None:
             return []
         n, given = self.index, self.given[self.index]
-        reach = 1.02 * self.rtol * math.hypot(*given) + 1e-9 * self.sizes[n]
+        reach = 1.02 * self.rtol * math.hypot(*given) + NOISE * self.sizes[n]
         x = given[0]
-        return [model for model in models if not abs(model[-1][n][0] - x) > reach]
+        return [(cause, points) for cause, points in models if not abs(points[n][0] - x) > reach]
 
     @cached_property
-    def rounding(self):
+    def rounding(self) -> float:
         """How much a student may have rounded the answer by; a formula has all its digits."""
         if len(self.key) > 1:
             return 0.0
         return min(rounding(self.given[0]), self.rtol * math.hypot(*self.given[0]))
 
     @property
-    def first(self):
+    def first(self) -> tuple[Point, Point, float]:
         """(answer, key, size of the key) at the first point where the key has a value."""
+        assert self.index is not None
         return self.given[self.index], self.key[self.index], self.sizes[self.index]
 
-    def __call__(self, numbers, rtol=None, apart=True):
+    def __call__(self, numbers: Points, rtol: float | None = None, apart: bool = True) -> int:
         """``EXACT`` if the model differs by round-off only, ``CLOSE`` if by what the answer was
         rounded by, ``LOOSE`` if by less than ``rtol`` of its size, 0 if it does not fit.
         """
@@ -56,7 +58,7 @@ class Fit:
             if not (math.isfinite(own) and math.isfinite(size)):
                 continue
             gap = math.dist(x, given)
-            if not gap <= max(self.rtol * own, 1e-9 * size):
+            if not gap <= max(self.rtol * own, NOISE * size):
                 return 0
             here = self._closeness(gap, own, size, rtol)
             if not here:
@@ -68,33 +70,22 @@ class Fit:
         return level
 
     def _closeness(self, gap, own, size, rtol):
-        if gap <= max(ROUND_OFF * own, 1e-9 * size):
+        if gap <= max(ROUND_OFF * own, NOISE * size):
             return EXACT
         return CLOSE if gap <= self.rounding else LOOSE if gap <= rtol * own else 0
 
 
-def is_apart(numbers, key):
-    """True if a model is far from the key at half of the points at least; words, if they differ."""
-    if isinstance(key[0][0], str) or isinstance(numbers[0][0], str):
-        return numbers != key
-    far = [
-        math.dist(x, k) >= SEPARATION * (math.hypot(*k) or math.hypot(*x))
-        for x, k in zip(numbers, key, strict=True)
-        if math.isfinite(math.hypot(*x)) and math.isfinite(math.hypot(*k))
-    ]
-    return sum(far) >= 0.5 * len(far)
-
-
-def rounding(point):
+def rounding(point: Sequence[float]) -> float:
     """How much a student may have rounded this point by: half of the last digits written."""
     return math.hypot(*(0.5 * 10.0 ** written(x)[1] for x in point if x))
 
 
-def written(x):
+def written(x: float) -> tuple[int, int]:
     """(number of digits, place of the last) of a number as it was typed: 1.25 has (3, -2)."""
     if not math.isfinite(x):
         return 0, 0
     _, digits, exponent = Decimal(repr(float(x))).as_tuple()
+    assert isinstance(exponent, int)  # of a finite number
     while len(digits) > 1 and digits[-1] == 0:  # repr writes 24.0 for 24
         digits, exponent = digits[:-1], exponent + 1
     return len(digits), exponent

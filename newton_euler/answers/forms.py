@@ -1,85 +1,61 @@
-"""The forms of answers, as "vector, mm/s"."""
+"""The forms of answers, as "vector, mm/s": a kind with its unit or its words."""
 
-import textwrap
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError, checked
-
-SHAPES = {
-    "number": 1, "vector": 3, "matrix": 9, "interval": 2,
-    "expression": 1, "vector_expression": 3, "matrix_expression": 9,
-}  # fmt: skip
-WORDS = frozenset({"choice", "count"})  # kinds that have no unit and no size
-_IN_WORDS = {
-    "number": "one number",
-    "vector": "a vector, three numbers as in [1.0, 0, -2.5]",
-    "matrix": "a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-    "interval": "an interval, two numbers as in [low, high]",
-    "count": "a whole number",
-    "choice": "one of the words",
-    "expression": "a formula in the problem's symbols",
-    "vector_expression": "a vector of three formulas, as in [r*omega, 0, 0]",
-    "matrix_expression": "a 3 x 3 matrix of formulas",
-}
-
-
-class AnswerError(NewtonEulerError, ValueError):
-    """An answer that cannot be read. The message has what was expected, what came, what to do."""
-
-    def _render_traceback_(self):
-        """What IPython shows: the message alone, in lines that nbgrader's Validate does not cut."""
-        lines = f"AnswerError: {self}".splitlines()
-        return [textwrap.fill(line, 70) for line in lines]
+from ..algebra.errors import checked
+from .kinds import KINDS, Kind
+from .messages import AnswerError
 
 
 @dataclass(frozen=True)
 class Form:
-    """The kind of one answer, its unit, and for a choice the words.
+    """The kind of one answer (a :class:`~.kinds.Kind` or its name), its unit, and for a choice the
+    words.
 
     >>> Form.read("vector, mm/s")
-    Form(kind='vector', unit='mm/s', of=())
+    Form(kind=KINDS['vector'], unit='mm/s', of=())
     """
 
-    kind: str
-    unit: str
-    of: tuple = ()
+    kind: Kind
+    unit: str = "1"
+    of: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if isinstance(self.kind, str):
+            object.__setattr__(self, "kind", kind_named(self.kind))
 
     @classmethod
     @checked
     def read(cls, text: str) -> "Form":
         """The form that a notebook states as text: "vector, mm/s", "choice: stable | unstable"."""
-        separator = ":" if text.startswith("choice") else ","
-        kind, _, rest = (part.strip() for part in text.partition(separator))
-        if kind not in _IN_WORDS:
-            raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_IN_WORDS)}")
-        if kind == "choice":
-            return cls(kind, "1", tuple(w.strip() for w in rest.split("|")))
-        return cls(kind, rest or "1")
+        name, colon, words = (part.strip() for part in text.partition(":"))
+        if colon and name in KINDS and KINDS[name].has_options:
+            return cls(KINDS[name], "1", tuple(w.strip() for w in words.split("|")))
+        name, _, unit = (part.strip() for part in text.partition(","))
+        kind = kind_named(name)
+        if kind.has_options:
+            raise AnswerError(f"a {kind} lists its words: '{kind}: one | another', not {text!r}")
+        return cls(kind, unit or "1")
 
-    def __str__(self):
-        choice = self.kind == "choice"
-        return f"choice: {' | '.join(self.of)}" if choice else f"{self.kind}, {self.unit}"
-
-    @property
-    def is_formula(self) -> bool:
-        """True for formulas, vectors and matrices of formulas."""
-        return self.kind.endswith("expression")
+    def __str__(self) -> str:
+        stated = f": {' | '.join(self.of)}" if self.kind.has_options else f", {self.unit}"
+        return self.kind.name + stated
 
     @property
     def words(self) -> str:
         """The form in words for a reader."""
-        if self.kind == "choice":
+        if self.kind.has_options:
             return f"one of {', '.join(map(repr, self.of))}"
-        pure = self.kind == "count" or self.unit == "1"
-        return _IN_WORDS[self.kind] + ("" if pure else f", in {self.unit}")
+        return self.kind.words + ("" if self.unit == "1" else f", in {self.unit}")
 
     @checked
     def error(self, fault: str) -> AnswerError:
         """An :class:`AnswerError` with what was expected, and then the fault."""
-        return AnswerError(f"expected {self.words}; {fault}")
+        return AnswerError(f"expected {self.words}; {' '.join(fault.split())}")
 
 
-def clipped(value):
-    """The ``repr`` of a value, at most 80 characters of it."""
-    text = " ".join(repr(value).split())
-    return text if len(text) < 80 else text[:77] + "..."
+def kind_named(name: str) -> Kind:
+    """The kind of this name. Raises :class:`AnswerError` where there is none."""
+    if name not in KINDS:
+        raise AnswerError(f"no such kind of answer: {name!r}; there are {', '.join(KINDS)}")
+    return KINDS[name]

@@ -2,7 +2,7 @@
 run in any order.
 
 ``given`` ends a problem's cell of numbers. From its first call on, IPython's cells are watched:
-when a name gets a value, what the given names held at the start of that cell is remembered. Outside
+when a name gets a value, the given names at the start of that cell are remembered. Outside
 IPython nothing is watched.
 """
 
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
-from .forms import clipped
+from ..algebra.scalars import clipped
 
 
 @checked
@@ -37,8 +37,8 @@ seals: dict[str, dict[str, Any]] = {}
 
 
 @dataclass(frozen=True)
-class _Held:
-    """What a given name held at the start of a cell: its value, the problem that gave it last, and
+class _Snapshot:
+    """A given name at the start of a cell: its value, the problem that gave it last, and
     the cell that changed it since, if one did.
     """
 
@@ -54,30 +54,30 @@ class Watch:
     shell: Any = None
     givers: dict = field(default_factory=dict)
     changers: dict = field(default_factory=dict)
-    held: dict = field(default_factory=dict)
+    at_start: dict = field(default_factory=dict)
     before: dict = field(default_factory=dict)
-    # {name: (what was held at the start of the cell in which it got its value, that cell)}
+    # {name: (the given names at the start of the cell in which it got its value, that cell)}
     computed: dict = field(default_factory=dict)
 
     def start(self, info=None):
-        """Before a cell: keep what all names hold."""
+        """Before a cell: keep the values of all names."""
         names = self.shell.user_ns
         self.before = dict(names)
-        self.held = {
-            name: _Held(names[name], giver, self.changers.get(name))
+        self.at_start = {
+            name: _Snapshot(names[name], giver, self.changers.get(name))
             for name, giver in self.givers.items()
             if name in names
         }
 
     def end(self, result):
-        """After a cell: the names that it set were computed with what was held at its start."""
+        """After a cell: the names that it set were computed with the values at its start."""
         cell, failed = _cell_of(result), result.error_in_exec is not None
         # a cell that sets a name to an equal small number leaves the same object
         stored = set() if failed else _stored(getattr(result.info, "raw_cell", ""))
         nothing = object()
         for name, value in self.shell.user_ns.items():
             if name in stored or self.before.get(name, nothing) is not value:
-                self.computed[name] = self.held, cell
+                self.computed[name] = self.at_start, cell
                 own = _given.get(self.givers.get(name, ""), {})
                 if own.get(name, value) is not value:
                     self.changers[name] = cell
@@ -93,7 +93,7 @@ def _stored(text):
     """The names that the text of a cell sets."""
     try:
         nodes = ast.walk(ast.parse(text))
-    except (SyntaxError, ValueError):  # a magic, or an error that IPython tells
+    except (SyntaxError, ValueError):  # a magic, or an error that IPython reports
         return set()
     return {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
 
@@ -113,7 +113,7 @@ def watching() -> Watch:
 
 
 def _shell():
-    """IPython's shell; None where there is none, or one that does not tell its cells."""
+    """IPython's shell; None where there is none, or one that does not announce its cells."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return shell if hasattr(shell, "events") and hasattr(shell, "user_ns") else None
@@ -134,11 +134,11 @@ def stale(problem: str, answers: dict, names_of_answers: set) -> str:
     for key, value in answers.items():
         if watch.shell is None or value is None or key not in watch.computed:
             continue
-        held, cell = watch.computed[key]
+        snapshots, cell = watch.computed[key]
         if watch.shell.user_ns.get(key) is not value:
             continue
         for name, own in _given.get(problem, {}).items():
-            was = held.get(name)
+            was = snapshots.get(name)
             if was is None or _same(was.value, own):
                 continue
             # the student's own change of the problem's number, as from degrees to radians

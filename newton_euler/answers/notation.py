@@ -257,7 +257,7 @@ def _is_negative(x):
 
 
 def _factors(args, symbols, alone=True):
-    """Factors beside one another; a single one needs no parentheses where it stands alone."""
+    """Factors in a row; a single one needs no parentheses where it stands alone."""
     if len(args) == 1 and alone:
         return _written(args[0], symbols)[0]
     text = ""

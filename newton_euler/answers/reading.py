@@ -1,52 +1,21 @@
-"""Reads an answer of a receipt as numbers. Whatever JSON holds, this takes a bounded time, and what
-is no answer raises :class:`TreeError`.
+"""Reads the components of an answer out of the JSON of a receipt. Whatever it holds, this takes a
+bounded time, and what is no answer raises :class:`TreeError`.
 
 The bounds count operations and not seconds, so that a receipt earns the same on every machine.
 """
 
 import math
+from collections.abc import Mapping, Sequence
+from typing import Any
 
-import numpy as np
-
-from .forms import SHAPES
-from .receipts import FRAMES
+from .tolerance import ONE_VECTOR, Points
 from .trees import TreeError, check_size, evaluate
 
-
-def read(form, tree, symbols, budget):
-    """The readings of an answer (a number, a formula tree, or a list of them), a list of answers as
-    in :mod:`.tolerance`; several only of a vector that is given in several frames.
-
-    symbols : {name: array of the points at which formulas are compared}
-    budget : a list of one number, the operations that may still be read
-    """
-    if isinstance(tree, dict) and form.kind.startswith("vector") and 0 < len(tree) <= FRAMES:
-        readings = [_read(form, part, symbols, budget) for part in tree.values()]
-        if not _of_one_size(*readings):
-            raise TreeError("its components in two frames are those of two vectors")
-        return readings
-    return [_read(form, tree, symbols, budget)]
+Budget = list[int]  # of one number: the operations that may still be read
 
 
-def _of_one_size(first, *others):
-    """True if answers have the same magnitude at each point, as a vector has in all frames."""
-    return all(
-        abs(math.hypot(*a) - math.hypot(*b)) <= 1e-6 * math.hypot(*a)
-        for other in others
-        for a, b in zip(first, other, strict=True)
-    )
-
-
-def _read(form, tree, symbols, budget):
-    trees = tree if SHAPES[form.kind] > 1 else [tree]
-    if not isinstance(trees, list) or len(trees) != SHAPES[form.kind]:
-        raise TreeError(f"expected {form.words}")
-    if form.is_formula:
-        for part in trees:
-            check_size(part, budget)
-        return _values(trees, symbols)
-    if not all(type(t) in (int, float) for t in trees):
-        raise TreeError(f"expected {form.words}")
+def numbers(trees: Sequence[Any]) -> Points:
+    """One point of finite floats, from ints and floats."""
     return (tuple(_finite(t) for t in trees),)
 
 
@@ -58,7 +27,15 @@ def _finite(x):
     return float(x)
 
 
-def _values(trees, symbols):
+def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -> Points:
+    """The values of formula trees at each of the points of the symbols.
+
+    symbols : {name: array of the points at which formulas are compared}
+    """
+    import numpy as np
+
+    for part in trees:
+        check_size(part, budget)
     count = max((len(v) for v in symbols.values()), default=1)
     try:
         with np.errstate(all="ignore"):
@@ -73,9 +50,20 @@ def _values(trees, symbols):
 
 
 def _real(x, count):
+    import numpy as np
+
     x = np.broadcast_to(np.asarray(x), (count,))
     if x.dtype.kind == "c":  # NumPy would drop the imaginary part with a warning
         if not (np.abs(x.imag) <= 1e-9 * np.abs(x).max()).all():
             raise TreeError("it gives complex numbers: a root of a negative number")
         x = x.real
     return x.astype(float).tolist()
+
+
+def are_one_vector(first: Points, *others: Points) -> bool:
+    """True if answers have the same magnitude at each point, as a vector has in all frames."""
+    return all(
+        abs(math.hypot(*a) - math.hypot(*b)) <= ONE_VECTOR * math.hypot(*a)
+        for other in others
+        for a, b in zip(first, other, strict=True)
+    )

@@ -10,20 +10,15 @@ import os
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
-from ..algebra.errors import NewtonEulerError, checked
-from ..algebra.vectors import Vector
-from .forms import SHAPES, AnswerError, Form, clipped
+from ..algebra.errors import checked
+from .forms import AnswerError, Form
 from .givens import in_notebook, seals, stale
 from .notation import formula, is_word, symbol, unit_symbol
 from .sanity import doubts
 from .seals import opens
-from .sympy_formulas import read_formula
 from .trees import NODES, dimension_hints, in_words
-from .values import components, read_number
-
-# a vector is read in so many frames: its own, the ground, and two between
-FRAMES = 4
 
 _expected: dict = {}
 receipts: dict = {}
@@ -90,7 +85,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
             "configuration; use its nbgrader_config.py, or python -m grader grade"
         )
     others = {key for forms, *_ in _expected.values() for key in forms}
-    sealed = {} if execution else seals.get(problem, {})  # it is slow, and grading needs it not
+    sealed = {} if execution else seals.get(problem, {})  # slow, and not needed in grading
     verdicts = {
         key: opens(seal, forms[key].kind, read[key])
         for key, seal in sealed.items()
@@ -172,20 +167,20 @@ class Receipt:
 
     def _as_markdown(self, key, tree):
         form = self.forms[key]
-        if form.kind == "choice":
+        if form.kind.has_options:
             return f"`{key}`: {_escaped(tree)}"
         between = r",\ \text{in}" if isinstance(tree, dict) and form.unit != "1" else ""
         value = f"= {formula(tree, self.notation)}{between}{unit_symbol(form.unit)}"
         if is_word(key) and key not in self.notation:
             return f"`{key}` ${value}$"
-        return f"${self.notation.get(key) or symbol(key, 'vector' in form.kind)} {value}$"
+        return f"${self.notation.get(key) or symbol(key, form.kind.is_vector)} {value}$"
 
     def _hints(self):
         if self.warning:
             yield f"look again: {self.warning}"
         for key, tree in self._given.items():
             yield from (f"look again at {key}: {doubt}" for doubt in self.doubted.get(key, ()))
-            if self.forms[key].is_formula:
+            if self.forms[key].kind.is_formula:
                 found = dimension_hints(tree, self.forms[key], self.symbols)
                 yield from (f"look again at {key}: {hint}" for hint in found)
 
@@ -193,8 +188,8 @@ class Receipt:
         blank = _blank(self.forms, self._given)
         remarks = "Form checked only; the key is not here."
         if self.verdicts:
-            told = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
-            remarks = f"{'; '.join(told)}."
+            stated = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
+            remarks = f"{'; '.join(stated)}."
         return remarks + (f" Still open: {blank}." if blank else "")
 
 
@@ -203,74 +198,21 @@ def _escaped(text):
     return re.sub(r"([\\`*_<>$\[\]^~])", r"\\\1", text)
 
 
-def record(forms, symbols, answers):
+def record(
+    forms: Mapping[str, Form], symbols: Mapping[str, str], answers: Mapping[str, Any]
+) -> tuple[dict[str, Any], dict[str, str]]:
     """({key: tree or None}, {key: fault}) of the answers, read according to their forms."""
-    read, faults, budget = {}, {}, [NODES]
+    read: dict[str, Any] = {}
+    faults: dict[str, str] = {}
+    budget = [NODES]
     for key, form in forms.items():
         value, left = answers.get(key), budget[0]
         try:
-            read[key] = None if value is None else _tree(value, form, symbols, budget)
+            read[key] = None if value is None else form.kind.read(value, form, symbols, budget)
         except AnswerError as error:
             faults[key], budget[0] = str(error), left
-        # objects of any library may fail in any way; the student is told, the rest goes on
+        # objects of any library may fail in any way: that answer is refused, the others are read
         except Exception as error:
             fault = form.error(f"the value given cannot be read: {type(error).__name__}: {error}")
             faults[key], budget[0] = str(fault)[:500], left
     return read, faults
-
-
-def _tree(value, form, symbols, budget):
-    if form.kind == "choice":
-        if value not in form.of:
-            raise form.error(f"got {str(value)[:80]!r}")
-        return value
-    if form.kind == "count":
-        if isinstance(value, bool) or int(value) != value:
-            raise form.error(f"got {value!r}")
-        return int(value)
-    if isinstance(value, Vector) and value.frame.parent is not None:
-        return _in_frames(value, form, symbols, budget)
-    return _of_components(components(value, form), value, form, symbols, budget)
-
-
-def _of_components(parts, value, form, symbols, budget):
-    if len(parts) != SHAPES[form.kind]:
-        raise form.error(f"got {len(parts)} number{'s' * (len(parts) != 1)}: {clipped(value)}")
-    if form.is_formula:
-        read = [read_formula(x, form, symbols, budget) for x in parts]
-    else:
-        read = [read_number(x, form) for x in parts]
-    return read[0] if len(read) == 1 else read
-
-
-def _in_frames(vector, form, symbols, budget):
-    """The components of a vector in its own frame, in the ground, and in frames between these,
-    {name of the frame: tree}: it is the same vector, and which axes the problem means is not known
-    here.
-    """
-    frames = [vector.frame]
-    while frames[-1].parent is not None:
-        frames.append(frames[-1].parent)
-    frames = [frames[0], frames[-1], *frames[1:-1]][:FRAMES]
-    found, faults = {}, []
-    for frame in frames:
-        left = budget[0]
-        try:
-            parts = list(vector.components(frame))
-            tree = _of_components(parts, vector, form, symbols, budget)
-        except (NewtonEulerError, ArithmeticError) as error:
-            faults.append(error)
-            budget[0] = left  # what is not read takes nothing from the rest
-            continue
-        if tree not in found.values():
-            found[_unlike(frame.name, found)] = tree
-    if not found:
-        raise faults[0]
-    return found if len(found) > 1 else next(iter(found.values()))
-
-
-def _unlike(name, names):
-    """The name of a frame, told from those of others with the same name."""
-    while name in names:
-        name += "'"
-    return name

@@ -1,22 +1,22 @@
-"""Whether an answer is possible at all, found without the key: a size that the givens allow, an
+"""Whether an answer is possible at all, judged without the key: a size that the givens allow, an
 inertia matrix that a body can have, a kinetic energy that is not negative.
 """
 
 import math
 import random
-
-import numpy as np
+from collections.abc import Mapping
+from typing import Any
 
 from ..algebra.units import UnitError, unit
-from .forms import SHAPES, WORDS
+from .forms import Form
+from .tolerance import ROOM
 from .trees import TreeError, evaluate
 
 KINETIC = "kinetic energy"
-POINTS = 8  # at which formulas are tried
-ROOM = 1e-3  # for rounding, relative
+POINTS = 8  # places at which formulas are tried
 
 
-def doubts(form, tree, symbols, sane):
+def doubts(form: Form, tree: Any, symbols: Mapping[str, str], sane: Any) -> list[str]:
     """What makes an answer impossible, in sentences.
 
     tree : the answer as it was read
@@ -24,27 +24,26 @@ def doubts(form, tree, symbols, sane):
     sane : what is known of it: ``(low, high)``, between which its size is for whatever numbers the
         problem may give; :data:`KINETIC`; or None
     """
-    if form.kind in WORDS or tree is None:
+    if form.kind.is_word or tree is None:
         return []
-    trees = next(iter(tree.values())) if isinstance(tree, dict) else tree
-    trees = trees if SHAPES[form.kind] > 1 else [trees]
+    trees = form.kind.parts(next(iter(tree.values())) if isinstance(tree, dict) else tree)
     try:
         points = _values(form, trees, symbols)
     except (TreeError, ArithmeticError, ValueError, TypeError):
         return []
-    found = []
-    if isinstance(sane, (tuple, list)) and not form.is_formula:
+    found: list[str] = []
+    if isinstance(sane, (tuple, list)) and form.kind.has_size:
         found += _size(points[0], form, *sane)
     if sane == KINETIC and any(x < 0 for (x,) in points):
         found.append("a kinetic energy is never negative")
-    if form.kind.startswith("matrix") and _is_inertia(form.unit):
-        found += _inertia(points, whole=not form.is_formula)
+    if form.kind.length == 9 and _is_inertia(form.unit):
+        found += _inertia(points, whole=not form.kind.is_formula)
     return found
 
 
 def _values(form, trees, symbols):
     """The components at some points of the symbols."""
-    if not form.is_formula:
+    if not form.kind.is_formula:
         return [[float(x) for x in trees]]
     rng = random.Random(1)
     at = [{n: rng.uniform(0.3, 1.5) for n in symbols} for _ in range(POINTS)]
@@ -70,6 +69,8 @@ def _is_inertia(text):
 
 def _inertia(points, whole):
     """What no body can have; of formulas only the symmetry, which holds for all symbols."""
+    import numpy as np
+
     matrices = np.array(points).reshape(-1, 3, 3)
     scale = np.abs(matrices).max(axis=(1, 2))
     if (np.abs(matrices - matrices.transpose(0, 2, 1)).max(axis=(1, 2)) > ROOM * scale).any():

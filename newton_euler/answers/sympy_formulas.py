@@ -5,8 +5,7 @@ Functions that are not among them are written out by them: sec x as 1/cos x. Wha
 unevaluated (derivatives, integrals, products) is carried out.
 """
 
-from ..algebra.scalars import FUNCTIONS, without_rates
-from .forms import clipped
+from ..algebra.scalars import FUNCTIONS, clipped, without_rates
 from .trees import NODES, TreeError, check_size
 from .values import read_number, refuse_equation
 

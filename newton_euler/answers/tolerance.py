@@ -1,35 +1,38 @@
-"""When an answer is right: how near to the key it must be.
+"""When an answer is right, and every tolerance by which answers are judged.
 
 An answer is a tuple of points, and a point a tuple of components: a number has one point, a formula
 one for each place at which it is compared.
 """
 
 import math
+from collections.abc import Sequence
+from typing import Any
+
+Point = tuple[Any, ...]
+Points = tuple[Point, ...]
 
 RTOL = 0.005  # of the size of the key: accepts three significant figures, rounded up or down
 FORMULA_RTOL = 3e-5  # formulas are exact; this accepts 3.1416 for pi, 6.283 for 2 pi, 0.33333
-# a component that is smaller than this, relative to the whole, is round-off for zero
-NOISE = 1e-9
-# a mistake must differ from the key by this much of its size, or it could not be told from rounding
+NOISE = 1e-9  # a component smaller than this, relative to the whole, is round-off for zero
+# a mistake differs from the key by this much of its size, or it might be rounding
 SEPARATION = 0.02
+MAJORITY = 0.5  # of the points at which formulas are compared: so many must show a difference
+# a component of a key is zero, or at least this share of the whole: one left out must show
+COMPONENT = 0.01
+ROUND_OFF = 1e-6  # an answer with all its digits differs from the model it was computed by by less
+NUMBER_RTOL = 1e-3  # a single number meets a wrong model by chance much sooner than a vector does
+LISTED_RTOL = 2e-3  # the same for the listed mistakes, of which there are few
+NEARLY = 0.03  # of the size of the key: a wrong answer so near was rounded too early
+SAME_SIZE = 1e-4  # relative: the size of a vector is right although its direction is not
+ONE_VECTOR = 1e-6  # relative: components in two frames have one size, or are of two vectors
+EARLY = 1e-3  # of the size of the key: a right answer farther off was rounded on the way
+ROOM = 1e-3  # relative, for rounding, where an answer is checked without the key
 
 
-def is_right(kind, given, key, atol):
-    """True if the points of ``given`` are near enough to those of ``key``; ``atol`` is the absolute
-    tolerance for a key that is zero.
-    """
-    if kind.endswith("expression"):
-        return _formula_is_right(given, key, atol)
-    (given,), (key,) = given, key
-    # each bound separately: relative to a wide interval, an error of its lower bound would be small
-    if kind == "interval":
-        return all(_is_near((x,), (k,), atol) for x, k in zip(given, key, strict=True))
-    return _is_near(given, key, atol)
-
-
-def _is_near(given, key, atol):
-    """Within half a percent of the size of the key; and no component, however small, is off by more
-    than half of itself, so that one left out or with the wrong sign is not right.
+def is_near(given: Sequence[float], key: Sequence[float], atol: float) -> bool:
+    """True if a point is within half a percent of the size of the key, and no component, however
+    small, is off by more than half of itself, so that one left out or with the wrong sign is not
+    right; ``atol`` is the absolute tolerance for a key that is zero.
     """
     size, gap = math.hypot(*key), math.dist(given, key)
     if not math.isfinite(size):
@@ -41,9 +44,10 @@ def _is_near(given, key, atol):
     )
 
 
-def _formula_is_right(given, key, atol):
-    """Each component by itself, at every point where the key is finite, relative to its value there
-    or its mean over the points, whichever is larger: near a zero of the key, 3.1416 for pi is seen.
+def formula_is_near(given: Points, key: Points, atol: float) -> bool:
+    """True if each component by itself is near, at every point where the key is finite, relative to
+    its value there or its mean over the points, whichever is larger: near a zero of the key, 3.1416
+    for pi is seen.
     """
     points = [(x, k) for x, k in zip(given, key, strict=True) if all(map(math.isfinite, k))]
     if not points:
@@ -56,3 +60,20 @@ def _formula_is_right(given, key, atol):
             if not abs(a - b) <= FORMULA_RTOL * max(abs(b), mean) + noise:
                 return False
     return True
+
+
+def distance(a: Sequence[float], b: Sequence[float]) -> float:
+    """The distance of two points relative to the size of ``b``; absolute where b is zero."""
+    return math.dist(a, b) / (math.hypot(*b) or 1.0)
+
+
+def is_apart(numbers: Points, key: Points) -> bool:
+    """True if a model is far from the key at half of the points at least; words, if they differ."""
+    if isinstance(key[0][0], str) or isinstance(numbers[0][0], str):
+        return numbers != key
+    far = [
+        math.dist(x, k) >= SEPARATION * (math.hypot(*k) or math.hypot(*x))
+        for x, k in zip(numbers, key, strict=True)
+        if math.isfinite(math.hypot(*x)) and math.isfinite(math.hypot(*k))
+    ]
+    return sum(far) >= MAJORITY * len(far)

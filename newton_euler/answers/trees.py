@@ -8,7 +8,6 @@ from operator import add, mul
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import FUNCTIONS, function, is_numeric, pi, where
 from ..algebra.units import Dimension, DimensionError, UnitError, unit
-from .forms import SHAPES
 
 NAMED = (*FUNCTIONS, "atan2", "Abs", "Max", "Min", "Mod", "where")
 NODES = 5000  # the largest receipt that is read, in operations of all its formulas
@@ -158,7 +157,7 @@ def dimension_hints(tree, form, symbols):
         return []
     if isinstance(tree, dict):  # the dimensions are those of any frame
         tree = next(iter(tree.values()))
-    hints, parts = [], tree if SHAPES[form.kind] > 1 else [tree]
+    hints, parts = [], form.kind.parts(tree)
     for n, part in enumerate(parts):
         where = f"component {n + 1}" if len(parts) > 1 else "it"
         try:

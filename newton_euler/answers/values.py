@@ -7,10 +7,9 @@ import sys
 from collections.abc import Mapping, Set
 from importlib import import_module
 
-from ..algebra.scalars import without_rates
+from ..algebra.scalars import clipped, without_rates
 from ..algebra.units import pint_name
 from ..algebra.vectors import Vector
-from .forms import clipped
 
 LONGEST = 5000  # numbers in one answer; the largest form has nine
 
@@ -87,7 +86,7 @@ def _refuse(value, form):
         raise form.error(f"got a {kind}, which has no order; write it as in [x, y, z]")
     if module.startswith(("sympy.physics.vector", "sympy.vector")) and hasattr(value, "to_matrix"):
         raise form.error(
-            f"got a vector of SymPy, {clipped(value)}; write v.to_matrix(N), with the frame N in "
+            f"got a vector of SymPy, {str(value)[:80]}; write v.to_matrix(N), with the frame N in "
             "whose axes it is asked for"
         )
     if hasattr(value, "to_value") and hasattr(value, "unit"):

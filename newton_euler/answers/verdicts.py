@@ -1,159 +1,186 @@
 """What an answer is: right, wrong and why, unreadable or blank. Pure functions over data; nothing
 that a student wrote is run, evaluated as code or simplified here.
-
-The ``numbers`` of a problem are any object that has
-
-answers : what is asked, each with ``key``, ``kind``, ``unit`` and ``atol``
-symbols : {name: array of the points at which formulas are compared}
-key : {answer: points} of the right answers
-wrong(key) : [(group, text, points)] of the wrong models of an answer
-book : {answer: points} for the book's numbers, {} where these are asked
-earlier : {later answer: names of the earlier ones from which it follows}
-following(key, earlier) : the points that follow from {earlier answer: points}, or None
 """
 
-import math
-import reprlib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, Protocol
 
-from .diagnosis import BOOK, Elsewhere, causes, diagnose, observe
-from .forms import WORDS
-from .reading import read
-from .slips import factors
-from .tolerance import FORMULA_RTOL, RTOL, is_right
+from .causes import BOOK, Cause, follows, sentence
+from .diagnosis import Answered, Elsewhere, Model, diagnose
+from .forms import Form
+from .kinds import Kind
+from .messages import one_line
+from .reading import Budget
+from .tolerance import Points
 from .trees import TreeError, in_words
 
 NO_ANSWER = "no answer"
 
 
+class Asked(Protocol):
+    """One answer that is asked for. ``atol`` is the absolute tolerance for a key that is zero."""
+
+    @property
+    def key(self) -> str: ...
+    @property
+    def kind(self) -> Kind: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def atol(self) -> float: ...
+
+
+class Numbers(Protocol):
+    """The right numbers and the wrong models of one student's problem."""
+
+    @property
+    def answers(self) -> Sequence[Asked]:
+        """What is asked."""
+
+    @property
+    def symbols(self) -> Mapping[str, Any]:
+        """{name: array of the points at which formulas are compared}."""
+
+    @property
+    def key(self) -> Mapping[str, Points]:
+        """{answer: points} of the right answers; of a word or count, ((word,),)."""
+
+    @property
+    def book(self) -> Mapping[str, Points]:
+        """{answer: points} for the book's numbers, {} where these are asked."""
+
+    @property
+    def earlier(self) -> Mapping[str, Sequence[str]]:
+        """{later answer: names of the earlier ones from which it follows}."""
+
+    def wrong(self, key: str) -> Sequence[Model]:
+        """What the wrong models make of an answer."""
+
+    def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
+        """The answer that follows from {earlier answer: points}; None if there is none."""
+
+
 @dataclass(frozen=True)
 class Judged:
-    """What an answer is: its verdict (right, wrong, unreadable or blank), what to say, and what was
+    """What an answer is: its verdict (right, wrong, unreadable or blank), a message, and what was
     read, in the unit of the key.
     """
 
     verdict: str
     message: str
-    given: tuple | None = None
+    given: Points | None = None
 
 
-def judge(asked, form, tree, fault, numbers, budget, factor=1.0):
+def judge(
+    asked: Asked,
+    form: Form,
+    tree: Any,
+    fault: str | None,
+    numbers: Numbers,
+    budget: Budget,
+    factor: float = 1.0,
+) -> Judged:
     """What the answer ``tree`` is, read in the ``form`` that the student had.
 
-    fault : why it cannot be read, or None; budget : as for :func:`~.reading.read`
+    fault : why it cannot be read, or None; budget : the operations of formulas that may be read
     factor : from the unit of the form to that of the key
     """
-    key = numbers.key[asked.key]
     if fault is not None:
-        return Judged("unreadable", clipped(fault))
+        return Judged("unreadable", one_line(fault))
     if tree is None:
         return Judged("blank", NO_ANSWER)
-    if asked.kind in WORDS:
-        ((word,),) = key
-        given = ((tree,),) if type(tree) is type(word) else None
-        return Judged(*(("right", "right") if given == key else ("wrong", "not right")), given)
     try:
-        readings = read(form, tree, numbers.symbols, budget)
+        readings = form.kind.readings(tree, form, numbers.symbols, budget)
     except TreeError as error:
-        return Judged("unreadable", f"cannot be read: {clipped(str(error))}")
+        return Judged("unreadable", f"cannot be read: {one_line(str(error))}")
     if factor != 1:
         readings = [tuple(tuple(factor * x for x in point) for point in r) for r in readings]
     for given in readings:
-        if is_right(asked.kind, given, key, asked.atol):
+        if asked.kind.is_right(given, numbers.key[asked.key], asked.atol):
             return Judged("right", "right", given)
-    return Judged("wrong", "not right", readings[0])
+    return Judged("wrong", "not right", readings[0] if readings else None)
 
 
-def explain(asked, found, numbers):
-    """(message, diagnosis, earlier answers from which it follows) of a wrong answer; ``found`` has
-    the :class:`Judged` of each answer of the problem.
+@dataclass(frozen=True)
+class Explained:
+    """Why an answer is wrong: a message for the student, the causes, and the earlier answers of the
+    student's own from which it follows.
     """
-    given, key = found[asked.key].given, numbers.key[asked.key]
-    message, cause = _diagnosed(asked, found, numbers)
-    earlier = _followed(asked, found, numbers) if cause != BOOK else ()
-    if earlier:
+
+    message: str
+    causes: tuple[Cause, ...] = ()
+    earlier: tuple[str, ...] = ()
+
+    @property
+    def diagnosis(self) -> str | None:
+        """The causes in words."""
+        return sentence(self.causes)
+
+
+def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Explained:
+    """Why an answer is wrong; ``found`` has the :class:`Judged` of each answer of the problem."""
+    given = found[asked.key].given
+    assert given is not None
+    causes = _causes(asked, given, found, numbers)
+    if BOOK in causes:
+        message = "not right: this is the answer for the book's numbers; yours are others"
+        return Explained(message, (BOOK,))
+    message = f"not right; it fits a solution that {sentence(causes)}" if causes else "not right"
+    if earlier := _followed(asked, given, found, numbers):
         message += f"; it follows from your {' and '.join(earlier)}"
-        return message, cause or f"follows from a wrong {' and '.join(earlier)}", earlier
-    if cause is None and (seen := observe(given, key, asked.kind)):
-        return f"not right; {seen}", seen, ()
-    return message, cause, ()
+        return Explained(message, causes or (follows(earlier),), earlier)
+    key = asked.kind.like(numbers.key[asked.key], given)
+    if not causes and (seen := asked.kind.observed(given, key)):
+        return Explained(f"not right; {seen.text}", (seen,))
+    return Explained(message, causes)
 
 
-def _diagnosed(asked, found, numbers):
-    given, key = found[asked.key].given, numbers.key[asked.key]
-    cause = diagnose(
-        given,
-        key,
-        _models(asked, numbers),
-        _rtol(asked.kind),
-        asked.kind,
-        factors(asked.kind, asked.unit),
-        Elsewhere(lambda: _elsewhere(asked, found, numbers)),
-    )
-    if BOOK in causes(cause):
-        return "not right: this is the answer for the book's numbers; yours are others", BOOK
-    if cause is None:
-        return "not right", None
-    return f"not right; it fits a solution that {cause}", cause
+def _causes(asked, given, found, numbers):
+    key, wrong = _like(given, asked, numbers)
+    factors = asked.kind.factors(asked.unit)
+    elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
+    return diagnose(given, key, wrong, asked.kind, factors, elsewhere)
 
 
-def _rtol(kind):
-    return FORMULA_RTOL if kind.endswith("expression") else RTOL
-
-
-def _models(asked, numbers):
-    """The wrong models of an answer, and its key for the book's numbers."""
-    book = numbers.book.get(asked.key)
-    return [*numbers.wrong(asked.key), *([("book", BOOK, book)] if book else [])]
+def _like(given, asked, numbers):
+    """(key, models) of an answer, each of the points that mean it the nearest to what was given."""
+    key, wrong = numbers.key[asked.key], list(numbers.wrong(asked.key))
+    if asked.key in numbers.book:
+        wrong.append((BOOK, numbers.book[asked.key]))
+    like = asked.kind.like
+    return like(key, given), [(cause, like(points, given)) for cause, points in wrong]
 
 
 def _elsewhere(asked, found, numbers):
-    """The other parts that a student answered, for :class:`~.diagnosis.Elsewhere`."""
-    parts = []
+    """The other parts that a student answered."""
     for other in numbers.answers:
         judged = found.get(other.key)
         if other.key != asked.key and judged and judged.given is not None:
-            key, wrong = numbers.key[other.key], _models(other, numbers)
-            right = judged.verdict == "right"
-            parts.append((right, judged.given, key, wrong, _rtol(other.kind)))
-    return parts
+            key, wrong = _like(judged.given, other, numbers)
+            yield Answered(judged.verdict == "right", other.kind, judged.given, key, wrong)
 
 
-def _followed(asked, found, numbers):
+def _followed(asked, given, found, numbers):
     """The student's own wrong answers from which this one follows rightly; () if it does not."""
     names = numbers.earlier.get(asked.key, ())
-    wrong = [n for n in names if n in found and found[n].verdict == "wrong"]
+    wrong = tuple(n for n in names if n in found and found[n].verdict == "wrong")
     # an earlier part that the sheet does not ask for is not the student's
     earlier = {n: found[n].given if n in found else numbers.key[n] for n in names}
     if not wrong or None in earlier.values():
         return ()
     expected = numbers.following(asked.key, earlier)
-    if asked.kind in WORDS:
-        return wrong if expected == found[asked.key].given else ()
-    if expected is None or max(math.hypot(*point) for point in expected) <= asked.atol:
+    if expected is None or asked.kind.is_zero(expected, asked.atol):
         return ()  # zero follows from zero: nothing was computed
-    return wrong if is_right(asked.kind, found[asked.key].given, expected, asked.atol) else ()
+    return wrong if asked.kind.is_right(given, expected, asked.atol) else ()
 
 
-def shown(form, tree, verdict):
+def value_line(form: Form, tree: Any, verdict: str) -> str:
     """The value that was read, with its unit, as a line for the student; "" if none was."""
     if verdict not in ("right", "wrong"):
         return ""
-    if form.kind in WORDS:  # any JSON
-        return clipped(tree)[:200]
+    if form.kind.is_word:  # any JSON
+        return one_line(tree)[:200]
     between = ", " if type(tree) is dict else " "  # components in several frames
     text = in_words(tree)[:200] + (between + form.unit if form.unit != "1" else "")
-    return clipped(text) if type(tree) is dict else text  # the student named the frames
-
-
-_bounded = reprlib.Repr()
-_bounded.maxstring = _bounded.maxother = 400
-
-
-def clipped(value):
-    """Any value as one printable line: students control the text of error messages, which are
-    written to files, tables and pages.
-    """
-    text = value[:4000] if isinstance(value, str) else _bounded.repr(value)
-    line = " ".join(text.split())[:400]
-    return "".join(c if c.isprintable() else "\ufffd" for c in line)
+    return one_line(text) if type(tree) is dict else text  # the student named the frames

@@ -5,7 +5,6 @@ cell that compares the answers with the key and gives a point for each right one
 import copy
 import shutil
 
-from exercises.catalogue import SYMBOLIC
 from grader.assignment.sheet import nbgrader_metadata, own_metadata, tasks
 from grader.course import read_json, write_json
 from grader.demo import sample_students as sample
@@ -43,7 +42,7 @@ def cell_with_test(task, values):
     """The cell that gives the points of a problem."""
     p = task.exercise
     answers = sample.right_answers(p, values)
-    names = list(p.symbols) if any(a.kind in SYMBOLIC for a in p.answers) else []
+    names = list(p.symbols) if any(a.kind.is_formula for a in p.answers) else []
     head = "from sympy import Abs, atan2, cos, pi, sin, sqrt, tan\n" if names else ""
     head += (
         f'{", ".join(names)}, = sympy.symbols("{" ".join(names)}", real=True)\n' if names else ""

@@ -10,7 +10,6 @@ from exercises.catalogue import problems
 from exercises.catalogue.variants import POINTS, draw
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
-from newton_euler.answers.forms import Form
 from newton_euler.answers.receipts import record
 
 pytestmark = [pytest.mark.benchmark, pytest.mark.slow]
@@ -19,7 +18,7 @@ STUDENTS = 40
 
 
 def right_answers(p, values):
-    forms = {a.key: Form(a.kind, a.unit) for a in p.answers}
+    forms = {a.key: a.form for a in p.answers}
     units = {n: s.unit for n, s in p.symbols.items()}
     return record(forms, units, p.solve({**p.sympy_symbols(), **values}))[0]
 

@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 import sympy
 
-from exercises.catalogue import SYMBOLIC, chapters, problem, problems, reading, select
+from exercises.catalogue import chapters, problem, problems, reading, select
 from exercises.catalogue.checks import check, values
 from exercises.catalogue.variants import flat, symbol_values
 from newton_euler import Frame, Vector
-from newton_euler.answers.forms import WORDS
 
 PROBLEMS = select(["all"])
 CHECKED = [(p, key) for p in PROBLEMS for key in p.checked]
@@ -77,7 +76,7 @@ def test_solve_runs_on_arrays_of_instants(p):
     together = p.solve({n: np.array([float(v[n]) for v in students]) for n in p.units})
     for n, alone in enumerate(map(p.solve, students)):
         for key in alone:
-            if p.answer(key).kind in WORDS:
+            if p.answer(key).kind.is_word:
                 assert np.broadcast_to(together[key], 3)[n] == alone[key]
                 continue
             at_n = [np.broadcast_to(x, 3)[n] for x in flat(together[key])]
@@ -92,7 +91,7 @@ def test_solve_keeps_the_digits_of_mpmath_numbers(p):
         assert all(
             isinstance(x, (int, mpmath.mpf)) or x == 0
             for key, answer in precise.items()
-            if p.answer(key).kind not in WORDS
+            if not p.answer(key).kind.is_word
             for x in flat(answer)
         )
 
@@ -100,7 +99,7 @@ def test_solve_keeps_the_digits_of_mpmath_numbers(p):
 @pytest.mark.parametrize("p", [p for p in PROBLEMS if p.symbolic], ids=named)
 def test_formulas_are_exact_and_short(p):
     for key, answer in formulas(p).items():
-        if p.answer(key).kind not in SYMBOLIC:
+        if not p.answer(key).kind.is_formula:
             continue
         for x in map(sympy.sympify, flat(answer)):
             assert not x.atoms(sympy.Float)
@@ -122,11 +121,11 @@ def is_the_same(p, x, y):
 def test_answer_is_the_one_found_by_hand(p, key):
     """For the numbers of the book, or as a formula in the symbols of the text."""
     kind, found, by_hand = p.answer(key).kind, flat(formulas(p)[key]), flat(p.checked[key])
-    if kind in WORDS:
+    if kind.is_word:
         assert found == by_hand
         return
     by_hand = [sympy.sympify(x, p.sympy_symbols()) for x in by_hand]
-    if kind in SYMBOLIC:
+    if kind.is_formula:
         for x, y in zip(found, by_hand, strict=True):
             assert is_the_same(p, x, y), f"{x} is not {y}"
     else:

@@ -2,4 +2,4 @@
 
 from .collection import Practice, practice, try_problem
 from .files import PracticeFileError
-from .problems import Checked, PracticeProblem, Said
+from .problems import Checked, Message, PracticeProblem

@@ -8,7 +8,7 @@ from typing import Any
 from ...algebra.errors import checked
 from ...answers.givens import in_notebook
 from .files import PracticeFile
-from .problems import PracticeProblem, Said
+from .problems import Message, PracticeProblem
 from .progress import Progress, mastery
 
 COUNTS = "tried", "right", "at first go", "with help"
@@ -21,7 +21,7 @@ def practice(path: str | Path, progress: str | Path | None = "") -> "Practice":
     progress : the file in which what you tried is kept, yours alone; default: beside the practice
         file, with ``.progress.json`` behind its name. None keeps it only while Python runs.
 
-    Raises :class:`PracticeFileError` for a file that is none.
+    Raises :class:`PracticeFileError` for a file that is not a practice file.
     """
     kept = f"{path}.progress.json" if progress == "" else progress
     return Practice(PracticeFile(path), Progress(kept))
@@ -47,7 +47,7 @@ def try_problem(problem: str, folder: str | Path = ".") -> Any:
         f"No practice file here has problem {problem}, so nothing checks your answer. Your "
         f"instructor writes one by: {command}. Put it beside this notebook and run the cell again."
     )
-    return Said(text, text.replace(command, f"`{command}`"))
+    return Message(text, text.replace(command, f"`{command}`"))
 
 
 class Practice:
@@ -69,7 +69,7 @@ class Practice:
         return len(self._file.problems)
 
     @property
-    def table(self) -> Said:
+    def table(self) -> Message:
         """What was tried of each problem and how well each section is known."""
         wide = max(len(title) for title, _ in self._file.titles.values())
         text = [f"{'':6} {'':{wide}} {'section':8}" + "".join(f" {c:>11}" for c in COUNTS)]
@@ -83,7 +83,7 @@ class Practice:
         notes = [f"section {s or '-'}: {words}" for s, words in self.mastery.items()]
         notes += [self._progress.note] if self._progress.note else []
         listed = [f"- {note}" for note in notes]
-        return Said("\n".join([*text, "", *notes]), "\n".join([*rows, "", *listed]))
+        return Message("\n".join([*text, "", *notes]), "\n".join([*rows, "", *listed]))
 
     @property
     def mastery(self) -> dict[str, str]:

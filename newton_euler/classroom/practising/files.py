@@ -7,7 +7,7 @@ from typing import Any
 
 from ...algebra.errors import NewtonEulerError
 
-FORMAT = 1
+FORMAT = 2
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
@@ -30,7 +30,7 @@ class PracticeFile:
                 "it by: python -m grader practice ch04 -o ch04.practice"
             ) from None
         except (zipfile.BadZipFile, KeyError, ValueError, OSError) as error:
-            raise PracticeFileError(f"{self.path} is no practice file: {error}") from error
+            raise PracticeFileError(f"{self.path} is not a practice file: {error}") from error
         if head.get("format") != FORMAT:
             raise PracticeFileError(
                 f"{self.path} has format {head.get('format')!r}; this version of newton_euler "

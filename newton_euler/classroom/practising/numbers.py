@@ -1,13 +1,14 @@
-"""The right numbers and wrong models of one set of numbers, as :mod:`~..checking.verdicts` asks for
-them.
-"""
+"""The right numbers and wrong models of one set of numbers, out of a practice file."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from ...answers.forms import WORDS, Form
+from ...answers.causes import Cause
+from ...answers.forms import Form, kind_named
+from ...answers.kinds import Kind
+from ...answers.tolerance import Points
 from .programs import Program
 
 
@@ -16,7 +17,7 @@ class Quantity:
     """A step or an answer: what a practice file says of it."""
 
     key: str
-    kind: str
+    kind: Kind
     unit: str
     means: str
     plain: str
@@ -28,6 +29,11 @@ class Quantity:
     sum: str
     step: bool
 
+    @classmethod
+    def read(cls, data: Mapping[str, Any]) -> "Quantity":
+        """A quantity out of a practice file."""
+        return cls(**{**data, "kind": kind_named(data["kind"]), "of": tuple(data["of"])})
+
     @property
     def form(self) -> Form:
         """The form in which it is answered."""
@@ -35,7 +41,9 @@ class Quantity:
 
 
 class KeptNumbers:
-    """The numbers of one variant of a problem; ``book`` is that with the book's numbers."""
+    """The :class:`~newton_euler.answers.verdicts.Numbers` of one variant of a problem; ``book`` is
+    the variant with the book's numbers.
+    """
 
     def __init__(self, quantities, labels, variant, book=None):
         self.answers = [q for q in quantities if q.key in variant["right"]]
@@ -45,12 +53,12 @@ class KeptNumbers:
         self.symbols: dict[str, Any] = {}  # all is numbers in practice
 
     @cached_property
-    def key(self):
+    def key(self) -> dict[str, Points]:
         """{quantity: points}."""
         return _points(self._variant["right"])
 
     @cached_property
-    def book(self):
+    def book(self) -> dict[str, Points]:
         """{quantity: points} for the book's numbers; {} if these are asked."""
         return _points(self._book["right"]) if self._book else {}
 
@@ -58,17 +66,17 @@ class KeptNumbers:
     def _wrong(self):
         found: dict[str, list] = {q.key: [] for q in self.answers}
         for label, numbers in self._variant["wrong"]:
-            key, group, text = self._labels[label]
+            key, *cause = self._labels[label]
             if key in found:
-                found[key].append((group, text, _point(numbers)))
+                found[key].append((Cause(*cause), _point(numbers)))
         return found
 
-    def wrong(self, key):
-        """[(group, text, points)] of the wrong models of a quantity."""
+    def wrong(self, key: str) -> list[tuple[Cause, Points]]:
+        """What the wrong models make of a quantity."""
         return self._wrong[key]
 
     @property
-    def earlier(self):
+    def earlier(self) -> dict[str, list[str]]:
         """{quantity: those through which it is computed and that were tried}."""
         return {q.key: sorted(self._tried_before(q.key, set())) for q in self.answers}
 
@@ -80,12 +88,12 @@ class KeptNumbers:
                 seen.add(name)
                 yield from self._tried_before(name, seen)
 
-    def following(self, key, earlier):
+    def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
         """The points that follow from {earlier quantity: points}; None for words."""
-        if any(q.key in earlier and q.kind in WORDS for q in self.answers):
+        if any(q.key in earlier and q.kind.is_word for q in self.answers):
             return None
         found = self.program.following(key, {name: x[0] for name, x in earlier.items()})
-        return found and (found,)
+        return (found,) if found else None
 
 
 def _points(right):

@@ -6,7 +6,7 @@ notebook, and D D deletes the cell.
 from html import escape
 from typing import Any
 
-from ...answers.forms import WORDS, AnswerError, Form
+from ...answers.forms import AnswerError, Form
 from .typed import typed
 
 INSTALL = (
@@ -17,7 +17,7 @@ INSTALL = (
 
 def show_form(p: Any) -> Any:
     """A practice problem with a field for each answer, a field for any step, and buttons
-    for hints, the solution and other numbers. What was said last stands below them.
+    for hints, the solution and other numbers. The last message stands below them.
 
     Needs ipywidgets. Tab goes from field to button, Space presses a button.
     """
@@ -27,12 +27,12 @@ def show_form(p: Any) -> Any:
     except ImportError:
         raise ImportError(INSTALL) from None
 
-    top, said = Output(), Output()
+    top, below = Output(), Output()
     wide = Layout(width="100%", max_width="48em")
     labelled = {"description_width": "9em"}
 
-    def say(what):
-        with said:
+    def show_message(what):
+        with below:
             clear_output(wait=True)
             display(what)
 
@@ -45,8 +45,11 @@ def show_form(p: Any) -> Any:
         return Combobox(description=name, placeholder=shown, options=tuple(words), layout=wide,
                         style=labelled, continuous_update=False)  # fmt: skip
 
-    asked = {key: Form.read(form) for key, form in p.answers.items()}
-    answers = {key: field(key, _as_typed(form), form.of) for key, form in asked.items()}
+    def form_of(key):
+        text = {**p.answers, **p.steps}.get(key)
+        return Form.read(text) if text else None
+
+    answers = {key: field(key, _as_typed(form_of(key)), form_of(key).of) for key in p.answers}
     chosen = field("step", "the name of a step; arrow down lists them", p.steps)
     step, means = (
         field("its value", "a number or a list"),
@@ -55,25 +58,24 @@ def show_form(p: Any) -> Any:
 
     def expect(_=None):
         # never in the field of the value: a change there loses what is being typed
-        form = p.steps.get(chosen.value)
-        how = f"{p.meanings[chosen.value]}: {_as_typed(Form.read(form))}" if form else ""
+        name = chosen.value
+        how = f"{p.meanings[name]}: {_as_typed(form_of(name))}" if name in p.steps else ""
         means.value = escape(how)
 
     chosen.observe(expect, "value")
 
     def read(key, value):
-        kind = {**p.answers, **p.steps}.get(key, "")
-        words = ("word",) if kind.startswith("choice") else ()
-        x = typed(value, p.givens, words)
-        return int(x) if kind.partition(",")[0] in WORDS and type(x) is float else x
+        form = form_of(key)
+        x = typed(value, p.givens, form.of if form else ())
+        return int(x) if form and form.kind.is_word and type(x) is float else x
 
     def checked(check, texts):
         try:
             given = {k: read(k, t) for k, t in texts.items()}
             given = {k: x for k, x in given.items() if x is not None}
-            say(check(**given) if given else HTML("Write a value first."))
+            show_message(check(**given) if given else HTML("Write a value first."))
         except (AnswerError, ValueError) as error:
-            say(HTML(f"<div>{escape(str(error))}</div>"))
+            show_message(HTML(f"<div>{escape(str(error))}</div>"))
 
     def check_answers():
         checked(p.check, {k: w.value for k, w in answers.items()})
@@ -92,20 +94,20 @@ def show_form(p: Any) -> Any:
             w.value = ""
         chosen.options = tuple(p.steps)
         show()
-        say(HTML(""))
+        show_message(HTML(""))
 
     rows = [
         top,
         *answers.values(),
         HBox([
             button("Check", check_answers, "Check the answers"),
-            button("Next step", lambda: say(p.next_step()), "Where to go on; again: more"),
-            button("Solution", lambda: say(p.solution()), "The solution in these numbers"),
+            button("Next step", lambda: show_message(p.next_step()), "Where to go on; again: more"),
+            button("Solution", lambda: show_message(p.solution()), "The solution in these numbers"),
             button("New numbers", new, "The same problem with other numbers"),
         ], layout=Layout(flex_flow="row wrap")),
         *([chosen, means, step, HBox([button("Check step", check_step, "Check one step")])]
           if p.steps else []),
-        said,
+        below,
     ]  # fmt: skip
     show()
     return VBox(rows)
@@ -113,4 +115,4 @@ def show_form(p: Any) -> Any:
 
 def _as_typed(form):
     """What is typed in a field, and its unit."""
-    return form.words.removeprefix("a vector, ").removeprefix("an interval, ")
+    return form.words.partition(", ")[2] if form.kind.length > 1 else form.words

@@ -9,24 +9,25 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from ...answers.causes import Cause, follows, sentence
 from ...answers.fit import rounding
-from ...answers.forms import WORDS, AnswerError
+from ...answers.forms import AnswerError
 from ...answers.givens import in_notebook
-from ...answers.notation import list_symbol, matrix_symbol, number_symbol, unit_symbol
+from ...answers.notation import number_symbol, unit_symbol
 from ...answers.receipts import record
-from ...answers.trees import NODES
-from ...answers.verdicts import explain, judge, shown
+from ...answers.tolerance import EARLY
+from ...answers.trees import NODES, in_words
+from ...answers.verdicts import explain, judge, value_line
 from .files import HELP, PracticeFile
 from .numbers import KeptNumbers, Quantity
 from .progress import Progress
 
 WIDTH = 80  # of lines in a terminal
-EARLY = 1e-3  # of the size of the key: what is lost by rounding before the end
 
 
 @dataclass(frozen=True, repr=False)
-class Said:
-    """Something told: ``text`` in a terminal, ``markdown`` in a notebook."""
+class Message:
+    """A message: ``text`` in a terminal, ``markdown`` in a notebook."""
 
     text: str
     markdown: str
@@ -39,13 +40,18 @@ class Said:
 
 
 @dataclass(frozen=True, repr=False)
-class Checked(Said):
-    """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``causes`` is
-    {key: the mistake that explains a wrong one, or None}.
+class Checked(Message):
+    """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``explained``
+    is {key: the causes that explain a wrong one}.
     """
 
     verdicts: dict[str, str]
-    causes: dict[str, str | None]
+    explained: dict[str, tuple[Cause, ...]]
+
+    @property
+    def causes(self) -> dict[str, str | None]:
+        """{key: the mistake that explains a wrong one in words, or None}."""
+        return {key: sentence(causes) for key, causes in self.explained.items()}
 
 
 class PracticeProblem:
@@ -59,7 +65,7 @@ class PracticeProblem:
         self._file, self._progress = file, progress
         self._page = file.page(problem)
         self.id: str = problem
-        self._all = [Quantity(**{**q, "of": tuple(q["of"])}) for q in self._page["quantities"]]
+        self._all = [Quantity.read(q) for q in self._page["quantities"]]
         self._take(0)
 
     def _take(self, number):
@@ -164,8 +170,8 @@ class PracticeProblem:
         return self._check(answers, self.answers, "answer", "p.check_step")
 
     def check_step(self, **steps: object) -> Checked:
-        """The same for steps on the way, any of ``p.steps`` in any order. A later step that follows
-        rightly from a wrong one is told so.
+        """The same for steps on the way, any of ``p.steps`` in any order. The message says so where
+        a later step follows rightly from a wrong one.
         """
         return self._check(steps, self.steps, "step", "p.check")
 
@@ -189,45 +195,46 @@ class PracticeProblem:
                 self._asked[key], form, tree, fault, self._numbers, [NODES]
             )  # fmt: skip
         self._numbers.tried = self._found
-        said = [(key, *self._explained(key)) for key in given]
+        found = [(key, *self._explained(key)) for key in given]
         verdicts = {key: self._found[key].verdict for key in given}
         for key, verdict in verdicts.items():
             if verdict in ("right", "wrong"):
                 self._progress.tried(self.id, self.number, key, verdict == "right")
         return Checked(
-            "\n".join(f"{key}: {text}" for key, text, _ in said),
+            "\n".join(f"{key}: {text}" for key, text, _ in found),
             "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
-                      for key, text, _ in said),
+                      for key, text, _ in found),
             verdicts,
-            {key: cause for key, _, cause in said},
+            {key: causes for key, _, causes in found},
         )  # fmt: skip
 
     def _read(self, key):
         form, tree = self._asked[key].form, self._trees[key]
-        if isinstance(tree, list) and form.kind == "matrix":
-            tree = _rows(tree) or tree
-        return shown(form, tree, self._found[key].verdict)
+        if isinstance(tree, list) and len(tree) == form.kind.length:
+            tree = form.kind.nested(tree)
+        return value_line(form, tree, self._found[key].verdict)
 
     def _explained(self, key):
-        """(what to say, the mistake that explains it) of a quantity that was checked."""
+        """(message, the causes that explain it) of a quantity that was checked."""
         found = self._found[key]
         if found.verdict == "right":
-            return ("right" + _EARLY if self._rounded_early(key) else "right"), None
+            return ("right" + _EARLY if self._rounded_early(key) else "right"), ()
         if found.verdict != "wrong" or found.given is None:
-            return found.message, None
-        message, cause, earlier = explain(self._asked[key], self._found, self._numbers)
-        if earlier:
-            names = " and ".join(earlier)
-            fits = (
-                f"it fits a solution that {cause}; and " if not cause.startswith("follow") else ""
-            )
-            return f"not right; {fits}it follows rightly from your {names}: mend that first", cause
-        return message, cause
+            return found.message, ()
+        why = explain(self._asked[key], self._found, self._numbers)
+        if why.earlier:
+            names = " and ".join(why.earlier)
+            known = why.causes != (follows(why.earlier),)
+            fits = f"it fits a solution that {why.diagnosis}; and " if known else ""
+            message = f"not right; {fits}it follows rightly from your {names}: mend that first"
+            return message, why.causes
+        return why.message, why.causes
 
     def _rounded_early(self, key):
-        given, right = self._found[key].given, self._numbers.key[key]
-        if self._asked[key].kind in WORDS:
+        given, kind = self._found[key].given, self._asked[key].kind
+        if kind.is_word:
             return False
+        right = kind.like(self._numbers.key[key], given)
         least = EARLY * math.hypot(*right[0])
         return any(
             abs(x - k) > max(least, 2 * rounding((x,)))
@@ -236,7 +243,7 @@ class PracticeProblem:
 
     # -- help
 
-    def next_step(self) -> Said:
+    def next_step(self) -> Message:
         """Where to go on: the first quantity that is not right yet, and the section it needs. Asked
         again, its equation and what it is computed from; then its value.
         """
@@ -253,7 +260,7 @@ class PracticeProblem:
         self._progress.helped(self.id, self.number, q.key, level)
         if level == 3:
             self._passed.add(q.key)
-        return Said(self._hint(q, level, False), self._hint(q, level, True))
+        return Message(self._hint(q, level, False), self._hint(q, level, True))
 
     def _hint(self, q, level, typeset):
         name = f"`{q.key}`" if typeset else q.key
@@ -282,22 +289,14 @@ class PracticeProblem:
 
     def _value(self, q, typeset):
         x = self._numbers.key[q.key][0]
-        if q.kind in WORDS:
+        if q.kind.is_word:
             return str(x[0])
         if not typeset:
-            parts = [f"{part:.6g}" for part in x]
-            if rows := _rows(parts):
-                parts = [f"[{', '.join(row)}]" for row in rows]
-            numbers = ", ".join(parts)
-            return (numbers if len(x) == 1 else f"[{numbers}]") + _behind(q.unit)
-        if rows := _rows(x):
-            stated = matrix_symbol(map(number_symbol, row) for row in rows)
-        else:
-            inside = list_symbol(map(number_symbol, x))
-            stated = inside if len(x) == 1 else rf"\left[{inside}\right]"
+            return in_words(q.kind.nested(x)) + _behind(q.unit)
+        stated = q.kind.typeset([number_symbol(part) for part in x])
         return f"${q.latex and q.latex + ' = '}{stated}{unit_symbol(q.unit)}$"
 
-    def solution(self) -> Said:
+    def solution(self) -> Message:
         """The solution in the numbers at hand: all steps, the terms of sums, the answers."""
         if self._file.help != HELP[2]:
             return _plain("this practice file has no solutions")
@@ -307,17 +306,12 @@ class PracticeProblem:
         lines = [f"{q.key} = {self._value(q, False)}  {q.plain}" + (
                     f", section {q.section}" if q.step and q.section else "")
                  for q in self._asked.values()]  # fmt: skip
-        return Said("\n".join(lines), self._variant["solution"])
+        return Message("\n".join(lines), self._variant["solution"])
 
 
 _A = {"answer": "an answer", "step": "a step"}
 _MARKS = {"right": "✓", "wrong": "✗", "unreadable": "?"}
 _EARLY = ", but rounded too early: keep more digits on the way, and round at the end"
-
-
-def _rows(x):
-    """The rows of a matrix; None for what is none."""
-    return [x[n : n + 3] for n in (0, 3, 6)] if len(x) == 9 else None
 
 
 def _behind(unit):
@@ -337,4 +331,4 @@ def _wrapped(text):
 
 
 def _plain(text):
-    return Said(text, text)
+    return Message(text, text)

@@ -104,11 +104,6 @@ def test_objection_to_a_component_that_could_be_left_out_unseen():
     assert re.match(r"gives v_A with a component of 2.3e-03", objection(p, values))
 
 
-def test_a_component_that_is_zero_is_no_objection():
-    assert variants._small_component((0.0, 1e-17, 3.0)) is None
-    assert variants._small_component((0.0, 0.02, 3.0)) == pytest.approx(0.02 / 3, rel=1e-3)
-
-
 def test_a_range_without_good_numbers_is_told(monkeypatch):
     monkeypatch.setattr(variants, "objection", lambda p, values: "gives v = (nan,)")
     monkeypatch.setattr(variants, "DRAWS", 3)

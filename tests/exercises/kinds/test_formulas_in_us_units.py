@@ -46,7 +46,10 @@ def test_inches_and_ounces_keep_their_factors_of_feet_and_pounds(problem_with):
     def solve(g):
         return {"F": g.W * g.r / g.e, "alpha": g.W * g.r / (g.m * g.r**2)}
 
-    answers = [Answer("F", "expression", "lb", ""), Answer("alpha", "expression", "rad/s^2", "")]
+    answers = [
+        Answer("F", "expression", "lb", ""),
+        Answer("alpha", "expression", "rad/s^2", ""),
+    ]
     p = problem_with(solve, {"W": "oz", "r": "in", "e": "ft", "m": "slug"}, answers)
     s = p.sympy_symbols()
     found = p.formulas()
@@ -82,7 +85,10 @@ def test_components_that_vanish_are_dropped(problem_with):
         nothing = sin(g.theta) ** 2 + cos(g.theta) ** 2 - 1
         return {"a": ground.vector(g.r, g.r * nothing, 0), "b": g.r * nothing}
 
-    answers = [Answer("a", "vector_expression", "m", ""), Answer("b", "expression", "m", "")]
+    answers = [
+        Answer("a", "vector_expression", "m", ""),
+        Answer("b", "expression", "m", ""),
+    ]
     p = problem_with(solve, {"r": "m", "theta": "rad"}, answers)
     found = p.formulas()
     assert list(found["a"]) == [p.sympy_symbols()["r"], 0, 0]

@@ -11,8 +11,6 @@ from grader.course import read_json, write_json
 from grader.demo import sample_students as sample
 from grader.demo.run import nbgrader_api, require_success
 from grader.grading import grade
-from grader.scoring import causes
-from newton_euler.answers.forms import WORDS
 
 CHAPTERS = "ch02", "ch03", "ch04", "ch05", "ch06", "ch07", "ch08", "ch09", "appA"
 
@@ -22,7 +20,7 @@ def wrong_answers(p, values, name):
     right = p.solve({**p.sympy_symbols(), **values})
     wrong = p.wrong({**p.sympy_symbols(), **values})[name]
     # a mistake in a word may give the right one
-    wrong = {k: x for k, x in wrong.items() if p.answer(k).kind not in WORDS or x != right[k]}
+    wrong = {k: x for k, x in wrong.items() if not p.answer(k).kind.is_word or x != right[k]}
     literals = {key: sample.literal(p.answer(key), x) for key, x in wrong.items()}
     return sample.right_answers(p, values) | literals, set(wrong)
 
@@ -74,7 +72,7 @@ def test_each_mistake_of_a_chapter_is_graded_and_named(chapter, tmp_path):
                     follows = "follows from your" in part.message
                     assert part.verdict == "wrong", where
                     assert part.points == 0 or follows, where
-                    told = causes(part.diagnosis)
+                    told = [cause.text for cause in part.causes]
                     named += p.mistakes[name] in told or follows
                     if told and p.mistakes[name] not in told and not follows:
                         wrong.append(where)

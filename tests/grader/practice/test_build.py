@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from exercises.catalogue import problem, select
-from grader.practice import Left, PracticeError, graded_numbers, write_practice
+from grader.practice import LeftOut, PracticeError, graded_numbers, write_practice
 from grader.practice.build import page_of
 from grader.practice.quantities import quantities, wrong_numbers
 from grader.practice.twins import sets_of_numbers
@@ -39,9 +39,9 @@ def test_graded_numbers_are_not_practised():
 def test_what_is_the_same_for_everybody_is_left_out_where_it_is_graded(name):
     """In a course a problem without numbers of one's own would tell its answer."""
     found = page_of(name, 3, "solution", [], draw=lambda p, v: None)
-    assert isinstance(found, Left)
-    assert "would tell a graded answer" in found.why
-    assert not isinstance(page_of(name, 3, "solution", draw=lambda p, v: None), Left)
+    assert isinstance(found, LeftOut)
+    assert "would give away a graded answer" in found.why
+    assert not isinstance(page_of(name, 3, "solution", draw=lambda p, v: None), LeftOut)
 
 
 def test_a_problem_in_symbols_tells_no_formula():

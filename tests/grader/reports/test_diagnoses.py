@@ -7,6 +7,7 @@ import pytest
 from exercises.catalogue import problem
 from grader.reports import diagnoses as module
 from grader.reports import diagnosis_shares
+from newton_euler.answers import Cause
 from tests.grader.courses import command, ran
 
 
@@ -32,7 +33,8 @@ def test_a_mistake_told_as_another_is_misnamed_and_one_taken_for_right_fails(mon
     def otherwise(*arguments):
         score = original(*arguments)
         for part in score.parts:
-            object.__setattr__(part, "diagnosis", "another" if part.diagnosis else None)
+            other = (Cause("listed", "another", ""),) if part.causes else ()
+            object.__setattr__(part, "causes", other)
         return score
 
     monkeypatch.setattr(module, "score_receipt", otherwise)

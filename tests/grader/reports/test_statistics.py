@@ -5,6 +5,9 @@ import csv
 import pytest
 
 from grader.reports import part_statistics
+from grader.reports.records import Entry
+from grader.reports.statistics import mistake_counts
+from newton_euler.answers import Cause
 from tests.grader.courses import command, ran
 from tests.grader.reports.results import MISTAKE, PARTS, graded_course
 
@@ -22,7 +25,32 @@ def test_a_part_that_the_strong_can_do_discriminates_and_one_that_nobody_can_do_
     nobody = parts["4/16", "a_D"]
     assert (nobody.difficulty, nobody.discrimination) == (0, None)
     assert nobody.verdicts == {"wrong": 20}
-    assert nobody.mistakes == {MISTAKE: 10}
+    assert nobody.mistakes == [(MISTAKE, 10)]
+
+
+def test_a_mistake_whose_words_or_order_changed_is_counted_as_one_and_two_of_one_text_as_two():
+    def entry(diagnosis, *causes):
+        causes = tuple(Cause("listed", *c) for c in causes)
+        return Entry("ann", "4/1", "v", 0.0, 1.0, "wrong", "", diagnosis, causes)
+
+    old, new = ("sign", "old words"), ("sign", "new words")
+    other, twin = ("axis", "the axis"), ("frame", "the axis")
+    found = [
+        entry("old words", old),
+        entry("new words; or one that the axis", new, other),
+        entry("new words", new),
+        entry("the axis; or one that old words", other, old),
+        entry("the axis", other),
+        entry("the axis", twin),
+        entry("kept by an older version"),
+    ]
+    assert mistake_counts(found) == [
+        ("new words", 2),
+        ("the axis; or one that old words", 2),
+        ("the axis", 1),
+        ("the axis", 1),
+        ("kept by an older version", 1),
+    ]
 
 
 def test_the_correlation_leaves_the_part_itself_out(tmp_path):

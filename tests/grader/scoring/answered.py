@@ -3,7 +3,6 @@
 from exercises.catalogue import problems
 from exercises.catalogue.variants import draw
 from grader.scoring.score import score_receipt
-from newton_euler.answers.forms import Form
 from newton_euler.answers.receipts import record
 
 CH04 = problems("ch04")
@@ -12,7 +11,7 @@ VALUES = {p.id: draw(p, b"tests of score") for p in CH04}
 
 def trees(p, answers):
     """Answers as a receipt holds them."""
-    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
+    forms = {a.key: a.form for a in p.answers}
     found, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
     assert not faults, faults
     return found
@@ -21,6 +20,11 @@ def trees(p, answers):
 def key(p):
     """The right answers for the student's numbers."""
     return trees(p, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))
+
+
+def texts(part):
+    """The words of each cause that a part names."""
+    return [cause.text for cause in part.causes]
 
 
 def judged(p, answers, values=None):

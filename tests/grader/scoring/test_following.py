@@ -12,7 +12,6 @@ from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.variants import distance, draw
 from grader.scoring import ScoreError, score_receipt
 from grader.scoring.numbers import numbers_of
-from newton_euler.answers.forms import WORDS
 
 FOLLOWING = [(p, key) for p in select(["all"]) for key in earlier_answers(p)]
 ROBOT = problem("4/3")  # the acceleration of P, and its magnitude
@@ -135,9 +134,9 @@ def other(p, key, numbers, right, factor):
     is none, or nearly the right one.
     """
     first = next(iter(right))
-    if p.answer(first).kind == "choice":
+    if p.answer(first).kind.name == "choice":
         wrong = tuple(next(w for w in p.answer(first).of if w != x) for x in right[first])
-    elif p.answer(first).kind == "count":
+    elif p.answer(first).kind.name == "count":
         wrong = tuple(x + 1 for x in right[first])
     else:  # another direction, too
         wrong = tuple(x * factor ** (n + 1) or 1.0 for n, x in enumerate(right[first]))
@@ -146,7 +145,7 @@ def other(p, key, numbers, right, factor):
             later = follow(p, key, numbers.sample, {**right, first: wrong})
         except (ArithmeticError, ValueError):
             return None
-    if p.answer(key).kind in WORDS:
+    if p.answer(key).kind.is_word:
         return (wrong, later) if (later,) != numbers.key[key] else None
     later = tuple(x if isinstance(x, int) else float(x) for x in later)
     if not all(map(np.isfinite, later)):

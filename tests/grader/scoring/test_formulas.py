@@ -6,7 +6,7 @@ from exercises.catalogue import problem
 from exercises.catalogue.variants import POINTS
 from grader.scoring import score_receipt
 from grader.scoring.numbers import Numbers, numbers_of
-from newton_euler.answers.tolerance import is_right
+from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.trees import NODES
 from tests.grader.scoring.answered import judged
 
@@ -66,9 +66,9 @@ def test_a_formula_is_compared_at_the_same_points_for_everyone():
 
 def test_a_formula_that_agrees_at_all_but_one_point_is_wrong():
     right = numbers_of(problem("4/2"), {}).key["speed"]
-    assert is_right("expression", right, right, 1e-6)
+    assert KINDS["expression"].is_right(right, right, 1e-6)
     other = (*right[:-1], (1.01 * right[-1][0],))
-    assert not is_right("expression", other, right, 1e-6)
+    assert not KINDS["expression"].is_right(other, right, 1e-6)
 
 
 def test_an_imaginary_part_is_not_dropped():

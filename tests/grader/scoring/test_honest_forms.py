@@ -8,7 +8,6 @@ import sympy
 from exercises.catalogue import problems
 from exercises.catalogue.variants import draw, evaluate
 from grader.scoring import score_receipt
-from newton_euler.answers.forms import Form
 from newton_euler.answers.receipts import record
 
 from .honest_forms import FORMULAS, NUMBERS, VECTORS, VECTORS_OF_FORMULAS
@@ -23,7 +22,8 @@ KINDS = {
     "vector_expression": VECTORS_OF_FORMULAS,
 }
 ASKED = {
-    kind: [(p, a) for p in problems("ch04") for a in p.answers if a.kind == kind] for kind in KINDS
+    kind: [(p, a) for p in problems("ch04") for a in p.answers if a.kind.name == kind]
+    for kind in KINDS
 }
 EVERY = [(kind, name, p, a) for kind in KINDS for name in KINDS[kind] for p, a in ASKED[kind]]
 VALUES = {p.id: draw(p, b"honest forms") for p in problems("ch04")}
@@ -44,9 +44,7 @@ def in_form(kind, name, p, a):
 def verdict(kind, name, p, a):
     """ "right", or what is said."""
     units = {n: s.unit for n, s in p.symbols.items()}
-    answers, faults = record(
-        {a.key: Form(a.kind, a.unit)}, units, {a.key: in_form(kind, name, p, a)}
-    )
+    answers, faults = record({a.key: a.form}, units, {a.key: in_form(kind, name, p, a)})
     receipt = {"answers": answers, "faults": faults}
     part = next(x for x in score_receipt(p, VALUES[p.id], receipt).parts if x.key == a.key)
     return part.message if part.points == 1 else f"{part.verdict}: {part.message}"

@@ -28,8 +28,8 @@ def test_the_traced_numbers_are_those_of_the_problems_code(p):
             np.broadcast_to(np.asarray(y, float), rows(found.key[key])[0].shape) for y in flat(x)
         ]
         assert np.allclose(rows(found.key[key]), parts, rtol=1e-12, atol=1e-12)
-    for key, group, text, x in wrong_models(p, found.sample):
-        same = [y for g, t, y in found.wrong(key) if (g, t) == (group, text)]
+    for key, cause, x in wrong_models(p, found.sample):
+        same = [y for c, y in found.wrong(key) if c == cause]
         parts = [np.broadcast_to(np.asarray(y, float), rows(same[0])[0].shape) for y in flat(x)]
         size = np.abs(parts).max()
         assert any(np.allclose(rows(y), parts, rtol=1e-9, atol=1e-9 * size) for y in same)
@@ -85,7 +85,7 @@ def test_a_wrong_model_without_a_value_stops_no_grading(monkeypatch):
     try:
         parts = score_receipt(p, p.book_values, {"answers": {"v_0": [1.0, 2.0]}}).parts
         assert parts[0].verdict == "wrong"
-        wrong = {text: x for _, text, x in numbers_of(p, p.book_values).wrong("v_0")}
+        wrong = {c.text: x for c, x in numbers_of(p, p.book_values).wrong("v_0")}
         assert math.isnan(wrong[p.mistakes["no_2"]][0][0])
         monkeypatch.setattr(numbers, "wrong_models", lambda *_: sqrt(-1.0))
         numbers._traced_wrong.cache_clear()
@@ -98,11 +98,11 @@ def test_a_wrong_formula_without_symbols_has_all_points(monkeypatch):
     """As a zero vector: it is compared at every point. A problem with words is not traced."""
     p = problem("9/1")
     listed, name = p.code.mistakes, next(iter(p.mistakes))
-    key = next(a.key for a in p.answers if a.kind == "vector_expression")
+    key = next(a.key for a in p.answers if a.kind.name == "vector_expression")
 
     def nothing(g):
         return {**listed(g), name: {key: p.code.solve(g)[key].frame.vector(0, 0, 0)}}
 
     monkeypatch.setattr(p.code, "mistakes", nothing)
     found = Numbers(p, p.book_values).wrong(key)
-    assert {len(x) for _, _, x in found} == {POINTS}
+    assert {len(x) for _, x in found} == {POINTS}

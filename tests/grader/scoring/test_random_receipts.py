@@ -10,7 +10,6 @@ import pytest
 from exercises.catalogue import problems
 from exercises.catalogue.variants import draw, evaluate, symbol_values
 from grader.scoring import score_receipt
-from newton_euler.answers.forms import Form
 from newton_euler.answers.receipts import record
 from newton_euler.answers.trees import evaluate as tree_value
 
@@ -22,7 +21,7 @@ LONGEST = 0.05  # seconds of the scorer's own time for one receipt
 
 
 def right_trees(p):
-    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
+    forms = {a.key: a.form for a in p.answers}
     units = {n: s.unit for n, s in p.symbols.items()}
     return record(forms, units, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))[0]
 
@@ -79,7 +78,7 @@ def test_random_receipts_earn_nothing_unless_right_and_raise_nothing():
 def warm_up():
     """Trace the key and the wrong models of every problem, which is done once."""
     for p in CH04:
-        zeros = {a.key: [0.0] * 3 if a.kind.startswith("vector") else 0.5 for a in p.answers}
+        zeros = {a.key: [0.0] * 3 if a.kind.is_vector else 0.5 for a in p.answers}
         score_receipt(p, VALUES[p.id], {"answers": zeros})
 
 

@@ -14,8 +14,9 @@ from exercises.catalogue.variants import evaluate
 from grader.scoring import score
 from grader.scoring.numbers import numbers_of
 from grader.scoring.score import Score, score_receipt
+from newton_euler.answers.causes import listed
 from newton_euler.answers.forms import Form
-from newton_euler.answers.reading import read
+from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.tolerance import RTOL
 from tests.grader.scoring.answered import CH04, VALUES, judged, key, trees
 
@@ -110,8 +111,8 @@ class Steady:
     id, givens, symbols, book_values = "77/1", {}, {}, {}
     code = types.SimpleNamespace()
     answers = (
-        Answer("state", "choice", "1", "", ("stable", "unstable")),
-        Answer("freedom", "count", "1", ""),
+        Answer("state", KINDS["choice"], "1", "", ("stable", "unstable")),
+        Answer("freedom", KINDS["count"], "1", ""),
     )
 
 
@@ -120,6 +121,7 @@ def known_words(wrong=()):
     key = {"state": (("stable",),), "freedom": ((3,),)}
     return types.SimpleNamespace(
         key=key,
+        symbols={},
         book={},
         answers=Steady.answers,
         earlier={},
@@ -146,9 +148,13 @@ def test_counts_and_words_have_one_way_to_be_right(monkeypatch, state, freedom, 
 
 def test_a_listed_wrong_word_or_count_is_told_and_another_is_not(monkeypatch):
     wrong = [
-        ("state", "listed", "takes the sign of the stiffness the other way", (("unstable",),)),
-        ("freedom", "listed", "counts the pin as rigid", ((2,),)),
-        ("freedom", "listed", "forgets that the rod turns about itself", ((2,),)),
+        (
+            "state",
+            listed("sign", "takes the sign of the stiffness the other way"),
+            (("unstable",),),
+        ),
+        ("freedom", listed("pin", "counts the pin as rigid"), ((2,),)),
+        ("freedom", listed("rod", "forgets that the rod turns about itself"), ((2,),)),
     ]
     monkeypatch.setattr(score, "numbers_of", lambda problem, values: known_words(wrong))
 
@@ -329,7 +335,7 @@ def test_score_never_raises_on_formulas_and_gives_points_only_to_right_ones(tree
             "d": np.array([1.31]),
             "tilt": np.array([0.41]),
         }
-        (found,) = read(Form.read("expression, m/s"), tree, sample, [1000])
+        (found,) = KINDS["expression"].readings(tree, Form.read("expression, m/s"), sample, [1000])
         assert found[0] == pytest.approx(evaluate(problem("4/2"), sample)[0]["speed"][0], rel=1e-3)
 
 

@@ -9,7 +9,6 @@ import pytest
 from exercises.catalogue import problem
 from exercises.catalogue.variants import draw
 from grader.scoring import ScoreError, score_receipt
-from newton_euler.answers.forms import Form
 from newton_euler.answers.receipts import record
 
 ELBOW = problem("4/16")  # alpha_CD, v_D, a_D
@@ -17,7 +16,7 @@ VALUES = draw(ELBOW, b"tests of sheet")
 
 
 def key(p=ELBOW, values=VALUES):
-    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
+    forms = {a.key: a.form for a in p.answers}
     units = {n: s.unit for n, s in p.symbols.items()}
     return record(forms, units, p.solve({**p.sympy_symbols(), **values}))[0]
 

@@ -7,7 +7,7 @@ import pytest
 from exercises.catalogue import variants
 from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
-from newton_euler.answers.diagnosis import OR
+from newton_euler.answers.causes import OR
 from tests.exercises.kinds.thrown import (
     DOF,
     SENSE,

@@ -11,9 +11,8 @@ from exercises.catalogue import problems
 from exercises.catalogue.variants import draw, evaluate
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
-from newton_euler.answers.forms import Form
 from newton_euler.answers.receipts import record
-from newton_euler.answers.tolerance import NOISE, is_right
+from newton_euler.answers.tolerance import NOISE
 
 DRAWS = 50
 NUMERIC = [p for p in problems("ch04") if not p.symbolic]
@@ -36,12 +35,12 @@ def with_component(vector, n, x):
 
 def perturbed(kind, right):
     """(perturbation, wrong answer) of a right answer: numbers, or trees."""
-    vector = right if kind.startswith("vector") else [right]
+    vector = right if kind.is_vector else [right]
     sizes = [abs(x) if isinstance(x, float) else 0.0 if x == 0 else 1.0 for x in vector]
     for n, x in enumerate(vector):
         if sizes[n] <= NOISE * max(sizes):
             continue
-        if kind.endswith("expression"):
+        if kind.is_formula:
             yield "1.0001 times", with_component(vector, n, ["*", 1.0001, x])
             yield "turned", with_component(vector, n, ["*", -1, x])
         else:
@@ -50,12 +49,12 @@ def perturbed(kind, right):
         yield "dropped", with_component(vector, n, 0.0)
     for a, b in itertools.combinations(range(len(vector)), 2):
         swapped = with_component(with_component(vector, a, vector[b]), b, vector[a])
-        if kind == "vector" and abs(vector[a] - vector[b]) > 0.01 * max(sizes):
+        if kind.name == "vector" and abs(vector[a] - vector[b]) > 0.01 * max(sizes):
             yield "swapped", swapped
 
 
 def right_answers(p, values):
-    forms = {a.key: Form(a.kind, a.unit) for a in p.answers}
+    forms = {a.key: a.form for a in p.answers}
     units = {n: s.unit for n, s in p.symbols.items()}
     return record(forms, units, p.solve({**p.sympy_symbols(), **values}))[0]
 
@@ -66,7 +65,7 @@ def passed(p, values, right):
     for a in p.answers:
         for name, wrong in perturbed(a.kind, right[a.key]):
             COUNTED[p.id, name] += 1
-            tree = wrong if a.kind.startswith("vector") else wrong[0]
+            tree = wrong if a.kind.is_vector else wrong[0]
             score = score_receipt(p, values, {"answers": {a.key: tree}})
             if score.points:
                 missed.append((name, a.key, values))
@@ -80,7 +79,7 @@ def test_no_perturbed_number_or_vector_passes(p):
         right = evaluate(p, values)[0]
         numbers = {a.key: [float(x) for x in right[a.key]] for a in p.answers}
         one = {
-            a.key: x if a.kind == "vector" else x[0]
+            a.key: x if a.kind.name == "vector" else x[0]
             for a, x in zip(p.answers, numbers.values(), strict=True)
         }
         assert passed(p, values, one) == []
@@ -102,13 +101,13 @@ def test_the_books_answers_are_told_and_earn_nothing(p):
         for a, part in zip(
             p.answers, score_receipt(p, values, {"answers": answers}).parts, strict=True
         ):
-            if not is_right(a.kind, book[a.key], own[a.key], a.atol):
+            if not a.kind.is_right(book[a.key], own[a.key], a.atol):
                 assert part.points == 0
                 assert "the answer for the book's numbers; yours are others" in part.message
 
 
 def _tree(a, points):
-    return list(points[0]) if a.kind == "vector" else points[0][0]
+    return list(points[0]) if a.kind.name == "vector" else points[0][0]
 
 
 @pytest.mark.parametrize(
@@ -122,7 +121,7 @@ def test_a_neighbours_answers_hardly_ever_pass(p):
     pairs = list(itertools.permutations(keys, 2))
     hits = Counter()
     for own, others in pairs:
-        found = [is_right(a.kind, others[a.key], own[a.key], a.atol) for a in p.answers]
+        found = [a.kind.is_right(others[a.key], own[a.key], a.atol) for a in p.answers]
         hits.update(a.key for a, hit in zip(p.answers, found, strict=True) if hit)
         hits["whole problem"] += all(found)
     print(f"{p.id}: of {len(pairs)} pairs, {dict(hits)} agree")

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.seals import opens, seal
 from newton_euler.classroom import expect, given, receipt
 
@@ -33,27 +34,29 @@ VECTOR = [-7.482459, -7.38, 2e-17]
     ],
 )
 def test_a_seal_opens_for_the_right_answer_only(kind, right, tree, is_right):
-    sealed = json.loads(json.dumps(seal(kind, right)))
-    assert opens(sealed, kind, tree) is is_right
+    sealed = json.loads(json.dumps(seal(KINDS[kind], right)))
+    assert opens(sealed, KINDS[kind], tree) is is_right
 
 
 def test_a_formula_is_compared_at_a_point_of_its_symbols():
     at = {"r": 0.7, "w": 1.3}
-    sealed = seal("expression", [0.7 * 1.3**2], at)
-    assert opens(sealed, "expression", ["*", "r", ["^", "w", 2]])
-    assert not opens(sealed, "expression", ["*", 1.0001, "r", ["^", "w", 2]])
-    assert not opens(sealed, "expression", ["*", "r", "w"])
+    sealed = seal(KINDS["expression"], [0.7 * 1.3**2], at)
+    assert opens(sealed, KINDS["expression"], ["*", "r", ["^", "w", 2]])
+    assert not opens(sealed, KINDS["expression"], ["*", 1.0001, "r", ["^", "w", 2]])
+    assert not opens(sealed, KINDS["expression"], ["*", "r", "w"])
 
 
 def test_equal_answers_have_unlike_seals_and_the_number_is_not_in_it():
-    one, other = seal("number", [2.5]), seal("number", [2.5])
+    one, other = seal(KINDS["number"], [2.5]), seal(KINDS["number"], [2.5])
     assert one["hashes"] != other["hashes"]
     assert "2.5" not in json.dumps(one)
 
 
 def test_a_receipt_says_it_only_where_a_seal_is(monkeypatch):
     expect("0/8", v="number, m/s", n="count")
-    given("0/8", omega=2.0, sealed={"v": seal("number", [2.5]), "n": seal("count", 3)})
+    given(
+        "0/8", omega=2.0, sealed={"v": seal(KINDS["number"], [2.5]), "n": seal(KINDS["count"], 3)}
+    )
     assert "v is right; n is not right." in repr(receipt("0/8", v=2.5, n=4))
     monkeypatch.setenv("NBGRADER_EXECUTION", "cage")  # grading does without
     assert "right" not in repr(receipt("0/8", v=2.5, n=4))

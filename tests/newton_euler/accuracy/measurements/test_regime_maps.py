@@ -80,6 +80,7 @@ def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_
     assert far[1] in (maps.DOP853, maps.TAYLOR)
 
 
+@pytest.mark.benchmark
 def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
     pytest.importorskip("heyoka")
     compiling = maps.compile_time()

@@ -8,20 +8,6 @@ from newton_euler.classroom import PracticeFileError, practice
 from newton_euler.classroom.practising.progress import Progress, mastery
 
 
-def test_first_goes_and_help_are_counted_and_found_again(practice_file, tmp_path):
-    kept = tmp_path / "own.json"
-    p = practice(practice_file, progress=kept)["4/16"]
-    p.check(alpha_CD=[0, -0.27, 0])
-    p.check(v_D=[1, 2, 3])
-    p.check(v_D=[-9.6, 6.235383, -3.6])
-    p.next_step()
-    again = practice(practice_file, progress=kept)
-    counts = again._progress.counts("4/16")
-    assert counts == {"tried": 2, "right": 2, "at first go": 1, "with help": 1}
-    row = next(line for line in repr(again).splitlines() if line.startswith("4/16"))
-    assert row.split()[-4:] == ["2", "2", "1", "1"]
-
-
 def test_tries_after_the_right_one_change_nothing():
     kept = Progress(None)
     for right in (False, True, False, True):
@@ -72,8 +58,8 @@ def test_mastery_needs_enough_right_at_first_go():
     ("content", "words"),
     [
         (None, "there is no practice file"),
-        (b"", "is no practice file"),
-        (b"text", "is no practice"),
+        (b"", "is not a practice file"),
+        (b"text", "is not a practice"),
     ],
 )
 def test_a_file_that_is_no_practice_file_is_told(tmp_path, content, words):
@@ -82,8 +68,3 @@ def test_a_file_that_is_no_practice_file_is_told(tmp_path, content, words):
         path.write_bytes(content)
     with pytest.raises(PracticeFileError, match=words):
         practice(path)
-
-
-def test_a_problem_that_is_not_there_is_told_with_those_that_are(practice_file):
-    with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
-        practice(practice_file, progress=None)["9/9"]

@@ -6,7 +6,7 @@ from itertools import pairwise
 import pytest
 
 from exercises.catalogue import problem
-from newton_euler.classroom import AnswerError, practice
+from newton_euler.classroom import AnswerError, PracticeFileError, practice
 
 BOOK = {
     "alpha_CD": [0, -0.27, 0],
@@ -159,3 +159,22 @@ def test_a_problem_in_symbols_is_asked_with_numbers(practice_file):
     speed = math.hypot(nu, d * w * math.sin(tilt))
     assert p.check(speed=speed).text == "speed: right"
     assert "sqrt" not in p.solution().text
+
+
+def test_first_goes_and_help_are_counted_and_found_again(practice_file, tmp_path):
+    kept = tmp_path / "own.json"
+    p = practice(practice_file, progress=kept)["4/16"]
+    p.check(alpha_CD=[0, -0.27, 0])
+    p.check(v_D=[1, 2, 3])
+    p.check(v_D=[-9.6, 6.235383, -3.6])
+    p.next_step()
+    again = practice(practice_file, progress=kept)
+    counts = again._progress.counts("4/16")
+    assert counts == {"tried": 2, "right": 2, "at first go": 1, "with help": 1}
+    row = next(line for line in repr(again).splitlines() if line.startswith("4/16"))
+    assert row.split()[-4:] == ["2", "2", "1", "1"]
+
+
+def test_a_problem_that_is_not_there_is_told_with_those_that_are(practice_file):
+    with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
+        practice(practice_file, progress=None)["9/9"]

@@ -36,5 +36,5 @@ def test_without_a_file_that_has_it_try_problem_says_where_to_get_one(
 
 def test_a_broken_practice_file_is_told_apart_from_none(tmp_path):
     (tmp_path / "ch04.practice").write_text("nothing")
-    with pytest.raises(PracticeFileError, match="no practice file"):
+    with pytest.raises(PracticeFileError, match="not a practice file"):
         try_problem("4/12", tmp_path)

@@ -1,0 +1,159 @@
+"""Why an answer is wrong: causes, each with an identity, and the words in which a student reads
+them. The words complete "it fits a solution that …" and never contain a number of the key.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from .tolerance import NEARLY
+
+OR = "; or one that "  # between causes that give the same numbers
+ORDINALS = ("first", "second", "third")
+
+
+@dataclass(frozen=True)
+class Cause:
+    """A cause of wrong answers. Two are the same if ``group`` and ``name`` are, however they are
+    worded.
+
+    group : listed (a mistake of the problem's own list), term, unit, axes or turned (of another
+        frame), rate, book, factor, slip, both (two listed ones at once), follows (from an earlier
+        answer), seen (a remark, where nothing explains it)
+    name : which one of its group: the name of the mistake, of the term, of the given …
+    text : its words
+    """
+
+    group: str
+    name: str
+    text: str = field(compare=False)
+
+    @property
+    def is_observation(self) -> bool:
+        """True of a remark on an answer that no mistake explains."""
+        return self.group == "seen"
+
+    @property
+    def shows_everywhere(self) -> bool:
+        """True of a mistake that is made once for the whole problem; a term can be left out, and
+        axes confused, in one part alone.
+        """
+        return self.group in ("listed", "unit", "book")
+
+
+def sentence(causes: Iterable[Cause]) -> str | None:
+    """The words of all causes that give the same numbers; None if there are none."""
+    return OR.join(dict.fromkeys(c.text for c in causes)) or None
+
+
+def slip(name: str, text: str) -> Cause:
+    """A slip that is made in any problem."""
+    return Cause("slip", name, text)
+
+
+OPPOSITE = slip("opposite", "has the opposite sign in every component: check the direction")
+OPPOSITE_NUMBER = slip("opposite", "has the opposite sign: check the direction")
+TRANSPOSED = slip("transposed", "writes the transposed matrix: rows for columns")
+OFF_DIAGONAL = slip("off diagonal", "has the opposite sign in every entry off the diagonal")
+BOUNDS = slip("bounds", "has its bounds in the wrong order")
+OTHER_ORDER = slip("order", "has its components in another order")
+AS_SCALARS = slip(
+    "as scalars",
+    "adds the rates of turning as numbers, as if about one axis, instead of as vectors",
+)
+ROUNDED = slip("rounded", "rounds the right answer too far: give three significant figures or more")
+BOOK = Cause("book", "", "takes the numbers of the book instead of yours")
+DIRECTION = Cause("seen", "direction", "its size is right, its direction is not")
+NEAR = Cause(
+    "seen",
+    "near",
+    f"it is within {100 * NEARLY:.0f} % of the right answer: keep more digits, and round at the "
+    "end",
+)
+
+
+def reversed_components(places: Sequence[int]) -> Cause:
+    """Some components have the opposite sign."""
+    plural = "s" if len(places) > 1 else ""
+    text = f"has the opposite sign in its {_ordinals(places)} component{plural}"
+    return slip(f"opposite {_ordinals(places)}", text)
+
+
+def left_out_component(place: int) -> Cause:
+    """One component is zero."""
+    return slip(f"without {ORDINALS[place]}", f"leaves out its {ORDINALS[place]} component")
+
+
+def exchanged_components(places: Sequence[int]) -> Cause:
+    """Two components stand in each other's place, or all three in another order."""
+    if len(places) > 2:
+        return OTHER_ORDER
+    named = _ordinals(places)
+    return slip(f"exchanged {named}", f"exchanges its {named} components")
+
+
+def _ordinals(places: Sequence[int]) -> str:
+    return " and ".join(ORDINALS[n] for n in places)
+
+
+def multiplied(what: str, factor: float, large: bool) -> Cause:
+    """The answer is off by the factor between two units, or by 2."""
+    how = "large" if large else "small"
+    return Cause("factor", f"{what} {how}", f"is {factor:.4g} times too {how} ({what})")
+
+
+def both(first: Cause, second: Cause) -> Cause:
+    """Two listed mistakes made together."""
+    return Cause("both", f"{first.name} + {second.name}", f"{first.text}, and also {second.text}")
+
+
+def follows(names: Sequence[str]) -> Cause:
+    """The answer is right given the student's own wrong earlier ones."""
+    return Cause("follows", " ".join(names), f"follows from a wrong {' and '.join(names)}")
+
+
+def listed(name: str, text: str) -> Cause:
+    """A mistake of the problem's own list."""
+    return Cause("listed", name, text)
+
+
+def term_left_out(name: str, words: str) -> Cause:
+    """A named term of a sum is missing."""
+    return Cause("term", f"{name} x 0", f"leaves out {words}")
+
+
+def term_reversed(name: str, words: str) -> Cause:
+    """A named term of a sum has the opposite sign."""
+    return Cause("term", f"{name} x -1", f"has {words} with the opposite sign")
+
+
+CORIOLIS_HALVED = Cause("term", "coriolis / 2", "writes the Coriolis term without the factor 2")
+
+
+def unconverted(given: str, unit: str) -> Cause:
+    """A given in degrees or revolutions is used with its number."""
+    text = f"uses {given} in {unit} as if it were in radians (and seconds)"
+    return Cause("unit", given, text)
+
+
+def other_axes(place: int, frame: str) -> Cause:
+    """The components are those along the axes of another frame, at this place among the frames."""
+    return Cause(
+        "axes",
+        str(place),
+        f"has the right vector, but its components along the axes of {frame}, not those asked for",
+    )
+
+
+def turned_the_wrong_way(place: int, frame: str) -> Cause:
+    """The components are turned by the transposed matrix between another frame and theirs."""
+    return Cause(
+        "turned",
+        str(place),
+        f"turns the components the wrong way between {frame} and the axes asked for (a transposed "
+        "matrix)",
+    )
+
+
+def rate(name: str) -> Cause:
+    """No mistake by itself: one of the rates of turning whose sum an angular velocity is."""
+    return Cause("rate", name, name)

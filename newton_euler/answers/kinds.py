@@ -1,0 +1,453 @@
+"""The kinds of answers: one class each, found by its name in :data:`KINDS`.
+
+A kind says how an answer is read, compared with the key, worded, typeset, drawn with other numbers
+and hinted at. Everything else asks it, so that a new kind is a class here.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+from ..algebra.errors import NewtonEulerError
+from ..algebra.scalars import clipped, sqrt
+from ..algebra.vectors import Vector
+from . import slips, tolerance
+from .causes import DIRECTION, NEAR, Cause
+from .fit import Fit
+from .messages import Stated
+from .notation import list_symbol, matrix_symbol
+from .reading import Budget, are_one_vector, formulas, numbers
+from .sympy_formulas import read_formula
+from .tolerance import Point, Points, distance, formula_is_near, is_near
+from .trees import TreeError
+from .values import components, read_number
+
+FRAMES = 4  # in which a vector is read: its own, the ground, and two between
+
+
+class Kind:
+    """A kind of answer; what it says here holds for answers that are numbers.
+
+    An answer to be compared is a tuple of points, and a point a tuple of components: numbers have
+    one point, formulas one for each place at which they are compared.
+    """
+
+    name: ClassVar[str]
+    words: ClassVar[str]  # for a reader
+    length: ClassVar[int] = 1  # number of components
+    rtol: ClassVar[float] = tolerance.RTOL
+    is_word: ClassVar[bool] = False  # without unit, size and components
+    is_formula: ClassVar[bool] = False  # in the symbols of the problem
+    is_vector: ClassVar[bool] = False  # has components along axes
+    has_size: ClassVar[bool] = True  # which the givens of the problem determine
+    has_options: ClassVar[bool] = False  # its form lists the words to choose from
+    is_met_by_chance: ClassVar[bool] = False  # by wrong models that do not explain it
+    with_numbers: ClassVar[str] = ""  # name of the kind where numbers stand for the symbols
+
+    def __str__(self) -> str:
+        return self.name
+
+    def __repr__(self) -> str:
+        return f"KINDS[{self.name!r}]"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _kind, (self.name,)
+
+    @property
+    def numeric(self) -> "Kind":
+        """The kind that is asked for where numbers stand for the symbols."""
+        return KINDS[self.with_numbers or self.name]
+
+    # -- reading
+
+    def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> Any:
+        """The JSON of an answer that a student computed by any library: a number, a formula tree,
+        or a list of them. Raises :class:`~.messages.AnswerError`.
+
+        symbols : {name: unit} of formulas; budget : the operations that may still be read
+        """
+        return self._read(components(value, form), value, form, symbols, budget)
+
+    def _read(self, parts, value, form, symbols, budget):
+        if len(parts) != self.length:
+            raise form.error(f"got {len(parts)} number{'s' * (len(parts) != 1)}: {clipped(value)}")
+        found = [self._component(x, form, symbols, budget) for x in parts]
+        return found[0] if self.length == 1 else found
+
+    def _component(self, x, form, symbols, budget):
+        return read_number(x, form)
+
+    def parts(self, tree: Any) -> Any:
+        """The components of an answer in JSON."""
+        return tree if self.length > 1 else [tree]
+
+    def readings(
+        self, tree: Any, form: Stated, symbols: Mapping[str, Any], budget: Budget
+    ) -> list[Points]:
+        """What an answer in JSON may mean: several answers of a vector that is given in several
+        frames, none of something that is not of this kind. Raises :class:`~.trees.TreeError`.
+
+        symbols : {name: array of the points at which formulas are compared}
+        """
+        trees = self.parts(tree)
+        if not isinstance(trees, list) or len(trees) != self.length:
+            raise TreeError(f"expected {form.words}")
+        return [self._points(trees, form, symbols, budget)]
+
+    def _points(self, trees, form, symbols, budget):
+        if not all(type(t) in (int, float) for t in trees):
+            raise TreeError(f"expected {form.words}")
+        return numbers(trees)
+
+    # -- comparing
+
+    def is_right(self, given: Points, key: Points, atol: float) -> bool:
+        """True if an answer is near enough to the key; ``atol`` is the absolute tolerance for a key
+        that is zero.
+        """
+        return is_near(given[0], key[0], atol)
+
+    def is_zero(self, points: Points, atol: float) -> bool:
+        """True if an answer is zero up to its absolute tolerance."""
+        return max(math.hypot(*point) for point in points) <= atol
+
+    def like(self, points: Points, others: Points) -> Points:
+        """Of all points that mean the same answer, those nearest to ``others``."""
+        return points
+
+    def sealed(self, point: Point) -> list[Point]:
+        """All points by which a seal may be opened; the first is the one that is sealed."""
+        return [point]
+
+    # -- hints
+
+    def factors(self, unit: str) -> Mapping[str, float]:
+        """{words: factor} of the units that the answer may be in by mistake."""
+        return slips.factors(unit)
+
+    def slips(self, fit: Fit) -> slips.Models:
+        """The key with components turned, exchanged or left out: [(cause, points)]."""
+        return iter(())
+
+    def observed(self, given: Points, key: Points) -> Cause | None:
+        """A remark on a wrong answer that no mistake explains, or None."""
+        size = math.hypot(*key[0])
+        return NEAR if size and math.dist(given[0], key[0]) <= tolerance.NEARLY * size else None
+
+    # -- other numbers
+
+    def unfit(self, points: Points) -> str | None:
+        """Why a key is a bad one, as the end of a sentence, or None: it is not finite, or has a
+        component that could be left out.
+        """
+        for x in points:
+            if not all(map(math.isfinite, x)):
+                return f"= {x}"
+            whole = math.hypot(*x)
+            for share in (abs(part) / whole for part in x if whole):
+                if tolerance.NOISE < share < tolerance.COMPONENT:
+                    return f"with a component of {share:.1e} of the whole"
+        return None
+
+    def change(self, moved: Points, points: Points) -> float:
+        """How much a key changes, relative to its size, with a change of the givens."""
+        return max(map(distance, self.like(moved, points), points))
+
+    # -- writing
+
+    def nested(self, parts: Sequence[Any]) -> Any:
+        """Components as one value: a number, a list, a list of rows."""
+        return list(parts) if self.length > 1 else parts[0]
+
+    def typeset(self, parts: Sequence[str]) -> str:
+        """Components in LaTeX as one formula."""
+        inside = list_symbol(parts)
+        return inside if self.length == 1 else rf"\left[{inside}\right]"
+
+
+class Number(Kind):
+    """One number with a unit."""
+
+    name = "number"
+    words = "one number"
+    is_met_by_chance = True
+
+
+class VectorKind(Kind):
+    """Three components in the axes that the problem names."""
+
+    name = "vector"
+    words = "a vector, three numbers as in [1.0, 0, -2.5]"
+    length = 3
+    is_vector = True
+
+    def read(self, value, form, symbols, budget):
+        if isinstance(value, Vector) and value.frame.parent is not None:
+            return self._in_frames(value, form, symbols, budget)
+        return super().read(value, form, symbols, budget)
+
+    def _in_frames(self, vector, form, symbols, budget):
+        """The components of a vector in its own frame, in the ground, and in frames between these,
+        {name of the frame: tree}: it is the same vector, and which axes the problem means is not
+        known here.
+        """
+        found, faults = {}, []
+        for frame in _chain(vector.frame):
+            left = budget[0]
+            try:
+                tree = self._read(list(vector.components(frame)), vector, form, symbols, budget)
+            except (NewtonEulerError, ArithmeticError) as error:
+                faults.append(error)
+                budget[0] = left  # what is not read takes nothing from the rest
+                continue
+            if tree not in found.values():
+                found[_distinct(frame.name, found)] = tree
+        if not found:
+            raise faults[0]
+        return found if len(found) > 1 else next(iter(found.values()))
+
+    def readings(self, tree, form, symbols, budget):
+        if not isinstance(tree, dict) or not 0 < len(tree) <= FRAMES:
+            return super().readings(tree, form, symbols, budget)
+        found = [
+            points
+            for part in tree.values()
+            for points in super(VectorKind, self).readings(part, form, symbols, budget)
+        ]
+        if not are_one_vector(*found):
+            raise TreeError("its components in two frames are those of two vectors")
+        return found
+
+    def slips(self, fit):
+        return slips.of_vector(fit)
+
+    def observed(self, given, key):
+        if seen := super().observed(given, key):
+            return seen
+        fit, size = Fit(given, key, self.rtol), math.hypot(*key[0])
+        off = abs(math.hypot(*given[0]) - size)
+        return DIRECTION if size and off <= max(tolerance.SAME_SIZE * size, fit.rounding) else None
+
+
+def _chain(frame):
+    """A frame, its ground, and some of those between."""
+    frames = [frame]
+    while frames[-1].parent is not None:
+        frames.append(frames[-1].parent)
+    return [frames[0], frames[-1], *frames[1:-1]][:FRAMES]
+
+
+def _distinct(name, names):
+    """The name of a frame, made distinct from those of others with the same name."""
+    while name in names:
+        name += "'"
+    return name
+
+
+class Direction(VectorKind):
+    """A line through space, as a principal axis: a vector along it, of any length but zero and of
+    either sense, compared by the angle.
+    """
+
+    name = "direction"
+    words = "a direction, three numbers of any length and either sense, as in [1, 0, -2.5]"
+    has_size = False
+
+    def _read(self, parts, value, form, symbols, budget):
+        found = super()._read(parts, value, form, symbols, budget)
+        if not any(found):
+            raise form.error("got a vector of length zero, which has no direction")
+        return found
+
+    def _points(self, trees, form, symbols, budget):
+        points = super()._points(trees, form, symbols, budget)
+        if not any(points[0]):
+            raise TreeError("a vector of length zero has no direction")
+        return points
+
+    def is_right(self, given, key, atol):
+        return is_near(self.like(given, key)[0], key[0], 0.0)
+
+    def like(self, points, others):
+        return tuple(map(_along, points, others))
+
+    def sealed(self, point):
+        unit = _along(point, (1.0, 0.0, 0.0))
+        return [unit, tuple(-x for x in unit)]
+
+    def factors(self, unit):
+        return {}  # its length says nothing
+
+    def slips(self, fit):
+        yield from slips.of_vector(fit)
+        other_sense = tuple(tuple(-x for x in point) for point in fit.key)
+        yield from slips.exchanged(Fit(fit.given, other_sense, fit.rtol))
+
+    def observed(self, given, key):
+        return Kind.observed(self, given, key)
+
+
+def _along(point, other):
+    """A point on the same line as ``point``, as far from zero as ``other`` and on its side."""
+    length, wanted = (sqrt(sum(x * x for x in p)) for p in (point, other))
+    if not length:
+        return point
+    side = 1 if sum(x * y for x, y in zip(point, other, strict=True)) >= 0 else -1
+    return tuple(side * wanted / length * x for x in point)
+
+
+class Matrix(Kind):
+    """Three rows of three numbers; its components are given row by row."""
+
+    name = "matrix"
+    words = "a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"
+    length = 9
+
+    def slips(self, fit):
+        return slips.of_matrix(fit)
+
+    def nested(self, parts):
+        return [list(parts[n : n + 3]) for n in (0, 3, 6)]
+
+    def typeset(self, parts):
+        return matrix_symbol(self.nested(parts))
+
+
+class Interval(Kind):
+    """A lower and an upper bound, each judged by itself: relative to a wide interval, an error of
+    its lower bound would be small.
+    """
+
+    name = "interval"
+    words = "an interval, two numbers as in [low, high]"
+    length = 2
+
+    def is_right(self, given, key, atol):
+        return all(is_near((x,), (k,), atol) for x, k in zip(given[0], key[0], strict=True))
+
+    def slips(self, fit):
+        return slips.of_interval(fit)
+
+
+class _Formula(Kind):
+    """Formulas in the symbols of the problem, which are exact whatever their values."""
+
+    rtol = tolerance.FORMULA_RTOL
+    is_formula = True
+    has_size = False
+
+    def _component(self, x, form, symbols, budget):
+        return read_formula(x, form, symbols, budget)
+
+    def _points(self, trees, form, symbols, budget):
+        return formulas(trees, symbols, budget)
+
+    def is_right(self, given, key, atol):
+        return formula_is_near(given, key, atol)
+
+    def factors(self, unit):
+        return slips.PURE  # a formula is in no unit
+
+    def observed(self, given, key):
+        return None
+
+    def unfit(self, points):
+        real = sum(math.isfinite(math.hypot(*x)) for x in points)
+        return (
+            None
+            if real >= tolerance.MAJORITY * len(points)
+            else "= nan at most points of its symbols"
+        )
+
+    def change(self, moved, points):
+        return 0.0
+
+
+class Expression(_Formula):
+    """One formula."""
+
+    name = "expression"
+    words = "a formula in the problem's symbols"
+    with_numbers = "number"
+
+
+class VectorExpression(_Formula, VectorKind):
+    """Three formulas, components in the axes that the problem names."""
+
+    name = "vector_expression"
+    words = "a vector of three formulas, as in [r*omega, 0, 0]"
+    with_numbers = "vector"
+
+
+class MatrixExpression(_Formula, Matrix):
+    """Three rows of three formulas."""
+
+    name = "matrix_expression"
+    words = "a 3 x 3 matrix of formulas"
+    with_numbers = "matrix"
+
+
+class _Word(Kind):
+    """An answer that is right or wrong, and nothing between."""
+
+    is_word = True
+    has_size = False
+    python_type: ClassVar[type]
+
+    def readings(self, tree, form, symbols, budget):
+        return [((tree,),)] if type(tree) is self.python_type else []
+
+    def is_right(self, given, key, atol):
+        return given == key
+
+    def is_zero(self, points, atol):
+        return False
+
+    def observed(self, given, key):
+        return None
+
+    def unfit(self, points):
+        return None
+
+    def change(self, moved, points):
+        return 0.0 if moved == points else math.inf
+
+
+class Count(_Word):
+    """A whole number, without a unit."""
+
+    name = "count"
+    words = "a whole number"
+    python_type = int
+
+    def read(self, value, form, symbols, budget):
+        if isinstance(value, bool) or int(value) != value:
+            raise form.error(f"got {value!r}")
+        return int(value)
+
+
+class Choice(_Word):
+    """One of the words that the form lists."""
+
+    name = "choice"
+    words = "one of the words"
+    python_type = str
+    has_options = True
+
+    def read(self, value, form, symbols, budget):
+        if value not in form.of:
+            raise form.error(f"got {str(value)[:80]!r}")
+        return value
+
+
+KINDS: dict[str, Kind] = {
+    kind.name: kind()
+    for kind in (
+        Number, VectorKind, Direction, Matrix, Interval, Count, Choice,
+        Expression, VectorExpression, MatrixExpression,
+    )
+}  # fmt: skip
+
+
+def _kind(name):
+    return KINDS[name]

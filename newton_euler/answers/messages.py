@@ -1,0 +1,43 @@
+"""The error of an answer that cannot be read, and any value as a line of a message."""
+
+import reprlib
+import textwrap
+from typing import Any, Protocol
+
+from ..algebra.errors import NewtonEulerError
+
+
+class AnswerError(NewtonEulerError, ValueError):
+    """An answer that cannot be read. The message has what was expected, what came, what to do."""
+
+    def _render_traceback_(self) -> list[str]:
+        """What IPython shows: the message alone, in lines that nbgrader's Validate does not cut."""
+        lines = f"AnswerError: {self}".splitlines()
+        return [textwrap.fill(line, 70) for line in lines]
+
+
+class Stated(Protocol):
+    """The form in which an answer is asked for, as far as reading needs it: the unit, the words to
+    choose from, and the error of an answer that does not have this form.
+    """
+
+    @property
+    def unit(self) -> str: ...
+    @property
+    def of(self) -> tuple[str, ...]: ...
+    @property
+    def words(self) -> str: ...
+    def error(self, fault: str) -> AnswerError: ...
+
+
+_bounded = reprlib.Repr()
+_bounded.maxstring = _bounded.maxother = 400
+
+
+def one_line(value: Any) -> str:
+    """Any value as one printable line: students control the text of error messages, which are
+    written to files, tables and pages.
+    """
+    text = value[:4000] if isinstance(value, str) else _bounded.repr(value)
+    line = " ".join(text.split())[:400]
+    return "".join(c if c.isprintable() else "\ufffd" for c in line)

@@ -1,0 +1,158 @@
+"""Which wrong model explains a wrong answer: by the identity of causes, not by their words."""
+
+import math
+
+import pytest
+
+from newton_euler.answers.causes import (
+    BOUNDS,
+    NEAR,
+    OFF_DIAGONAL,
+    TRANSPOSED,
+    Cause,
+    both,
+    listed,
+    other_axes,
+    sentence,
+    term_reversed,
+)
+from newton_euler.answers.diagnosis import Answered, Elsewhere, diagnose
+from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.slips import factors
+
+KEY = ((3.0, 4.0, 0.0),)
+MODEL = ((3.0, -4.0, 0.0),)
+TURNS, MIRRORS = listed("turns", "turns y"), listed("mirrors", "mirrors it")
+
+
+def test_all_models_that_give_the_same_numbers_are_named_up_to_three():
+    assert diagnose(MODEL, KEY, [(TURNS, MODEL)]) == (TURNS,)
+    two = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)])
+    assert two == (TURNS, MIRRORS)
+    assert sentence(two) == "turns y; or one that mirrors it"
+    for count, named in ((3, 3), (4, 0)):
+        models = [(listed(f"m{n}", f"model {n}"), MODEL) for n in range(count)]
+        assert len(diagnose(MODEL, KEY, models)) == named
+
+
+def test_causes_are_the_same_by_group_and_name_however_they_are_worded():
+    assert listed("a", "once") == listed("a", "reworded")
+    assert listed("a", "same") != listed("b", "same")
+    assert Cause("term", "a", "same") != listed("a", "same")
+    twice = [(listed("a", "once"), MODEL), (listed("a", "reworded"), MODEL)]
+    assert len(diagnose(MODEL, KEY, twice)) == 1
+    assert sentence(diagnose(MODEL, KEY, twice)) == "once"
+
+
+def test_words_that_contain_the_separator_are_one_cause():
+    odd = listed("odd", "takes x; or one that takes y")
+    assert diagnose(MODEL, KEY, [(odd, MODEL)]) == (odd,)
+
+
+def test_of_two_models_that_are_near_the_one_that_fits_all_digits_is_named():
+    near = [(MIRRORS, ((3.0, -4.01, 0.0),)), (TURNS, MODEL)]
+    assert diagnose(MODEL, KEY, near) == (TURNS,)
+    assert len(diagnose(((3.0, -4.0051, 0.0),), KEY, near)) == 2
+
+
+def test_a_listed_model_is_named_before_a_term_with_the_same_numbers():
+    both_fit = [(term_reversed("y", "the term y"), MODEL), (TURNS, MODEL)]
+    assert diagnose(MODEL, KEY, both_fit) == (TURNS,)
+
+
+def test_a_model_that_is_near_the_key_is_not_named():
+    near = ((3.0, 4.06, 0.0),)
+    assert diagnose(((3.0, 4.05, 0.0),), KEY, [(TURNS, near)]) == ()
+
+
+def test_a_model_is_compared_where_it_has_a_value():
+    key, given = ((1.0,), (2.0,), (3.0,)), ((2.0,), (9.0,), (7.0,))
+    formula = KINDS["expression"]
+    assert diagnose(given, key, [(TURNS, ((2.0,), (math.nan,), (7.0,)))], formula) == (TURNS,)
+    assert diagnose(given, key, [(TURNS, ((math.nan,),) * 3)], formula) == ()
+
+
+def test_of_frames_with_parallel_axes_the_first_is_named():
+    arm, rod = other_axes(1, "the arm"), other_axes(2, "the arm")
+    assert arm != rod  # two frames of one name
+    assert diagnose(MODEL, KEY, [(arm, MODEL), (rod, MODEL)]) == (arm,)
+
+
+def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_same():
+    key, a, b = ((1.0, 2.0, 3.0),), ((1.0, 0.0, 3.0),), ((1.0, 2.0, 0.0),)
+    given = ((1.0, 0.0, 0.0),)
+    A, B, C = (listed(name, name.upper()) for name in "abc")
+    found = diagnose(given, key, [(A, a), (B, b)])
+    assert found == (both(A, B),)
+    assert sentence(found) == "A, and also B"
+    twin = [(A, a), (B, b), (listed("a too", "A too"), a)]
+    assert diagnose(given, key, twin) == ()
+    assert diagnose(given, key, [*twin, (C, given)]) == (C,)
+
+
+INERTIA = ((4.0, -1.0, 0.5, -1.0, 5.0, 2.0, 0.5, 2.0, 6.0),)
+TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
+
+
+@pytest.mark.parametrize(
+    ("kind", "given", "key", "cause"),
+    [
+        ("matrix", ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),), TURN, TRANSPOSED),
+        ("matrix", ((4.0, 1.0, -0.5, 1.0, 5.0, -2.0, -0.5, -2.0, 6.0),), INERTIA, OFF_DIAGONAL),
+        ("interval", ((3.0, 1.0),), ((1.0, 3.0),), BOUNDS),
+    ],
+)
+def test_slips_that_need_no_list_are_named_by_kind(kind, given, key, cause):
+    assert cause in diagnose(given, key, [], KINDS[kind])
+
+
+@pytest.mark.parametrize(
+    ("unit", "there", "absent"),
+    [
+        ("mm/s", "m against mm", "weight against mass (g = 9.81)"),
+        ("rad/s", "revolutions against radians", "m against mm"),
+        ("N", "weight against mass (g = 9.81)", None),
+    ],
+)
+def test_factors_are_those_of_the_unit_of_the_answer(unit, there, absent):
+    assert there in factors(unit)
+    assert absent not in factors(unit)
+    assert factors("kg*m^2")["m against mm"] == 1e6
+    assert list(KINDS["expression"].factors(unit)) == [
+        "a factor of 2",
+        "revolutions against radians",
+    ]
+
+
+def part(right, given, wrong):
+    return Answered(right, KINDS["vector"], given, KEY, wrong)
+
+
+def test_a_cause_that_a_right_part_contradicts_is_not_named():
+    """It would show there; a term can be left out of one part alone."""
+    reworded = listed("turns", "turns y, as they say here")
+    beside = Elsewhere(lambda: [part(True, KEY, [(reworded, MODEL)])])
+    assert diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=beside) == (MIRRORS,)
+    term = term_reversed("y", "the term y")
+    beside = Elsewhere(lambda: [part(True, KEY, [(term, MODEL)])])
+    assert diagnose(MODEL, KEY, [(term, MODEL)], elsewhere=beside) == (term,)
+
+
+def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
+    near = ((3.0, 4.01, 0.0),)
+    beside = Elsewhere(lambda: [part(True, KEY, [(TURNS, near)])])
+    assert diagnose(MODEL, KEY, [(TURNS, MODEL)], elsewhere=beside) == (TURNS,)
+
+
+def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
+    beside = Elsewhere(lambda: [part(False, MODEL, [(listed("mirrors", "reworded"), MODEL)])])
+    models = [(TURNS, MODEL), (MIRRORS, MODEL)]
+    assert diagnose(MODEL, KEY, models, elsewhere=beside) == (MIRRORS,)
+
+
+def test_the_distance_that_is_called_near_is_the_one_of_the_rule():
+    """3 % in the words and in the comparison."""
+    vector = KINDS["vector"]
+    assert "within 3 % of" in NEAR.text
+    assert vector.observed(((3.0 * 1.029, 4.0 * 1.029, 0.0),), KEY) == NEAR
+    assert vector.observed(((3.0 * 1.031, 4.0 * 1.031, 0.0),), KEY) is None

@@ -1,0 +1,151 @@
+"""The kinds of answers, found by name; and of the direction all that it does otherwise."""
+
+import copy
+import math
+import pickle
+
+import pytest
+
+from newton_euler import Frame
+from newton_euler.answers.causes import NEAR, exchanged_components
+from newton_euler.answers.diagnosis import diagnose
+from newton_euler.answers.forms import AnswerError, Form
+from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.seals import opens, seal
+from newton_euler.answers.trees import TreeError
+from newton_euler.classroom import expect, receipt
+
+DIRECTION = KINDS["direction"]
+KEY = ((0.6, 0.0, -0.8),)
+EXAMPLES = {
+    "number": 2.5, "vector": [1.0, 2.0, 3.0], "direction": [0.0, -3.0, 4.0], "count": 3,
+    "matrix": [[1.0, 2, 3], [4, 5, 6], [7, 8, 9]], "interval": [1.0, 2.0], "choice": "stable",
+    "expression": 1.0, "vector_expression": [1.0, 2.0, 3.0],
+    "matrix_expression": [[1.0, 2, 3], [4, 5, 6], [7, 8, 9]],
+}  # fmt: skip
+
+
+def form_of(name):
+    return Form(KINDS[name], "1", ("stable", "unstable") if KINDS[name].has_options else ())
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_every_kind_reads_states_and_compares_its_own_answers(name):
+    form = form_of(name)
+    assert Form.read(str(form)) == form
+    tree = form.kind.read(EXAMPLES[name], form, {}, [100])
+    (key,) = form.kind.readings(tree, form, {}, [100])
+    assert form.kind.is_right(key, key, 1e-9)
+    assert form.kind.unfit(key) is None
+    assert form.kind.change(key, key) == 0
+    assert len(key[0]) == form.kind.length
+    if not form.kind.is_word:
+        assert form.kind.nested(list(key[0])) == EXAMPLES[name]
+        assert form.kind.typeset(["1"] * form.kind.length)
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_kind_is_one_object_also_after_copying(name):
+    assert pickle.loads(pickle.dumps(KINDS[name])) is KINDS[name]
+    assert copy.deepcopy(KINDS[name]) is KINDS[name]
+    assert KINDS[name].numeric.is_formula is False
+
+
+@pytest.mark.parametrize(
+    ("point", "words"),
+    [
+        ((0.0, 1e-17, 3.0), None),
+        ((0.0, 0.04, 3.0), None),
+        ((0.0, 0.02, 3.0), "with a component of 6.7e-03 of the whole"),
+        ((0.0, 0.0, 0.0), None),
+        ((0.0, math.nan, 1.0), "= (0.0, nan, 1.0)"),
+    ],
+)
+def test_a_key_with_a_component_that_could_be_left_out_is_unfit(point, words):
+    assert KINDS["vector"].unfit((point,)) == words
+
+
+def test_a_formula_is_unfit_where_it_is_real_at_fewer_than_half_of_its_points():
+    real, nan = (1.0,), (math.nan,)
+    assert KINDS["expression"].unfit((real, nan)) is None
+    assert "nan at most points" in KINDS["expression"].unfit((real, nan, nan))
+
+
+@pytest.mark.parametrize("text", ["choice", "choice, right wrong", "number: m", "tensor, m"])
+def test_a_form_that_names_no_kind_or_a_choice_without_words_is_refused(text):
+    with pytest.raises(AnswerError):
+        Form.read(text)
+
+
+# -- direction
+
+
+@pytest.mark.parametrize(
+    ("given", "right"),
+    [
+        ((0.6, 0.0, -0.8), True),
+        ((-0.6, 0.0, 0.8), True),
+        ((30.0, 0.0, -40.0), True),
+        ((-3e-9, 0.0, 4e-9), True),
+        ((0.6, 0.0, 0.8), False),
+        ((0.6, 0.0, -0.81), False),
+    ],
+)
+def test_a_direction_has_any_length_and_either_sense(given, right):
+    assert DIRECTION.is_right((given,), KEY, 1e-6) is right
+
+
+@pytest.mark.parametrize(("angle", "right"), [(0.00498, True), (0.00502, False)])
+def test_a_direction_is_compared_by_the_angle(angle, right):
+    c, s = math.cos(angle), math.sin(angle)
+    turned = (0.6 * c + 0.8 * s, 0.0, -0.8 * c + 0.6 * s)  # about y
+    for scale in (1.0, -250.0):
+        assert DIRECTION.is_right((tuple(scale * x for x in turned),), KEY, 1e-6) is right
+
+
+def test_a_direction_of_length_zero_is_refused_in_words():
+    form = Form(DIRECTION)
+    with pytest.raises(AnswerError, match="length zero, which has no direction"):
+        DIRECTION.read([0, 0, 0], form, {}, [100])
+    with pytest.raises(TreeError, match="length zero has no direction"):
+        DIRECTION.readings([0, 0.0, 0], form, {}, [100])
+    assert not DIRECTION.is_right(((0.0, 0.0, 0.0),), KEY, 1e-6)
+
+
+def test_a_direction_is_read_in_every_frame_of_a_vector():
+    ground = Frame("ground")
+    v = ground.rotate("arm", "z", angle=0.5).vector(2.0, 0, 0)
+    expect("0/3", axis="direction")
+    tree = receipt("0/3", axis=v).answers["axis"]
+    assert list(tree) == ["arm", "ground"]
+    key = ((-math.cos(0.5), -math.sin(0.5), 0.0),)
+    readings = DIRECTION.readings(tree, Form(DIRECTION), {}, [100])
+    assert [DIRECTION.is_right(r, key, 1e-6) for r in readings] == [False, True]
+
+
+def test_wrong_directions_are_explained_whatever_their_length_and_sense():
+    swapped = ((-80.0, 0.0, 60.0),)
+    key = DIRECTION.like(KEY, swapped)
+    assert diagnose(swapped, key, [], DIRECTION, DIRECTION.factors("1")) == (
+        exchanged_components((0, 2)),
+    )
+    nearly = ((-0.6, 0.0, 0.81),)
+    assert DIRECTION.observed(nearly, DIRECTION.like(KEY, nearly)) == NEAR
+
+
+def test_other_numbers_move_a_direction_by_the_angle_alone():
+    assert DIRECTION.change(((-1.2, 0.0, 1.6),), KEY) == pytest.approx(0.0, abs=1e-15)
+    assert DIRECTION.change(((-0.8, 0.0, -0.6),), KEY) == pytest.approx(math.sqrt(2))
+
+
+@pytest.mark.parametrize(
+    ("key", "tree", "right"),
+    [
+        (KEY[0], [-6, 0, 8], True),
+        (KEY[0], [0.6, 0, -0.8], True),
+        (KEY[0], [6, 0, 8], False),
+        ((0.0, 3.0, 0.0), [0, -2, 0], True),
+    ],
+)
+def test_the_seal_of_a_direction_opens_for_either_sense(key, tree, right):
+    assert opens(seal(DIRECTION, key), DIRECTION, tree) is right

@@ -1,0 +1,158 @@
+"""Verdicts on a made-up problem: what is right, what follows from earlier answers, what is said."""
+
+import types
+
+import pytest
+
+from newton_euler.answers.causes import BOOK, listed
+from newton_euler.answers.forms import Form
+from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.verdicts import explain, judge, value_line
+
+
+def asked(key, kind, unit="1", of=()):
+    form = Form(KINDS[kind], unit, of)
+    return types.SimpleNamespace(key=key, kind=form.kind, unit=unit, atol=1e-6, form=form)
+
+
+class Fall:
+    """The speed after a fall, its square, and whether it rises; the square follows."""
+
+    answers = (
+        asked("v", "number", "m/s"),
+        asked("square", "number", "m^2/s^2"),
+        asked("sense", "choice", of=("rises", "falls")),
+        asked("bounces", "count"),
+    )
+
+    def __init__(self, wrong=()):
+        self._wrong, self.symbols, self.book = wrong, {}, {}
+        self.key = {
+            "v": ((5.0,),), "square": ((25.0,),), "sense": (("falls",),), "bounces": ((2,),),
+        }  # fmt: skip
+        self.earlier = {"square": ("v",), "sense": ("v",)}
+
+    def wrong(self, key):
+        return [model[1:] for model in self._wrong if model[0] == key]
+
+    def following(self, key, earlier):
+        ((v,),) = earlier["v"]
+        return ((v**2,),) if key == "square" else (("falls" if v > 0 else "rises",),)
+
+
+def verdicts(numbers, answers, faults=None):
+    by_key = {a.key: a for a in numbers.answers}
+    return {
+        key: judge(by_key[key], by_key[key].form, tree, (faults or {}).get(key), numbers, [100])
+        for key, tree in answers.items()
+    }
+
+
+def explained(numbers, key, answers, faults=None):
+    found = verdicts(numbers, answers, faults)
+    return explain(next(a for a in numbers.answers if a.key == key), found, numbers)
+
+
+@pytest.mark.parametrize(
+    ("key", "tree", "verdict"),
+    [
+        ("v", 5.02, "right"),
+        ("v", 5.04, "wrong"),
+        ("v", None, "blank"),
+        ("v", "5", "unreadable"),
+        ("sense", "falls", "right"),
+        ("sense", "rises", "wrong"),
+        ("sense", ["falls"], "wrong"),
+        ("sense", 1, "wrong"),
+        ("bounces", 2, "right"),
+        ("bounces", 2.0, "wrong"),
+        ("bounces", True, "wrong"),
+        ("bounces", "2", "wrong"),
+    ],
+)
+def test_an_answer_is_right_wrong_unreadable_or_blank(key, tree, verdict):
+    assert verdicts(Fall(), {key: tree})[key].verdict == verdict
+
+
+def test_an_answer_in_another_unit_is_converted_before_it_is_compared():
+    v = Fall.answers[0]
+    assert judge(v, Form("number", "mm/s"), 5000.0, None, Fall(), [100], 1e-3).verdict == "right"
+
+
+def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
+    why = explained(Fall(), "square", {"v": 6.0, "square": 36.0})
+    assert why.earlier == ("v",)
+    assert why.message == "not right; it follows from your v"
+    assert why.diagnosis == "follows from a wrong v"
+    word = explained(Fall(), "sense", {"v": -6.0, "sense": "rises"})
+    assert word.earlier == ("v",)
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        {"v": 6.0, "square": 30.0},
+        {"v": 5.0, "square": 36.0},
+        {"square": 36.0},
+        {"v": None, "square": 36.0},
+        {"v": 0.0, "square": 0.0},
+    ],
+)
+def test_what_does_not_follow_is_not_said_to(answers):
+    assert explained(Fall(), "square", answers).earlier == ()
+
+
+class Two(Fall):
+    """The square follows from two answers, of which one may be unreadable."""
+
+    def __init__(self):
+        super().__init__()
+        self.earlier = {"square": ("v", "bounces")}
+
+    def following(self, key, earlier):
+        if None in earlier.values():
+            raise AssertionError("asked what follows from an answer that was not read")
+        return super().following(key, earlier)
+
+
+@pytest.mark.parametrize("bounces", ["text", None])
+def test_nothing_follows_from_an_answer_that_was_not_read(bounces):
+    """Not even where the others are wrong and alone would give it."""
+    assert explained(Two(), "square", {"v": 6.0, "square": 36.0, "bounces": 3}).earlier == (
+        "v",
+    ) + ("bounces",)
+    assert explained(Two(), "square", {"v": 6.0, "square": 36.0, "bounces": bounces}).earlier == ()
+
+
+def test_an_earlier_answer_that_was_not_asked_is_taken_as_right():
+    assert explained(Two(), "square", {"v": 6.0, "square": 36.0}).earlier == ("v",)
+
+
+def test_a_listed_word_is_named_and_another_is_not():
+    pin, rod = listed("pin", "counts the pin as rigid"), listed("rod", "forgets the turning")
+    numbers = Fall([("bounces", pin, ((3,),)), ("bounces", rod, ((3,),))])
+    assert explained(numbers, "bounces", {"bounces": 3}).causes == (pin, rod)
+    assert explained(numbers, "bounces", {"bounces": 4}).causes == ()
+
+
+def test_the_answer_for_the_books_numbers_is_named_and_does_not_follow():
+    numbers = Fall()
+    numbers.book = {"v": ((6.0,),), "square": ((36.0,),)}
+    why = explained(numbers, "square", {"v": 6.0, "square": 36.0})
+    assert (why.causes, why.earlier) == ((BOOK,), ())
+    assert why.message.startswith("not right: this is the answer for the book's numbers")
+
+
+@pytest.mark.parametrize(
+    ("form", "tree", "line"),
+    [
+        ("vector, mm/s", [1.0, 2.5, 0.0], "[1, 2.5, 0] mm/s"),
+        ("vector, mm/s", {"arm": [1, 0, 0], "ground": [0, 1, 0]},
+         "[1, 0, 0] in arm, [0, 1, 0] in ground, mm/s"),
+        ("count", 3, "3"),
+        ("choice: a | b", "a\nb", "a b"),
+    ],
+)  # fmt: skip
+def test_the_value_that_was_read_is_one_line(form, tree, line):
+    assert value_line(Form.read(form), tree, "wrong") == line
+    assert value_line(Form.read(form), tree, "unreadable") == ""

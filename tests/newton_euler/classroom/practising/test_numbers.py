@@ -1,0 +1,55 @@
+"""The numbers of one variant of a practice file, made up by hand."""
+
+import pytest
+
+from newton_euler.answers.causes import Cause
+from newton_euler.answers.kinds import KINDS
+from newton_euler.classroom.practising.numbers import KeptNumbers, Quantity
+
+WORDS = dict.fromkeys(("means", "plain", "section", "equation", "latex", "sum"), "")
+
+
+def quantity(key, kind="number", **more):
+    data = {"key": key, "kind": kind, "unit": "1", "atol": 1e-6, "of": [], "step": True}
+    return Quantity.read(data | WORDS | more)
+
+
+def numbers(right, wrong=(), labels=(), earlier=None, book=None):
+    program = {
+        "operations": [["value", 3.0], ["*", [0], 2.0]],
+        "quantities": {"a": [[0, 1.0]], "b": [[1, 1.0]]},
+        "earlier": earlier or {},
+    }
+    variant = {"right": right, "wrong": list(wrong), "program": program}
+    return KeptNumbers([quantity(key) for key in right], list(labels), variant, book)
+
+
+def test_a_quantity_knows_its_kind_by_name():
+    word = quantity("sense", "choice", of=["up", "down"])
+    assert word.kind is KINDS["choice"]
+    assert str(word.form) == "choice: up | down"
+
+
+def test_right_numbers_are_points_and_wrong_ones_have_their_causes():
+    found = numbers(
+        {"a": [3.0], "n": 2},
+        wrong=[[0, [1.5]], [1, [9.0]]],
+        labels=[["a", "listed", "half", "takes half"], ["gone", "listed", "x", "…"]],
+    )
+    assert found.key == {"a": ((3.0,),), "n": ((2,),)}
+    assert found.wrong("a") == [(Cause("listed", "half", ""), ((1.5,),))]
+    assert found.wrong("n") == []
+
+
+def test_what_follows_is_computed_by_the_kept_program():
+    found = numbers({"a": [3.0], "b": [6.0]}, earlier={"b": ["a"]})
+    assert found.earlier == {"a": [], "b": []}
+    found.tried = {"a"}
+    assert found.earlier == {"a": [], "b": ["a"]}
+    assert found.following("b", {"a": ((5.0,),)}) == ((10.0,),)
+    assert found.following("c", {"a": ((5.0,),)}) is None
+
+
+@pytest.mark.parametrize("book", [None, {"right": {"a": [3.0]}}])
+def test_the_numbers_of_the_book_are_those_of_its_variant(book):
+    assert numbers({"a": [4.0]}, book=book).book == ({"a": ((3.0,),)} if book else {})
