@@ -460,6 +460,14 @@ def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is()
             steady_precession(I0, I, theta, mgr=mgr, **{of: least * (1 - 1e-6)})
 
 
+@pytest.mark.parametrize("of", ["spin", "omega_z"])
+def test_round_off_does_not_refuse_the_least_spin_itself(of):
+    for theta in np.linspace(0.05, 1.5, 30).tolist():
+        least = least_spin(0.6, 0.25, theta, mgr=1.5, of=of)
+        found = steady_precession(0.6, 0.25, theta, mgr=1.5, **{of: least})
+        assert found.slow == pytest.approx(found.fast, rel=1e-6)
+
+
 def test_one_instant_of_many_without_a_precession_is_refused():
     with pytest.raises(GyroError, match="no steady precession is possible"):
         steady_precession(0.6, 0.25, 0.9, spin=np.array([12.0, 0.1]), mgr=1.5)

@@ -266,17 +266,6 @@ def test_a_potential_found_in_symbols():
     assert sympy.expand(V + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
 
 
-def test_a_potential_found_in_symengine():
-    symengine = pytest.importorskip("symengine")
-    k, x = symengine.symbols("k x")
-    assert (
-        sympy.expand(
-            find_potential(lambda x, y, z: (-k * x, 0, 0))(x, 0, 0) - sympy.sympify(k * x**2) / 2
-        )
-        == 0
-    )
-
-
 def test_a_potential_found_differentiates_to_the_force():
     V, P = find_potential(down_hill), Frame("ground").point("P", 2.0, -0.5, 1.5)
     assert close(-gradient(V, P), down_hill(2.0, -0.5, 1.5), 1e-14)

@@ -311,6 +311,9 @@ def test_the_true_error_is_within_the_estimate():
     ):
         U = work_integral(f, 0.0, 1.0, rtol=1e-8)
         assert abs(U.value - true) <= U.error < 1e-6
+        force = lambda x, y, z, f=f: (f(x), f(y), 0)
+        both = work_along(force, lambda q: (q, q, 0), 0.0, 1.0, rtol=1e-8)
+        assert both.error == 2 * U.error
 
 
 @every_kind

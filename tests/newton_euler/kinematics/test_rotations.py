@@ -540,16 +540,6 @@ def test_arrays_are_read_instant_by_instant():
             "entries must have values.*Dimension",
         ),
     ],
-    ids=[
-        "number",
-        "2 x 2",
-        "instants first",
-        "reflection",
-        "stretched",
-        "nan",
-        "symbols",
-        "dimensions",
-    ],
 )
 def test_what_is_no_rotation_is_refused_in_words(matrix, error, words):
     for read in (axis_angle, quaternion_from_matrix, euler_angles):

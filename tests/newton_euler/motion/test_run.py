@@ -15,6 +15,7 @@ from newton_euler.motion.error_estimates import (
     ROUND_OFF_OF_RATES,
     SAFETY,
     SERIES_SAFETY,
+    error_by_comparison,
 )
 from newton_euler.motion.events import Event, EventError
 from newton_euler.motion.methods.base import MAX_STEPS
@@ -68,6 +69,7 @@ def test_the_run_that_another_is_compared_with_starts_a_little_beside():
     coarse = one.compared(method, 1e-4, 1e-7)
     shift = [a / b - 1 for a, b in zip(start_of(coarse), (1.0, 2.0), strict=True)]
     back = ROUND_OFF_OF_RATES / (SAFETY * 1e-3**REGULAR)
+    assert 20 < ROUND_OFF_OF_RATES / 2.0**-52 < 30
     assert shift == pytest.approx([back, -back], rel=1e-2, abs=3e-16)
     assert coarse.calls == one.calls > 0
     fine = one.compared(method, 1e-9, 1e-7)
@@ -149,6 +151,28 @@ def test_the_tolerance_is_refined_until_the_error_is_small_enough(method, rtol, 
     assert len(one.others) == compared
     assert motion.error <= rtol
     assert max(abs(x - y) for x, y in zip(motion.end.values(), PERIAPSIS, strict=True)) < rtol
+
+
+@pytest.mark.parametrize(
+    ("rtol", "t1", "least", "most"),
+    [(1e-6, 6 * math.pi, 0.0, 0.1), (1e-3, 400 * math.pi, 1e-3, 1e-3)],
+)
+def test_the_next_tolerance_aims_at_half_of_the_rtol_within_limits(rtol, t1, least, most):
+    """After 200 turns the first runs are so far apart that the limit decides."""
+    method, one = METHODS["dop853"], run(ORBIT, t1, PERIAPSIS, rtol)
+    tolerance = min(rtol / method.tolerance_ratio, method.max_tolerance)
+    before = one.compared(method, method.other(tolerance), tolerance)
+    error = error_by_comparison(before, one.trajectory(method, tolerance, before.sizes()), method)
+    first, second = recorded("dop853", rtol, t1=t1)[0].fine[:2]
+    assert first == tolerance
+    assert second / first == pytest.approx(min(max(rtol / 2 / error, least), most), rel=1e-6)
+
+
+@needs_heyoka
+def test_a_series_for_comparison_knows_the_sizes_of_the_states_on_the_way():
+    """The velocity of half a swing is zero at both ends."""
+    found = run(SPRING, math.pi).compared(METHODS["taylor"], 1e-12, 1e-10)
+    assert found.segments[0].stepper.scales == pytest.approx((1.0, 1.0), rel=1e-2)
 
 
 def test_at_the_least_tolerance_the_motion_is_refused_with_its_error():
