@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Generic, TypeVar
 
-from .pickles import Found
+from .pickles import Computed
 from .scalars import (
     LONGEST,
     ZERO,
@@ -41,7 +41,7 @@ class Equation:
 
     kind : what the sum is, as "acceleration"
     number, symbol : its number in the book, and its LaTeX symbol
-    terms : by name, a term as (text, LaTeX), where the name does not say it
+    terms : by name, a term as (text, LaTeX), for those whose name is not enough
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -182,7 +182,7 @@ class Ledger:
         self._terms: Terms | None = None
 
     def __reduce__(self):
-        return Ledger, (self.kind, self.subject, Found(lambda: self.terms))
+        return Ledger, (self.kind, self.subject, Computed(lambda: self.terms))
 
     @property
     def equation(self) -> Equation:
@@ -282,7 +282,7 @@ def latex_text(words):
 
 
 def latex_number(x, digits):
-    """A number with so many digits, or an expression, as LaTeX."""
+    """A number to ``digits`` digits, or an expression, as LaTeX."""
     if is_numeric(x) and not getattr(x, "shape", ()):
         mantissa, e, power = f"{float(x):.{digits}g}".partition("e")
         return rf"{mantissa}\times10^{{{int(power)}}}" if e else mantissa
@@ -314,7 +314,7 @@ class Amount(NamedTerms):
 
     what, number : the name of the quantity, and its equation in the book
     error : estimated error of ``value`` where it comes from an integral, in the same unit
-    It stands for its value in sums, products and comparisons with numbers and other amounts, and in
+    It acts as its value in sums, products and comparisons with numbers and other amounts, and in
     ``float(U)``.
 
     >>> T, V = Amount(7.0, {"translation": 5.0, "rotation": 2.0}), Amount(3.0)
