@@ -539,12 +539,7 @@ def unwound(
 
 @checked
 def euler_frame(
-    parent: Frame,
-    name: str,
-    psi: Scalar,
-    theta: Scalar,
-    phi: Scalar,
-    origin: Point | None = None,
+    parent: Frame, name: str, psi: Scalar, theta: Scalar, phi: Scalar, origin: Point | None = None
 ) -> Frame:
     """The frame ``name``, placed in ``parent`` by three successive turns (10.2): psi about z, theta
     about the new x, phi about the new z.

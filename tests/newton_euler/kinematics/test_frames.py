@@ -35,14 +35,7 @@ from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import along
 from tests.explicit import curve
 from tests.kinds import KINDS, close, number, numbers
-from tests.turning import (
-    DIGITS,
-    angular_acceleration,
-    angular_velocity,
-    rate,
-    rot,
-    second_rate,
-)
+from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
 from tests.turning import cross as cross50
 
 # what tests.kinds does to a number, instant by instant
@@ -903,13 +896,7 @@ def test_nothing_has_a_velocity_a_rate_or_an_acceleration_without_an_observer():
         ground.i.rate()
 
 
-@pytest.mark.parametrize(
-    "ask",
-    [
-        lambda f: f.i.rate("ground"),
-        lambda f: f.i.expressed_in(3),
-    ],
-)
+@pytest.mark.parametrize("ask", [lambda f: f.i.rate("ground"), lambda f: f.i.expressed_in(3)])
 def test_what_is_not_a_frame_is_named(ask):
     with pytest.raises(FrameError, match="expected a frame"):
         ask(Frame("ground"))
@@ -940,15 +927,7 @@ def test_an_axis_without_direction_is_refused(zero):
 
 
 @pytest.mark.parametrize(
-    "axis",
-    [
-        "w",
-        "--z",
-        (1, 2),
-        None,
-        ("a", "b", "c"),
-        (moving(1.0, 2.0), 0, 0),
-    ],
+    "axis", ["w", "--z", (1, 2), None, ("a", "b", "c"), (moving(1.0, 2.0), 0, 0)]
 )
 def test_what_is_not_an_axis_is_refused(axis):
     with pytest.raises(
