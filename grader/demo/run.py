@@ -25,6 +25,7 @@ from ..grading import grade
 from ..reports import diagnosis_table, gradebook_table
 from .sample_students import STUDENTS, submission
 
+EXCHANGE_WITHIN = "c.Exchange.root = str(Path(__file__).resolve().parent / 'exchange')\n"
 MARK = ".newton_euler_demo"  # a folder with this file may be replaced
 
 
@@ -42,10 +43,8 @@ def run_demo(
     console.print(f"[bold]A course in {folder}[/]")
     _clear_earlier(folder, console)
     with bar() as progress:
-        course = build_assignment(
-            folder, chapter, only=only, bar=progress, exchange=folder / "exchange"
-        ).course
-    (course.path / MARK).touch()
+        course = build_assignment(folder, chapter, only=only, bar=progress).course
+    _use_exchange_within(course)
     course.enrol(
         {"id": s, "first_name": s.capitalize(), "last_name": what} for s, what in STUDENTS.items()
     )
@@ -98,6 +97,14 @@ def _clear_earlier(folder, console):
     if (folder / MARK).exists():
         console.print(f"Removing the earlier demo in {folder}")
         shutil.rmtree(folder)
+
+
+def _use_exchange_within(course):
+    """Give the demo an exchange in its own folder, wherever that is moved."""
+    (course.path / MARK).touch()
+    (course.path / "exchange").mkdir(mode=0o777)
+    with open(course.path / "nbgrader_config.py", "a", encoding="utf-8") as f:
+        f.write(EXCHANGE_WITHIN)
 
 
 def _fetch_and_submit(course, chapter, console):

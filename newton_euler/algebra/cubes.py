@@ -46,7 +46,7 @@ def over_cube(f, n):
 
 
 def _by_arrays(f, n, order, sample):
-    """The sums over all places at once; beside the instants of arrays that f holds."""
+    """The sums over all places at once; along an axis next to those of arrays that f returns."""
     import numpy as np
 
     depth = max(len(getattr(x, "shape", ())) for x in sample)

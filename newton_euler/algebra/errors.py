@@ -176,7 +176,7 @@ def _check_of(parameter, f, where):
 
 
 def _error_for(members):
-    """The error for an argument that is none of these kinds."""
+    """The error for an argument of another kind than these."""
     if Scalar in members or float in members:
         return ScalarError
     of_frames = {getattr(k, "__name__", "") for k in members} & {"Frame", "Point", "Vector"}

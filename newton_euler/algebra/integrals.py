@@ -29,7 +29,7 @@ from .scalars import (
 )
 from .vectors import Vector
 
-HALVINGS = 9  # of the step of the tanh-sinh rule
+HALVINGS = 9  # halvings of the step of the tanh-sinh rule
 _NUMBERS = count()  # so that the variables of nested integrals have names of their own
 
 

@@ -10,9 +10,10 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from types import MappingProxyType
 from typing import Any, Generic, TypeVar
 
-from .pickles import Found
+from .pickles import Computed
 from .scalars import (
     LONGEST,
     ZERO,
@@ -41,7 +42,7 @@ class Equation:
 
     kind : what the sum is, as "acceleration"
     number, symbol : its number in the book, and its LaTeX symbol
-    terms : by name, a term as (text, LaTeX), where the name does not say it
+    terms : by name, a term as (text, LaTeX), for those whose name is not enough
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -89,7 +90,14 @@ class Terms(dict[str, T], Generic[T]):
     ({'arm 1': 1.0, 'arm 2': 2.0, 'rod': 4.0}, 7.0)
     """
 
+    shared: Mapping[str, str] = MappingProxyType({})
+
     def __init__(self, terms: "Mapping[str, T] | Iterable[tuple[str, T]]" = ()):
+        if isinstance(terms, dict):  # its names are distinct already
+            super().__init__(terms)
+            if isinstance(terms, Terms):
+                self.shared = terms.shared
+            return
         pairs = list(terms.items() if isinstance(terms, Mapping) else terms)
         given = [name for name, _ in pairs]
         names = distinct(given)
@@ -117,7 +125,10 @@ class Terms(dict[str, T], Generic[T]):
 
     def mapped(self, change: Callable[[T], T]) -> "Terms[T]":
         """The terms with ``change`` applied to each."""
-        return Terms((name, change(term)) for name, term in self.named())
+        changed = Terms({name: change(term) for name, term in self.items()})
+        if self.shared:
+            changed.shared = self.shared
+        return changed
 
     def weighted(self, factors: Mapping[str, Scalar]) -> list[tuple[Scalar, T]]:
         """Pairs of the factor given for a term (1 by default) and the term; a factor for a shared
@@ -139,9 +150,9 @@ def distinct(names: list[str]) -> list[str]:
     >>> distinct(["arm", "rod", "arm", "arm 1"])
     ['arm 2', 'rod', 'arm 3', 'arm 1']
     """
-    counts = Counter(names)
-    if len(counts) == len(names):
+    if len(set(names)) == len(names):
         return names
+    counts = Counter(names)
     numbered = {name: _numbered(name, counts) for name, n in counts.items() if n > 1}
     return [next(numbered[name]) if name in numbered else name for name in names]
 
@@ -182,7 +193,7 @@ class Ledger:
         self._terms: Terms | None = None
 
     def __reduce__(self):
-        return Ledger, (self.kind, self.subject, Found(lambda: self.terms))
+        return Ledger, (self.kind, self.subject, Computed(lambda: self.terms))
 
     @property
     def equation(self) -> Equation:
@@ -282,7 +293,7 @@ def latex_text(words):
 
 
 def latex_number(x, digits):
-    """A number with so many digits, or an expression, as LaTeX."""
+    """A number to ``digits`` digits, or an expression, as LaTeX."""
     if is_numeric(x) and not getattr(x, "shape", ()):
         mantissa, e, power = f"{float(x):.{digits}g}".partition("e")
         return rf"{mantissa}\times10^{{{int(power)}}}" if e else mantissa
@@ -314,7 +325,7 @@ class Amount(NamedTerms):
 
     what, number : the name of the quantity, and its equation in the book
     error : estimated error of ``value`` where it comes from an integral, in the same unit
-    It stands for its value in sums, products and comparisons with numbers and other amounts, and in
+    It acts as its value in sums, products and comparisons with numbers and other amounts, and in
     ``float(U)``.
 
     >>> T, V = Amount(7.0, {"translation": 5.0, "rotation": 2.0}), Amount(3.0)
@@ -387,7 +398,8 @@ def summed(
     """The :class:`Amount` that is the sum of these terms: numbers or amounts by name, or pairs
     (name, number).
     """
-    values = Terms(terms).mapped(value_of)
+    parts = Terms(terms)
+    total = sum(map(value_of, parts.values()), ZERO)
     return Amount(
-        to_plain(sum(values.values(), ZERO)), values.mapped(to_plain), what, number, error
+        to_plain(total), parts.mapped(lambda x: to_plain(value_of(x))), what, number, error
     )

@@ -45,18 +45,19 @@ LARGEST_CORE = 6
 # equations of systems with 2 to 12 random unknowns and condition numbers up to 1e4: what should
 # vanish is at most 2**2 of them in a row, and 2**4 in a right side; what should not, at least
 # 2**37.
-# Beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel,
-# as of the components of a turned vector.
+# Relative to the largest coefficient of a condition: what remains of a sum of a few terms that
+# cancel, as in the components of a turned vector.
 CANCELLATION = 16
-# Beside the largest coefficient subtracted: a thousand times what is measured, for longer chains.
+# Relative to the largest coefficient subtracted: a thousand times what was measured, for longer
+# chains.
 NO_PIVOT = 2**12
-# Beside the pivot, or the largest part of a sum: halfway between both measured sizes.
+# Relative to the pivot, or to the largest part of a sum: halfway between both measured sizes.
 ABSENT = 2**19
-# Beside the terms of the equation: 1e-9, so that data that agree in nine digits agree.
+# Relative to the terms of the equation: 1e-9, so that data that agree to nine digits agree.
 CONTRADICTION = 2**22
 AGREEMENT = 1e-9  # the same for the surplus conditions of solve_rates
-# Of solve_rates, for numbers of every kind: 450 round-offs of a float, beside the largest
-# coefficient or the product of the rows.
+# solve_rates, numbers of every kind: 450 round-offs of a float, relative to the largest
+# coefficient or to the product of the rows.
 RATE_NOISE = 1e-13
 
 
@@ -148,7 +149,7 @@ class LinearForm(_Own):
         return self._each(lambda x: x / other)
 
     def __rtruediv__(self, other):
-        self._refuse("an unknown stands in a denominator")
+        self._refuse("an unknown occurs in a denominator")
 
     @checked
     def function(self, name: str, *args: Scalar) -> Scalar:
@@ -269,7 +270,7 @@ class Solution:
     names : the unknowns
     values : those that are determined, by name
     undetermined : the names of the others
-    relations : what the equations say of those, as "A_x = 3 - B_x" (for numbers)
+    relations : what the equations determine of those, as "A_x = 3 - B_x" (for numbers)
     redundant : by name, the equations that follow from others, with the names of these
 
     >>> s = solve_linear(lambda A, B: (A + B - 3.0, A - B - 1.0))
@@ -303,19 +304,20 @@ class Solution:
 
     def report(self) -> str:
         """Sentences: which unknowns are not determined, and which equations are redundant."""
-        said = []
+        sentences = []
         if self.undetermined:
             known = f": only {' and '.join(self.relations)} is known" if self.relations else ""
-            said.append(
+            sentences.append(
                 f"Not determined: {', '.join(self.undetermined)}{known}; more equations are "
                 "needed, or fewer unknowns"
             )
-        said += [
-            f"The equation {name!r} says nothing new: it follows from {_quoted(others)}"
+        sentences += [
+            f"The equation {name!r} is redundant: it follows from {_quoted(others)}"
             for name, others in self.redundant.items()
         ]
         return (
-            ". ".join(said) or "The equations determine every unknown, and each of them is needed"
+            ". ".join(sentences)
+            or "The equations determine every unknown, and each of them is needed"
         )
 
     def __str__(self):
@@ -455,7 +457,7 @@ class _Varies(Exception):
 
 
 def _subtracted(row, other, pivot):
-    """The row less so many times another, in which the pivot is 1, that its own pivot vanishes."""
+    """The row less the multiple of another, whose pivot is 1, that makes its own pivot vanish."""
     row = [a - row[pivot] * b for a, b in zip(row, other, strict=True)]
     row[pivot] = ZERO  # exactly, so that no round-off is taken for a coefficient
     return row
@@ -480,7 +482,7 @@ class _Elimination:
         self.rows, self.dependent = {}, {}
         for n in range(len(equations)):
             self._eliminate(n)
-        self.free = {  # the unknowns beside the pivot in a row
+        self.free = {  # the unknowns of a row other than its pivot
             pivot: [
                 k
                 for k, s in enumerate(self.scale)
@@ -502,7 +504,7 @@ class _Elimination:
         return [largest[e.group] for e in self.equations]
 
     def _scales(self):
-        """The size of the coefficients of each unknown; 0 if there are none but rounding errors."""
+        """The size of the coefficients of each unknown; 0 if they are rounding errors only."""
         noise = [
             CANCELLATION * self.round_off * x
             for x in self._by_group([e.coefficients for e in self.equations])
@@ -658,7 +660,7 @@ def solve_regular(rows):
 
     One unknown after the other is taken from the place that touches the fewest other places: best
     one that is known at once, or that occurs nowhere else and follows when the others are known.
-    Where there is none of these and few unknowns are left, they are found by Cramer's rule.
+    If there is no such place and few unknowns are left, they are found by Cramer's rule.
     """
     if not rows:
         return {}

@@ -1,5 +1,5 @@
-"""What stands in a pickle for what cannot be pickled: for a function that computes something on
-demand, what it returns; for a read-only mapping, its contents.
+"""What a pickle holds in place of what cannot be pickled: of a function that computes something on
+demand, its result; of a read-only mapping, its contents.
 """
 
 import copyreg
@@ -8,9 +8,9 @@ from types import MappingProxyType
 from .scalars import NewtonEulerError
 
 
-class Found:
-    """What a function without arguments returns now, or the error of the engine that it raises; as
-    a function again, which can be pickled where that one cannot. It may get arguments.
+class Computed:
+    """A function that returns what ``find()`` returned, or raises the error of the engine that it
+    raised, and can be pickled. It ignores its arguments.
     """
 
     def __init__(self, find):

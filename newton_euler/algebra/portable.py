@@ -39,7 +39,7 @@ class Portable:
 
 def portable(f):
     """The function ``f``, or its traced :class:`Steps` if no other process finds it by its name:
-    what it reads beside its arguments counts as it is now.
+    what it reads besides its arguments is taken as it is now.
 
     A function that branches on values cannot be traced, and stays as it is.
     """

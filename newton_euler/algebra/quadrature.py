@@ -20,7 +20,7 @@ from .scalars import (
     to_plain,
 )
 
-INTERVALS = 400  # of an adaptive integral, at most; each takes 21 values
+INTERVALS = 400  # intervals: the most of an adaptive integral; each takes 21 values
 # subdivisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
 BOXES = {1: 4000, 2: 400, 3: 40}
 

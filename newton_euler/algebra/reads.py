@@ -1,4 +1,4 @@
-"""What functions read beside their arguments: globals, variables of the functions around them,
+"""What functions read besides their arguments: globals, variables of the functions around them,
 default values; also those of every function that they can call.
 
 A text that was traced from a function holds as long as all of this is the same. It is found in the
@@ -38,7 +38,7 @@ BY_NAME = {"getattr", "vars", "dir"}
 
 
 class Reads:
-    """What some functions read beside their arguments, as it is now.
+    """What some functions read besides their arguments, as it is now.
 
     checks : tuples (get, a, b, value) that find it again: get(a, b) is the value
     known : False if some of it can change unseen, as the attribute of an object or an entry of a
@@ -138,7 +138,7 @@ class Reads:
 
 
 def reads_nothing(f):
-    """True for a function of the engine that stands in a module: it reads nothing that changes."""
+    """True for a function of a module of the engine: it reads nothing that changes."""
     return type(f) is FunctionType and f.__closure__ is None and _is_fixed_function(f, ENGINE)
 
 

@@ -299,7 +299,7 @@ def clipped(x):
     return text if len(text) <= 80 else text[:77] + "..."
 
 
-LONGEST = 400  # of an expression that is printed, in operations
+LONGEST = 400  # operations: the most of an expression that is printed
 
 
 def shown(x):

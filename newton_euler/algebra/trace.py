@@ -177,7 +177,7 @@ class Trace:
         return self.captured[a.number]
 
     def step(self, op, *args):
-        """The step of this operation, a new one if there is none yet."""
+        """The step of this operation, made if it does not exist yet."""
         if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
             # the moving number or vector takes over and calls back with its parts
             return NotImplemented

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .jets import Moving, moving
 from .ledger import Equation, Explanation, Ledger, NamedTerms, Terms, latex_number, latex_text
-from .pickles import Found
+from .pickles import Computed
 from .scalars import (
     ZERO,
     NewtonEulerError,
@@ -116,8 +116,8 @@ class Vector(Scaled, NamedTerms):
         rate = self._own_rate
         if self.c is ZERO3 and _rests(self):
             rate = Resting(self.frame)
-        elif rate is not None and not isinstance(rate, (Found, Resting)):
-            rate = Found(rate)
+        elif rate is not None and not isinstance(rate, (Computed, Resting)):
+            rate = Computed(rate)
         return _vector, (self.c, self.frame, rate, self._ledger)
 
     # -- components

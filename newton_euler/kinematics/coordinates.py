@@ -20,7 +20,7 @@ from functools import partial
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Terms
-from ..algebra.pickles import Found
+from ..algebra.pickles import Computed
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -100,7 +100,7 @@ class CoordinatePoint(Point):
     def __getstate__(self):
         values = {n: getattr(self, n) for n in (*Point.__slots__, *CoordinatePoint.__slots__)}
         # the functions are closures, which cannot be pickled: their results are
-        values["_terms"] = {what: Found(partial(f, self)) for what, f in self._terms.items()}
+        values["_terms"] = {what: Computed(partial(f, self)) for what, f in self._terms.items()}
         return None, values
 
     def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:

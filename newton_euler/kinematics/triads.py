@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from ..algebra.jets import Moving, as_moving
-from ..algebra.pickles import Found
+from ..algebra.pickles import Computed
 from ..algebra.scalars import Scalar, anywhere, clipped, epsilon, is_numeric, scalar, sqrt, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
 from .frames import Frame, Point
@@ -71,7 +71,7 @@ class _Turning:
         self.frame, self.turning = frame, turning or (lambda: (None, None))
 
     def __getstate__(self):
-        return {"frame": self.frame, "turning": Found(self.turning)}
+        return {"frame": self.frame, "turning": Computed(self.turning)}
 
     rate = property(lambda self: self._known(0, "angular velocity"))
     acceleration = property(lambda self: self._known(1, "angular acceleration"))

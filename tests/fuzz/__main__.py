@@ -45,9 +45,9 @@ def main():
             f"{name:<{width}} {len(rows):>6} {numbers} {len(stripped(rows)) or '':>8}", flush=True
         )
         if given.raw:
-            for argument, bad, outcome, told in rows:
+            for argument, bad, outcome, message in rows:
                 if outcome in ("raw", "slow"):
-                    print(f"    {argument} = {bad}: {outcome}, {told}")
+                    print(f"    {argument} = {bad}: {outcome}, {message}")
 
     rows = table(functions, calls, given.every, line)
     every = [row for name in rows for row in rows[name]]

@@ -85,11 +85,11 @@ def outcome(f, positional, named, seconds=SECONDS):
     except NewtonEulerError as error:
         return "refused", f"{type(error).__name__}: {error}"[:200]
     except Exception as error:
-        told = f"{type(error).__name__}: {error}"[:200]
+        message = f"{type(error).__name__}: {error}"[:200]
         # a/0 is for numbers of the engine what it is for Python's
         if is_operator(f) and isinstance(error, ArithmeticError):
-            return "refused", told
-        return ("refused" if in_words(error) else "raw"), f"{told} {place(error)}"
+            return "refused", message
+        return ("refused" if in_words(error) else "raw"), f"{message} {place(error)}"
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
 

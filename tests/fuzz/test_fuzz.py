@@ -29,10 +29,10 @@ def doors():
 def unworded(found):
     """The calls that ended in an error from inside, or did not end."""
     return [
-        f"{name}({argument}={bad}): {told}"
+        f"{name}({argument}={bad}): {message}"
         for name, rows in found.items()
-        for argument, bad, result, told in rows
-        if result in ("raw", "slow") and not any(words in told for words in PYTHONS_OWN)
+        for argument, bad, result, message in rows
+        if result in ("raw", "slow") and not any(words in message for words in PYTHONS_OWN)
     ]
 
 
