@@ -13,7 +13,7 @@ from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
 from .following import earlier_answers, follow
-from .model import CatalogueError
+from .model import CatalogueError, Problem
 from .proofs import DIGITS
 from .steps import faults as step_faults
 from .steps import in_unit, steps
@@ -25,7 +25,7 @@ AGREEMENT = 1e-9
 _SEED = b"check"
 
 
-def check(p, seeds=1):
+def check(p: Problem, seeds: int = 1) -> list[str]:
     """Everything that is wrong with problem ``p``, as sentences; an empty list if it holds.
 
     Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: solve against prove in
@@ -53,7 +53,7 @@ class _Proof:
         return self.found[numbers]
 
 
-def alike(p, seeds=1):
+def alike(p: Problem, seeds: int = 1) -> list[str]:
     """Warnings, as sentences: mistakes that give the same wrong answer for all numbers, so that no
     diagnosis can tell which of them a student made; and those with the dimension of another answer.
     """
@@ -85,7 +85,7 @@ def _different(p, seeds):
     return range(seeds if varies else min(seeds, 1))
 
 
-def values(p, seed):
+def values(p: Problem, seed: int) -> dict[str, float]:
     """The book's numbers for seed 0, otherwise a drawn variant; with a value for every symbol."""
     given = p.book_values if seed == 0 else draw(p, _SEED + str(seed).encode())
     return {**given, **symbol_values(p, random.Random(f"{p.id}:{seed}"))}
@@ -240,8 +240,8 @@ def _both_ways(p, given, proof):
             proved = p.in_units(proved)
         if all(_is_real(flat(x)) for x in (*proved.values(), *precise.values())):
             return here, right, proved, precise
-    told = ", ".join(f"{n} = {x:.6g}" for n, x in given.items()) or "no numbers"
-    raise CatalogueError(f"solve and prove are both real at no point: tried {told}")
+    tried = ", ".join(f"{n} = {x:.6g}" for n, x in given.items()) or "no numbers"
+    raise CatalogueError(f"solve and prove are both real at no point: tried {tried}")
 
 
 def _differences(key, ways, proved, atol):
@@ -252,8 +252,8 @@ def _differences(key, ways, proved, atol):
         gap = _gap(numbers, proved)
         if not gap <= tolerance and not _both_zero(numbers, proved, atol, tolerance):
             faults.append(
-                f"{key}: {how} and prove differ by {gap:.1e} of its size: {_shown(numbers)} "
-                f"against {_shown(proved)}"
+                f"{key}: {how} and prove differ by {gap:.1e} of its size: {_as_text(numbers)} "
+                f"against {_as_text(proved)}"
             )
     return faults
 
@@ -326,8 +326,8 @@ def _hidden(p, given, exempt):
                 else not apart(a.kind.like(points, right[key]), right[key])
             ):
                 faults.append(
-                    f"the mistake {name} gives nearly the right {key}: {_shown(points[0])}; if it "
-                    "does so only with the numbers of the book, write same_in_book: true"
+                    f"the mistake {name} gives nearly the right {key}: {_as_text(points[0])}; if "
+                    "it does so only with the numbers of the book, write same_in_book: true"
                 )
     return faults
 
@@ -347,7 +347,7 @@ def _following(p, given, right):
         if not same:
             faults.append(
                 f"{key} does not follow from {' and '.join(earlier)}: follows gives "
-                f"{_shown(found)}, solve {_shown(right[key])}"
+                f"{_as_text(found)}, solve {_as_text(right[key])}"
             )
     return faults
 
@@ -371,7 +371,7 @@ def _both_zero(a, b, atol, tolerance):
         return bool(len(a) == len(b) and size <= atol * mp.sqrt(tolerance))
 
 
-def _shown(numbers):
+def _as_text(numbers):
     return (
         "("
         + ", ".join(

@@ -8,24 +8,30 @@ matrices as three rows:
 """
 
 import inspect
+from collections.abc import Mapping
 from functools import cache
 
 from newton_euler import Frame
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.algebra.units import unit
+from newton_euler.algebra.vectors import Vector
 
+from .model import Problem
 from .units import in_unit
 from .variants import flat
 from .words import word
 
 
 @cache
-def earlier_answers(p):
+def earlier_answers(p: Problem) -> dict[str, tuple[str, ...]]:
     """{later answer: names of the earlier answers from which it follows} of problem ``p``."""
     follows = getattr(p.code, "follows", {})
     return {key: tuple(inspect.signature(f).parameters)[1:] for key, f in follows.items()}
 
 
-def follow(p, key, values, earlier):
+def follow(
+    p: Problem, key: str, values: Mapping[str, Scalar], earlier: Mapping[str, tuple]
+) -> tuple:
     """The answer ``key`` that follows from ``earlier`` answers, as a tuple of numbers or its word.
 
     values : givens and symbols in the units of the text
@@ -47,6 +53,6 @@ def _in_base(p, name, numbers, frame):
     return frame.vector(*base) if answer.kind.is_vector else answer.kind.nested(base)
 
 
-def acceleration_of(omega, alpha, r):
+def acceleration_of(omega: Vector, alpha: Vector, r: Vector) -> Vector:
     """The acceleration of the point at ``r`` against the point of the body that ``r`` begins at."""
     return alpha.cross(r) + omega.cross(omega.cross(r))

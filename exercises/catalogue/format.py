@@ -3,7 +3,9 @@ whatever does not fit.
 """
 
 import math
+from pathlib import Path
 from reprlib import repr as short
+from typing import Any
 
 from newton_euler.algebra.units import unit
 from newton_euler.answers.kinds import KINDS
@@ -15,13 +17,13 @@ SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
 OTHER_RANGE = (0.6, 1.9)
 
 
-def read_chapter(entry, path):
+def read_chapter(entry: Any, path: Path) -> Chapter:
     """The chapter that ``chapter.yaml`` describes."""
     _check_keys(entry, "a chapter", ("title",), ("preamble",))
     return Chapter(path.parent.name, _text(entry, "title"), _text(entry, "preamble"))
 
 
-def read_problem(entry, path):
+def read_problem(entry: Any, path: Path) -> Problem:
     """The problem that a file such as ``p16.yaml`` describes."""
     needed, optional = (
         ("id", "title", "section", "text", "answers"),

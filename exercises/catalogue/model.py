@@ -6,11 +6,13 @@ rad.
 
 import importlib
 import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from newton_euler.algebra.scalars import integer_like, is_numeric, scalar
-from newton_euler.algebra.units import SI, unit
+from newton_euler.algebra.scalars import Scalar, integer_like, is_numeric, scalar
+from newton_euler.algebra.units import SI, System, unit
 from newton_euler.answers.forms import Form, kind_named
 from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import symbol
@@ -23,7 +25,7 @@ class CatalogueError(ValueError):
     """A problem that does not exist, or whose text, data and code do not fit together."""
 
 
-def place(problem_id):
+def place(problem_id: str) -> tuple[str, str]:
     """The folder of a problem number and the name of its files there: "4/16" is ("ch04", "p16"),
     "A/3" is ("appA", "p03").
     """
@@ -55,7 +57,7 @@ class Given:
     value: float
     unit: str
     means: str
-    vary: tuple | None = None
+    vary: tuple[float, float] | None = None
     figure: bool = False
     latex: str = ""
 
@@ -68,7 +70,7 @@ class Symbol:
 
     name: str
     unit: str
-    vary: tuple
+    vary: tuple[float, float]
     latex: str = ""
 
 
@@ -107,14 +109,24 @@ class Givens:
     ``g.omega``. In a problem with formulas in feet and pounds, in slug, ft, s and rad.
     """
 
-    def __init__(self, values, units, one=1.0, system=SI):
+    def __init__(
+        self,
+        values: dict[str, Scalar],
+        units: dict[str, str],
+        one: Scalar = 1.0,
+        system: System = SI,
+    ) -> None:
         self.__dict__.update(values)
         self._values, self._units, self._one, self._system = values, units, one, system
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Scalar: ...
 
     def __repr__(self):
         return f"Givens({self._values!r})"
 
-    def but(self, **changes):
+    def but(self, **changes: Scalar) -> "Givens":
         """The same with some quantities changed (in base units): what a wrong reading of the
         problem uses.
         """
@@ -126,16 +138,36 @@ class Givens:
         return Givens({**self._values, **changes}, self._units, self._one, self._system)
 
     @property
-    def one(self):
+    def one(self) -> Scalar:
         """The number 1 in the kind of the givens, as exact as they are: ``sqrt(3 * g.one)`` has all
         digits, also in a problem that gives no number.
         """
         kinds = (integer_like(1, x) for x in self._values.values())
         return next((x for x in kinds if type(x) is not int), self._one)
 
-    def stated(self, name):
+    def stated(self, name: str) -> Scalar:
         """The number of the text in its own unit: what a student uses who forgets to convert."""
         return unit(self._units[name]).from_base(self._values[name], self._system)
+
+
+class Code(Protocol):
+    """What the file of a problem defines, over numbers of any kind; it may have ``steps(g)`` and
+    ``follows``, too, and has no ``draw`` without a figure.
+    """
+
+    follows: Mapping[str, Callable[..., Any]]
+
+    def solve(self, g: Givens) -> dict[str, Any]:
+        """The answers, by the engine."""
+
+    def prove(self, g: Givens) -> dict[str, Any]:
+        """The answers by another way, and some of the steps."""
+
+    def mistakes(self, g: Givens) -> dict[str, dict[str, Any]]:
+        """The wrong answers that students give, by mistake."""
+
+    def draw(self, g: Givens, ax: Any) -> None:
+        """The figure."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,27 +184,27 @@ class Problem:
     section: str
     text: str
     figure: str
-    givens: dict
-    symbols: dict
+    givens: dict[str, Given]
+    symbols: dict[str, Symbol]
     frame: str
-    answers: tuple
-    mistakes: dict = field(default_factory=dict)
-    struck: dict = field(default_factory=dict)
-    checked: dict = field(default_factory=dict)
-    same_in_book: frozenset = frozenset()
+    answers: tuple[Answer, ...]
+    mistakes: dict[str, str] = field(default_factory=dict)
+    struck: dict[str, str] = field(default_factory=dict)
+    checked: dict[str, Any] = field(default_factory=dict)
+    same_in_book: frozenset[str] = frozenset()
 
     @property
-    def chapter(self):
+    def chapter(self) -> str:
         """The folder and name of its chapter: "ch04"."""
         return place(self.id)[0]
 
     @property
-    def name(self):
+    def name(self) -> str:
         """The name of its files in that folder: "p16"."""
         return place(self.id)[1]
 
     @cached_property
-    def code(self):
+    def code(self) -> Code:
         """The module ``pNN``: ``solve``, ``prove``, ``mistakes``, and ``draw`` for a figure."""
         name = f"exercises.{self.chapter}.{self.name}"
         try:
@@ -189,19 +221,19 @@ class Problem:
             raise CatalogueError(
                 f"{name.replace('.', '/')}.py does not define {', '.join(missing)}"
             )
-        return module
+        return cast(Code, module)
 
     @property
-    def symbolic(self):
+    def symbolic(self) -> bool:
         """True if any answer is a formula in the problem's symbols."""
         return any(a.kind.is_formula for a in self.answers)
 
     @property
-    def has_words(self):
+    def has_words(self) -> bool:
         """True if any answer is a word or a count."""
         return any(a.kind.is_word for a in self.answers)
 
-    def answer(self, key):
+    def answer(self, key: str) -> Answer:
         """The answer asked for under this key."""
         for a in self.answers:
             if a.key == key:
@@ -213,28 +245,32 @@ class Problem:
     # -- numbers
 
     @property
-    def units(self):
+    def quantities(self) -> dict[str, Given | Symbol]:
+        """What its text states: the givens and the symbols, by name."""
+        return {**self.givens, **self.symbols}
+
+    @property
+    def units(self) -> dict[str, str]:
         """Unit of each given and symbol."""
-        return {n: q.unit for n, q in (*self.givens.items(), *self.symbols.items())}
+        return {n: q.unit for n, q in self.quantities.items()}
 
     @cached_property
-    def system(self):
+    def system(self) -> System:
         """The coherent system of units in which the code sees its numbers."""
         return system_of(self.symbols, [*self.units.values(), *(a.unit for a in self.answers)])
 
     @cached_property
-    def notation(self):
+    def notation(self) -> dict[str, str]:
         """How each given, symbol and answer is printed, in LaTeX: {name: symbol}."""
         asked = {a.key: a.latex or symbol(a.key, a.kind.is_vector) for a in self.answers}
-        stated = (*self.givens.items(), *self.symbols.items())
-        return asked | {n: q.latex or symbol(n) for n, q in stated}
+        return asked | {n: q.latex or symbol(n) for n, q in self.quantities.items()}
 
     @property
-    def book_values(self):
+    def book_values(self) -> dict[str, float]:
         """The givens of the book, in their units."""
         return {n: g.value for n, g in self.givens.items()}
 
-    def base(self, values, one=1.0):
+    def base(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> Givens:
         """Givens for the code, from ``values`` in the units of the text; it must name every given
         and symbol. ``one`` is the number 1 in the kind that is meant where there are none.
         """
@@ -251,12 +287,12 @@ class Problem:
         given = {n: unit(u).to_base(scalar(values[n]), self.system) for n, u in units.items()}
         return Givens(given, units, one, self.system)
 
-    def dimensions(self):
+    def dimensions(self) -> Givens:
         """Givens for the code that are dimensions, without values."""
         pure = self.base(dict.fromkeys(self.units, 1.0))
         return pure.but(**{n: unit(u).dimension for n, u in self.units.items()})
 
-    def in_units(self, results):
+    def in_units(self, results: Mapping[str, Any]) -> dict[str, Any]:
         """Results of the code (in base units) in the units of the answers; a Vector stays a Vector
         with its terms, and a word the function that gives it.
         """
@@ -264,7 +300,7 @@ class Problem:
             key: in_unit(value, self.answer(key), self.system) for key, value in results.items()
         }
 
-    def solve(self, values, one=1.0):
+    def solve(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, Any]:
         """The answers, by the engine, for ``values`` in the units of the text: {key: number,
         Vector, matrix, pair or word}; ``one`` as for :meth:`base`.
         """
@@ -278,7 +314,7 @@ class Problem:
         (found,) = self._with_words(lambda g: [self.code.solve(g)], [results], values, one)
         return found
 
-    def wrong(self, values, one=1.0):
+    def wrong(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, dict[str, Any]]:
         """What the listed mistakes make of the answers: {mistake: {key: as from :meth:`solve`}}."""
         results = self.code.mistakes(self.base(values, one))
         found = self._with_words(
@@ -309,7 +345,7 @@ class Problem:
             if self.answer(k).kind.is_word
         }
 
-    def formulas(self):
+    def formulas(self) -> dict[str, Any]:
         """The answers with every symbol as a SymPy symbol and the givens of the book as numbers;
         exact ones beside symbols, 3/2 for 1.5.
         """
@@ -320,7 +356,7 @@ class Problem:
             given = {n: sympy.Rational(str(x)) for n, x in given.items()}
         return self.solve({**given, **self.sympy_symbols()}, sympy.Integer(1))
 
-    def sympy_symbols(self):
+    def sympy_symbols(self) -> dict[str, Any]:
         """A SymPy symbol for each symbol of the text: real, and positive where its range is."""
         import sympy
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from newton_euler.answers.sanity import KINETIC
 
+from .model import Problem
 from .variants import at_points, drawn_value
 
 DRAWS = 100  # sets of numbers
@@ -17,12 +18,14 @@ ROOM = 3.0  # beyond what these give; rounded outward to powers of ten, which te
 
 
 @cache
-def sane_answers(p):
+def sane_answers(p: Problem) -> dict[str, tuple[float, float] | str]:
     """{answer: (low, high) of its size, or "kinetic energy"} of problem ``p``; an answer of which
     nothing is known is left out.
     """
     # not the change of one, which may be negative
-    found = {a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)}
+    found: dict[str, tuple[float, float] | str] = {
+        a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)
+    }
     asked = [a for a in p.answers if a.kind.has_size]
     if not asked:
         return found

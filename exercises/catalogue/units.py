@@ -1,16 +1,31 @@
 """From what the code of a problem computes to what the text asks for: units and axes of answers."""
 
 import re
+from collections.abc import Iterable, Mapping
+from typing import Any, Protocol
 
 from newton_euler.algebra.scalars import ZERO, is_expression, probe, scalar
-from newton_euler.algebra.units import SI, US, unit
+from newton_euler.algebra.units import SI, US, System, unit
 from newton_euler.algebra.vectors import Vector
+from newton_euler.answers.kinds import Kind
+from newton_euler.kinematics import Frame
+
+
+class Asked(Protocol):
+    """An answer that is asked for: its kind and its unit."""
+
+    @property
+    def kind(self) -> Kind: ...
+
+    @property
+    def unit(self) -> str: ...
+
 
 _US = {"ft", "in", "mi", "slug", "lb", "oz"}
 _METRIC = {"m", "mm", "cm", "km", "g", "kg", "N", "kN", "J", "W", "Pa"}
 
 
-def system_of(symbols, units):
+def system_of(symbols: Mapping[str, Any], units: Iterable[str]) -> System:
     """The coherent system in which a problem with these units is solved: in a formula with feet and
     pounds no factor 0.3048 is to appear.
     """
@@ -18,7 +33,7 @@ def system_of(symbols, units):
     return US if symbols and names & _US and not names & _METRIC else SI
 
 
-def in_unit(value, answer, system=SI):
+def in_unit(value: Any, answer: Asked, system: System = SI) -> Any:
     """A result in base units of the ``system``, in the unit of its ``answer``; a Vector stays a
     Vector with its terms. A word or count, or the function that gives it, is itself. What vanishes
     whatever the symbols are is 0.
@@ -35,7 +50,7 @@ def in_unit(value, answer, system=SI):
     return unit(answer.unit).from_base(value, system)
 
 
-def in_frame(frame, answers):
+def in_frame(frame: Frame, answers: Any) -> Any:
     """The answers, or whole mistakes of answers, with every Vector expressed in ``frame`` (or in
     the frame of that name in its own tree).
     """

@@ -7,23 +7,28 @@ import hmac
 import inspect
 import math
 import random
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from newton_euler import compiled
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.tolerance import MAJORITY, SEPARATION, distance
 
-from .model import CatalogueError
+from .model import CatalogueError, Given, Problem
 from .reading import problem
 
+Points: TypeAlias = tuple[tuple, ...]  # the components of an answer at each point
+Answers: TypeAlias = dict[str, Points]
 DRAWS = 300  # attempts before a range is called impossible
 POINTS = 8  # number of points at which formulas are compared
 SENSITIVITY = 50  # a given rounded to 0.1 % may change an answer by 5 % at the most
 
 
-def seed(secret, assignment, student, problem_id):
+def seed(secret: bytes, assignment: str, student: str, problem_id: str) -> bytes:
     """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem under the
     course's secret (bytes).
     """
@@ -31,7 +36,7 @@ def seed(secret, assignment, student, problem_id):
     return hmac.new(secret, text.encode(), hashlib.sha256).digest()
 
 
-def draw(p, seed_bytes):
+def draw(p: Problem, seed_bytes: bytes) -> dict[str, float]:
     """Values for every given of ``p``, in its units: for a seed the same on every machine."""
     if not any(g.vary for g in p.givens.values()):
         return p.book_values
@@ -48,13 +53,13 @@ def draw(p, seed_bytes):
     )
 
 
-def symbol_values(p, rng):
+def symbol_values(p: Problem, rng: random.Random) -> dict[str, float]:
     """A random value for each symbol of a problem, within its ``vary``, to compare formulas at."""
     return {n: rng.uniform(*s.vary) for n, s in p.symbols.items()}
 
 
 @cache
-def symbol_points(p):
+def symbol_points(p: Problem) -> dict[str, np.ndarray]:
     """The points at which formulas of problem ``p`` are compared, the same for all students:
     {symbol: array}.
     """
@@ -63,7 +68,7 @@ def symbol_points(p):
     return {n: np.array([x[n] for x in points]) for n in p.symbols}
 
 
-def drawn_value(given, rng):
+def drawn_value(given: Given, rng: random.Random) -> float:
     """A number for a given, on a grid of round numbers within its range; ``rng`` chooses."""
     if given.vary is None:
         return given.value
@@ -81,7 +86,7 @@ def _round_step(x):
     return max(m for m in (1, 2, 5) if m * power <= x * (1 + 1e-9)) * power
 
 
-def objection(p, values):
+def objection(p: Problem, values: Mapping[str, Scalar]) -> str | None:
     """Why these values make a bad problem, or None: not finite, ill-conditioned, a component that
     could be left out, or a mistake that gives nearly the right answer.
 
@@ -116,7 +121,7 @@ def _ill_conditioned(p, values, right):
     return None
 
 
-def apart(wrong, right):
+def apart(wrong: Points, right: Points) -> bool:
     """True if a wrong answer is far from the key at half of the points at least, of those at which
     both are real; or if there is none. Answers are tuples of points.
     """
@@ -128,14 +133,14 @@ def apart(wrong, right):
     return sum(far) >= MAJORITY * len(far)
 
 
-def flat(answer):
+def flat(answer: Any) -> tuple:
     """An answer of any kind as a tuple of numbers: components, entries, bounds."""
     if isinstance(answer, (Vector, tuple, list)):
         return tuple(x for part in answer for x in flat(part))
     return (answer,)
 
 
-def at_points(p, values):
+def at_points(p: Problem, values: Mapping[str, Scalar]) -> tuple[Answers, dict[str, Answers]]:
     """(key, mistakes) as tuples of points: {answer: points}, {mistake: {answer: points}}.
 
     A point is a tuple of components, floats or words; nan where a formula is not real. A formula
@@ -155,18 +160,18 @@ def at_points(p, values):
     )
 
 
-def as_points(components, count=1):
+def as_points(components: Sequence[Any], count: int = 1) -> Points:
     """The components of an answer (floats, words, or arrays of them) as points, ``count`` or as
     many as there are in the arrays.
     """
     if count == 1 and all(type(x) in (float, int, str) for x in components):
         return (tuple(components),)
-    rows = np.broadcast_arrays(*components, np.empty(count))[:-1]
-    rows = [r if r.dtype.kind in "OU" else r.astype(float) for r in rows]
+    arrays = np.broadcast_arrays(*components, np.empty(count))[:-1]
+    rows = [r if r.dtype.kind in "OU" else r.astype(float) for r in arrays]
     return tuple(zip(*(row.reshape(-1).tolist() for row in rows), strict=True))
 
 
-def evaluate(p, values):
+def evaluate(p: Problem, values: Mapping[str, Scalar]) -> tuple[dict, dict]:
     """(key, mistakes) as tuples of floats: {answer: numbers}, {mistake: {answer: numbers}}; from
     the problem's formulas traced once.
 
@@ -191,7 +196,7 @@ def _compiled(problem_id):
     return traced(problem(problem_id), _evaluated)
 
 
-def traced(p, formula, more=()):
+def traced(p: Problem, formula: Callable, more: Iterable[str] = ()) -> Callable | None:
     """``formula(p, values)`` as straight-line text, called with the values by name; None if problem
     ``p`` has no numbers, or answers that are words or counts. ``more`` names further values.
     """
@@ -201,8 +206,9 @@ def traced(p, formula, more=()):
     def run(**values):
         return formula(p, values)
 
-    run.__signature__ = inspect.Signature(
-        [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD) for n in (*p.units, *more)]
+    names = (*p.units, *more)
+    run.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
+        [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD) for n in names]
     )
     return compiled(run)
 

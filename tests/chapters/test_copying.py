@@ -20,12 +20,12 @@ def call(tmp_path, capsys):
 
 
 def test_the_notebooks_are_copied_and_counted(call, tmp_path):
-    told = call()
+    output = call()
     copies = sorted((tmp_path / "here").iterdir())
     assert {path.suffix for path in copies} == {".ipynb"}
     assert json.loads((tmp_path / "here" / "ch04_relative_motion.ipynb").read_text())["cells"]
-    assert f"copied to {tmp_path / 'here'}: {len(copies)} notebooks" in told
-    assert "left alone" not in told
+    assert f"copied to {tmp_path / 'here'}: {len(copies)} notebooks" in output
+    assert "left alone" not in output
 
 
 def test_work_is_never_overwritten_and_what_was_left_alone_is_counted(call, tmp_path):
@@ -33,11 +33,11 @@ def test_work_is_never_overwritten_and_what_was_left_alone_is_counted(call, tmp_
     copy, *others = sorted((tmp_path / "here").iterdir())
     copy.write_text("my notes")
     others[0].unlink()
-    told = call()
+    output = call()
     assert copy.read_text() == "my notes"
     assert others[0].exists()
-    assert "1 notebook\n" in told
-    assert f"there already, left alone: {len(others)} notebook" in told
+    assert "1 notebook\n" in output
+    assert f"there already, left alone: {len(others)} notebook" in output
 
 
 def test_it_says_how_to_open_them(call, tmp_path, monkeypatch):
@@ -52,8 +52,8 @@ def test_a_file_in_the_place_of_the_folder_is_refused_in_words(tmp_path, capsys)
         with pytest.raises(SystemExit) as stopped:
             main(["chapters", str(folder)])
         assert stopped.value.code == 2
-        told = capsys.readouterr().err
-        assert "is a file; name a folder" in told or "nothing can be written to" in told
+        output = capsys.readouterr().err
+        assert "is a file; name a folder" in output or "nothing can be written to" in output
     assert (tmp_path / "taken").read_text() == "mine"
 
 

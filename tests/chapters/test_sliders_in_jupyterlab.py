@@ -93,8 +93,8 @@ def test_every_key_moves_the_picture_soon_and_without_flicker(page, n):
         page.wait(lambda count=count: len(seen(page)["changes"]) >= count, "the next picture")
     found = quiet(page)
     times = [b - a for a, b in zip(found["events"], found["changes"], strict=True)]
-    told = f"median {statistics.median(times):.0f} ms, longest {max(times):.0f} ms"
-    print(f"\n{list(FIGURES)[n]}: from a key to the changed picture {told}")
+    printed = f"median {statistics.median(times):.0f} ms, longest {max(times):.0f} ms"
+    print(f"\n{list(FIGURES)[n]}: from a key to the changed picture {printed}")
     assert found["blank"] == 0
     assert statistics.median(times) < SOON_MS
 

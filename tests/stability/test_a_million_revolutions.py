@@ -47,7 +47,7 @@ class Case:
     most: tuple
 
     @property
-    def told(self):
+    def label(self):
         """The method with its setting."""
         return f"{self.method}, " + (
             f"{self.steps} steps/rev" if self.steps else f"rtol = {self.rtol:g}"
@@ -152,7 +152,7 @@ def needs(case):
 
 
 @pytest.mark.parametrize(
-    "case", [case for case in CASES[1:] if case.quick], ids=lambda case: case.told
+    "case", [case for case in CASES[1:] if case.quick], ids=lambda case: case.label
 )
 def test_each_method_drifts_by_the_law_of_its_kind(case):
     """The power of time: 0 where the error is bounded, 1/2 for a random walk of round-off, 1 for
@@ -174,7 +174,7 @@ def test_the_exact_solution_stays_within_a_few_round_offs_for_a_million_revoluti
 
 def test_after_a_thousand_revolutions_the_drifts_differ_by_eleven_powers_of_ten():
     worst = {
-        case.told: float(drift(case, 1000)[1][-1])
+        case.label: float(drift(case, 1000)[1][-1])
         for case in CASES
         if case.method in ("exact", "dop853", "lie-poisson4")
     }
@@ -190,7 +190,7 @@ def test_a_splitting_keeps_the_momentum_a_thousand_million_times_better_than_the
 
 
 @pytest.mark.lab
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.told)
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.label)
 def test_a_million_revolutions_by_each_method(case):
     """Prints what is kept; of methods that would take more than some minutes, what their law makes
     of fewer revolutions.
@@ -199,17 +199,17 @@ def test_a_million_revolutions_by_each_method(case):
     begun = perf_counter()
     at, energy, momentum = drift(case, case.revolutions)
     seconds = perf_counter() - begun
-    told = (
-        f"\n{case.told:28} {at[-1]:9.0f} revolutions in {seconds:5.0f} s: energy "
+    text = (
+        f"\n{case.label:28} {at[-1]:9.0f} revolutions in {seconds:5.0f} s: energy "
         f"{energy[-1]:.1e}, momentum {momentum[-1]:.1e}"
     )
     more = MILLION / at[-1]
     if more > 1:
-        told += (
+        text += (
             f"; after {MILLION}, by its law: {energy[-1] * more**case.energy:.1e}, "
             f"{momentum[-1] * more**case.momentum:.1e}"
         )
-    print(told)
+    print(text)
     for values, law, most in (
         (energy, case.energy, case.most[0]),
         (momentum, case.momentum, case.most[1]),

@@ -322,16 +322,16 @@ def test_models_and_motions_refuse_in_words(call):
         call()
 
 
-def test_what_a_function_of_a_model_returns_is_told_where_it_does_not_fit():
+def test_what_a_function_of_a_model_returns_is_reported_where_it_does_not_fit():
     for exact, error in (
         (lambda s, p, t: None, ModelError),
         (lambda s, p, t: (1.0, 2.0), ModelError),
         (lambda s, p, t: (1 / t,), ZeroDivisionError),
     ):
         model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
-        with pytest.raises(NewtonEulerError, match="exact solution") as told:
+        with pytest.raises(NewtonEulerError, match="exact solution") as raised:
             model.solution(0.0, (1.0,))
-        assert isinstance(told.value, error)
+        assert isinstance(raised.value, error)
     model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), {"none": lambda s, p, t: None})
     with pytest.raises(ModelError, match="returns a number"):
         model.invariant("none", (1.0,))
@@ -392,7 +392,7 @@ def test_a_prepared_motion_of_taylor_drops_no_unit():
     assert run(1, [1]) == run(np.float64(1), np.ones(1)) == run(1.0, (1.0,))
 
 
-def test_what_can_be_told_as_real_numbers_is_taken():
+def test_what_can_be_read_as_real_numbers_is_taken():
     for times in ([0.5, 0.25], (0.5, mpmath.mpf(0.25)), np.array([0.5, 0.25], dtype=object)):
         assert MOTION.at(times)["h"].tolist() == MOTION.at(np.array([0.5, 0.25]))["h"].tolist()
         assert integrate(FALL, 1.0, START, samples=times).times.tolist() == [0.5, 0.25]
@@ -404,7 +404,7 @@ def test_what_can_be_told_as_real_numbers_is_taken():
 # -- compiled formulas
 
 
-def test_what_cannot_be_compiled_is_told_in_words():
+def test_what_cannot_be_compiled_is_refused_in_words():
     for f in (None, 3.0, int, max, object(), np, lambda *several: 1.0):
         with pytest.raises(ScalarError, match=r"function of scalars|to compile names"):
             compiled(f)

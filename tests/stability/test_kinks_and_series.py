@@ -137,9 +137,9 @@ def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
     a = np.concatenate([np.linspace(0.1, 3.0, 70), math.pi - 10.0 ** -np.arange(1.0, 8.0)])
     with pytest.raises(
         AccuracyError, match=r"of 77 motions are not as accurate.* number 7\d"
-    ) as told:
+    ) as raised:
         integrate(model, 20.0, (a, 0.0), 1e-11)
-    motions = told.value.reached
+    motions = raised.value.reached
     assert (motions.error <= 1e-11).sum() >= 70
     for n in (0, 35, 69, 70, 72, 74, 76):
         with mpmath.workdps(30):

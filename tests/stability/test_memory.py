@@ -39,11 +39,11 @@ def growth(make, before, after):
         for n in range(before):
             make(n)
         gc.collect()
-        held = tracemalloc.get_traced_memory()[0]
+        before_bytes = tracemalloc.get_traced_memory()[0]
         for n in range(before, after):
             make(n)
         gc.collect()
-        return tracemalloc.get_traced_memory()[0] - held
+        return tracemalloc.get_traced_memory()[0] - before_bytes
     finally:
         tracemalloc.stop()
 

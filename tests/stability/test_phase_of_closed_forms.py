@@ -183,10 +183,10 @@ def drawn(name, runs=RUNS):
 @pytest.mark.parametrize("name", FAMILIES)
 def test_the_estimate_covers_the_true_error_and_is_in_the_median_within_100_times_it(name):
     found = [errors(*case) for case in drawn(name)]
-    assert sum(true > told for true, told in found) <= RUNS // 100
-    assert all(true <= 10 * told for true, told in found)
+    assert sum(true > estimate for true, estimate in found) <= RUNS // 100
+    assert all(true <= 10 * estimate for true, estimate in found)
     # the least true error is that of one rounding: less is luck
-    assert median(told / max(true, 1e-17) for true, told in found) < 100
+    assert median(estimate / max(true, 1e-17) for true, estimate in found) < 100
 
 
 def test_a_pendulum_after_a_thousand_million_seconds():
@@ -204,13 +204,13 @@ def test_a_pendulum_after_a_thousand_million_seconds():
 
 def test_the_error_of_a_motion_is_this_estimate():
     model, start = physical_pendulum(2.0, 0.5, 0.5, 10.0), (1.0, 0.0)
-    true, told = errors(model, 1e9, start)
-    assert integrate(model, 1e9, start, rtol=1e-5, method="exact").error == told > true
+    true, estimate = errors(model, 1e9, start)
+    assert integrate(model, 1e9, start, rtol=1e-5, method="exact").error == estimate > true
 
 
 def test_a_state_that_is_zero_all_the_time_has_no_error():
-    _, told = errors(orbit(1.0), 1e3, (1.0, 0.0, 0.0, 1.0))
-    assert told < 1e-11
+    _, estimate = errors(orbit(1.0), 1e3, (1.0, 0.0, 0.0, 1.0))
+    assert estimate < 1e-11
     system = prepared_model(flat(9.82, 0.8))
     start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
     assert exact.estimated_error(system, 10.0, start, system.solution(10.0, start)) < 1e-13
@@ -248,7 +248,7 @@ def accepted(model, t, start, rtol, system=None):
 
 @pytest.mark.parametrize("rtol", [1e-6, 1e-9, 1e-12])
 def test_what_is_accepted_is_within_the_tolerance(rtol):
-    """Nearly always; beside a separatrix only the estimate of the motion itself tells."""
+    """Nearly always; near a separatrix only the estimate of the motion itself shows it."""
     found = [
         errors(*case)[0]
         for name in FAMILIES.keys() - {"beside_the_separatrix"}
@@ -322,7 +322,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("name", WRONG)
-def test_a_formula_that_is_no_solution_is_found_and_its_error_told(name):
+def test_a_formula_that_is_no_solution_is_found_and_its_error_estimated(name):
     model, t, start = WRONG[name]
     system = PreparedModel(model)
     assert not accepted(model, t, start, 1e-7, system)

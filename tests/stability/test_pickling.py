@@ -194,7 +194,7 @@ def test_a_lambda_that_branches_is_refused_as_python_does():
 
 
 def differences(motion, there):
-    """What they tell differently, or the states between the samples that differ."""
+    """What differs, or the states between the samples that differ."""
     facts = "end", "events", "drift", "error", "cost", "method"
     differing = [name for name in facts if getattr(there, name) != getattr(motion, name)]
     if str(there) != str(motion):
@@ -329,28 +329,28 @@ def things():
     P = body.point("P", moving(1.0, rate=3.0), 0, 0.5)
     whole = Body("b", 2.0, body, (0.1, 0.2, 0.25))
     seen = lambda v: (v.components(), v.frame.name, *map(str, v.terms.values()))
-    told = lambda v: (*seen(v), v.rate(v.frame._above[-1]).components(), str(v.explain()))
+    described = lambda v: (*seen(v), v.rate(v.frame._above[-1]).components(), str(v.explain()))
     text = lambda x: (str(x), repr(x))
     force = Force(ground.vector(0, 3.0, 0), ground.point("A", 2.0, 0, 0))
     parabolic = lambda u, v, w: ((u * u - v * v) / 2, u * v, w)
     q = moving(1.0, rate=0.5), moving(0.5, rate=0.2), moving(0.0, rate=1.0)
     return {
         "frame": (body, lambda f: (f.rotation(f._above[-1]), repr(f), len(f._above))),
-        "point": (P, lambda x: told(x.velocity(x.frame._above[-1]))),
+        "point": (P, lambda x: described(x.velocity(x.frame._above[-1]))),
         "vector": (ground.vector(1.0, 2.0, 0), seen),
         "vector at rest": (
             ground.vector(1.0, 2.0, 0),
             lambda v: v.rate(v.frame).rate(v.frame).rate(v.frame).rate(v.frame).components(),
         ),
-        "velocity": (P.velocity(ground), told),
+        "velocity": (P.velocity(ground), described),
         "acceleration": (P.acceleration(ground), seen),
-        "angular velocity": (body.angular_velocity(ground), told),
+        "angular velocity": (body.angular_velocity(ground), described),
         "angular acceleration": (body.angular_acceleration(ground), seen),
         "array": (ground.vector(np.arange(3.0), 1.0, 0), lambda v: v.to_array().tolist()),
         "symbols": (arm.vector(sympy.Symbol("x"), 1, 0), seen),
         "explanation": (P.acceleration(ground).explain("m/s^2"), text),
-        "polar": (polar(ground, "B", q[0], q[1]), lambda x: told(x.velocity(x.ground))),
-        "cylindrical": (cylindrical(ground, "B", *q), lambda x: told(x.velocity(x.ground))),
+        "polar": (polar(ground, "B", q[0], q[1]), lambda x: described(x.velocity(x.ground))),
+        "cylindrical": (cylindrical(ground, "B", *q), lambda x: described(x.velocity(x.ground))),
         "spherical": (spherical(ground, "B", *q), lambda x: seen(x.acceleration(x.ground))),
         "coordinates": (
             curvilinear(ground, "B", parabolic, *q), lambda x: seen(x.acceleration(x.ground))
@@ -378,19 +378,19 @@ def things():
 @WAYS
 @pytest.mark.parametrize("name", things())
 def test_results_can_be_sent(name, again):
-    thing, told = things()[name]
-    assert told(again(thing)) == told(thing)
-    assert told(again(again(thing))) == told(thing)
+    thing, described = things()[name]
+    assert described(again(thing)) == described(thing)
+    assert described(again(again(thing))) == described(thing)
 
 
 def test_a_process_that_does_not_know_the_frames_builds_them():
     """From its own tokens, which this process has forgotten."""
     for name in things():
-        thing, told = things()[name]
-        expected, data = told(thing), pickle.dumps(thing)
+        thing, described = things()[name]
+        expected, data = described(thing), pickle.dumps(thing)
         del thing
         gc.collect()
-        assert told(pickle.loads(data)) == expected, name
+        assert described(pickle.loads(data)) == expected, name
 
 
 def test_a_copy_of_a_frame_is_the_frame():

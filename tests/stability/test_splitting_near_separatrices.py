@@ -1,5 +1,5 @@
-"""Splitting methods beside separatrices, and rates that are zero: a fixed step that looks fine at
-the start is none where the motion is faster, and an error is told that is true.
+"""Splitting methods near separatrices, and rates that are zero: a fixed step that looks fine at
+the start is too long where the motion is faster, and the estimated error is true.
 """
 
 import math
@@ -29,9 +29,9 @@ FINE = pytest.param(1e-8, marks=pytest.mark.slow)  # millions of steps of a low 
 
 
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, FINE])
-@pytest.mark.parametrize("below", [1e-2, 1e-5, 1e-8])
+@pytest.mark.parametrize("below", [1e-2, 1e-5, FINE])
 @pytest.mark.parametrize("method", SPLITTING)
-def test_a_swing_nearly_to_the_top_is_as_accurate_as_told(method, below, rtol):
+def test_a_swing_nearly_to_the_top_is_as_accurate_as_estimated(method, below, rtol):
     """It begins at the lowest place, where nothing shows how it will linger at the top."""
     t, start = 25.0, (0.0, 2.0 - below)
     true = float(swing(t, start[1]))
@@ -46,7 +46,7 @@ def test_a_swing_nearly_to_the_top_is_as_accurate_as_told(method, below, rtol):
 
 
 @pytest.mark.parametrize("method", ["lie-poisson4", "lie-poisson8", "dop853"])
-def test_a_body_that_turns_over_is_as_accurate_as_told(method):
+def test_a_body_that_turns_over_is_as_accurate_as_estimated(method):
     """About the intermediate axis: it lingers, and turns over."""
     start = (1e-6, 1.0, 1e-6)
     true = integrate(free_body(1.0, 2.0, 3.0), 30.0, start, 1e-9, "exact").end

@@ -157,7 +157,7 @@ class Reference:
         """The point of one method at one tolerance, and the seconds that its first run took."""
         motion, cost, first = timed_run(partial(self.run, method, rtol), method)
         numbers = rtol, motion.cost.calls, worst_drift(motion)
-        family = CLOSED if motion.method.name == "exact" else STEPPING
+        family = CLOSED if motion.method.closed else STEPPING
         point = Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", *numbers, family)
         return point, first
 
@@ -176,7 +176,7 @@ def timed_run(run, method):
     result, first = _stopwatch(run)
     cost = first
     # a long first run is not repeated, unless it may have compiled code
-    if first <= LONGEST or method == "auto" or method in ("exact", "taylor"):
+    if first <= LONGEST or method == "auto" or METHODS[method].closed or METHODS[method].series:
         cost = _stopwatch(run)[1]
         if cost <= LONG:
             cost = timed(run, runs=3, shortest=1e-3)

@@ -87,7 +87,7 @@ def test_a_body_that_slips_goes_on_slipping():
         assert c.friction == pytest.approx(sign * 0.4 * 19.62)
 
 
-def test_what_a_contact_cannot_tell_is_said_in_words():
+def test_a_contact_says_what_it_cannot_decide():
     with pytest.raises(
         rolling_contact.ContactError,
         match="the surface would have to pull, so the body has left it",

@@ -1,4 +1,4 @@
-"""honesty.py and its chart: what counts as a promise kept, what is drawn where, and the command."""
+"""measurements/honesty.py, charts/honesty.py: what counts as a promise kept, what is drawn where, and the command."""
 
 import csv
 import math
@@ -10,7 +10,6 @@ import pytest
 from matplotlib.figure import Figure
 
 from newton_euler.accuracy.charts.honesty import PROMISE, draw_honesty
-from newton_euler.accuracy.command import main
 from newton_euler.accuracy.measurements import honesty as measuring
 from newton_euler.accuracy.measurements.honesty import (
     COLUMNS,
@@ -71,8 +70,8 @@ def liar(monkeypatch):
 
 
 def test_answers_have_the_true_error_and_the_estimate(liar):
-    told = [(a.method, a.asked, a.error, a.estimate) for a in liar[:5]]
-    assert told == [
+    output = [(a.method, a.asked, a.error, a.estimate) for a in liar[:5]]
+    assert output == [
         ("auto", 1e-3, 5e-4, 1e-3),
         ("auto", 1e-6, 3e-6, 5e-6),
         ("auto", 1e-9, 4e-4, 1e-10),
@@ -119,14 +118,14 @@ def test_a_method_that_takes_long_is_asked_for_no_more_digits():
 
 
 def test_progress_is_reported_scene_by_scene_and_never_goes_back():
-    told = []
-    honesty((SCENE, "low"), (1e-3,), ("exact", "auto"), progress=lambda *now: told.append(now))
-    assert [words for _, words in told] == [
+    output = []
+    honesty((SCENE, "low"), (1e-3,), ("exact", "auto"), progress=lambda *now: output.append(now))
+    assert [words for _, words in output] == [
         *(f"{SCENE}: {m}" for m in ("exact", "auto")),
         *(f"low: {m}" for m in ("exact", "auto")),
     ]
-    assert all(a < b for (a, _), (b, _) in pairwise(told))
-    assert 0 <= told[0][0] < told[-1][0] < 1
+    assert all(a < b for (a, _), (b, _) in pairwise(output))
+    assert 0 <= output[0][0] < output[-1][0] < 1
 
 
 # -- what is counted
@@ -302,60 +301,3 @@ def test_what_is_wrong_without_measure_is_drawn_at_the_edge():
     _, promise, estimate, _ = drawn([answer(error=math.inf), answer("ok", estimate=math.inf)])
     assert PROMISE[1] in [x for x, _ in marks(promise)]
     assert len(marks(estimate)) == 2
-
-
-# -- the command
-
-
-def run(*arguments):
-    """Its exit code."""
-    with pytest.raises(SystemExit) as end:
-        main(arguments, prog_name="python -m newton_euler.accuracy")
-    return end.value.code
-
-
-def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(measuring, "timed_run", lambda run, method: (run(), 1e-3, 1e-3))
-    path = tmp_path / "new" / "picture.svg"
-    options = "--scene", "Sphere-on-an-incline", "--methods", "exact, auto", "--quick"
-    assert run("honesty", *options, "--out", str(path)) == 0
-    told = capsys.readouterr()
-    assert f"written: {path} and {path.with_suffix('.csv')}" in told.out
-    assert {line.split()[0] for line in told.out.splitlines()[1:3]} == {"exact", "auto"}
-    assert not told.err  # progress is for terminals
-    picture = path.read_text(encoding="utf-8")
-    assert picture.lstrip().startswith("<?xml")
-    with open(path.with_suffix(".csv"), newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    assert tuple(rows[0]) == COLUMNS
-    assert {r["problem"] for r in rows} == {SCENE}
-    assert [float(r["asked"]) for r in rows if r["method"] == "exact"] == [
-        1e-3,
-        1e-5,
-        1e-7,
-        1e-9,
-        1e-11,
-    ]
-    assert all(float(r["error"]) < 1e-14 for r in rows if r["method"] == "exact")
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (("--scene", "topp"), "there is no 'topp'; there are planet; "),
-        (("--methods", "dop"), "there is no 'dop'; there are exact; taylor"),
-        (("--out", "honesty.txt"), "a picture ends in .png, .svg or .pdf, got 'honesty.txt'"),
-        (("--scene", SCENE, "--methods", "lie-poisson4"), "none of these methods can be used"),
-    ],
-)
-def test_what_does_not_exist_is_refused_with_what_does(options, words, capsys):
-    assert run("honesty", *options) == 2
-    assert words in capsys.readouterr().err
-
-
-def test_help_explains_the_chart_and_the_list_names_it(capsys):
-    assert run("honesty", "--help") == 0
-    told = capsys.readouterr().out
-    assert all(word in told for word in ("met %", "covers %", "est/true", "ring", "cross"))
-    assert run("--list") == 0
-    assert "honesty --help" in capsys.readouterr().out

@@ -72,12 +72,12 @@ def test_a_result_of_another_length_than_the_reference_is_refused():
 
 
 def test_the_caption_of_ways_follows_when_two_are_swapped():
-    told = ways_caption([Measured("a", 1e-6, 1e-16), Measured("b", 1e-5, 1e-16)])
-    assert "Of these a is the cheapest, 1 µs; next comes b, 10 times as long." in told
-    told = ways_caption([Measured("b", 1e-6, 1e-16), Measured("a", 1e-5, 1e-16)])
-    assert "Of these b is the cheapest, 1 µs; next comes a, 10 times as long." in told
-    told = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 1e-5, 1e-16)])
-    assert told == (
+    output = ways_caption([Measured("a", 1e-6, 1e-16), Measured("b", 1e-5, 1e-16)])
+    assert "Of these a is the cheapest, 1 µs; next comes b, 10 times as long." in output
+    output = ways_caption([Measured("b", 1e-6, 1e-16), Measured("a", 1e-5, 1e-16)])
+    assert "Of these b is the cheapest, 1 µs; next comes a, 10 times as long." in output
+    output = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 1e-5, 1e-16)])
+    assert output == (
         "Most accurate (error 2.2 × 10⁻¹⁶ or less): b, which takes 10 µs. "
         "a takes 1 µs, 10 times faster, with an error of 0.001."
     )
@@ -85,6 +85,6 @@ def test_the_caption_of_ways_follows_when_two_are_swapped():
 
 def test_ways_of_equal_cost_are_called_so_and_the_dearer_are_named():
     points = [Measured("a", 1e-6, 1e-16), Measured("b", 1.1e-6, 1e-16), Measured("c", 1e-5, 1e-6)]
-    told = ways_caption(points)
-    assert "Of these a and b cost about the same, least." in told
-    assert "Dearer and less accurate than a: c." in told
+    output = ways_caption(points)
+    assert "Of these a and b cost about the same, least." in output
+    assert "Dearer and less accurate than a: c." in output

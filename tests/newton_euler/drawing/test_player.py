@@ -61,7 +61,7 @@ def test_a_page_needs_nothing_from_elsewhere(tmp_path):
     assert not Tags(page.partition("\n")[2]).open
 
 
-def test_what_is_said_of_the_film_cannot_break_the_page():
+def test_the_alternative_text_of_a_film_cannot_break_the_page():
     page = film(alt='<script>"&').html()
     assert 'alt="&lt;script&gt;&quot;&amp;"' in page
     assert page.count("<script>") == 1
@@ -72,7 +72,7 @@ def test_two_shows_of_one_film_on_a_page_do_not_share_a_name():
     assert first != second
 
 
-def test_jupyter_gets_html_and_where_there_is_none_the_first_picture():
+def test_jupyter_gets_html_and_without_html_the_first_picture():
     bundle, about = film()._repr_mimebundle_()
     assert about["image/png"] == {"alt": "A disk turns.", "width": 50, "height": 40}
     assert bundle["text/html"].startswith("<div id=")
@@ -103,7 +103,7 @@ def test_the_page_says_how_the_show_differs_from_the_motion(speed, words):
         ((0.0, 0.1, 1.0), "t = 1.0 s"),
     ],
 )
-def test_times_have_the_decimals_that_tell_them_apart(times, label):
+def test_times_have_the_decimals_that_distinguish_them(times, label):
     assert f'"{label}"' in film(times).html()
 
 

@@ -111,7 +111,7 @@ def test_rates_solutions_and_bounds_have_the_units_of_their_quantities(name, run
     if model.exact:
         assert same(model.solution(TIME, states), states)
     assert all(x == UNITS[name][2] or x == math.inf for x in model.neglected(TIME, states).values())
-    said = (
+    observed = (
         ladder(name)
         .rung(rung)
         .observed(
@@ -120,7 +120,7 @@ def test_rates_solutions_and_bounds_have_the_units_of_their_quantities(name, run
             TIME,
         )
     )
-    assert all(x == UNITS[name][2] for x in said)
+    assert all(x == UNITS[name][2] for x in observed)
 
 
 @pytest.mark.parametrize(
@@ -214,7 +214,7 @@ BOUNDED = [(name, rung) for name, rung in RUNGS if ladder(name).rung(rung).bound
 
 
 @pytest.mark.parametrize(("name", "rung"), BOUNDED)
-def test_bounds_hold_and_are_as_narrow_as_told(name, rung):
+def test_bounds_hold_and_are_as_narrow_as_stated(name, rung):
     r, ratios = random.Random(8), []
     for n in range(60):
         found, _ = DRAWS[name](r)

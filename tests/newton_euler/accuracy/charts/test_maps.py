@@ -58,20 +58,22 @@ def test_a_speck_that_is_there_again_goes_to_its_neighbours_and_a_large_island_s
     assert (better[6:, 9] == SEA).all()
 
 
-def test_an_island_where_no_times_decide_is_told_to_be_a_strip_thinner_than_a_cell():
+def test_an_island_where_no_times_decide_is_called_a_strip_thinner_than_a_cell():
     def column(x, ys):
         return [LAND if (abs(y - 4.5) < 0.2 and abs(x - 4.5) < 0.1) or y > 9 else SEA for y in ys]
 
     chart = map_of(column)
-    (told,) = explained(chart, chart.measure())
-    assert told.startswith('The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y: a strip')
-    assert told in map_caption(chart, chart.measure())
+    (output,) = explained(chart, chart.measure())
+    assert output.startswith(
+        'The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y: a strip'
+    )
+    assert output in map_caption(chart, chart.measure())
 
 
-def test_an_island_larger_than_a_cell_is_told_to_be_a_region():
+def test_an_island_larger_than_a_cell_is_called_a_region():
     chart = map_of(lambda x, ys: [LAND if (2 < x < 5 and 2 < y < 5) or y > 9 else SEA for y in ys])
-    (told,) = explained(chart, chart.measure())
-    assert told.endswith("a region of its own.")
+    (output,) = explained(chart, chart.measure())
+    assert output.endswith("a region of its own.")
 
 
 def test_the_caption_follows_when_the_choices_are_swapped():

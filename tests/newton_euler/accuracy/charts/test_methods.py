@@ -68,28 +68,28 @@ def measured(closed=(1e-6, 1e-15), prepared=0.0, **stepping):
 
 
 def test_the_caption_names_the_cheapest_and_follows_when_two_methods_are_swapped():
-    told = methods_caption(measured(taylor=(1e-5, 1e-8), dop853=(1e-4, 1e-8)))
-    assert "taylor is the cheapest stepping method, at 10 µs; next comes dop853, 10 times" in told
-    told = methods_caption(measured(dop853=(1e-5, 1e-8), taylor=(1e-4, 1e-8)))
-    assert "dop853 is the cheapest stepping method, at 10 µs; next comes taylor, 10 times" in told
+    output = methods_caption(measured(taylor=(1e-5, 1e-8), dop853=(1e-4, 1e-8)))
+    assert "taylor is the cheapest stepping method, at 10 µs; next comes dop853, 10 times" in output
+    output = methods_caption(measured(dop853=(1e-5, 1e-8), taylor=(1e-4, 1e-8)))
+    assert "dop853 is the cheapest stepping method, at 10 µs; next comes taylor, 10 times" in output
 
 
 def test_methods_whose_times_differ_by_less_than_a_fifth_are_called_equal():
-    told = methods_caption(measured(taylor=(1e-5, 1e-8), dop853=(1.15e-5, 1e-8)))
-    assert "taylor and dop853 cost the same among the stepping methods" in told
+    output = methods_caption(measured(taylor=(1e-5, 1e-8), dop853=(1.15e-5, 1e-8)))
+    assert "taylor and dop853 cost the same among the stepping methods" in output
 
 
 def test_the_closed_form_is_called_cheaper_only_where_it_is():
     slow = {"taylor": (1e-4, 1e-8)}
     assert "cheaper than every stepping method" in methods_caption(measured(**slow))
-    told = methods_caption(measured(closed=(1e-3, 1e-15), **slow))
-    assert "10 times as long as taylor at its coarsest" in told
+    output = methods_caption(measured(closed=(1e-3, 1e-15), **slow))
+    assert "10 times as long as taylor at its coarsest" in output
     assert "There is no closed form." in methods_caption(measured(closed=None, **slow))
 
 
-def test_what_no_method_reaches_is_told():
-    told = methods_caption(measured(taylor=(1e-5, 1e-8)))
-    assert "No stepping method that was measured is right to 10⁻¹⁰." in told
+def test_what_no_method_reaches_is_stated():
+    output = methods_caption(measured(taylor=(1e-5, 1e-8)))
+    assert "No stepping method that was measured is right to 10⁻¹⁰." in output
 
 
 def test_the_runs_that_earn_back_a_preparation_are_counted():
@@ -126,6 +126,6 @@ def test_a_point_without_a_right_digit_has_no_ring():
     assert chart([wrong, right], Figure().subplots()) == [right]
 
 
-def test_a_closed_form_without_an_error_is_told_to_be_right_to_round_off():
+def test_a_closed_form_without_an_error_is_called_right_to_round_off():
     found = measured(closed=(1e-6, 0.0), taylor=(1e-4, 1e-8))
     assert "is right to 2.2 × 10⁻¹⁶" in methods_caption(found)

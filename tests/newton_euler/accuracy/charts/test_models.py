@@ -1,4 +1,4 @@
-"""charts/models.py: what is drawn of a ladder of models, which rung is ringed, what is said."""
+"""charts/models.py: what is drawn of a ladder of models, which rung is ringed, what the caption says."""
 
 from types import SimpleNamespace
 
@@ -71,7 +71,7 @@ def rings(points, tolerance):
     return [tuple(map(float, line.get_xdata())) for line in lines]
 
 
-def test_the_cheapest_model_within_the_tolerance_is_ringed_and_told():
+def test_the_cheapest_model_within_the_tolerance_is_ringed_and_named():
     points = models(bare=(1e-6, 1.0), rich=(5e-6, 1e-2), full=(1e-3, 0.0))
     assert rings(points, 0.1) == [(5e-6,)]
     assert "cheapest model is 2 (rich), 5 µs a run" in models_caption(
@@ -99,7 +99,7 @@ def test_no_model_is_ringed_where_none_is_within_the_tolerance():
     assert models_caption(points, ladder_of(points), 0.1).startswith("No model stays within 0.1 m.")
 
 
-def test_of_models_that_cost_the_same_the_simplest_is_taken_and_the_others_are_told():
+def test_of_models_that_cost_the_same_the_simplest_is_chosen_and_the_others_are_named():
     points = models(bare=(1.1e-6, 0.05), full=(1e-6, 0.0))
     assert choice(points, 0.1) is points[0]
     caption = models_caption(points, ladder_of(points), 0.1)

@@ -160,7 +160,7 @@ def test_the_printed_root_loses_a_digit_for_each_decade_and_the_engine_none(meas
 
 
 @pytest.mark.parametrize("name", COMPARISONS)
-def test_points_are_measured_with_cost_and_setting_and_progress_is_told(name, measured):
+def test_points_are_measured_with_cost_and_setting_and_progress_is_reported(name, measured):
     comparison, seen = COMPARISONS[name], []
     points = (
         comparison.measure(lambda fraction, words: seen.append((fraction, words)))

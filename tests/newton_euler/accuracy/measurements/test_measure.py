@@ -28,7 +28,7 @@ point_lists = st.lists(
 
 
 class Clock:
-    """A clock that goes on only when it is told to."""
+    """A clock that advances only when it is set."""
 
     now = 0.0
 

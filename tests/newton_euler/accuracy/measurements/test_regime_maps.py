@@ -53,10 +53,10 @@ def test_a_map_says_what_it_shows_with_units_and_has_a_colour_for_each_choice(ch
         assert np.all((edges[:-1] < middles) & (middles < edges[1:]))
 
 
-def test_measuring_tells_how_far_it_is_and_gives_a_row_for_each_y():
-    told = []
-    found = MAPS["steady precession"].measure((4, 3), told.append)
-    assert told == [0.0, 0.25, 0.5, 0.75]
+def test_measuring_reports_its_progress_and_gives_a_row_for_each_y():
+    output = []
+    found = MAPS["steady precession"].measure((4, 3), output.append)
+    assert output == [0.0, 0.25, 0.5, 0.75]
     assert found.shape == (3, 4)
     # at 30, 90 and 150 degrees
     assert [row[0] for row in found] == [maps.NONE, maps.BOTH, maps.OPPOSED]
@@ -80,6 +80,7 @@ def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_
     assert far[1] in (maps.DOP853, maps.TAYLOR)
 
 
+@pytest.mark.benchmark
 def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
     pytest.importorskip("heyoka")
     compiling = maps.compile_time()
@@ -213,8 +214,8 @@ def test_a_map_is_drawn_with_a_legend_of_what_it_holds_and_the_curves_of_theory(
     chart = MAPS[name]
     found = chart.measure((6, 6))
     draw_choices(chart, found, ax)
-    told = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert told == [choice for choice in chart.choices if (found == choice).any()] + [
+    output = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert output == [choice for choice in chart.choices if (found == choice).any()] + [
         curve.label for curve in chart.curves
     ]
     assert (ax.get_xlabel(), ax.get_ylabel()) == (chart.x.label, chart.y.label)

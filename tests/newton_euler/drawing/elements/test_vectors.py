@@ -88,15 +88,15 @@ def test_the_longest_arrow_has_the_length_that_the_sketch_says():
     assert shaft[1][0] == pytest.approx(100 * s.drawn.pt)
 
 
-def test_axes_of_other_frames_than_the_ground_are_dashed_unless_said_otherwise():
-    for frame, said, dashed in (
+def test_axes_of_other_frames_than_the_ground_are_dashed_by_default():
+    for frame, moved, dashed in (
         (ground, None, False),
         (ground.rotate("arm", "z", angle=0.3), None, True),
         (ground.rotate("corner", "z", angle=0.3), False, False),
         (ground, True, True),
     ):
         s = sketch()
-        s.axes(O, frame, moved=said)
+        s.axes(O, frame, moved=moved)
         s.finish()
         assert len(shafts(s, colour=MOVED)) == 3 * dashed
         assert len(shafts(s, colour=BLACK)) == 3 * (not dashed)

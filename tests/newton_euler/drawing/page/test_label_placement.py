@@ -1,4 +1,4 @@
-"""labels.py: labels keep clear of each other and on the page, and stay where they are told to."""
+"""labels.py: labels keep clear of each other and on the page, and stay at a fixed offset."""
 
 from itertools import pairwise
 

@@ -1,0 +1,123 @@
+"""work_precision.py: what is measured of each method, and against what."""
+
+import math
+from functools import partial
+from itertools import pairwise
+
+import mpmath as mp
+import pytest
+
+from newton_euler.accuracy.measurements import work_precision as precision
+from newton_euler.accuracy.measurements.measure import Measured, timed
+from newton_euler.accuracy.measurements.work_precision import work_precision
+from newton_euler.motion.integration import integrate
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.scenes import SCENES
+
+
+@pytest.fixture(scope="module")
+def swing():
+    """The pendulum by a few methods."""
+    output = []
+    found = work_precision(
+        "pendulum",
+        (1e-3, 1e-6, 1e-9),
+        ("dop853", "lie-poisson4", "yoshida6", "auto"),
+        longest=math.inf,  # the points shall not depend on how busy the machine is
+        progress=lambda *now: output.append(now),
+    )
+    return found, output
+
+
+def test_measured_errors_are_those_of_direct_integration(swing):
+    """The end by Jacobi's elliptic functions: sin(theta/2) = k cd(w t)."""
+    with mp.workdps(30):
+        w, k = (
+            mp.sqrt(2 * mp.mpf(10) * mp.mpf("0.5") / (mp.mpf("0.5") + 2 * mp.mpf("0.25"))),
+            mp.sin(mp.mpf("0.5")),
+        )
+        theta = 2 * mp.asin(k * mp.ellipfun("cd", w * 10, m=k * k))
+        omega = -mp.sign(mp.ellipfun("sd", w * 10, m=k * k)) * mp.sqrt(
+            2 * w * w * (mp.cos(theta) - mp.cos(1))
+        )
+    sizes = (1.0, 2 * float(w * k))
+    for p in (p for p in swing[0].points if p.method != "auto"):
+        end = integrate(*SCENES["pendulum"].motion, p.asked, p.method).end
+        error = max(abs(end["theta"] - theta) / sizes[0], abs(end["omega"] - omega) / sizes[1])
+        assert p.error == pytest.approx(float(error), rel=0.05, abs=2e-16)
+        assert p.error <= p.asked
+
+
+def test_drift_is_that_of_the_invariant_at_the_steps(swing):
+    model, t, start = SCENES["pendulum"].motion
+    (p,) = (p for p in swing[0].points if (p.method, p.asked) == ("dop853", 1e-6))
+    motion = integrate(model, t, start, 1e-6, "dop853")
+    energies = [
+        model.invariant("energy", state)
+        for state in zip(*(x.tolist() for x in motion.states.values()), strict=True)
+    ]
+    assert p.drift == pytest.approx(
+        max(abs(e - energies[0]) for e in energies) / max(map(abs, energies)), rel=1e-6
+    )
+    assert p.calls == motion.cost.calls > 100
+
+
+def test_of_several_invariants_the_worst_drift_counts():
+    motion = integrate(*SCENES["free body"].motion, 1e-6, "lie-poisson4")
+    assert motion.drift["momentum"] < 1e-12 < 1e-10 < motion.drift["energy"]
+    assert precision.worst_drift(motion) == pytest.approx(motion.drift["energy"], rel=0.1)
+
+
+def test_methods_that_a_scene_cannot_use_have_no_points(swing):
+    found, _ = swing
+    assert [p.asked for p in found.points if p.method == "dop853"] == [1e-3, 1e-6, 1e-9]
+    assert {p.method for p in found.points} == {"dop853", "yoshida6", "auto"}
+    assert all(p.cost > 0 for p in found.points)
+
+
+def test_progress_is_reported_and_never_goes_back(swing):
+    fractions = [fraction for fraction, _ in swing[1]]
+    assert all(a <= b for a, b in pairwise(fractions))
+    assert 0 <= fractions[0] < fractions[-1] <= 1
+    assert swing[1][0][1] == "dop853, 1e-03"
+
+
+def test_the_table_has_all_numbers_and_the_ratios_of_auto(swing):
+    output = swing[0].explain()
+    assert output.count("yoshida6 ") >= 3
+    for rtol, (ratio, best) in swing[0].ratios.items():
+        assert best in ("dop853", "yoshida6")
+        assert f"auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" in output
+
+
+def test_a_method_that_takes_long_is_asked_for_no_more_digits_and_named():
+    found = work_precision("sphere on an incline", (1e-3, 1e-4), ("dop853",), longest=0.0)
+    assert [p.asked for p in found.points] == [1e-3]
+    assert found.too_slow["dop853"].startswith("not asked for less than 1e-03, which took")
+
+
+def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_is_named():
+    found = work_precision("rolling sphere", (1e-6, 1e-7, 1e-8), ("verlet",), longest=math.inf)
+    assert METHODS["verlet"].min_rtol == 1e-7
+    assert [p.asked for p in found.points] == [1e-6, 1e-7]
+    assert "cannot reach it, the least is 1e-07" in found.unable["verlet"]
+
+
+def test_auto_is_compared_with_the_cheapest_that_reached_the_accuracy(monkeypatch):
+    class Runs:
+        """Runs that last so many seconds by the clock of the test."""
+
+        now = 0.0
+
+        def run(self, method, rtol):
+            self.now += {"coarse": 1e-4, "fine": 1e-3, "slow": 4e-3, "auto": 4e-3}[method]
+
+    runs = Runs()
+    monkeypatch.setattr(precision, "timed", partial(timed, clock=lambda: runs.now))
+
+    points = [Measured("coarse", 1e-4, 1e-2, asked=1e-6), Measured("fine", 1e-3, 1e-7, asked=1e-6), Measured("slow", 4e-3, 1e-9, asked=1e-6),
+              Measured("auto", 4e-3, 1e-9, asked=1e-6), Measured("auto", 4e-3, 1e-9, asked=1e-8)]  # fmt: skip
+    ((rtol, (ratio, best)),) = precision._ratios(runs, points)
+    assert (rtol, best) == (1e-6, "fine")
+    assert 2 < ratio < 8
+    assert ratio == pytest.approx(4)

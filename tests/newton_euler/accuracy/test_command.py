@@ -1,0 +1,158 @@
+"""The command: its list of charts, what it measures, prints and writes."""
+
+import csv
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import matplotlib
+import pytest
+
+from newton_euler.accuracy.catalogue import charts
+from newton_euler.accuracy.command import main
+from newton_euler.accuracy.measurements import honesty as measuring
+from newton_euler.accuracy.measurements.comparisons import COMPARISONS
+from newton_euler.accuracy.measurements.honesty import COLUMNS
+from newton_euler.accuracy.measurements.regime_maps import MAPS
+from newton_euler.scenes import LADDERS, SCENES
+
+matplotlib.use("Agg")
+ROOT = Path(__file__).parents[3]
+
+
+def run(*arguments):
+    """Its exit code."""
+    with pytest.raises(SystemExit) as end:
+        main(arguments, prog_name="python -m newton_euler.accuracy")
+    return end.value.code
+
+
+def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
+    assert run("--list") == 0
+    output = capsys.readouterr().out
+    names = list(charts())
+    assert len({re.sub("[^a-z]", "", n.lower()) for n in names}) == len(names)
+    assert set(names) == {
+        *SCENES,
+        *(f"models of {n}" for n in LADDERS),
+        *COMPARISONS,
+        *(f"map of {n}" for n in MAPS),
+    }
+    assert all(f"  {name} " in output for name in names)
+
+
+def test_an_unknown_name_is_refused_with_the_list(capsys, tmp_path):
+    assert run("top", "topp", "--out", str(tmp_path)) == 2
+    output = capsys.readouterr()
+    assert "no chart 'topp'" in output.err
+    assert "models of projectile" in output.err
+    assert not list(tmp_path.iterdir())
+
+
+def test_with_models_only_ladders_are_known(capsys):
+    assert run("pendulum of Foucault", "--models") == 2
+    assert "no chart 'pendulum of Foucault'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "file"),
+    [
+        ("Sphere-on-an-incline", "sphere-on-an-incline.svg"),
+        ("models of projectile", "models-of-projectile.svg"),
+    ],
+)
+def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
+    assert run(name, "--quick", "--format", "svg", "--out", str(tmp_path / "new")) == 0
+    output = capsys.readouterr()
+    assert f"written: {tmp_path / 'new' / file}" in output.out
+    assert "time" in output.out
+    assert not output.err  # progress is for terminals
+    assert (tmp_path / "new" / file).read_text().lstrip().startswith("<?xml")
+
+
+def test_the_module_runs_as_a_program():
+    output = subprocess.run(
+        [sys.executable, "-W", "error", "-m", "newton_euler.accuracy", "--help"],
+        cwd=ROOT,
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    assert "models of projectile" in output.stdout
+    assert not output.stderr
+
+
+@pytest.mark.parametrize("package", ["click", "rich"])
+def test_without_click_or_rich_it_says_what_to_install(package):
+    program = (
+        f"import runpy, sys; sys.modules[{package!r}] = None; "
+        "runpy.run_module('newton_euler.accuracy', run_name='__main__')"
+    )
+    output = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True
+    )
+    assert output.returncode == 1
+    assert output.stderr == (
+        f"python -m newton_euler.accuracy needs the package {package}: pip install "
+        "'newton-euler[course]'\n"
+    )
+
+
+def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
+    assert run("map of steady precession", "--quick", "--out", str(tmp_path)) == 0
+    output = capsys.readouterr().out
+    assert "none: it nutates" in output
+    assert (tmp_path / "map-of-steady-precession.png").stat().st_size > 10_000
+
+
+# -- honesty
+
+SCENE = "sphere on an incline"
+
+
+def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(measuring, "timed_run", lambda run, method: (run(), 1e-3, 1e-3))
+    path = tmp_path / "new" / "picture.svg"
+    options = "--scene", "Sphere-on-an-incline", "--methods", "exact, auto", "--quick"
+    assert run("honesty", *options, "--out", str(path)) == 0
+    output = capsys.readouterr()
+    assert f"written: {path} and {path.with_suffix('.csv')}" in output.out
+    assert {line.split()[0] for line in output.out.splitlines()[1:3]} == {"exact", "auto"}
+    assert not output.err  # progress is for terminals
+    picture = path.read_text(encoding="utf-8")
+    assert picture.lstrip().startswith("<?xml")
+    with open(path.with_suffix(".csv"), newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert tuple(rows[0]) == COLUMNS
+    assert {r["problem"] for r in rows} == {SCENE}
+    assert [float(r["asked"]) for r in rows if r["method"] == "exact"] == [
+        1e-3,
+        1e-5,
+        1e-7,
+        1e-9,
+        1e-11,
+    ]
+    assert all(float(r["error"]) < 1e-14 for r in rows if r["method"] == "exact")
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--scene", "topp"), "there is no 'topp'; there are planet; "),
+        (("--methods", "dop"), "there is no 'dop'; there are exact; taylor"),
+        (("--out", "honesty.txt"), "a picture ends in .png, .svg or .pdf, got 'honesty.txt'"),
+        (("--scene", SCENE, "--methods", "lie-poisson4"), "none of these methods can be used"),
+    ],
+)
+def test_what_does_not_exist_is_refused_with_what_does(options, words, capsys):
+    assert run("honesty", *options) == 2
+    assert words in capsys.readouterr().err
+
+
+def test_help_explains_the_chart_and_the_list_names_it(capsys):
+    assert run("honesty", "--help") == 0
+    output = capsys.readouterr().out
+    assert all(word in output for word in ("met %", "covers %", "est/true", "ring", "cross"))
+    assert run("--list") == 0
+    assert "honesty --help" in capsys.readouterr().out
