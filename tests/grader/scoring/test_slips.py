@@ -19,7 +19,9 @@ from newton_euler.answers.tolerance import NOISE
 from tests.grader.scoring.test_wrong_answers import right_answers
 
 ALL = select(["all"])
-NUMERIC = [p for p in ALL if not p.symbols and {a.kind for a in p.answers} <= {"number", "vector"}]
+NUMERIC = [
+    p for p in ALL if not p.symbols and {a.kind.name for a in p.answers} <= {"number", "vector"}
+]
 SYMBOLIC = [p for p in ALL if p.symbolic and not p.givens and not p.has_words]
 DRAWS = 3
 FACTORS = {
@@ -101,7 +103,7 @@ def counted(p, alone):
         for a in p.answers:
             if not math.hypot(*numbers.key[a.key][0]) > a.atol:
                 continue  # a key that is zero
-            for slip, words, x in slips_of(numbers.key[a.key][0], a.kind, a.unit):
+            for slip, words, x in slips_of(numbers.key[a.key][0], a.kind.name, a.unit):
                 outcome = judged(p, numbers, a, words, x, {} if alone else right)
                 found[slip, outcome] += 1
                 if outcome not in ("named", "unnamed", "observed", "passed"):

@@ -17,8 +17,10 @@ from newton_euler.answers.causes import (
     term_reversed,
 )
 from newton_euler.answers.diagnosis import Answered, Elsewhere, diagnose
+from newton_euler.answers.fit import EXACT, LOOSE, Fit
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.slips import factors
+from newton_euler.answers.tolerance import FORMULA_RTOL
 
 KEY = ((3.0, 4.0, 0.0),)
 MODEL = ((3.0, -4.0, 0.0),)
@@ -156,3 +158,11 @@ def test_the_distance_that_is_called_near_is_the_one_of_the_rule():
     assert "within 3 % of" in NEAR.text
     assert vector.observed(((3.0 * 1.029, 4.0 * 1.029, 0.0),), KEY) == NEAR
     assert vector.observed(((3.0 * 1.031, 4.0 * 1.031, 0.0),), KEY) is None
+
+
+def test_a_formula_fits_as_loosely_as_at_its_worst_point():
+    """Loose at one point and exact at the next: a model that fits exactly goes before it."""
+    key, given = ((1.0,), (2.0,)), ((3.0,), (5.0,))
+    loose = ((3.0 * (1 + 2e-5),), (5.0,))
+    for points, level in ((given, EXACT), (loose, LOOSE), (loose[::-1], 0)):
+        assert Fit(given, key, FORMULA_RTOL)(points) == level
