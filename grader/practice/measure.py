@@ -89,7 +89,7 @@ def _measure(page, number, found, times):
         for cause, x in models.get(key, ()):
             if cause.group == "listed":
                 found[LISTED][_outcome(p, q, x, right, cause, models[key], times)] += 1
-            elif q["step"] and cause.group in ("term", "unit", "axes"):
+            elif q["step"] and cause.group in ("omitted", "term", "unit", "axes"):
                 found[SLIPS][_outcome(p, q, x, right, cause, models[key], times)] += 1
         if KINDS[q["kind"]].is_word:
             continue

@@ -3,7 +3,7 @@ them. The words complete "it fits a solution that …" and never contain a numbe
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from .tolerance import NEARLY
 
@@ -16,9 +16,9 @@ class Cause:
     """A cause of wrong answers. Two are the same if ``group`` and ``name`` are, however they are
     worded.
 
-    group : listed (a mistake of the problem's own list), term, unit, axes or turned (of another
-        frame), rate, book, factor, slip, both (two listed ones at once), follows (from an earlier
-        answer), seen (a remark, where nothing explains it)
+    group : listed (a mistake of the problem's own list), omitted or term, unit, axes or turned (of
+        another frame), rate, book, factor, slip, both (two listed ones at once), follows (from an
+        earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
     text : its words
     """
@@ -38,6 +38,14 @@ class Cause:
         axes confused, in one part alone.
         """
         return self.group in ("listed", "unit", "book")
+
+    @property
+    def adds_to_others(self) -> bool:
+        """True of a cause that is named after another that gives the same numbers. The rest either
+        describe these numbers (a sign, a factor), or are the other in other words (a term left
+        out, a unit).
+        """
+        return self.group in ("listed", "book", "term")
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
@@ -116,6 +124,11 @@ def both(first: Cause, second: Cause) -> Cause:
     return Cause("both", f"{first.name} + {second.name}", f"{first.text}, and also {second.text}")
 
 
+def in_this_part(cause: Cause) -> Cause:
+    """The same cause where other parts are right that it would have made wrong."""
+    return replace(cause, text=f"in this part {cause.text}")
+
+
 def follows(names: Sequence[str]) -> Cause:
     """The answer is right given the student's own wrong earlier ones."""
     return Cause("follows", " ".join(names), f"follows from a wrong {' and '.join(names)}")
@@ -128,7 +141,7 @@ def listed(name: str, text: str) -> Cause:
 
 def term_left_out(name: str, words: str) -> Cause:
     """A named term of a sum is missing."""
-    return Cause("term", f"{name} x 0", f"leaves out {words}")
+    return Cause("omitted", name, f"leaves out {words}")
 
 
 def term_reversed(name: str, words: str) -> Cause:

@@ -1,5 +1,6 @@
 """Finds the mistake that explains a wrong answer. A mistake is reported only if it fits the answer,
-differs clearly from the key, and is not contradicted by the parts that are right.
+differs clearly from the key, and is named "in this part" where the parts that are right contradict
+it.
 """
 
 import math
@@ -7,8 +8,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import ROUNDED, Cause, both
-from .fit import CLOSE, EXACT, LOOSE, Fit
+from .causes import ROUNDED, Cause, both, in_this_part
+from .fit import CLOSE, EXACT, Fit
 from .kinds import KINDS, Kind
 from .slips import is_rounded, multiples, pairs, rates_as_scalars
 from .tolerance import LISTED_RTOL, NOISE, NUMBER_RTOL, Points, is_apart
@@ -80,49 +81,78 @@ def diagnose(
     """
     elsewhere = elsewhere or Elsewhere()
     if kind.is_word:  # of few words one is soon met by chance: listed mistakes only
-        same = [cause for cause, x in wrong if cause.group == "listed" and x == given]
-        return _chosen([c for c in same if not elsewhere.contradicts(c)], elsewhere)
+        models = (Hit(EXACT, *m) for m in wrong if m[0].group == "listed")
+        return _best([[hit for hit in models if hit.points == given]], elsewhere)
     fit = Fit(given, key, kind.rtol)
-    loose: list[Cause] = []
-    # what fits within the digits that were written goes before what fits within the tolerance
-    for hits in _stages(fit, wrong, kind, factors or {}, elsewhere):
-        best = max((level for level, _ in hits), default=0)
+    single = [*_stages(fit, wrong, kind, factors or {})]
+    return _best(single, elsewhere) or _pair(fit, wrong, elsewhere)
+
+
+class Hit(NamedTuple):
+    """A model that fits, and how closely."""
+
+    level: int
+    cause: Cause
+    points: Points
+
+
+def _best(stages, elsewhere):
+    """The causes of the stage that fits best, then those of all others with the same numbers.
+
+    What fits within the digits that were written goes before what fits within the tolerance, and
+    what the right parts contradict must fit within them: it was done in this part only.
+    """
+    contradicted = {h.cause for hits in stages for h in hits if elsewhere.contradicts(h.cause)}
+    possible = [[h for h in hits if h.cause not in contradicted] for hits in stages]
+    here = [
+        [h._replace(cause=in_this_part(h.cause)) for h in hits if h.cause in contradicted]
+        for hits in stages
+    ]
+    best = _closest(possible) or _closest(here) or next(filter(None, possible), [])
+    twins = [
+        h
+        for hits in (*possible, *here)
+        for h in hits
+        if h.cause.adds_to_others and any(_same(h.points, other.points) for other in best)
+    ]
+    return _chosen([h.cause for h in best], [h.cause for h in twins], elsewhere)
+
+
+def _closest(stages):
+    """The closest of the first stage in which something fits within the digits written."""
+    for hits in stages:
+        best = max((h.level for h in hits), default=0)
         if best >= CLOSE:
-            return _chosen([cause for level, cause in hits if level == best], elsewhere)
-        loose = loose or [cause for _, cause in hits]
-    return _chosen(loose, elsewhere)
+            return [h for h in hits if h.level == best]
+    return []
 
 
-def _chosen(causes, elsewhere):
+def _chosen(best, twins, elsewhere):
     """One cause, or several that fit alike; of these, the ones that explain most of the rest."""
-    causes = list(dict.fromkeys(causes))
+    causes = list(dict.fromkeys([*best, *twins]))
     if len(causes) > 1:
         counts = [elsewhere.explains(c) for c in causes]
         causes = [c for c, n in zip(causes, counts, strict=True) if n == max(counts)]
-    return tuple(causes) if len(causes) <= MOST else ()
+    return tuple(causes[:MOST]) if sum(c in best for c in causes) <= MOST else ()
 
 
 def _stages(
-    fit: Fit,
-    wrong: Sequence[Model],
-    kind: Kind,
-    factors: Mapping[str, float],
-    elsewhere: Elsewhere,
-) -> Iterator[list[tuple[int, Cause]]]:
-    """[(closeness, cause)] of the models that fit, from what is special to what is general."""
+    fit: Fit, wrong: Sequence[Model], kind: Kind, factors: Mapping[str, float]
+) -> Iterator[list[Hit]]:
+    """The models that fit, from what is special to what is general."""
     near = fit.near(wrong)
 
     def of(candidates, rtol=None, apart=True):
-        found = [(fit(x, rtol, apart), cause) for cause, x in candidates]
-        return [hit for hit in found if hit[0] and not elsewhere.contradicts(hit[1])]
+        hits = [Hit(fit(x, rtol, apart), cause, x) for cause, x in candidates]
+        return [hit for hit in hits if hit.level]
 
     def group(name, models=near):
         return [model for model in models if model[0].group == name]
 
-    rounded = [(EXACT, ROUNDED)] if _is_surely_rounded(fit) else []
+    rounded = [Hit(EXACT, ROUNDED, fit.given)] if _is_surely_rounded(fit) else []
     single, listed_alone = (NUMBER_RTOL, LISTED_RTOL) if kind.is_met_by_chance else (None, None)
     yield [*of(group("listed"), listed_alone), *of(group("book"), single, apart=False), *rounded]
-    yield of(group("term"))
+    yield of([*group("omitted"), *group("term")])
     yield of(group("unit"), single)
     yield [
         *of(multiples(fit, factors), single),
@@ -131,9 +161,14 @@ def _stages(
     ]
     rates = [x for _, x in group("rate", wrong)]
     yield of([*kind.slips(fit), *rates_as_scalars(fit, rates)])
-    found = [pair for pair in pairs(fit, group("listed", wrong)) if fit(pair[-1], NUMBER_RTOL)]
+
+
+def _pair(fit, wrong, elsewhere):
+    """Two listed mistakes at once, if no other two fit."""
+    listed = [model for model in wrong if model[0].group == "listed"]
+    found = [pair for pair in pairs(fit, listed) if fit(pair[-1], NUMBER_RTOL)]
     possible = [p[:2] for p in found if not any(map(elsewhere.contradicts, p[:2]))]
-    yield [(LOOSE, both(*pair)) for pair in possible] if len(possible) == 1 else []
+    return (both(*possible[0]),) if len(possible) == 1 else ()
 
 
 def _is_surely_rounded(fit):
@@ -150,10 +185,12 @@ def _of_unlike_axes(models, fit):
         # a model that does not fit need not be compared with the others
         if level := fit(x):
             if not any(_same(x, other) for other in seen):
-                found.append((level, cause))
+                found.append(Hit(level, cause, x))
             seen.append(x)
     return found
 
 
 def _same(a, b):
-    return all(math.dist(x, y) <= NOISE * math.hypot(*x) for x, y in zip(a, b, strict=True))
+    return a == b or all(
+        math.dist(x, y) <= NOISE * math.hypot(*x) for x, y in zip(a, b, strict=True)
+    )

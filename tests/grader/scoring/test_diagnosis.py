@@ -87,10 +87,12 @@ def test_every_listed_mistake_earns_nothing_and_is_told_by_its_own_text_if_no_ot
             tolerance.FORMULA_RTOL if p.answer(key).kind.is_formula else tolerance.RTOL,
         )
         if not same:
-            assert part.diagnosis == p.mistakes[name], (name, key)
+            assert texts(part)[0] == p.mistakes[name], (name, key)
+            assert {c.group for c in part.causes[1:]} <= {"term"}, (name, key)
             assert part.message == f"not right; it fits a solution that {part.diagnosis}"
         else:  # several fit: all are told, or those that fit better
-            assert set(texts(part)) <= {p.mistakes[m] for m in (name, *same)}, name
+            own = {c.text for c in part.causes if c.group == "listed"}
+            assert own <= {p.mistakes[m] for m in (name, *same)}, name
             assert p.mistakes[name] in texts(part), (name, key)
 
 
@@ -290,18 +292,16 @@ def test_a_frame_that_the_problem_does_not_name_is_not_named():
 
 
 @pytest.mark.parametrize(("number", "key"), [("4/16", "alpha_CD"), ("4/28", "alpha_panel")])
-def test_a_cause_that_the_right_parts_contradict_is_not_told(number, key):
-    """The angular acceleration alone reversed is no rate taken the other way: that would show in
-    the velocity.
-    """
+def test_a_cause_that_the_right_parts_contradict_is_named_in_this_part(number, key):
+    """A rate taken the other way shows in the velocity also: a sign is likelier."""
     p = problem(number)
     given = values(p, "variant")
     right = trees(p, p.solve(given))
     turned = {**right, key: [-x for x in right[key]]}
     parts = {x.key: x for x in score_receipt(p, given, {"answers": turned}).parts}
-    assert "sign" in parts[key].diagnosis
-    assert "other way" not in parts[key].diagnosis
     other = {"4/16": "beta_the_other_way", "4/28": "panels_the_other_way"}[number]
+    assert "sign" in texts(parts[key])[0]
+    assert texts(parts[key])[1:] == [f"in this part {p.mistakes[other]}"]
     assert p.mistakes[other] in texts(part_of(p, given, key, turned[key]))
 
 
@@ -332,7 +332,8 @@ def test_of_equal_causes_the_one_that_explains_the_other_parts_is_told():
     given = values(p, "variant")
     wrong = p.in_units(p.code.mistakes(p.base(given))["CD_outward"])
     answers = trees(p, wrong)
-    assert len(texts(part_of(p, given, "alpha_CD", answers["alpha_CD"]))) == 2
+    alone = part_of(p, given, "alpha_CD", answers["alpha_CD"])
+    assert [c.group for c in alone.causes].count("listed") == 2
     parts = score_receipt(p, given, {"answers": answers}).parts
     assert {part.diagnosis for part in parts} == {p.mistakes["CD_outward"]}
 

@@ -17,6 +17,7 @@ from newton_euler.answers.causes import (
     listed,
     other_axes,
     sentence,
+    term_left_out,
     term_reversed,
 )
 from newton_euler.answers.diagnosis import Answered, Elsewhere, diagnose
@@ -60,9 +61,14 @@ def test_of_two_models_that_are_near_the_one_that_fits_all_digits_is_named():
     assert len(diagnose(((3.0, -4.0051, 0.0),), KEY, near)) == 2
 
 
-def test_a_listed_model_is_named_before_a_term_with_the_same_numbers():
-    both_fit = [(term_reversed("y", "the term y"), MODEL), (TURNS, MODEL)]
-    assert diagnose(MODEL, KEY, both_fit) == (TURNS,)
+def test_a_term_with_the_numbers_of_a_listed_mistake_is_named_after_it():
+    """Unless it is left out, which is the same mistake in other words."""
+    term = term_reversed("y", "the term y")
+    assert diagnose(MODEL, KEY, [(term, MODEL), (TURNS, MODEL)]) == (TURNS, term)
+    left_out = term_left_out("y", "the term y")
+    assert diagnose(MODEL, KEY, [(left_out, MODEL), (TURNS, MODEL)]) == (TURNS,)
+    other = ((3.0, -4.0 + 1e-7, 0.0),)
+    assert diagnose(MODEL, KEY, [(term, other), (TURNS, MODEL)]) == (TURNS,)
 
 
 def test_a_model_that_is_near_the_key_is_not_named():
@@ -133,11 +139,18 @@ def part(right, given, wrong):
     return Answered(right, KINDS["vector"], given, KEY, wrong)
 
 
-def test_a_cause_that_a_right_part_contradicts_is_not_named():
+def test_a_cause_that_a_right_part_contradicts_is_named_last_and_in_this_part():
     """It would show there; a term can be left out of one part alone."""
     reworded = listed("turns", "turns y, as they say here")
     beside = Elsewhere(lambda: [part(True, KEY, [(reworded, MODEL)])])
-    assert diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=beside) == (MIRRORS,)
+    found = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=beside)
+    assert found == (MIRRORS, TURNS)
+    assert sentence(found) == f"{MIRRORS.text}; or one that in this part {TURNS.text}"
+    twice, nearly = ((6.5123, 9.0, 0.0),), ((6.5123, 9.0151, 0.0),)
+    beside = Elsewhere(lambda: [part(True, KEY, [(TURNS, twice)])])
+    assert diagnose(twice, KEY, [(TURNS, twice)], elsewhere=beside) == (TURNS,)
+    assert diagnose(nearly, KEY, [(TURNS, twice)]) == (TURNS,)
+    assert diagnose(nearly, KEY, [(TURNS, twice)], elsewhere=beside) == ()
     term = term_reversed("y", "the term y")
     beside = Elsewhere(lambda: [part(True, KEY, [(term, MODEL)])])
     assert diagnose(MODEL, KEY, [(term, MODEL)], elsewhere=beside) == (term,)
