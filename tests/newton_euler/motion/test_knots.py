@@ -66,10 +66,7 @@ def test_a_pulse_times_a_state_or_a_rate_is_found_too():
 
 def test_the_pulses_of_all_rates_are_found_in_order():
     model = Model(
-        "two",
-        {"w": 0.02},
-        ("x", "y"),
-        lambda s, p, t: (bump(t, 8.0, p.w), s.x * bump(t, 2.0, p.w)),
+        "two", {"w": 0.02}, ("x", "y"), lambda s, p, t: (bump(t, 8.0, p.w), s.x * bump(t, 2.0, p.w))
     )
     found = knots(prepared_model(model), 0.0, 10.0)
     assert len(found) == 4
