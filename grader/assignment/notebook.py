@@ -208,9 +208,7 @@ def build_notebook(
     total: float,
     figures: Mapping[str, bytes | None] | None = None,
 ) -> Notebook:
-    """The source notebook of an assignment with the numbers of the book; ``figures``: {problem id:
-    PNG}; ``seconds``: the time limit of a cell; ``total``: of all.
-    """
+    """A source notebook with the book's numbers; ``seconds``: per cell, ``total``: of all."""
     cells = [
         markdown_cell(
             "introduction",

@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from types import MappingProxyType
 from typing import Any, Generic, TypeVar
 
 from .pickles import Computed
@@ -89,7 +90,14 @@ class Terms(dict[str, T], Generic[T]):
     ({'arm 1': 1.0, 'arm 2': 2.0, 'rod': 4.0}, 7.0)
     """
 
+    shared: Mapping[str, str] = MappingProxyType({})
+
     def __init__(self, terms: "Mapping[str, T] | Iterable[tuple[str, T]]" = ()):
+        if isinstance(terms, dict):  # its names are distinct already
+            super().__init__(terms)
+            if isinstance(terms, Terms):
+                self.shared = terms.shared
+            return
         pairs = list(terms.items() if isinstance(terms, Mapping) else terms)
         given = [name for name, _ in pairs]
         names = distinct(given)
@@ -117,7 +125,10 @@ class Terms(dict[str, T], Generic[T]):
 
     def mapped(self, change: Callable[[T], T]) -> "Terms[T]":
         """The terms with ``change`` applied to each."""
-        return Terms((name, change(term)) for name, term in self.named())
+        changed = Terms({name: change(term) for name, term in self.items()})
+        if self.shared:
+            changed.shared = self.shared
+        return changed
 
     def weighted(self, factors: Mapping[str, Scalar]) -> list[tuple[Scalar, T]]:
         """Pairs of the factor given for a term (1 by default) and the term; a factor for a shared
@@ -139,9 +150,9 @@ def distinct(names: list[str]) -> list[str]:
     >>> distinct(["arm", "rod", "arm", "arm 1"])
     ['arm 2', 'rod', 'arm 3', 'arm 1']
     """
-    counts = Counter(names)
-    if len(counts) == len(names):
+    if len(set(names)) == len(names):
         return names
+    counts = Counter(names)
     numbered = {name: _numbered(name, counts) for name, n in counts.items() if n > 1}
     return [next(numbered[name]) if name in numbered else name for name in names]
 
@@ -387,7 +398,8 @@ def summed(
     """The :class:`Amount` that is the sum of these terms: numbers or amounts by name, or pairs
     (name, number).
     """
-    values = Terms(terms).mapped(value_of)
+    parts = Terms(terms)
+    total = sum(map(value_of, parts.values()), ZERO)
     return Amount(
-        to_plain(sum(values.values(), ZERO)), values.mapped(to_plain), what, number, error
+        to_plain(total), parts.mapped(lambda x: to_plain(value_of(x))), what, number, error
     )

@@ -449,12 +449,7 @@ class FastSpin:
 
 @checked
 def fast_spin(
-    I0: Scalar,
-    I: Scalar,
-    theta: Scalar,
-    spin: Scalar,
-    mgr: Scalar = None,
-    moment: Scalar = None,
+    I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar, mgr: Scalar = None, moment: Scalar = None
 ) -> FastSpin:
     """The approximate precession rates for a fast spin: mgr/(I phi') and I phi'/((I0 - I)
     cos(theta)) (10.34).

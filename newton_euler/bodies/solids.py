@@ -174,12 +174,7 @@ def half_disk(
 
 @checked
 def box(
-    a: Scalar,
-    b: Scalar,
-    c: Scalar,
-    centre: PointLike,
-    axis: str = "x",
-    **matter: Unpack[Matter],
+    a: Scalar, b: Scalar, c: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
     """A rectangular prism (App. B): edge a along ``axis``, b and c along the two that follow it."""
     name, m = _mass("box", matter, a * b * c, a=a, b=b, c=c)
@@ -288,12 +283,7 @@ def hemisphere(
 
 @checked
 def ellipsoid(
-    a: Scalar,
-    b: Scalar,
-    c: Scalar,
-    centre: PointLike,
-    axis: str = "x",
-    **matter: Unpack[Matter],
+    a: Scalar, b: Scalar, c: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
     """A solid ellipsoid: m (b^2 + c^2)/5 and so on.
 

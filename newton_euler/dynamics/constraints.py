@@ -65,10 +65,7 @@ class Freedom:
 
 @checked
 def degrees_of_freedom(
-    bodies: dict,
-    constraints: dict | None = None,
-    at: dict | None = None,
-    tolerance: float = 1e-9,
+    bodies: dict, constraints: dict | None = None, at: dict | None = None, tolerance: float = 1e-9
 ) -> Freedom:
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the
     number of coordinates less the rank of the Jacobian.

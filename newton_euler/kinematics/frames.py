@@ -428,7 +428,7 @@ class Point:
         self._c = _triple(v.value for v in x)
 
     def __repr__(self):
-        x = ", ".join(repr(to_plain(v)) for v in self.x)
+        x = ", ".join(repr(to_plain(v.value if v.rests() else v)) for v in self.x)
         return f"Point({self.name} at ({x}) in {self.frame.name})"
 
     def position(self, frame: Frame) -> Vector:

@@ -120,7 +120,7 @@ def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
     [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
     """
     if axes not in ("fixed", "moving"):
-        raise ValueError(
+        raise RotationError(
             "axes are 'fixed' (given in the ground) or 'moving' (turned by the earlier "
             f"rotations), got {axes!r}"
         )
@@ -453,9 +453,7 @@ def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
     # cos and sin of theta/2; (w, z) has the angle (psi + phi)/2, (x, y) (psi - phi)/2
     upright, tilted = sqrt(w * w + z * z), sqrt(x * x + y * y)
     theta = 2 * atan2(tilted, upright)
-    small = 4 * epsilon(
-        upright
-    )  # below it the angle of a pair is noise: that of the other is taken
+    small = 4 * epsilon(upright)  # below it the angle of a pair is noise: the other's is taken
     x, y = (where(tilted <= small, a, b) for a, b in ((w, x), (z, y)))
     w, z = (where(upright <= small, a, b) for a, b in ((x, w), (y, z)))
     # + 0 turns -0.0 into 0.0, whose angle is pi and not -pi
@@ -539,12 +537,7 @@ def unwound(
 
 @checked
 def euler_frame(
-    parent: Frame,
-    name: str,
-    psi: Scalar,
-    theta: Scalar,
-    phi: Scalar,
-    origin: Point | None = None,
+    parent: Frame, name: str, psi: Scalar, theta: Scalar, phi: Scalar, origin: Point | None = None
 ) -> Frame:
     """The frame ``name``, placed in ``parent`` by three successive turns (10.2): psi about z, theta
     about the new x, phi about the new z.

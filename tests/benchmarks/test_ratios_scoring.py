@@ -45,7 +45,7 @@ def test_scoring_a_class_against_solving_its_problems():
     values = [{p.id: draw(p, f"s{n}".encode()) for p in CH04} for n in range(STUDENTS)]
     right = [{p.id: right_answers(p, v[p.id]) for p in CH04} for v in values]
     wrong = [
-        {p.id: {a.key: too_large(a.kind, r[p.id][a.key]) for a in p.answers} for p in CH04}
+        {p.id: {a.key: too_large(a.kind.name, r[p.id][a.key]) for a in p.answers} for p in CH04}
         for r in right
     ]
     samples = [{p.id: numbers_of(p, v[p.id]).sample for p in CH04} for v in values]

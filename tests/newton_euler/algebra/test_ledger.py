@@ -75,6 +75,9 @@ def test_changed_and_pickled_terms_keep_the_names_that_were_given(pairs):
         assert list(same.terms) == list(F.terms)
         for name in {name for name, _ in pairs}:
             assert close(same.without(name).norm(), F.without(name).norm(), 1e-13)
+    U = summed(pairs)
+    for name in {name for name, _ in pairs}:
+        assert summed(U.terms).without(name) == U.without(name)
 
 
 @given(st.lists(st.sampled_from(NAMES)))

@@ -77,6 +77,14 @@ def test_a_form_that_names_no_kind_or_a_choice_without_words_is_refused(text):
         Form.read(text)
 
 
+def test_components_in_two_frames_of_unlike_size_are_those_of_two_vectors():
+    vector, form = KINDS["vector"], Form(KINDS["vector"])
+    same = {"arm": [3.0, 4.0, 0.0], "ground": [0.0, 0.0, 5.0]}
+    assert len(vector.readings(same, form, {}, [100])) == 2
+    with pytest.raises(TreeError, match="those of two vectors"):
+        vector.readings(same | {"ground": [0.0, 0.0, 5.1]}, form, {}, [100])
+
+
 # -- direction
 
 
@@ -129,7 +137,7 @@ def test_wrong_directions_are_explained_whatever_their_length_and_sense():
     assert diagnose(swapped, key, [], DIRECTION, DIRECTION.factors("1")) == (
         exchanged_components((0, 2)),
     )
-    nearly = ((-0.6, 0.0, 0.81),)
+    nearly = ((-0.603, 0.0, 0.81),)
     assert DIRECTION.observed(nearly, DIRECTION.like(KEY, nearly)) == NEAR
 
 

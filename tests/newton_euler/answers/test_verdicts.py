@@ -156,3 +156,9 @@ def test_the_answer_for_the_books_numbers_is_named_and_does_not_follow():
 def test_the_value_that_was_read_is_one_line(form, tree, line):
     assert value_line(Form.read(form), tree, "wrong") == line
     assert value_line(Form.read(form), tree, "unreadable") == ""
+
+
+@pytest.mark.parametrize("tree", [[[[]]] * 9999, "x" * 99999, 1e999, {"a": {"b": {}}}])
+@pytest.mark.parametrize("form", ["choice: a | b", "count"])
+def test_the_line_of_a_word_is_short_whatever_it_is(form, tree):
+    assert 0 < len(value_line(Form.read(form), tree, "wrong")) <= 200

@@ -32,11 +32,7 @@ from newton_euler.applications.gyroscopes import (
 )
 from newton_euler.applications.nutation import nutation
 from newton_euler.bodies.inertia import Inertia
-from newton_euler.kinematics.rotations import (
-    apply,
-    euler_frame,
-    euler_matrix,
-)
+from newton_euler.kinematics.rotations import apply, euler_frame, euler_matrix
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

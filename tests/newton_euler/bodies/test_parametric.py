@@ -173,10 +173,7 @@ def test_what_does_not_converge_is_refused_in_words():
     ):
         integrated(lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=lambda x, y, z: 1 / x)
     jump = lambda u, v: (u, v, 0), (0.0, 1.0), (0.0, 1.0)
-    quarter = {
-        "frame": F,
-        "density": lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
-    }
+    quarter = {"frame": F, "density": lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0)}
     with pytest.raises(
         MassError,
         match=r"did not converge: after \d+ subdivisions .* 1e-10 was asked for. Split the body",

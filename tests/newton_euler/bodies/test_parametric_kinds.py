@@ -24,11 +24,7 @@ def summary(body):
 def half_disk(R, m):
     return summary(
         integrated(
-            lambda r, a: (r * cos(a), r * sin(a), 0),
-            (0, R),
-            (0, pi(R)),
-            frame=Frame("O"),
-            mass=m,
+            lambda r, a: (r * cos(a), r * sin(a), 0), (0, R), (0, pi(R)), frame=Frame("O"), mass=m
         )
     )
 

@@ -17,10 +17,7 @@ from newton_euler.dynamics.euler import (
     fixed_line_momentum,
     planar_moment,
 )
-from newton_euler.dynamics.momentum import (
-    angular_momentum,
-    resultant_moment,
-)
+from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
 from newton_euler.dynamics.newton import resultant_force
 from tests.kinds import KINDS, numbers
 from tests.tumbling import close, free_body, turns

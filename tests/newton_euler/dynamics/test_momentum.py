@@ -14,11 +14,7 @@ from newton_euler.algebra.linear import solve_linear
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import rod, sphere
 from newton_euler.dynamics.force_systems import ForceSystem
-from newton_euler.dynamics.momentum import (
-    angular_momentum,
-    equations_of_motion,
-    resultant_moment,
-)
+from newton_euler.dynamics.momentum import angular_momentum, equations_of_motion, resultant_moment
 from newton_euler.dynamics.newton import resultant_force
 from tests.kinds import KINDS, number, numbers
 from tests.tumbling import MASSES, close, free_body, path, turns

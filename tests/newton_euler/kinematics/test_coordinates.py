@@ -11,17 +11,7 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    compiled,
-    cos,
-    cylindrical,
-    moving,
-    polar,
-    sin,
-    spherical,
-)
+from newton_euler import Dimension, Frame, compiled, cos, cylindrical, moving, polar, sin, spherical
 from newton_euler.algebra import SingularError
 from newton_euler.kinematics import (
     T_phi,

@@ -8,6 +8,7 @@ them.
 import gc
 import random
 import weakref
+from itertools import combinations, pairwise
 
 import mpmath
 import numpy as np
@@ -20,7 +21,6 @@ from mpmath import mp, mpf
 from newton_euler import (
     Dimension,
     Frame,
-    Point,
     Vector,
     at,
     compiled,
@@ -35,14 +35,7 @@ from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import along
 from tests.explicit import curve
 from tests.kinds import KINDS, close, number, numbers
-from tests.turning import (
-    DIGITS,
-    angular_acceleration,
-    angular_velocity,
-    rate,
-    rot,
-    second_rate,
-)
+from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
 from tests.turning import cross as cross50
 
 # what tests.kinds does to a number, instant by instant
@@ -167,13 +160,16 @@ def test_eqn_4_13_and_4_14_a_vector_fixed_in_a_frame_turns_with_it(kind, axis):
     ground, body = in_engine(tree, kind)
     for n, unit in enumerate((body.i, body.j, body.k)):
         e = mpmath.matrix([int(n == m) for m in range(3)])
+        turned = lambda s, e=e: rate(lambda t: Explicit(tree, s).R(1, t) * e)
         assert close(unit.rate(ground), cross(body.angular_velocity(ground), unit))
-        assert agrees(
-            kind,
-            unit.rate(ground),
-            ground,
-            lambda s, e=e: rate(lambda t: Explicit(tree, s).R(1, t) * e),
-        )
+        assert agrees(kind, unit.rate(ground), ground, turned)
+
+
+Q = [[0.3, 1.1, -0.6], [1.2, -0.4, 0.9], [-0.8, 0.5, 0.2]]
+
+
+def moving_vector(kind, frame, q=Q):
+    return frame.vector(*(moving(*numbers(kind, *v)) for v in q))
 
 
 @pytest.mark.parametrize("kind", FAST_KINDS)
@@ -181,73 +177,50 @@ def test_eqn_4_13_and_4_14_a_vector_fixed_in_a_frame_turns_with_it(kind, axis):
 def test_eqn_4_15_and_4_27_rate_of_a_moving_vector_seen_from_any_frame(kind, seed):
     tree = random_tree(seed, 4)
     frames = in_engine(tree, kind)
-    q = [[0.3, 1.1, -0.6], [1.2, -0.4, 0.9], [-0.8, 0.5, 0.2]]
-    Q = frames[4].vector(*(moving(*numbers(kind, *v)) for v in q))
-    for observer in range(5):
-        dQ = Q.rate(frames[observer])
-        assert agrees(
-            kind,
-            dQ,
-            frames[observer],
-            lambda s, m=observer: rate(Explicit(tree, s).turned(4, q, m)),
-        )
-        if observer != 4:
+    for m, observer in enumerate(frames):
+        dQ = moving_vector(kind, frames[4]).rate(observer)
+        assert agrees(kind, dQ, observer, lambda s, m=m: rate(Explicit(tree, s).turned(4, Q, m)))
+        if m != 4:
             assert list(dQ.terms) == ["relative", "rotation"]
-            assert close(dQ.terms["relative"] + dQ.terms["rotation"], dQ)
-            assert close(
-                dQ.terms["relative"].components(frames[4]), tuple(numbers(kind, *(v[1] for v in q)))
-            )
+            assert close(sum(dQ.terms.values()), dQ)
+            own = tuple(numbers(kind, *(v[1] for v in Q)))
+            assert close(dQ.terms["relative"].components(frames[4]), own)
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_eqn_4_15_twice_with_two_observers(seed):
     """The rate seen from k of the rate seen from j."""
     tree = random_tree(seed, 4)
-    frames = in_engine(tree, "mpmath")
-    q = [[0.3, 1.1, -0.6], [1.2, -0.4, 0.9], [-0.8, 0.5, 0.2]]
-    Q = frames[4].vector(*(moving(*numbers("mpmath", *v)) for v in q))
-    e = Explicit(tree)
+    frames, e = in_engine(tree, "mpmath"), Explicit(tree)
     for j, k in ((0, 0), (0, 2), (3, 1), (4, 0), (1, 4), (4, 4)):
-
-        def seen_from_k(t, j=j, k=k):
-            return e.between(j, k)(t) * rate(e.turned(4, q, j), t)
-
-        assert agrees(
-            "mpmath", Q.rate(frames[j]).rate(frames[k]), frames[k], lambda s, f=seen_from_k: rate(f)
-        )
+        seen_from_k = lambda t, j=j, k=k: e.between(j, k)(t) * rate(e.turned(4, Q, j), t)
+        found = moving_vector("mpmath", frames[4]).rate(frames[j]).rate(frames[k])
+        assert agrees("mpmath", found, frames[k], lambda s, f=seen_from_k: rate(f))
 
 
 @pytest.mark.parametrize("kind", FAST_KINDS)
 def test_eqn_4_15_holds_for_sums_products_and_cross_products(kind):
     tree = chain(11, 2)
-    frames = in_engine(tree, kind)
-    p, q = (
-        [[0.3, 1.1, -0.6], [1.2, -0.4, 0.9], [-0.8, 0.5, 0.2]],
-        [[1.0, 0.2, 0.1], [0.4, 0.0, -0.3], [0.7, -0.5, 0.6]],
-    )
-    P, Q = (frames[n].vector(*(moving(*numbers(kind, *v)) for v in x)) for n, x in ((1, p), (2, q)))
-    m, f = [0.9, -1.7, 0.4], frames[0]
-    M = moving(*numbers(kind, *m))
+    f, first, second = in_engine(tree, kind)
+    other, factor = [[1.0, 0.2, 0.1], [0.4, 0.0, -0.3], [0.7, -0.5, 0.6]], [0.9, -1.7, 0.4]
+    A, B = moving_vector(kind, first), moving_vector(kind, second, other)
+    M = moving(*numbers(kind, *factor))
 
-    def explicit(combine):
-        def with_scale(s):
-            e = Explicit(tree, s)
-            return rate(
-                lambda t: combine(e.turned(1, p, 0)(t), e.turned(2, q, 0)(t), e.course(m, t))
-            )
-
-        return with_scale
+    def explicit(combine, s):
+        e = Explicit(tree, s)
+        a, b = e.turned(1, Q, 0), e.turned(2, other, 0)
+        return rate(lambda t: combine(a(t), b(t), e.course(factor, t)))
 
     for found, combine in (
-        (P + Q, lambda a, b, m: a + b),
-        (P - Q, lambda a, b, m: a - b),
-        (P.cross(Q), lambda a, b, m: cross50(a, b)),
-        (M * P, lambda a, b, m: m * a),
-        (P / M, lambda a, b, m: a / m),
-        ((-P).expressed_in(frames[2]), lambda a, b, m: -a),
-        (3 * P / 2, lambda a, b, m: 3 * a / 2),
+        (A + B, lambda a, b, m: a + b),
+        (A - B, lambda a, b, m: a - b),
+        (A.cross(B), lambda a, b, m: cross50(a, b)),
+        (M * A, lambda a, b, m: m * a),
+        (A / M, lambda a, b, m: a / m),
+        ((-A).expressed_in(second), lambda a, b, m: -a),
+        (3 * A / 2, lambda a, b, m: 3 * a / 2),
     ):
-        assert agrees(kind, found.rate(f), f, explicit(combine))
+        assert agrees(kind, found.rate(f), f, lambda s, c=combine: explicit(c, s))
 
 
 POINT = [[0.6, -1.2, 0.5], [0.4, 0.7, -0.9], [-1.1, 0.3, 0.8]]
@@ -261,20 +234,13 @@ def test_eqn_4_16_to_4_18_from_every_observer_by_way_of_every_frame(kind, seed):
     """
     tree = random_tree(seed, 5)
     frames = in_engine(tree, kind)
-    rng = random.Random(seed)
-    here = rng.randrange(6)
+    here = random.Random(seed).randrange(6)
     P = frames[here].point("P", *(moving(*numbers(kind, *v)) for v in POINT))
     for m, observer in enumerate(frames):
-        assert agrees(
-            kind,
-            P.position(observer),
-            observer,
-            lambda s, m=m: Explicit(tree, s).seen(here, POINT, m)(mpf(0)),
-        )
-        velocity = {s: rate(Explicit(tree, s).seen(here, POINT, m)) for s in SCALES[kind]}
-        acceleration = {
-            s: second_rate(Explicit(tree, s).seen(here, POINT, m)) for s in SCALES[kind]
-        }
+        seen = {s: Explicit(tree, s).seen(here, POINT, m) for s in SCALES[kind]}
+        assert agrees(kind, P.position(observer), observer, lambda s, f=seen: f[s](mpf(0)))
+        velocity = {s: rate(f) for s, f in seen.items()}
+        acceleration = {s: second_rate(f) for s, f in seen.items()}
         for via in (None, *frames):
             v, a = P.velocity(observer, via), P.acceleration(observer, via)
             assert agrees(kind, v, observer, velocity.get)
@@ -301,26 +267,19 @@ def test_eqn_4_28_and_4_29_term_by_term(seed):
             assert i == j or P.frame is observer
             continue
         with mp.workdps(DIGITS):
-            into = e.between(i, j)(mpf(0))
-            r, v_r, a_r = (
-                e.seen(5, POINT, i)(mpf(0)),
-                rate(e.seen(5, POINT, i)),
-                second_rate(e.seen(5, POINT, i)),
-            )
-            r, v_r, a_r = (into * x for x in (r, v_r, a_r))
-            omega, alpha = angular_velocity(e.between(i, j)), angular_acceleration(e.between(i, j))
-            v_origin, a_origin = rate(e.seen(i, None, j)), second_rate(e.seen(i, None, j))
-            expected_v = {"origin": v_origin, "relative": v_r, "rotation": cross50(omega, r)}
+            into, seen, origin = e.between(i, j), e.seen(5, POINT, i), e.seen(i, None, j)
+            r, v_r, a_r = (into(mpf(0)) * x for x in (seen(mpf(0)), rate(seen), second_rate(seen)))
+            omega, alpha = angular_velocity(into), angular_acceleration(into)
+            expected_v = {"origin": rate(origin), "relative": v_r, "rotation": cross50(omega, r)}
             expected_a = {
-                "origin": a_origin,
+                "origin": second_rate(origin),
                 "relative": a_r,
                 "coriolis": 2 * cross50(omega, v_r),
                 "euler": cross50(alpha, r),
                 "centripetal": cross50(omega, cross50(omega, r)),
             }
-        assert list(v.terms) == list(expected_v)
-        assert list(a.terms) == list(expected_a)
         for terms, expected in ((v.terms, expected_v), (a.terms, expected_a)):
+            assert list(terms) == list(expected)
             for name, wanted in expected.items():
                 assert agrees("mpmath", terms[name], observer, lambda s, w=wanted: w), (name, j, i)
 
@@ -428,67 +387,42 @@ def test_eqn_4_19_to_4_24_angular_velocity_and_acceleration_between_any_two_fram
     rng = random.Random(seed)
     for _ in range(8):
         n, m = rng.randrange(7), rng.randrange(7)
-        omega, alpha = (
-            frames[n].angular_velocity(frames[m]),
-            frames[n].angular_acceleration(frames[m]),
-        )
-        assert agrees(
-            kind,
-            omega,
-            frames[m],
-            lambda s, n=n, m=m: angular_velocity(Explicit(tree, s).between(n, m)),
-        )
-        assert agrees(
-            kind,
-            alpha,
-            frames[m],
-            lambda s, n=n, m=m: angular_acceleration(Explicit(tree, s).between(n, m)),
-        )
-        assert close(sum(omega.terms.values(), start=0 * omega), omega, 1e-11)
-        assert close(sum(alpha.terms.values(), start=0 * alpha), alpha, 1e-10)
+        between = lambda s, n=n, m=m: Explicit(tree, s).between(n, m)
+        omega = frames[n].angular_velocity(frames[m])
+        alpha = frames[n].angular_acceleration(frames[m])
+        assert agrees(kind, omega, frames[m], lambda s, f=between: angular_velocity(f(s)))
+        assert agrees(kind, alpha, frames[m], lambda s, f=between: angular_acceleration(f(s)))
+        for x in (omega, alpha):
+            assert close(sum(x.terms.values(), start=0 * x), x, 1e-10)
 
 
-@pytest.mark.parametrize(
-    ("count", "equation"), [(2, "4.25"), (3, "4.26"), (4, "n"), (5, "n"), (6, "n")]
-)
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("kind", FAST_KINDS)
-def test_eqn_4_25_and_4_26_and_the_rule_for_n_frames(kind, count, equation):
+def test_eqn_4_25_and_4_26_and_the_rule_for_n_frames(kind, count):
     """alpha = sum of the relative ones and of all cross products of an inner with an outer rate,
     each term with its name.
     """
-    tree = chain(count, count)
-    frames = in_engine(tree, kind)
-    alpha = frames[-1].angular_acceleration(frames[0])
-    spins = [frames[n].angular_velocity(frames[n - 1]) for n in range(1, count + 1)]
-    own = {f"f{n}": frames[n].angular_acceleration(frames[n - 1]) for n in range(1, count + 1)}
-    crossed = {
-        f"f{n + 1} x f{m + 1}": spins[n].cross(spins[m])
-        for n in range(count)
-        for m in range(n + 1, count)
-    }
-    expected = {**own, **crossed}
+    frames = in_engine(chain(count, count), kind)
+    ground, last = frames[0], frames[-1]
+    alpha = last.angular_acceleration(ground)
+    pairs = list(pairwise(frames))
+    spins = {f.name: f.angular_velocity(parent) for parent, f in pairs}
+    expected = {f.name: f.angular_acceleration(parent) for parent, f in pairs}
+    for (n, u), (m, v) in combinations(spins.items(), 2):
+        expected[f"{n} x {m}"] = u.cross(v)
     assert set(alpha.terms) == set(expected)
     for name, term in expected.items():
-        assert close(
-            alpha.terms[name].expressed_in(frames[0]), term.expressed_in(frames[0]), 1e-11
-        ), name
-    assert agrees(
-        kind, alpha, frames[0], lambda s: angular_acceleration(Explicit(tree, s).between(count, 0))
-    )
-    assert equation in ("n", alpha.explain().equation.number) or count == 3
+        assert close(alpha.terms[name], term, 1e-11), name
+    if count == 2:
+        assert alpha.explain().equation.number == "4.25"
 
 
 def test_eqn_4_25_alpha_is_not_zero_although_all_rates_are_constant_and_is_in_the_plane():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", 0.3, rate=2.0)
-    assert arm.rotate("rod", "x", 0.4, rate=3.0).angular_acceleration(
-        ground
-    ).norm() == pytest.approx(6.0)
-    assert is_zero_vector(arm.rotate("rod", "z", 0.4, rate=3.0).angular_acceleration(ground))
-
-
-def is_zero_vector(v):
-    return all(c == 0 for c in v)
+    across, along_it = (arm.rotate("rod", axis, 0.4, rate=3.0) for axis in "xz")
+    assert across.angular_acceleration(ground).norm() == pytest.approx(6.0)
+    assert along_it.angular_acceleration(ground).components() == (0, 0, 0)
 
 
 def test_eqn_4_25_leaves_out_a_frame_that_is_only_translated():
@@ -503,15 +437,9 @@ def test_eqn_4_25_leaves_out_a_frame_that_is_only_translated():
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_section_4_7_the_angular_velocity_seen_the_other_way_is_the_opposite(kind):
-    tree = chain(4, 2) if kind == "sympy" else random_tree(4, 5)
-    frames = in_engine(tree, kind)
-    omega, Omega = frames[-1].angular_velocity(frames[0]), frames[0].angular_velocity(frames[-1])
-    assert close(omega, -Omega.expressed_in(omega.frame))
-    alpha, Alpha = (
-        frames[-1].angular_acceleration(frames[0]),
-        frames[0].angular_acceleration(frames[-1]),
-    )
-    assert close(alpha, -Alpha.expressed_in(alpha.frame), 1e-11)
+    first, *_, last = in_engine(chain(4, 2) if kind == "sympy" else random_tree(4, 5), kind)
+    assert close(last.angular_velocity(first), -first.angular_velocity(last))
+    assert close(last.angular_acceleration(first), -first.angular_acceleration(last), 1e-11)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -523,6 +451,10 @@ def test_section_4_7_omega_has_the_same_rate_in_its_two_frames_and_in_no_third(s
     assert close(omega.rate(b), alpha, 1e-11)
     assert close(omega.rate(third), alpha + a.angular_velocity(third).cross(omega), 1e-10)
     assert not same(omega.rate(third), alpha, 1e-3)
+
+
+DATA = ("phi", "omega", "domega", "p", "dp", "R", "r")
+VALUES = (0.4, 1.2, 0.3, 4, 0.7, 2, 0.5)
 
 
 def inclined_disk(phi, omega, domega, p, dp, R, r):
@@ -537,50 +469,19 @@ def inclined_disk(phi, omega, domega, p, dp, R, r):
     return ground, shaft, disk, disk.point("A", 0, r, 0)
 
 
-@pytest.fixture(params=list(KINDS))
-def disk(request):
-    given = dict(
-        zip(
-            ("phi", "omega", "domega", "p", "dp", "R", "r"),
-            numbers(request.param, 0.4, 1.2, 0.3, 4, 0.7, 2, 0.5),
-            strict=True,
-        )
-    )
-    return given, inclined_disk(**given)
-
-
-def test_example_4_11_the_axes_are_those_of_the_book(disk):
-    g, (ground, _, disk, _) = disk
-    s, c = sin(g["phi"]), cos(g["phi"])
-    assert close(disk.i.components(ground), (-1, 0, 0))
-    assert close(disk.j.components(ground), (0, -s, c))
-    assert close(disk.k.components(ground), (0, c, s))
-
-
-def test_example_4_11_velocity(disk):
-    g, (ground, shaft, frame, A) = disk
-    s, c = sin(g["phi"]), cos(g["phi"])
-    along = g["r"] * g["omega"] * s + g["r"] * g["p"] - g["R"] * g["omega"] * c
-    assert close(A.velocity(ground).components(ground), (along, 0, 0))
-    assert close(A.velocity(ground, via=shaft).components(ground), (along, 0, 0))
-    assert close(frame.origin.velocity(ground).components(ground), (-g["omega"] * g["R"] * c, 0, 0))
-
-
-def test_example_4_11_angular_acceleration_by_4_25(disk):
-    g, (ground, _, frame, _) = disk
-    s, c = sin(g["phi"]), cos(g["phi"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_example_4_11_by_the_printed_formulas_and_each_of_their_terms(kind):
+    phi, w, dw, p, dp, R, r = q = numbers(kind, *VALUES)
+    ground, shaft, frame, A = inclined_disk(*q)
+    s, c = sin(phi), cos(phi)
+    assert close(frame.rotation(ground), ((-1, 0, 0), (0, -s, c), (0, c, s)))
+    along = r * w * s + r * p - R * w * c
+    for via in (frame, shaft):
+        assert close(A.velocity(ground, via).components(ground), (along, 0, 0))
+    assert close(frame.origin.velocity(ground).components(ground), (-w * R * c, 0, 0))
     alpha = frame.angular_acceleration(ground)
-    assert close(
-        alpha.components(frame),
-        (g["omega"] * g["p"] * c, g["domega"] * c, g["domega"] * s + g["dp"]),
-    )
-    assert close(alpha.terms["2 x 3"].components(frame), (g["omega"] * g["p"] * c, 0, 0))
-
-
-def test_example_4_11_acceleration_and_each_of_its_terms(disk):
-    g, (ground, _, frame, A) = disk
-    s, c = sin(g["phi"]), cos(g["phi"])
-    w, dw, p, dp, R, r = (g[n] for n in ("omega", "domega", "p", "dp", "R", "r"))
+    assert close(alpha.components(frame), (w * p * c, dw * c, dw * s + dp))
+    assert close(alpha.terms["2 x 3"].components(frame), (w * p * c, 0, 0))
     a = A.acceleration(ground)
     assert a.frame is frame
     assert close(a.terms["origin"], (dw * R * c, w**2 * R * s * c, -(w**2) * R * c**2))
@@ -596,23 +497,8 @@ def test_example_4_11_acceleration_and_each_of_its_terms(disk):
     assert close(a, printed)
 
 
-@pytest.mark.parametrize(
-    ("phi", "expected"),
-    [(0.0, lambda w, p, R, r: r * p - R * w), (np.pi / 2, lambda w, p, R, r: r * w + r * p)],
-)
-def test_example_4_11_checks_at_0_and_90_degrees(phi, expected):
-    ground, _, _, A = inclined_disk(phi, 1.2, 0.3, 4.0, 0.7, 2.0, 0.5)
-    assert close(A.velocity(ground).components(ground), (expected(1.2, 4.0, 2.0, 0.5), 0, 0))
-
-
 def test_example_4_11_against_the_explicit_motion_in_50_digits():
-    g = dict(
-        zip(
-            ("phi", "omega", "domega", "p", "dp", "R", "r"),
-            numbers("mpmath", 0.4, 1.2, 0.3, 4, 0.7, 2, 0.5),
-            strict=True,
-        )
-    )
+    g = dict(zip(DATA, numbers("mpmath", *VALUES), strict=True))
     ground, _, _, A = inclined_disk(**g)
 
     def place(t):
@@ -641,85 +527,40 @@ turns = st.lists(
 
 def build(turns_, branch_at=0):
     frames = [Frame("f0")]
-    for n, (axis, angle, place) in enumerate(turns_):
-        parent = frames[branch_at % len(frames)] if n == len(turns_) - 1 else frames[-1]
-        frames.append(
-            parent.rotate(
-                f"f{n + 1}",
-                axis,
-                moving(*angle),
-                origin=parent.point("O", *(moving(*p) for p in place)),
-            )
-        )
+    for n, (axis, angle, place) in enumerate(turns_, start=1):
+        parent = frames[branch_at % n] if n == len(turns_) else frames[-1]
+        O = parent.point("O", *(moving(*p) for p in place))
+        frames.append(parent.rotate(f"f{n}", axis, moving(*angle), origin=O))
     return frames
 
 
 @settings(max_examples=60, deadline=None)
-@given(turns, triples, st.integers(0, 5))
-def test_expressed_in_keeps_length_and_comes_back(turns_, c, branch):
-    frames = build(turns_, branch)
-    v = frames[-1].vector(*c)
-    for f in frames:
-        there = v.expressed_in(f)
-        assert there.norm() == pytest.approx(v.norm(), rel=1e-13, abs=1e-13)
-        assert close(there.expressed_in(frames[-1]), c, 1e-13)
-
-
-@settings(max_examples=40, deadline=None)
 @given(turns, triples, triples, st.integers(0, 5))
-def test_dot_and_cross_do_not_depend_on_the_frame(turns_, a, b, branch):
+def test_vectors_and_their_products_do_not_depend_on_the_frame(turns_, a, b, branch):
     frames = build(turns_, branch)
-    a, b = frames[-1].vector(*a), frames[-1].vector(*b)
-    f = frames[len(frames) // 2]
-    assert a.expressed_in(f).dot(b) == pytest.approx(a.dot(b), abs=1e-12)
-    assert close(a.expressed_in(f).cross(b), a.cross(b).expressed_in(f), 1e-12)
-
-
-@settings(max_examples=40, deadline=None)
-@given(turns, st.tuples(triples, triples, triples), st.integers(0, 5), st.integers(0, 5))
-def test_velocities_add_and_the_rate_of_velocity_is_acceleration(turns_, x, branch, other):
-    frames = build(turns_, branch)
-    P = frames[-1].point("P", *(moving(*c) for c in x))
-    ground, via = frames[0], frames[other % len(frames)]
-    r = P.position(via)
-    v = (
-        P.velocity(via)
-        + Point("", via, (moving(0),) * 3).velocity(ground)
-        + via.angular_velocity(ground).cross(r)
-    )
-    scale = 1 + max(map(abs, P.acceleration(ground)))
-    assert close(v.expressed_in(ground), P.velocity(ground).expressed_in(ground), 1e-11 * scale)
-    assert close(
-        P.velocity(ground, via).rate(ground).expressed_in(ground),
-        P.acceleration(ground).expressed_in(ground),
-        1e-11 * scale,
-    )
-
-
-@settings(max_examples=40, deadline=None)
-@given(turns, st.integers(0, 5))
-def test_rotation_matrices_are_orthogonal_with_determinant_one(turns_, branch):
-    frames = build(turns_, branch)
-    R = np.array(frames[-1].rotation(frames[0]), dtype=float)
+    last = frames[-1]
+    u, v = last.vector(*a), last.vector(*b)
+    for f in frames:
+        there = u.expressed_in(f)
+        assert there.norm() == pytest.approx(u.norm(), rel=1e-13, abs=1e-13)
+        assert close(there.expressed_in(last), a, 1e-13)
+        assert there.dot(v) == pytest.approx(u.dot(v), abs=1e-12)
+        assert close(there.cross(v), u.cross(v).expressed_in(f), 1e-12)
+    R = np.array(last.rotation(frames[0]), dtype=float)
     assert np.allclose(R @ R.T, np.eye(3), atol=1e-13)
     assert np.linalg.det(R) == pytest.approx(1.0)
-    assert np.allclose(R[:, 1], [float(c) for c in frames[-1].j.components(frames[0])], atol=1e-15)
+    assert np.allclose(R[:, 1], [float(c) for c in last.j.components(frames[0])], atol=1e-15)
 
 
 @settings(max_examples=30, deadline=None)
 @given(st.tuples(triples, triples, triples), st.tuples(triples, triples, triples), turns)
 def test_the_vector_between_two_points_has_the_difference_of_their_velocities_as_rate(x, y, turns_):
-    frames = build(turns_)
-    P, Q = (
-        frames[-1].point("P", *(moving(*c) for c in x)),
-        frames[0].point("Q", *(moving(*c) for c in y)),
-    )
-    expected = P.velocity(frames[0]) - Q.velocity(frames[0])
+    f, *_, last = build(turns_)
+    P, Q = (on.point("P", *(moving(*c) for c in r)) for on, r in ((last, x), (f, y)))
+    expected = P.velocity(f) - Q.velocity(f)
     scale = 1 + max(map(abs, expected))
-    assert close((P - Q).rate(frames[0]), expected.expressed_in((P - Q).frame), 1e-12 * scale)
-    assert close(
-        (P - Q).expressed_in(frames[0]), (Q - P).expressed_in(frames[0]) * -1, 1e-12 * scale
-    )
+    assert close((P - Q).rate(f), expected, 1e-12 * scale)
+    assert close(P - Q, -(Q - P), 1e-12 * scale)
 
 
 def test_an_axis_of_whole_numbers_keeps_all_digits_of_the_angle():
@@ -756,12 +597,8 @@ def test_a_function_of_time_an_instant_with_rates_and_an_expression_in_t_give_th
         sympy.sin(t) + t**2,
     ):
         ground = Frame("ground")
-        a = (
-            ground.rotate("arm", "y", angle)
-            .point("P", 1.0, 2.0, 3.0)
-            .acceleration(ground)
-            .components(ground)
-        )
+        P = ground.rotate("arm", "y", angle).point("P", 1.0, 2.0, 3.0)
+        a = P.acceleration(ground).components(ground)
         results.append([float(sympy.sympify(c).subs(t, 0.7)) for c in a])
     assert results[0] == pytest.approx(results[1], abs=1e-13)
     assert results[0] == pytest.approx(results[2], abs=1e-13)
@@ -838,10 +675,9 @@ def test_solve_rates_is_not_led_astray_by_rounding():
         solve_rates(lambda w, u: (slip(w), 1e-17 * u), 2)
 
 
-def two_grounds():
-    return Frame("ground").rotate("arm", "z", 0.2, rate=1.0), Frame("workshop").rotate(
-        "bench", "x", 0.1
-    )
+def robot(root="ground", arm="arm"):
+    ground = Frame(root)
+    return ground, ground.rotate(arm, "z", 0.2, rate=1.0)
 
 
 @pytest.mark.parametrize(
@@ -859,17 +695,12 @@ def two_grounds():
     ],
 )
 def test_frames_without_a_common_ancestor_are_named_at_both_ends(ask):
-    arm, bench = two_grounds()
+    (_, arm), (_, bench) = robot(), robot("workshop", "bench")
     with pytest.raises(FrameError, match=r"share no frame.*Build both from one ground") as error:
         ask(arm, bench)
     assert "arm" in str(error.value) or "ground" in str(error.value)
     assert "bench" in str(error.value)
     assert "workshop" in str(error.value)
-
-
-def robot():
-    ground = Frame("ground")
-    return ground, ground.rotate("arm", "z", 0.2, rate=1.0)
 
 
 @pytest.mark.parametrize(
@@ -888,83 +719,34 @@ def test_the_error_names_two_trees_with_the_same_names(ask):
         ask(ground, arm)
 
 
-def test_nothing_has_a_velocity_a_rate_or_an_acceleration_without_an_observer():
-    ground = Frame("ground")
-    P = ground.point("P", 1, 2, 3)
-    with pytest.raises(FrameError, match=r"a point has no velocity as such.*P.velocity\(ground\)"):
-        P.velocity()
-    with pytest.raises(
-        FrameError, match=r"a point has no acceleration as such.*P.acceleration\(ground\)"
-    ):
-        P.acceleration()
-    with pytest.raises(
-        FrameError, match=r"changes differently in different frames.*Q.rate\(ground\)"
-    ):
-        ground.i.rate()
+NOT_AN_AXIS = "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components"
+SHAPES = r"have the shapes \[\(3,\), \(4,\)\]; all arrays must have one shape"
+NO_ORIGIN = r"an origin is a Point, as in (ground|arm).point\('C', 0, 1, 0\); got "
+THREE, FOUR = np.zeros(3), np.zeros(4)
 
 
-@pytest.mark.parametrize(
-    "ask",
-    [
-        lambda f: f.i.rate("ground"),
-        lambda f: f.i.expressed_in(3),
-    ],
-)
-def test_what_is_not_a_frame_is_named(ask):
-    with pytest.raises(FrameError, match="expected a frame"):
+@pytest.mark.parametrize(("ask", "words"), [
+    (lambda f: f.point("P", 1, 2, 3).velocity(), r"a point has no velocity as such.*P.velocity\(ground\)"),
+    (lambda f: f.point("P", 1, 2, 3).acceleration(), r"a point has no acceleration as such.*P.acceleration\(ground\)"),
+    (lambda f: f.i.rate(), r"changes differently in different frames.*Q.rate\(ground\)"),
+    (lambda f: f.i.rate("ground"), "expected a frame"),
+    (lambda f: f.i.expressed_in(3), "expected a frame"),
+    (lambda f: f.point("P", THREE, FOUR, 0), SHAPES),
+    (lambda f: f.vector(THREE, 1.0, FOUR), SHAPES),
+    (lambda f: f.point("P", moving(THREE, rate=FOUR), 0, 0), SHAPES),
+    (lambda f: f.rotate("arm", "z", angle=THREE, rate=FOUR), SHAPES),
+    *[(lambda f, axis=axis: f.rotate("arm", axis), "has no direction: its length is")
+      for axis in ((0, 0, 0), (mpf(0), 0, 0), (sympy.Integer(0), 0, 0), (float("nan"), 1.0, 0))],
+    *[(lambda f, axis=axis: f.rotate("arm", axis), NOT_AN_AXIS)
+      for axis in ("w", "--z", (1, 2), None, ("a", "b", "c"), (moving(1.0, 2.0), 0, 0))],
+    (lambda f: f.rotate("rod", "x", origin=(1, 2, 3)), NO_ORIGIN + r"\(1, 2, 3\)"),
+    (lambda f: f.translate("rod", f.i), NO_ORIGIN),
+    (lambda f: f.rotate("arm", "z", 0.1).rotate("rod", "x", origin=f.point("C", 1, 0, 0)),
+     "the origin C is a point of ground; give it as a point of arm"),
+])  # fmt: skip
+def test_what_is_not_geometry_is_refused_in_words(ask, words):
+    with pytest.raises(FrameError, match=words):
         ask(Frame("ground"))
-
-
-@pytest.mark.parametrize(
-    "make",
-    [
-        lambda f: f.point("P", np.zeros(3), np.zeros(4), 0),
-        lambda f: f.vector(np.zeros(3), 1.0, np.zeros(4)),
-        lambda f: f.point("P", moving(np.zeros(3), rate=np.zeros(4)), 0, 0),
-        lambda f: f.rotate("arm", "z", angle=np.zeros(3), rate=np.zeros(4)),
-    ],
-)
-def test_arrays_of_different_shapes_are_refused_with_their_shapes(make):
-    with pytest.raises(
-        FrameError, match=r"have the shapes \[\(3,\), \(4,\)\]; all arrays must have one shape"
-    ):
-        make(Frame("ground"))
-
-
-@pytest.mark.parametrize(
-    "zero", [(0, 0, 0), (mpf(0), 0, 0), (sympy.Integer(0), 0, 0), (float("nan"), 1.0, 0)]
-)
-def test_an_axis_without_direction_is_refused(zero):
-    with pytest.raises(FrameError, match="has no direction: its length is"):
-        Frame("ground").rotate("arm", zero)
-
-
-@pytest.mark.parametrize(
-    "axis",
-    [
-        "w",
-        "--z",
-        (1, 2),
-        None,
-        ("a", "b", "c"),
-        (moving(1.0, 2.0), 0, 0),
-    ],
-)
-def test_what_is_not_an_axis_is_refused(axis):
-    with pytest.raises(
-        FrameError,
-        match=r"an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components",
-    ):
-        Frame("ground").rotate("arm", axis)
-
-
-def test_an_axis_may_be_a_vector_of_any_related_frame():
-    ground = Frame("ground")
-    arm = ground.rotate("arm", "z", np.pi / 2)
-    assert close(
-        ground.rotate("b", 5 * arm.i, rate=2.0).angular_velocity(ground).components(ground),
-        (0, 2.0, 0),
-    )
 
 
 @pytest.mark.parametrize(
@@ -980,19 +762,11 @@ def test_text_in_place_of_a_number_is_refused(make):
         make(Frame("ground"))
 
 
-def test_an_origin_is_a_point_of_the_frame_that_is_turned_from():
+def test_an_axis_may_be_a_vector_of_any_related_frame():
     ground = Frame("ground")
-    arm = ground.rotate("arm", "z", 0.1)
-    with pytest.raises(
-        FrameError, match=r"an origin is a Point, as in arm.point\('C', 0, 1, 0\); got \(1, 2, 3\)"
-    ):
-        arm.rotate("rod", "x", origin=(1, 2, 3))
-    with pytest.raises(
-        FrameError, match="the origin C is a point of ground; give it as a point of arm"
-    ):
-        arm.rotate("rod", "x", origin=ground.point("C", 1, 0, 0))
-    with pytest.raises(FrameError, match="an origin is a Point"):
-        arm.translate("rod", arm.i)
+    arm = ground.rotate("arm", "z", np.pi / 2)
+    omega = ground.rotate("b", 5 * arm.i, rate=2.0).angular_velocity(ground)
+    assert close(omega.components(ground), (0, 2.0, 0))
 
 
 def test_the_third_rate_of_a_moving_quantity_is_not_known():
@@ -1035,9 +809,7 @@ def test_points_and_frames_show_what_they_are():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", 0.2)
     assert repr(arm) == "Frame(arm < ground)"
-    assert "P at (1.0, 0, 0)" in repr(arm.point("P", 1.0, 0, 0)) or "moving" in repr(
-        arm.point("P", 1.0, 0, 0)
-    )
+    assert repr(arm.point("P", 1.0, 0, 0)) == "Point(P at (1.0, 0, 0) in arm)"
     assert arm.origin.name == "origin of arm"
     assert ground.origin.position(ground).components() == (0, 0, 0)
 
@@ -1135,11 +907,7 @@ def test_eqn_1_1_to_1_3_position_velocity_acceleration_by_successive_differentia
 def test_eqn_1_2_velocity_is_tangent_to_the_path_and_the_limit_of_differences(kind):
     r, _, _, t = curve(kind)
     P = ground.point("P", *along(r, t))
-    dt = (
-        numbers("mpmath" if kind == "mpmath" else "float", "1e-6")
-        if kind != "sympy"
-        else sympy.Rational(1, 10**6)
-    )
+    dt = numbers("float" if kind == "array" else kind, "1e-6")
     chord = ground.vector(*(x - y for x, y in zip(r(t + dt), r(t), strict=True)))
     assert close(chord.angle_to(P.velocity(ground)), 0, 1e-5)
     assert close(chord / dt, P.velocity(ground), 1e-5)
@@ -1156,11 +924,21 @@ def test_section_1_2_a_merry_go_round_horse_moves_differently_for_each_observer(
 
 @every_kind
 def test_eqn_2_1_to_2_3_rectangular_components_are_differentiated_one_by_one(kind):
-    q, d, e = numbers(kind, "1.3", "0.7"), numbers(kind, "0.5", "-0.9"), numbers(kind, "0.3", "0.8")
-    P = ground.point("P", *(moving(*x) for x in zip(q, d, e, strict=True)), 0)
-    assert close(P.position(ground), (*q, 0), 0)
-    assert close(P.velocity(ground), (*d, 0), 0)
-    assert close(P.acceleration(ground), (*e, 0), 0)
+    q, d, e = (numbers(kind, *x) for x in (("1.3", "0.7"), ("0.5", "-0.9"), ("0.3", "0.8")))
+    check_rectangular((*q, 0), (*d, 0), (*e, 0))
+
+
+@every_kind
+def test_eqn_3_1_to_3_3_rectangular_components(kind):
+    texts = ("1.3", "0.7", "0.4"), ("0.5", "-0.9", "1.1"), ("0.3", "0.8", "-0.6")
+    check_rectangular(*(numbers(kind, *x) for x in texts))
+
+
+def check_rectangular(q, d, e):
+    P = ground.point("P", *(moving(*x) for x in zip(q, d, e, strict=True)))
+    assert close(P.position(ground), q, 0)
+    assert close(P.velocity(ground), d, 0)
+    assert close(P.acceleration(ground), e, 0)
 
 
 @every_kind
@@ -1191,64 +969,26 @@ def test_section_2_8_plane_rotations_commute_and_angular_velocities_add():
 @every_kind
 def test_eqn_2_23_to_2_26_relative_velocity_and_acceleration(kind):
     """Against the position of A written out in the ground."""
-    b, d, e, f = numbers(kind, "1.3", "0.5", "0.7", "-0.4")
-
-    def theta(t):
-        return b * t + e * t * t
-
-    def origin(t):
-        return d * t * t, sin(t), 0
-
-    def place(t):
-        return 1 + f * t, b * t**3, 0
+    b, d, e, f, t = numbers(kind, "1.3", "0.5", "0.7", "-0.4", "0.6")
+    theta = lambda t: b * t + e * t * t
+    origin = lambda t: (d * t * t, sin(t), 0)
+    place = lambda t: (1 + f * t, b * t**3, 0)
 
     def written_out(t):
-        (X, Y, _), (x, y, _) = origin(t), place(t)
-        return (
-            X + cos(theta(t)) * x - sin(theta(t)) * y,
-            Y + sin(theta(t)) * x + cos(theta(t)) * y,
-            0,
-        )
+        (X, Y, _), (x, y, _), c, s = origin(t), place(t), cos(theta(t)), sin(theta(t))
+        return X + c * x - s * y, Y + s * x + c * y, 0
 
-    t = numbers(kind, "0.6")
     B = ground.point("B", *along(origin, t))
     body = ground.rotate("body", "z", at(theta, t), origin=B)
     A, known = body.point("A", *along(place, t)), ground.point("A", *along(written_out, t))
-    omega, r = body.angular_velocity(ground), A.position(body)
+    omega, r, small = body.angular_velocity(ground), A.position(body), 10 * tolerance(kind)
     v_r, a_r = A.velocity(body), A.acceleration(body)
-    assert close(A.position(ground), known.position(ground), tolerance(kind))
-    assert close(A.velocity(ground), known.velocity(ground), 10 * tolerance(kind))
-    assert close(
-        A.velocity(ground), v_r + B.velocity(ground) + omega.cross(r), 10 * tolerance(kind)
-    )
-    assert close(omega.rate(ground), omega.rate(body), tolerance(kind))  # (2.26)
-    assert close(omega.rate(body), (0, 0, 2 * e), tolerance(kind))
-    assert close(A.acceleration(ground), known.acceleration(ground), 10 * tolerance(kind))
-    terms = (
-        a_r,
-        omega.rate(ground).cross(r),
-        2 * omega.cross(v_r),
-        omega.cross(omega.cross(r)),
-        B.acceleration(ground),
-    )
-    assert close(A.acceleration(ground), sum(terms), 10 * tolerance(kind))
-
-
-def motion(kind):
-    return (
-        numbers(kind, "1.3", "0.7", "0.4"),
-        numbers(kind, "0.5", "-0.9", "1.1"),
-        numbers(kind, "0.3", "0.8", "-0.6"),
-    )
-
-
-@every_kind
-def test_eqn_3_1_to_3_3_rectangular_components(kind):
-    q, d, e = motion(kind)
-    P = ground.point("P", *(moving(*x) for x in zip(q, d, e, strict=True)))
-    for vector, known in (
-        (P.position(ground), q),
-        (P.velocity(ground), d),
-        (P.acceleration(ground), e),
-    ):
-        assert close(vector, known, 0)
+    assert close(A.position(ground), known.position(ground), small)
+    assert close(A.velocity(ground), known.velocity(ground), small)
+    assert close(A.velocity(ground), v_r + B.velocity(ground) + omega.cross(r), small)
+    alpha = omega.rate(ground)
+    assert close(alpha, omega.rate(body), small)  # (2.26)
+    assert close(alpha, (0, 0, 2 * e), small)
+    assert close(A.acceleration(ground), known.acceleration(ground), small)
+    turning = alpha.cross(r) + 2 * omega.cross(v_r) + omega.cross(omega.cross(r))
+    assert close(A.acceleration(ground), a_r + turning + B.acceleration(ground), small)

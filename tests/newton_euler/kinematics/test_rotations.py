@@ -80,14 +80,12 @@ def spinning(kind, origin=None):
     for name, axis, angle in zip("zxs", ("z", "x", axes[2]), angles, strict=True):
         frame = frame.rotate(name, axis, at(angle, t), origin=place)
         place = None
-    return (
-        ground,
-        frame,
-        lambda t: in_sequence(
-            *(rotation_matrix(e, f(t)) for e, f in zip(axes, angles, strict=True)), axes="moving"
-        ),
-        t,
-    )
+
+    def matrix(t):
+        turns = (rotation_matrix(e, f(t)) for e, f in zip(axes, angles, strict=True))
+        return in_sequence(*turns, axes="moving")
+
+    return ground, frame, matrix, t
 
 
 def with_rates(matrix, t):
@@ -120,24 +118,12 @@ def test_eqn_4_1_direction_cosines_have_the_moving_axes_as_rows(kind):
 
 
 @every_kind
-def test_eqn_4_2_the_transpose_is_the_inverse_on_the_left(kind):
+def test_eqn_4_2_to_4_4_the_transpose_is_the_inverse_on_both_sides_and_the_determinant_is_1(kind):
     A = euler_matrix(*numbers(kind, "0.3", "1.2", "-2.5"))
     assert close(product(transpose(A), A), UNIT, tolerance(kind))
-
-
-@every_kind
-def test_eqn_4_3_the_transpose_is_the_inverse_on_the_right(kind):
-    A = euler_matrix(*numbers(kind, "0.3", "1.2", "-2.5"))
     assert close(product(A, transpose(A)), UNIT, tolerance(kind))
-
-
-@every_kind
-def test_eqn_4_4_the_determinant_is_1(kind):
-    assert close(
-        determinant(rotation_matrix(numbers(kind, 1, -2, 3), numbers(kind, "0.8"))),
-        1,
-        tolerance(kind),
-    )
+    R = rotation_matrix(numbers(kind, 1, -2, 3), numbers(kind, "0.8"))
+    assert close(determinant(R), 1, tolerance(kind))
 
 
 @every_kind
@@ -174,11 +160,8 @@ def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
     A = [[number(x) for x in row] for row in direction_cosines(body, ground)]
     axis, angle = axis_angle(transpose(A))
     assert close(apply(A, axis), axis, 10 * tolerance(kind))
-    assert close(
-        determinant([[x - int(n == m) for m, x in enumerate(row)] for n, row in enumerate(A)]),
-        0,
-        tolerance(kind),
-    )
+    without_1 = [[x - int(n == m) for m, x in enumerate(row)] for n, row in enumerate(A)]
+    assert close(determinant(without_1), 0, tolerance(kind))
     assert close(rotation_matrix(axis, angle), transpose(A), 10 * tolerance(kind))
 
 
@@ -197,15 +180,12 @@ def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, ord
     """First I then J: i = -K, j = I, k = -J; first J then I: i = J, j = K, k = I; each is one turn
     of 120 degrees.
     """
-    quarter = pi(numbers(kind, 1)) / 2 + 0 * numbers(kind, 1)
+    small, one = tolerance(kind), numbers(kind, 1)
+    quarter = pi(one) / 2 + 0 * one
     R = in_sequence(*(rotation_matrix({"I": I, "J": J}[name], quarter) for name in order))
-    assert close(transpose(R), columns, tolerance(kind))
+    assert close(transpose(R), columns, small)
     found, angle = axis_angle(R)
-    third = 1 / sqrt(mp.mpf(3))
-    small = tolerance(kind)
-    assert close(
-        found, tuple(x * (float(third) if kind == "array" else third) for x in axis), small
-    )
+    assert close(found, tuple(x / sqrt(3 * one / one) for x in axis), small)
     assert close(angle, 4 * quarter / 3, small)
 
 
@@ -214,11 +194,7 @@ def test_section_4_2_the_arm_forward_up_and_back_has_turned_the_palm():
     arm, the palm now up.
     """
     quarter = math.pi / 2
-    forward, up, back = (
-        rotation_matrix(K, quarter),
-        rotation_matrix((0, -1, 0), quarter),
-        rotation_matrix(I, quarter),
-    )
+    forward, up, back = (rotation_matrix(axis, quarter) for axis in (K, (0, -1, 0), I))
     arm, palm = (0, -1, 0), (1, 0, 0)
     assert close(apply(forward, arm), (1, 0, 0))
     assert close(apply(in_sequence(forward, up), arm), (0, 0, 1))
@@ -236,11 +212,23 @@ def test_turns_about_moving_axes_are_turns_about_fixed_axes_in_reverse_order():
     body = ground.rotate("a", "x", 0.3).rotate("b", "y", -1.1).rotate("c", (1, 1, 0), 2.0)
     assert close(in_sequence(*turns, axes="moving"), body.rotation(ground), 4 * EPS)
     assert close(in_sequence(*turns, axes="moving"), in_sequence(*reversed(turns)), 0)
-    with pytest.raises(ValueError, match=r"'fixed'.*or 'moving'.*got 'body'"):
+    with pytest.raises(RotationError, match=r"'fixed'.*or 'moving'.*got 'body'"):
         in_sequence(*turns, axes="body")
 
 
 # -- infinitesimal rotations, angular velocity and acceleration (4.9)-(4.14)
+
+
+def turned(kind, matrix, t, dt):
+    """The matrix at t and dt later in floats or mpf, and axis and angle of the turn in between."""
+    before, after = (
+        [[number(x) for x in row] for row in matrix(time)] for time in (t, t + numbers(kind, dt))
+    )
+    return before, after, *axis_angle(product(after, transpose(before)))
+
+
+def largest(differences):
+    return max(np.max(abs(x)) for x in differences)
 
 
 @every_kind
@@ -250,38 +238,26 @@ def test_eqn_4_9_angular_velocity_is_the_limit_of_small_rotations(kind):
     omega = [number(x) for x in body.angular_velocity(ground).components(ground)]
     error = []
     for dt in (1e-4, 5e-5):
-        before, after = (
-            [[number(x) for x in row] for row in matrix(time)]
-            for time in (t, t + numbers(kind, dt))
-        )
-        axis, angle = axis_angle(product(after, transpose(before)))
-        step = number(numbers(kind, dt))
-        error.append(
-            max(np.max(abs(e * angle / step - w)) for e, w in zip(axis, omega, strict=True))
-        )
+        _, _, axis, angle = turned(kind, matrix, t, dt)
+        mean = angle / number(numbers(kind, dt))
+        error.append(largest(e * mean - w for e, w in zip(axis, omega, strict=True)))
     assert error[0] < 1e-3  # rad/s
     assert 1.99 < error[0] / error[1] < 2.01
 
 
 @every_kind
 def test_eqn_4_10_small_displacements_of_two_points_of_a_body(kind):
-    """dr_A = dr_B + dtheta e x r up to terms of second order."""
+    """dr_A = dr_B + dtheta e x r up to terms of second order, r from B to A."""
     ground, _, matrix, t = spinning(kind)
-    r_A, r_B = (1, 2, -1), (0.5, -1, 2)
-    before = [[number(x) for x in row] for row in matrix(t)]
+    A, B = (1, 2, -1), (0.5, -1, 2)
     error = []
     for dt in (1e-4, 5e-5):
-        after = [[number(x) for x in row] for row in matrix(t + numbers(kind, dt))]
-        axis, angle = axis_angle(product(after, transpose(before)))
-        dr_A, dr_B = (
-            [y - x for x, y in zip(apply(before, r), apply(after, r), strict=True)]
-            for r in (r_A, r_B)
+        before, after, axis, angle = turned(kind, matrix, t, dt)
+        r_A, r_B, moved_A, moved_B = (
+            ground.vector(*apply(R, r)) for R in (before, after) for r in (A, B)
         )
-        r = ground.vector(*apply(before, [a - b for a, b in zip(r_A, r_B, strict=True)]))
-        turned = (angle * ground.vector(*axis)).cross(r)
-        error.append(
-            max(np.max(abs(a - b - c)) for a, b, c in zip(dr_A, dr_B, turned, strict=True))
-        )
+        turn = (angle * ground.vector(*axis)).cross(r_A - r_B)
+        error.append(largest((moved_A - r_A) - (moved_B - r_B) - turn))
     assert error[0] < 1e-6
     assert 3.96 < error[0] / error[1] < 4.04
 
@@ -292,29 +268,16 @@ def test_eqn_4_11_velocity_of_a_point_of_a_moving_body(kind):
     x r_A.
     """
     v_B, r = numbers(kind, 2, 3, "-1"), numbers(kind, 1, "-0.5", "0.25")
-    ground, body, matrix, t = spinning(kind, v_B)
-    _, rate, _ = with_rates(matrix, t)
-    turning = apply(rate, r)
-    v = body.point("A", *r).velocity(ground)
-    assert close(
-        v.components(ground),
-        [a + b for a, b in zip(v_B, turning, strict=True)],
-        20 * tolerance(kind),
-    )
-    assert close(
-        ground.vector(*v_B) + body.angular_velocity(ground).cross(body.vector(*r)),
-        v,
-        20 * tolerance(kind),
-    )
-    ground, body, _, _ = spinning(kind)
-    A = body.point("A", *r)
-    assert close(A.velocity(ground).components(ground), turning, 20 * tolerance(kind))
-    assert close((A - body.origin).components(body), r, tolerance(kind))
-    assert close(
-        A.velocity(ground),
-        body.angular_velocity(ground).cross(body.vector(*r)),
-        20 * tolerance(kind),
-    )
+    for v_origin in (v_B, None):
+        ground, body, matrix, t = spinning(kind, v_origin)
+        _, rate, _ = with_rates(matrix, t)
+        A, carried = body.point("A", *r), ground.vector(*(v_origin or (0, 0, 0)))
+        v, small = A.velocity(ground), 20 * tolerance(kind)
+        assert close(
+            (carried + ground.vector(*apply(rate, r))).components(), v.components(ground), small
+        )
+        assert close(carried + body.angular_velocity(ground).cross(body.vector(*r)), v, small)
+        assert close((A - body.origin).components(body), r, small)
 
 
 @every_kind
@@ -324,18 +287,13 @@ def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind)
     """
     ground, body, matrix, t = spinning(kind)
     value, rate, second = with_rates(matrix, t)
-    omega = axial(product(rate, transpose(value)))
     one, two = product(second, transpose(value)), product(rate, transpose(rate))
-    alpha = axial(
-        [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(one, two, strict=True)]
-    )
-    assert close(body.angular_velocity(ground).components(ground), omega, 20 * tolerance(kind))
-    assert close(body.angular_acceleration(ground).components(ground), alpha, 20 * tolerance(kind))
-    assert close(
-        body.angular_velocity(ground).rate(ground),
-        body.angular_acceleration(ground),
-        20 * tolerance(kind),
-    )
+    known = [a + b for a, b in zip(axial(one), axial(two), strict=True)]
+    omega, alpha = body.angular_velocity(ground), body.angular_acceleration(ground)
+    small = 20 * tolerance(kind)
+    assert close(omega.components(ground), axial(product(rate, transpose(value))), small)
+    assert close(alpha.components(ground), known, small)
+    assert close(omega.rate(ground), alpha, small)
 
 
 def rolling_cone(h, r, nu):
@@ -364,23 +322,16 @@ def test_example_4_5_cone_rolling(kind):
     h, r, nu = numbers(kind, 3, "1.25", "0.8")
     ground, cone, P, line_rate = rolling_cone(h, r, nu)
     slant = sqrt(h * h + r * r)
-    small = 20 * tolerance(kind)
-    assert close(cone.k.components(ground), (-r / slant, 0, h / slant), small)
-    assert close(
-        cone.angular_velocity(ground).components(ground),
-        (nu * sqrt(1 / r**2 + 1 / h**2), 0, 0),
-        small,
-    )
-    assert close(P.velocity(ground).components(ground), (0, -2 * nu, 0), small)
-    assert close(
-        cone.angular_acceleration(ground).components(ground),
-        (0, -(nu**2) / h**2 * (h / r + r / h), 0),
-        small,
-    )
-    assert close(line_rate, -nu * slant / h**2, small)
-    assert close(
-        cone.point("on the line of contact", h / 2, 0, -r / 2).velocity(ground), (0, 0, 0), small
-    )
+    on_line = cone.point("on the line of contact", h / 2, 0, -r / 2)
+    for found, known in (
+        (cone.k, (-r / slant, 0, h / slant)),
+        (cone.angular_velocity(ground), (nu * sqrt(1 / r**2 + 1 / h**2), 0, 0)),
+        (P.velocity(ground), (0, -2 * nu, 0)),
+        (cone.angular_acceleration(ground), (0, -(nu**2) / h**2 * (h / r + r / h), 0)),
+        (on_line.velocity(ground), (0, 0, 0)),
+    ):
+        assert close(found.components(ground), known, 20 * tolerance(kind))
+    assert close(line_rate, -nu * slant / h**2, 20 * tolerance(kind))
 
 
 def test_example_4_5_cone_rolling_as_a_formula():
@@ -401,18 +352,13 @@ def test_example_4_5_cone_rolling_as_a_formula():
 
 @every_kind
 def test_axis_and_angle_come_back(kind):
-    axis, angle = numbers(kind, "0.48", "-0.6", "0.64"), numbers(kind, "1.3")
-    axis = (
-        axis
-        if kind != "array"
-        else tuple(x / x * y for x, y in zip(axis, (0.48, -0.6, 0.64), strict=True))
-    )
+    angle, axis = numbers(kind, "1.3"), numbers(kind, "0.48", "-0.6", "0.64")
+    if kind == "array":
+        axis = tuple(x[0] + 0 * x for x in axis)
     R = rotation_matrix(axis, angle)
     if kind == "sympy":
         R = [[number(x) for x in row] for row in R]
-    found, turned = axis_angle(R)
-    assert close(found, axis, tolerance(kind))
-    assert close(turned, angle, tolerance(kind))
+    assert close(axis_angle(R), (axis, angle), tolerance(kind))
 
 
 def test_axis_and_angle_of_exact_numbers_are_exact():
@@ -469,13 +415,6 @@ def test_the_arc_cosine_and_the_skew_part_fail_where_axis_angle_does_not():
     assert close(axis_angle(R)[0], (1 / 3, 2 / 3, 2 / 3), 4 * EPS)
 
 
-def test_tiny_angles_keep_their_axis():
-    for angle in (1e-30, 1e-200, 1e-300):
-        axis, found = axis_angle(rotation_matrix((0.0, 0.6, -0.8), angle))
-        assert close(axis, (0, 0.6, -0.8), 2 * EPS)
-        assert abs(found - angle) <= 4 * EPS * angle
-
-
 def test_thirty_digits_stay_thirty_digits():
     for angle in (mp.mpf("1e-12"), mp.mpf("0.7"), mp.pi - mp.mpf("1e-14")):
         axis, found = axis_angle(rotation_matrix((mp.mpf(2), mp.mpf(-1), mp.mpf(2)), angle))
@@ -516,31 +455,16 @@ def test_arrays_are_read_instant_by_instant():
     assert (found[0][0], found[1][0], found[2][0], turned[0]) == (0, 0, 1, 0)
 
 
-@pytest.mark.parametrize(
-    ("matrix", "error", "words"),
-    [
-        (3.0, RotationError, "three rows of three entries.*got 3.0"),
-        ([[1, 2], [3, 4]], RotationError, r"rows of lengths \[2, 2\]"),
-        (np.zeros((5, 3, 3)), RotationError, r"shows the shape \(3, 3, N\); got shape \(5, 3, 3\)"),
-        (np.diag([1, 1, -1]), RotationError, "a reflection: determinant -1.*reverse one axis"),
-        (
-            np.diag([1, 1, 1.1]),
-            RotationError,
-            "differs from the unit matrix by 0.21, and 1e-09 is allowed.*tolerance=",
-        ),
-        (np.full((3, 3), np.nan), RotationError, "differs from the unit matrix by nan"),
-        (
-            rotation_matrix((1, 2, 3), sympy.Symbol("q")),
-            ScalarError,
-            "entries must have values.*cos.*Put in numbers first",
-        ),
-        (
-            rotation_matrix((1.0, 2.0, 3.0), Dimension()),
-            ScalarError,
-            "entries must have values.*Dimension",
-        ),
-    ],
-)
+@pytest.mark.parametrize(("matrix", "error", "words"), [
+    (3.0, RotationError, "three rows of three entries.*got 3.0"),
+    ([[1, 2], [3, 4]], RotationError, r"rows of lengths \[2, 2\]"),
+    (np.zeros((5, 3, 3)), RotationError, r"shows the shape \(3, 3, N\); got shape \(5, 3, 3\)"),
+    (np.diag([1, 1, -1]), RotationError, "a reflection: determinant -1.*reverse one axis"),
+    (np.diag([1, 1, 1.1]), RotationError, "differs from the unit matrix by 0.21, and 1e-09 is allowed.*tolerance="),
+    (np.full((3, 3), np.nan), RotationError, "differs from the unit matrix by nan"),
+    (rotation_matrix((1, 2, 3), sympy.Symbol("q")), ScalarError, "entries must have values.*cos.*Put in numbers first"),
+    (rotation_matrix((1.0, 2.0, 3.0), Dimension()), ScalarError, "entries must have values.*Dimension"),
+])  # fmt: skip
 def test_what_is_no_rotation_is_refused_in_words(matrix, error, words):
     for read in (axis_angle, quaternion_from_matrix, euler_angles):
         with pytest.raises(error, match=words):
@@ -594,24 +518,14 @@ def test_a_rotation_matrix_is_orthogonal_turns_right_handed_and_keeps_its_axis(a
 
 @laws
 @given(matrices)
-def test_axis_and_angle_rebuild_the_matrix(R):
+def test_what_is_read_from_a_matrix_rebuilds_it(R):
     axis, angle = axis_angle(R)
     assert 0 <= angle <= math.pi
     assert abs(math.hypot(*axis) - 1) < 4 * EPS
     assert close(rotation_matrix(axis, angle), R, 16 * EPS)
-
-
-@laws
-@given(matrices)
-def test_quaternion_rebuilds_the_matrix(R):
     q = quaternion_from_matrix(R)
     assert q[0] >= -4 * EPS
     assert close(matrix_from_quaternion(q), R, 16 * EPS)
-
-
-@laws
-@given(matrices)
-def test_euler_angles_rebuild_the_matrix(R):
     psi, theta, phi = euler_angles(R)
     assert -math.pi <= psi <= math.pi
     assert 0 <= theta <= math.pi
@@ -645,10 +559,11 @@ def test_a_quaternion_of_any_length_gives_a_true_rotation(q):
     assert close(R, matrix_from_quaternion([-x for x in q]), 0)
 
 
+between = st.floats(-3, 3)
+
+
 @laws
-@given(
-    st.floats(-3, 3), st.floats(0.01, 3.13), st.floats(-3, 3), st.tuples(*[st.floats(-5, 5)] * 3)
-)
+@given(between, st.floats(0.01, 3.13), between, st.tuples(*[st.floats(-5, 5)] * 3))
 def test_euler_rates_come_back(psi, theta, phi, omega):
     rates = euler_rates(psi, theta, phi, omega)
     assume(max(map(abs, rates)) < 1e3)
@@ -670,44 +585,32 @@ def test_quaternion_and_matrix_are_the_same_rotation(kind):
 def test_quaternion_rate_takes_body_components_of_omega(kind):
     """q' = q omega/2 against the derivative of the quaternion of three successive moving turns."""
     a, b, t = numbers(kind, "0.4", "-0.7", "0.5")
+    turns = (K, lambda s: a + b * s), (I, lambda s: b + s), ((0, 3, 4), lambda s: a * s * s)
 
     def q(time):
-        turns = (
-            quaternion(K, a + b * time),
-            quaternion(I, b + time),
-            quaternion((0, 3, 4), a * time * time),
-        )
-        return quaternion_product(quaternion_product(*turns[:2]), turns[2])
+        first, second, third = (quaternion(axis, angle(time)) for axis, angle in turns)
+        return quaternion_product(quaternion_product(first, second), third)
 
     moved = [at(lambda time, n=n: q(time)[n], t) for n in range(4)]
-    body = Frame("ground")
-    ground = body
-    for n, (axis, angle) in enumerate(
-        [(K, lambda s: a + b * s), (I, lambda s: b + s), ((0, 3, 4), lambda s: a * s * s)]
-    ):
-        body = body.rotate(f"{n}", tuple(x + 0 * t for x in axis), at(angle, t))
-    rate = quaternion_rate([x.value for x in moved], body.angular_velocity(ground))
-    assert close(rate, [x.rate for x in moved], 20 * tolerance(kind))
-    # the length stays
-    assert close(
-        sum(x.value * y for x, y in zip(moved, rate, strict=True)), 0, 20 * tolerance(kind)
-    )
-    assert close(
-        matrix_from_quaternion([x.value for x in moved]),
-        body.rotation(ground),
-        20 * tolerance(kind),
-    )
+    now, small = [x.value for x in moved], 20 * tolerance(kind)
+    ground = body = Frame("ground")
+    for axis, angle in turns:
+        body = body.rotate("turned", tuple(x + 0 * t for x in axis), at(angle, t))
+    rate = quaternion_rate(now, body.angular_velocity(ground))
+    assert close(rate, [x.rate for x in moved], small)
+    assert close(sum(x * y for x, y in zip(now, rate, strict=True)), 0, small)  # the length stays
+    assert close(matrix_from_quaternion(now), body.rotation(ground), small)
 
 
-def test_quaternions_that_are_no_rotation_are_refused():
-    with pytest.raises(RotationError, match="length must be finite and not zero"):
-        normalised((0.0, 0.0, 0.0, 0.0))
-    with pytest.raises(RotationError, match="length must be finite and not zero, at every instant"):
-        matrix_from_quaternion((np.array([1.0, 0.0]), 0, 0, 0))
-    with pytest.raises(RotationError, match="length must be finite"):
-        normalised((math.nan, 0.0, 0.0, 1.0))
-    with pytest.raises(RotationError, match="four components, the scalar part first; got 3"):
-        normalised((1.0, 0.0, 0.0))
+@pytest.mark.parametrize(("read", "q", "words"), [
+    (normalised, (0.0, 0.0, 0.0, 0.0), "length must be finite and not zero"),
+    (matrix_from_quaternion, (np.array([1.0, 0.0]), 0, 0, 0), "length must be finite and not zero, at every instant"),
+    (normalised, (math.nan, 0.0, 0.0, 1.0), "length must be finite"),
+    (normalised, (1.0, 0.0, 0.0), "four components, the scalar part first; got 3"),
+])  # fmt: skip
+def test_quaternions_that_are_no_rotation_are_refused(read, q, words):
+    with pytest.raises(RotationError, match=words):
+        read(q)
 
 
 # -- Euler angles 3-1-3 (10.1)-(10.12)
@@ -718,13 +621,11 @@ def test_eqn_10_3_and_10_4_angular_velocity_of_the_precessing_frame_and_of_the_b
     psi, theta, phi, dpsi, dtheta, dphi = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
     ground = Frame("ground")
     body = euler_frame(ground, "top", moving(psi, dpsi), moving(theta, dtheta), moving(phi, dphi))
-    in_between = body.parent
-    small = 20 * tolerance(kind)
+    nodal, small = body.parent, 20 * tolerance(kind)
     across, along = dpsi * sin(theta), dpsi * cos(theta)
-    assert close(in_between.angular_velocity(ground), (dtheta, across, along), small)
-    assert close(
-        body.angular_velocity(ground).components(in_between), (dtheta, across, dphi + along), small
-    )
+    assert close(nodal.angular_velocity(ground), (dtheta, across, along), small)
+    whole = body.angular_velocity(ground).components(nodal)
+    assert close(whole, (dtheta, across, dphi + along), small)
 
 
 @every_kind
@@ -744,14 +645,12 @@ def test_eqn_10_5_to_10_10_the_matrix_of_the_angles_is_that_of_the_frames(kind):
 
 @every_kind
 def test_eqn_10_12_body_rates_from_the_rates_of_the_angles_and_back(kind):
-    psi, theta, phi, *rates = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
+    *angles, a, b, c = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
     ground = Frame("ground")
-    body = euler_frame(
-        ground, "body", *(moving(a, r) for a, r in zip((psi, theta, phi), rates, strict=True))
-    )
-    omega = euler_body_rates(psi, theta, phi, rates)
+    body = euler_frame(ground, "body", *map(moving, angles, (a, b, c)))
+    omega = euler_body_rates(*angles, (a, b, c))
     assert close(omega, body.angular_velocity(ground), 20 * tolerance(kind))
-    assert close(euler_rates(psi, theta, phi, omega), rates, 50 * tolerance(kind))
+    assert close(euler_rates(*angles, omega), (a, b, c), 50 * tolerance(kind))
 
 
 @every_kind
@@ -779,14 +678,10 @@ def test_at_the_poles_psi_has_all_and_phi_is_zero(end, sign):
         found = euler_angles(euler_matrix(psi, end, phi))
         assert close(found, (psi + sign * phi, end, 0), 8 * EPS)
         assert close(euler_from_quaternion(quaternion_from_euler(psi, end, phi)), found, 8 * EPS)
-    many = euler_angles(
-        euler_matrix(np.array([0.3, 0.3]), np.array([end, 1.0]), np.array([0.4, 0.4]))
-    )
-    assert close(
-        many,
-        (np.array([0.3 + sign * 0.4, 0.3]), np.array([end, 1.0]), np.array([0.0, 0.4])),
-        8 * EPS,
-    )
+    theta, same = np.array([end, 1.0]), np.ones(2)
+    many = euler_angles(euler_matrix(0.3 * same, theta, 0.4 * same))
+    known = np.array([0.3 + sign * 0.4, 0.3]), theta, np.array([0.0, 0.4])
+    assert close(many, known, 8 * EPS)
 
 
 @pytest.mark.parametrize("theta", [1e-3, 1e-6, 1e-9, 1e-12])
@@ -833,26 +728,20 @@ def test_euler_frame_may_have_its_origin_anywhere():
 # -- the other kinds of number
 
 
-def test_what_builds_rotations_can_be_compiled_and_has_pure_dimension():
-    formulas = [
-        (lambda a, b, c: rotation_matrix((a, b, 2 + c), a), (0.3, 0.2, 0.1)),
-        (lambda a, b, c: matrix_from_quaternion(quaternion((a, b, c), b)), (0.3, 0.2, 0.1)),
-        (lambda a, b, c: euler_matrix(a, b, c), (0.3, 0.2, 0.1)),
-        (
-            lambda a, b, c: euler_rates(a, b, c, euler_body_rates(a, b, c, (b, c, a))),
-            (0.3, 0.2, 0.1),
-        ),
-        (
-            lambda a, b, c: quaternion_rate(quaternion_from_euler(a, b, c), (c, a, b)),
-            (0.3, 0.2, 0.1),
-        ),
-    ]
-    for f, x in formulas:
-        fast, slow = compiled(f)(*x), f(*x)
-        assert close(fast, slow, 8 * EPS)
-        leaves = f(*[Dimension()] * 3)
-        leaves = [y for part in leaves for y in (part if isinstance(part, tuple) else (part,))]
-        assert all(y == Dimension() for y in leaves)
+@pytest.mark.parametrize("f", [
+    lambda a, b, c: rotation_matrix((a, b, 2 + c), a),
+    lambda a, b, c: matrix_from_quaternion(quaternion((a, b, c), b)),
+    lambda a, b, c: (euler_matrix(a, b, c),),
+    lambda a, b, c: euler_rates(a, b, c, euler_body_rates(a, b, c, (b, c, a))),
+    lambda a, b, c: quaternion_rate(quaternion_from_euler(a, b, c), (c, a, b)),
+])  # fmt: skip
+def test_what_builds_rotations_can_be_compiled_and_has_pure_dimension(f):
+    x = 0.3, 0.2, 0.1
+    assert close(compiled(f)(*x), f(*x), 8 * EPS)
+    assert set(np.array(f(*[Dimension()] * 3), dtype=object).ravel()) == {Dimension()}
+
+
+def test_euler_rates_have_the_dimension_of_the_angular_velocity():
     rate = Dimension(time=-1)
     assert euler_rates(*[Dimension()] * 3, (rate, rate, rate)) == (rate, rate, rate)
 
