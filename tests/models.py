@@ -1,7 +1,14 @@
 """Models for tests that need nothing above motion."""
 
+from importlib.util import find_spec
+
+import pytest
+
 from newton_euler import Model, cos, sin, sqrt
 from newton_euler.motion import second_order
+
+needs_heyoka = pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+TAYLOR = pytest.param("taylor", marks=needs_heyoka)
 
 
 def free_body(A=1.0, B=2.0, C=3.0):

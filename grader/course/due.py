@@ -8,9 +8,7 @@ from .identity import CourseError
 
 
 def due_date(text: str) -> datetime:
-    """The time that a text names, in UTC: "2027-01-31 23:59 Europe/Berlin",
-    "2027-01-31T23:59+01:00"; without a zone, in that of this machine.
-    """
+    """The time in UTC of "2027-01-31 23:59 Europe/Berlin"; without a zone, in this machine's."""
     text = text.strip()
     when, _, zone = text.rpartition(" ")
     try:

@@ -32,9 +32,7 @@ class Entry:
 
 @dataclass
 class Total:
-    """The points of a student in the gradebook: ``points`` include those given by hand and extra
-    credit, less the penalty; ``waiting`` counts the cells that wait for a person.
-    """
+    """A student's points in the gradebook, less the penalty; ``waiting``: cells for a person."""
 
     points: float = 0.0
     out_of: float = 0.0

@@ -10,9 +10,7 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet would run a text th
 
 
 def export(course: Course, assignment: str, form: str, path: str | Path) -> int:
-    """Write the results of an assignment to ``path`` in one of :data:`FORMATS`; returns how many
-    students have cells that wait for a person.
-    """
+    """Write results in one of :data:`FORMATS`; returns how many students wait for a person."""
     found, maximum = lines(course, assignment)
     rows = FORMATS[form](course, assignment, found, maximum)
     # with a byte-order mark Canvas and Moodle take UTF-8 too, and a spreadsheet needs it

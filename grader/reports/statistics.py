@@ -36,9 +36,7 @@ class PartStatistics:
 
 
 def part_statistics(course: Course, assignment: str) -> list[PartStatistics]:
-    """The :class:`PartStatistics` of every part, in the order of the notebook, and below them those
-    of the instructor's own questions, which have no verdicts.
-    """
+    """The statistics of every part, then of the instructor's own questions, without verdicts."""
     by_part: defaultdict[tuple[str, str], list[Entry]] = defaultdict(list)
     totals: defaultdict[str, float] = defaultdict(float)
     parts = entries(course, assignment)
@@ -111,9 +109,7 @@ def _two_digits(x):
 
 
 def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
-    """Write the statistics as CSV: a line for each part, below it one for each mistake, with the
-    columns of the part left empty.
-    """
+    """Write a line for each part, and below it one for each of its mistakes."""
     with open(path, "w", newline="", encoding="utf-8-sig") as f:
         writer = csv.writer(f)
         writer.writerow(

@@ -256,9 +256,7 @@ def _kept_flags(place):
 
 
 def limit(seconds: float, used: int, tests: int = 0) -> None:
-    """Limit processor time, memory beyond the ``used`` bytes, files and processes, with room for
-    the copies of the process that wait for ``tests``.
-    """
+    """Limit time, memory beyond the ``used`` bytes, files, and processes besides ``tests``."""
     for what, value in (
         (resource.RLIMIT_CPU, int(seconds) + 1),
         (resource.RLIMIT_AS, used + MEMORY),

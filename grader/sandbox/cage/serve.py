@@ -64,9 +64,7 @@ def _receive(control):
 
 
 def _serve(control, group, job, fds):
-    """Run one job until the grader asks to end it or it exceeds its limits, and reply how it ended;
-    returns False if the grader is gone.
-    """
+    """Run one job and reply how it ended; returns False if the grader is gone."""
     if job["ipython"]:
         libraries.load_ipython()
     worker = os.getpid()

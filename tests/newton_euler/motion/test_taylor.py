@@ -205,18 +205,16 @@ def test_states_at_increasing_times_need_no_steps_unless_there_are_stops(stops, 
     assert one.states([0.0, 0.0]).tolist() == [[1.0, 1.0], [0.0, 0.0]]  # before the first step
     one.step()
     one.states([1.0, 2.0])
-    assert ("dense" in vars(one)) is steps
-    assert one.series == []
+    assert (("dense" in vars(one)), one.series) == (steps, [])
 
 
 def test_what_was_sampled_is_not_computed_again():
     one = series(samples=7)
     one.step()
-    calls = one.calls
-    found = one.states(np.linspace(0, 5, 7))
-    assert one.calls == calls
+    calls, found = one.calls, one.states(np.linspace(0, 5, 7))
     found[:] = 0.0  # it is a copy
     assert one.states(np.linspace(0, 5, 7))[0, 0] == 1.0
+    assert one.calls == calls
 
 
 @pytest.mark.parametrize("samples", [63, 100, 1000])
@@ -288,16 +286,12 @@ def test_a_prepared_series_is_the_motion_for_any_parameters():
 
 
 @pytest.mark.parametrize(
-    ("run", "t", "start"),
-    [
-        (prepared(), 5.0, (1.0,)),
-        (prepared(), 5.0, (1.0, math.nan)),
-        (prepared(FALL), 1.0, (1.0,)),
-    ],
+    ("model", "t", "start"),
+    [(SPRING, 5.0, (1.0,)), (SPRING, 5.0, (1.0, math.nan)), (FALL, 1.0, (1.0,))],
     ids=["too few", "nan", "singular"],
 )
-def test_a_prepared_series_that_does_not_reach_its_end_has_none(run, t, start):
-    assert run(t, start) is None
+def test_a_prepared_series_that_does_not_reach_its_end_has_none(model, t, start):
+    assert prepared(model)(t, start) is None
 
 
 def test_there_is_no_prepared_series_that_might_not_see_all_of_the_rates():
