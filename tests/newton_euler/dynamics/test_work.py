@@ -69,7 +69,9 @@ def test_eqn_11_1_work_is_the_limit_of_force_times_short_chords():
     for n in (50, 100):
         places = np.array([path(1.5 * k / n) for k in range(n + 1)])
         middles, chords = (places[1:] + places[:-1]) / 2, np.diff(places, axis=0)
-        error.append(sum(power(swirl(*r), tuple(c)) for r, c in zip(middles, chords, strict=True)) - U)
+        error.append(
+            sum(power(swirl(*r), tuple(c)) for r, c in zip(middles, chords, strict=True)) - U
+        )
     assert abs(error[0]) < 1e-3
     assert 3.99 < error[0] / error[1] < 4.01
 
