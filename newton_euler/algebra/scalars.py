@@ -464,12 +464,16 @@ def hypot(*values: Scalar) -> Scalar:
 
 
 def _hypot_of_arrays(numpy, values):
-    with numpy.errstate(over="ignore", under="ignore"):
+    if max(numpy.size(x) for x in values) < 100:  # longer: it takes ten times as long as the root
+        return reduce(numpy.hypot, values, 0.0)
+    with numpy.errstate(over="ignore"):
         square = sum(x * x for x in values)
         root = numpy.sqrt(square)
-    lost = (square < 1e-280) | (square > 1e300)  # digits of the squares, or all of them
-    # numpy.hypot is right everywhere, and takes three times as long
-    return numpy.where(lost, reduce(numpy.hypot, values, 0.0), root) if lost.any() else root
+    if square.min() > 1e-280 and square.max() < 1e300:
+        return root
+    lost = ~((square > 1e-280) & (square < 1e300))  # digits of the squares, or all of them
+    root[lost] = reduce(numpy.hypot, (numpy.broadcast_to(x, root.shape)[lost] for x in values), 0.0)
+    return root
 
 
 def _has_floats(x):
