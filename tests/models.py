@@ -1,6 +1,7 @@
 """Models for tests that need nothing above motion."""
 
 from importlib.util import find_spec
+from types import SimpleNamespace
 
 import pytest
 
@@ -70,3 +71,25 @@ def forced():
         ("x",),
         lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,),
     )
+
+
+def begun(stepper, system, start, t1=5.0, t0=0.0, **options):
+    """A run of a method of integration that has not taken a step.
+
+    options : what a trajectory has, and the ``floors``, ``noise`` and ``stops`` of its limits
+    """
+    nothing = (0.0,) * len(start)
+    limits = [
+        options.pop(n, usual)
+        for n, usual in (("floors", nothing), ("noise", nothing), ("stops", ()))
+    ]
+    usual = {
+        "tolerance": 1e-8,
+        "max_steps": 5e6,
+        "step": None,
+        "longest_part": 0.4,
+        "samples": None,
+        "units": (),
+    }
+    trajectory = SimpleNamespace(goal=t1, limits=lambda *_: limits, **usual | options)
+    return stepper(system, t0, start, trajectory)
