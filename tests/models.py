@@ -11,6 +11,9 @@ from newton_euler.motion import second_order
 needs_heyoka = pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 TAYLOR = pytest.param("taylor", marks=needs_heyoka)
 
+DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
+FALL = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))  # x^2 = x0^2 - 2 t
+
 
 def free_body(A=1.0, B=2.0, C=3.0):
     """Euler's equations without moments."""

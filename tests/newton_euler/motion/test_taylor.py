@@ -21,12 +21,11 @@ from newton_euler.motion.methods.taylor import (
     level_of,
 )
 from newton_euler.motion.prepared import PreparedModel, prepared_model
-from tests.models import begun
+from tests.models import FALL, begun
 
 pytest.importorskip("heyoka")
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
-FALL = Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,))  # until t = 0.5
 
 
 UNKNOWN = Model("unknown", {}, ("r",), lambda s, p, t: (1 / s.r - 1 / s.r**3,))
