@@ -1,15 +1,12 @@
 """The worked examples of 5.5, 5.6, 7.3, 7.5, 7.9 and 7.10: a thin rod, three rods, a machine part."""
 
 import numpy as np
-import pytest
 import sympy
 
 from newton_euler import Frame
 from newton_euler.bodies.solids import rod
 from newton_euler.chapters.examples.ch07 import machine_part, thin_rod, three_rods
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
+from tests.kinds import close, every_kind, numbers
 
 
 def matrix_of(cloud, about):

@@ -1,8 +1,6 @@
 """A sphere from sliding to rolling (8.6)."""
 
-import mpmath as mp
 import numpy as np
-import pytest
 
 from newton_euler import Frame, moving
 from newton_euler.algebra.linear import solve_linear
@@ -12,43 +10,34 @@ from newton_euler.dynamics.momentum import (
     equations_of_motion,
 )
 from newton_euler.scenes.planar import sliding_sphere
-from tests.kinds import KINDS, numbers
+from tests.kinds import every_kind, numbers, small
 from tests.tumbling import close
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
-    differentiation leaves of 50 digits.
-    """
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
 
 
 @every_kind
 def test_example_8_6_sphere_from_sliding_to_rolling(kind):
     v0, mu, g, r = numbers(kind, 7, "1/5", "9.81", "1/8")
     begins = ch08.rolling_begins(v0, mu, g, r)
-    assert close(begins.t, 2 * v0 / (7 * mu * g), tolerance(kind))
-    assert close(begins.v, 5 * v0 / 7, tolerance(kind))
-    assert close(begins.omega, -5 * v0 / (7 * r), 100 * tolerance(kind))
-    assert close(begins.x, v0 * begins.t - mu * g * begins.t * begins.t / 2, 10 * tolerance(kind))
+    assert close(begins.t, 2 * v0 / (7 * mu * g), small(kind))
+    assert close(begins.v, 5 * v0 / 7, small(kind))
+    assert close(begins.omega, -5 * v0 / (7 * r), small(kind, 100))
+    assert close(begins.x, v0 * begins.t - mu * g * begins.t * begins.t / 2, small(kind, 10))
     model = sliding_sphere.sliding(mu, g, r)
     start = (0 * v0, v0, 0 * v0)
     x, v, omega = model.solution(begins.t, start)
-    assert close((x, v, omega), (begins.x, begins.v, begins.omega), 100 * tolerance(kind))
+    assert close((x, v, omega), (begins.x, begins.v, begins.omega), small(kind, 100))
     (name,) = model.invariants
     assert close(
-        model.invariant(name, (x, v, omega)), model.invariant(name, start), 10 * tolerance(kind)
+        model.invariant(name, (x, v, omega)), model.invariant(name, start), small(kind, 10)
     )
     rolled = sliding_sphere.rolling(r)
     for name in rolled.invariants:
         assert close(
             rolled.invariant(name, rolled.solution(v0, (x, v, omega))),
             rolled.invariant(name, (x, v, omega)),
-            10 * tolerance(kind),
+            small(kind, 10),
         )
-    assert close(rolled.invariant("slip", (x, v, omega)), 0, 100 * tolerance(kind))
+    assert close(rolled.invariant("slip", (x, v, omega)), 0, small(kind, 100))
 
 
 def test_example_8_6_derives_its_accelerations_from_the_newton_euler_equations():

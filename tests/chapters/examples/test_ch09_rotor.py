@@ -1,8 +1,6 @@
 """The rotor of 9.5: its reactions against the printed sums (9.7)-(9.10), and as a motion."""
 
-import mpmath as mp
 import numpy as np
-import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
@@ -13,15 +11,7 @@ from newton_euler.applications.rotors import (
 from newton_euler.chapters.examples.ch09 import unbalanced_rotor
 from newton_euler.dynamics.momentum import resultant_moment
 from newton_euler.scenes.planar.rotor import turning_rotor
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10: some round-offs of the kind."""
-    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
-
+from tests.kinds import close, every_kind, numbers, small
 
 MASS, CENTRE, MOMENTS, PRODUCTS = (
     3,
@@ -85,8 +75,8 @@ def test_eqn_9_7_sum_of_forces(kind):
         m * g * sin(psi) + m * alpha * x - m * omega * omega * y,
         0,
     )
-    assert close(found.A + found.B, expected, tolerance(kind))
-    assert close(found.axial, 0, tolerance(kind))
+    assert close(found.A + found.B, expected, small(kind, 0.1))
+    assert close(found.axial, 0, small(kind, 0.1))
 
 
 @every_kind
@@ -98,7 +88,7 @@ def test_eqn_9_8_sum_of_moments_about_the_origin(kind):
         -m * g * z * sin(psi) - alpha * Ixz + omega * omega * Iyz,
         -m * g * z * cos(psi) - alpha * Iyz - omega * omega * Ixz,
     )
-    assert close(left, right, tolerance(kind))
+    assert close(left, right, small(kind, 0.1))
 
 
 @every_kind
@@ -106,8 +96,8 @@ def test_eqn_9_9_reactions_of_any_rotor(kind):
     scene, numbers_of_it = general(kind)
     found = scene.reactions(gravity=numbers_of_it[-1] * scene.ground.i)
     A, B, _ = printed_9_9(*numbers_of_it)
-    assert close(found.A, A, tolerance(kind))
-    assert close(found.B, B, tolerance(kind))
+    assert close(found.A, A, small(kind, 0.1))
+    assert close(found.B, B, small(kind, 0.1))
 
 
 @every_kind
@@ -121,14 +111,14 @@ def test_eqn_9_9_term_by_term(kind):
         "static_euler": (-b / length * m * alpha * y, b / length * m * alpha * x, 0),
         "dynamic_euler": (alpha / length * Iyz, -alpha / length * Ixz, 0),
     }.items():
-        assert close(terms[name], expected, tolerance(kind)), name
+        assert close(terms[name], expected, small(kind, 0.1)), name
 
 
 @every_kind
 def test_eqn_9_10_the_driving_moment(kind):
     scene, numbers_of_it = general(kind)
     found = scene.reactions(gravity=numbers_of_it[-1] * scene.ground.i)
-    assert close(found.moment, printed_9_9(*numbers_of_it)[2], tolerance(kind))
+    assert close(found.moment, printed_9_9(*numbers_of_it)[2], small(kind, 0.1))
 
 
 def test_eqn_9_9_as_formulas():
@@ -227,4 +217,4 @@ def test_eqn_9_10_as_motion_agrees_with_the_moment(kind):
     scene, (m, (x, y, _), _, _, Izz, _, _, psi, omega, _, g) = general(kind)
     moment = scene.reactions(gravity=g * scene.ground.i).moment
     model = turning_rotor(m, x, y, Izz, g, moment)
-    assert close(model.derivative((psi, omega))[1], numbers(kind, "-2.5"), 10 * tolerance(kind))
+    assert close(model.derivative((psi, omega))[1], numbers(kind, "-2.5"), small(kind))

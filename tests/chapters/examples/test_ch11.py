@@ -21,15 +21,7 @@ from newton_euler.dynamics.potential import (
     gravitational_potential,
 )
 from newton_euler.dynamics.work import work_along
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -26
-
+from tests.kinds import close, every_kind, numbers, small
 
 # -- the pendulum with a pin (11.8, 11.12)
 
@@ -141,7 +133,7 @@ def test_eqn_11_24_its_potential_found_from_the_field(kind):
         assert close(-lost, far, small(kind))
     else:
         V = find_potential(attraction_field(K, M, m), (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))
-        assert close(V(x, y, z), far, 10 * small(kind))
+        assert close(V(x, y, z), far, small(kind, 10))
 
 
 @every_kind

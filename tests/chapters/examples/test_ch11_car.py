@@ -13,10 +13,7 @@ from newton_euler.dynamics.energy import (
 )
 from newton_euler.motion.model import ModelError
 from tests.explicit import integrated
-from tests.kinds import KINDS, close, numbers, small
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
+from tests.kinds import close, every_kind, numbers, small
 
 MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
 

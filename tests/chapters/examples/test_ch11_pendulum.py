@@ -15,9 +15,7 @@ from newton_euler.dynamics.energy import (
 )
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from tests.explicit import integrated
-from tests.kinds import KINDS, close, numbers, small
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
+from tests.kinds import close, every_kind, numbers, small
 
 
 @every_kind

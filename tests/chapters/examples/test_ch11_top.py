@@ -3,7 +3,6 @@
 import math
 
 import numpy as np
-import pytest
 
 from newton_euler import Frame, moving
 from newton_euler.bodies.body import Body
@@ -14,9 +13,7 @@ from newton_euler.dynamics.energy import (
 from newton_euler.kinematics.rotations import euler_frame
 from newton_euler.scenes.spatial.top import euler
 from tests.explicit import integrated
-from tests.kinds import KINDS, close, numbers, small
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
+from tests.kinds import close, every_kind, numbers, small
 
 
 @every_kind

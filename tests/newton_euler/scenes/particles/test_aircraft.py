@@ -2,7 +2,6 @@
 
 import math
 
-import mpmath as mp
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -17,20 +16,12 @@ from newton_euler import (
 )
 from newton_euler.chapters.examples.ch06 import flight_forces
 from newton_euler.scenes.particles.aircraft import flight, vertical_flight
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
+from tests.kinds import close, every_kind, numbers, small
 
 MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
 
 
 FORCE = MASS * LENGTH / TIME**2
-
-
-def small(kind):
-    """Absolute, for quantities of order 10."""
-    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
 
 
 STATE = ("50", "0.4", "0.3", "1", "2", "300")
@@ -49,7 +40,7 @@ def test_section_6_12_flight_in_space_in_rectangular_components(kind):
     rates = flight(m, g, T, D, L, bank).derivative((v, chi, gamma, x, y, h))
     V, X, G = (moving(q, rate) for q, rate in zip((v, chi, gamma), rates[:3], strict=True))
     velocity = V * cos(G) * sin(X), V * cos(G) * cos(X), V * sin(G)
-    assert close(rates[3:], [u.value for u in velocity], 100 * small(kind))
+    assert close(rates[3:], [u.value for u in velocity], small(kind, 10))
     cx, sx, cg, sg = cos(chi), sin(chi), cos(gamma), sin(gamma)
     forward, right, up = (cg * sx, cg * cx, sg), (cx, -sx, 0), (-sg * sx, -sg * cx, cg)
     forces = [
@@ -57,7 +48,7 @@ def test_section_6_12_flight_in_space_in_rectangular_components(kind):
         for a, b, c in zip(forward, right, up, strict=True)
     ]
     forces[2] = forces[2] - m * g
-    assert close([m * u.rate for u in velocity], forces, 1e5 * small(kind))
+    assert close([m * u.rate for u in velocity], forces, small(kind, 10000))
 
 
 @every_kind
@@ -73,9 +64,9 @@ def test_section_6_3_flight_in_a_vertical_plane(kind):
         v * cos(gamma),
         v * sin(gamma),
     )
-    assert close(rates, wanted, 100 * small(kind))
+    assert close(rates, wanted, small(kind, 10))
     in_space = flight(m, g, T, D, L).derivative((v, 0 * chi, gamma, x, y, h))
-    assert close((in_space[0], in_space[2], in_space[4], in_space[5]), rates, small(kind))
+    assert close((in_space[0], in_space[2], in_space[4], in_space[5]), rates, small(kind, 0.1))
     assert close(in_space[1], 0, 0)
 
 
@@ -89,12 +80,12 @@ def test_section_6_12_forces_from_the_motion(kind):
     rates = flight(m, g, T, D, L, bank).derivative(state)
     v, chi, gamma = (moving(q, rate) for q, rate in zip(state[:3], rates[:3], strict=True))
     needed = flight_forces(m, g, v, gamma, chi)
-    assert close(needed, (T - D, L, bank), 1e5 * small(kind))
+    assert close(needed, (T - D, L, bank), small(kind, 10000))
     north = Frame("north")
     path = north.rotate("3", "-z", chi).rotate("4", "-y", gamma)
     a = path.vector(v, 0, 0).rate(north)
     assert close(
-        a, (v.rate, -v.value * chi.rate * cos(gamma.value), v.value * gamma.rate), 100 * small(kind)
+        a, (v.rate, -v.value * chi.rate * cos(gamma.value), v.value * gamma.rate), small(kind, 10)
     )
 
 
