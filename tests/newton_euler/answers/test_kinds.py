@@ -137,7 +137,7 @@ def test_wrong_directions_are_explained_whatever_their_length_and_sense():
     assert diagnose(swapped, key, [], DIRECTION, DIRECTION.factors("1")) == (
         exchanged_components((0, 2)),
     )
-    nearly = ((-0.6, 0.0, 0.81),)
+    nearly = ((-0.603, 0.0, 0.81),)
     assert DIRECTION.observed(nearly, DIRECTION.like(KEY, nearly)) == NEAR
 
 
