@@ -139,5 +139,5 @@ def _part(part, found, numbers, answers):
     why = explain(part.answer, found, numbers)
     earned = part.following if why.earlier else 0
     share = f", which earns {earned:.3g} of {out_of:.3g}" if earned else ""
-    message = why.message + share
+    message = why.message + share + why.also
     return Part(key, earned, out_of, "wrong", message, why.diagnosis, value, causes=why.causes)

@@ -104,13 +104,14 @@ def judge(
 
 @dataclass(frozen=True)
 class Explained:
-    """Why an answer is wrong: a message for the student, the causes, and the earlier answers of the
-    student's own from which it follows.
+    """Why an answer is wrong: a message for the student, the causes, the earlier answers of the
+    student's own from which it follows, and the words about other causes that come after this.
     """
 
     message: str
     causes: tuple[Cause, ...] = ()
     earlier: tuple[str, ...] = ()
+    also: str = ""
 
     @property
     def diagnosis(self) -> str | None:
@@ -126,10 +127,11 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     if BOOK in causes:
         message = "not right: this is the answer for the book's numbers; yours are others"
         return Explained(message, (BOOK,))
-    message = f"not right; it fits a solution that {sentence(causes)}" if causes else "not right"
     if earlier := _followed(asked, given, found, numbers):
-        message += f"; it follows from your {' and '.join(earlier)}"
-        return Explained(message, causes or (follows(earlier),), earlier)
+        message = f"not right; it follows from your {' and '.join(earlier)}"
+        also = f"; it also fits a solution that {sentence(causes)}" if causes else ""
+        return Explained(message, (follows(earlier), *causes), earlier, also)
+    message = f"not right; it fits a solution that {sentence(causes)}" if causes else "not right"
     key = asked.kind.like(numbers.key[asked.key], given)
     if not causes and (seen := asked.kind.observed(given, key)):
         return Explained(f"not right; {seen.text}", (seen,))

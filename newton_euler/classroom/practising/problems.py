@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from ...answers.causes import Cause, follows, sentence
+from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
 from ...answers.forms import AnswerError
 from ...answers.givens import in_notebook
@@ -224,9 +224,7 @@ class PracticeProblem:
         why = explain(self._asked[key], self._found, self._numbers)
         if why.earlier:
             names = " and ".join(why.earlier)
-            known = why.causes != (follows(why.earlier),)
-            fits = f"it fits a solution that {why.diagnosis}; and " if known else ""
-            message = f"not right; {fits}it follows rightly from your {names}: mend that first"
+            message = f"not right; it follows rightly from your {names}: mend that first{why.also}"
             return message, why.causes
         return why.message, why.causes
 

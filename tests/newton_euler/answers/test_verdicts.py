@@ -4,7 +4,7 @@ import types
 
 import pytest
 
-from newton_euler.answers.causes import BOOK, listed
+from newton_euler.answers.causes import BOOK, follows, listed
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.verdicts import explain, judge, value_line
@@ -86,6 +86,14 @@ def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
     assert why.diagnosis == "follows from a wrong v"
     word = explained(Fall(), "sense", {"v": -6.0, "sense": "rises"})
     assert word.earlier == ("v",)
+
+
+def test_that_it_follows_comes_before_any_other_cause():
+    doubled = listed("doubled", "takes the speed twice")
+    why = explained(Fall([("square", doubled, ((36.0,),))]), "square", {"v": 6.0, "square": 36.0})
+    assert why.causes == (follows(["v"]), doubled)
+    assert why.message == "not right; it follows from your v"
+    assert why.also == "; it also fits a solution that takes the speed twice"
 
 
 @pytest.mark.parametrize(
