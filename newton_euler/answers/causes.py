@@ -17,8 +17,8 @@ class Cause:
     worded.
 
     group : listed (a mistake of the problem's own list), omitted or term, unit, axes or turned (of
-        another frame), rate, book, factor, slip, both (two listed ones at once), follows (from an
-        earlier answer), seen (a remark, where nothing explains it)
+        another frame), rate, book, exchanged, factor, slip, both (two listed ones at once), follows
+        (from an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
     text : its words
     """
@@ -45,7 +45,7 @@ class Cause:
         describe these numbers (a sign, a factor), or are the other in other words (a term left
         out, a unit).
         """
-        return self.group in ("listed", "book", "term")
+        return self.group in ("listed", "book", "exchanged", "term")
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
@@ -127,6 +127,11 @@ def both(first: Cause, second: Cause) -> Cause:
 def in_this_part(cause: Cause) -> Cause:
     """The same cause where other parts are right that it would have made wrong."""
     return replace(cause, text=f"in this part {cause.text}")
+
+
+def answer_to(key: str) -> Cause:
+    """Answers exchanged: this is the right one to another part."""
+    return Cause("exchanged", key, f"answers {key} here: the two parts may be exchanged")
 
 
 def follows(names: Sequence[str]) -> Cause:

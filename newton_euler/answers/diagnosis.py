@@ -161,6 +161,7 @@ def _stages(
     ]
     rates = [x for _, x in group("rate", wrong)]
     yield of([*kind.slips(fit), *rates_as_scalars(fit, rates)])
+    yield of(group("exchanged"), single)
 
 
 def _pair(fit, wrong, elsewhere):

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from .causes import BOOK, Cause, follows, sentence
+from .causes import BOOK, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
 from .forms import Form
 from .kinds import Kind
@@ -140,6 +140,7 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
 
 def _causes(asked, given, found, numbers):
     key, wrong = _like(given, asked, numbers)
+    wrong += _exchanged(asked, given, found, numbers)
     factors = asked.kind.factors(asked.unit)
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
     return diagnose(given, key, wrong, asked.kind, factors, elsewhere)
@@ -152,6 +153,17 @@ def _like(given, asked, numbers):
         wrong.append((BOOK, numbers.book[asked.key]))
     like = asked.kind.like
     return like(key, given), [(cause, like(points, given)) for cause, points in wrong]
+
+
+def _exchanged(asked, given, found, numbers):
+    """The models that are the right answers to other parts of the same kind and unit."""
+    return [
+        (answer_to(other.key), asked.kind.like(numbers.key[other.key], given))
+        for other in numbers.answers
+        if other.key != asked.key and other.key in found
+        if (other.kind, other.unit) == (asked.kind, asked.unit) and not other.kind.is_word
+        if not other.kind.is_zero(numbers.key[other.key], other.atol)
+    ]
 
 
 def _elsewhere(asked, found, numbers):

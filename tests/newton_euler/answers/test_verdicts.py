@@ -4,7 +4,7 @@ import types
 
 import pytest
 
-from newton_euler.answers.causes import BOOK, follows, listed
+from newton_euler.answers.causes import BOOK, answer_to, follows, listed
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.verdicts import explain, judge, value_line
@@ -86,6 +86,24 @@ def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
     assert why.diagnosis == "follows from a wrong v"
     word = explained(Fall(), "sense", {"v": -6.0, "sense": "rises"})
     assert word.earlier == ("v",)
+
+
+class There(Fall):
+    """The speeds at two places, and at a third where it rests."""
+
+    def __init__(self):
+        super().__init__()
+        self.answers = tuple(asked(key, "number", "m/s") for key in ("v", "w", "rest"))
+        self.key, self.earlier = {"v": ((5.0,),), "w": ((8.0,),), "rest": ((0.0,),)}, {}
+
+
+def test_answers_exchanged_between_parts_are_named():
+    given = {"v": 8.0, "w": 5.0, "rest": 3.0}
+    assert explained(There(), "v", given).causes == (answer_to("w"),)
+    assert explained(There(), "w", given).causes == (answer_to("v"),)
+    assert explained(There(), "rest", given).causes == ()
+    assert explained(There(), "v", given | {"v": 0.0}).causes == ()
+    assert explained(There(), "v", {"v": 8.0}).causes == ()  # w is not asked for
 
 
 def test_that_it_follows_comes_before_any_other_cause():
