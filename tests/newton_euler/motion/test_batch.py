@@ -16,11 +16,7 @@ from newton_euler.motion.batch import (
     _representatives,
     _taylor,
 )
-from newton_euler.motion.error_estimates import (
-    ROUND_OFF_OF_RATES,
-    SERIES_ROUND_OFF,
-    SERIES_SAFETY,
-)
+from newton_euler.motion.error_estimates import ROUND_OFF_OF_RATES, SERIES_ROUND_OFF, SERIES_SAFETY
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.methods.taylor import batches, level_of
 from newton_euler.motion.prepared import PreparedModel, prepared_model
@@ -444,10 +440,7 @@ def test_the_rest_is_compared_too_where_those_that_vouch_have_nothing_to_spare(
 
 def test_each_motion_is_vouched_for_by_the_one_that_it_is_close_to(monkeypatch):
     runs, (_, errors, _) = by_batches(
-        monkeypatch,
-        np.ones((2, 4)),
-        [[1e-13, 9e-10, 1e-13, 1e-10]] * 2,
-        ([0, 1], [0, 1, 0, 1]),
+        monkeypatch, np.ones((2, 4)), [[1e-13, 9e-10, 1e-13, 1e-10]] * 2, ([0, 1], [0, 1, 0, 1])
     )
     assert [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]] == [[1.0, 2.0], [4.0]]
     # of the one that it is close to, with something to spare, and then as every error

@@ -9,7 +9,7 @@ import pytest
 
 from newton_euler import Model, cos, integrate, sin
 from newton_euler.motion import Event, ModelError, second_order
-from newton_euler.motion.solution import Cost, MotionError
+from newton_euler.motion.solution import AccuracyError, Cost, MotionError
 
 DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
 OTHER = Model("other", {}, ("x", "u"), lambda s, p, t: (s.u, 0.0 * s.u))
@@ -163,9 +163,10 @@ def test_an_error_that_is_computed_on_demand_is_computed_once():
     assert asked == [1]
 
 
-def test_the_error_of_a_motion_that_failed_is_sent_with_what_was_reached():
-    error = MotionError("too far", drift())
+@pytest.mark.parametrize("kind", [MotionError, AccuracyError])
+def test_the_error_of_a_motion_that_failed_is_sent_with_what_was_reached(kind):
+    error = kind("too far", drift())
     again = pickle.loads(pickle.dumps(error))
-    assert str(again) == "too far"
+    assert (type(again), str(again)) == (kind, "too far")
     assert again.reached.end == error.reached.end
     assert again.reached.at(1.3) == error.reached.at(1.3)
