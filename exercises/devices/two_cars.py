@@ -119,7 +119,9 @@ def draw(g, ax):
 
 
 def figure(g, ax):
-    """The plan view, returned with the ground and half the length of a car; how far the curves are drawn goes with the distance of the cars."""
+    """The plan view: the sketch, the ground and half the length of a car. How far the curves are
+    drawn goes with the distance of the cars.
+    """
     ground, _, _ = cars(g)
     s = Sketch(ax, ground, plane="xy")
     far, A, B = 1.3 * g.x / (g.R + 0.3 * g.x), (0, 0, 0), (g.x, 0, 0)
