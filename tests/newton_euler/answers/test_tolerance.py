@@ -47,14 +47,10 @@ def test_the_limits_themselves_are_right():
 @pytest.mark.parametrize(
     ("tree", "expected"),
     [
-        (0, "right"),
-        (0.9e-6, "right"),
-        (-0.9e-6, "right"),
-        (1.1e-6, "wrong"),
-        (1, "wrong"),
+        (0, "right"), (0.9e-6, "right"), (-0.9e-6, "right"), (1.1e-6, "wrong"), (1, "wrong"),
         (1e-300, "right"),
     ],
-)
+)  # fmt: skip
 def test_a_key_of_zero_is_compared_with_its_absolute_tolerance(tree, expected):
     assert verdict("number", tree, (0.0,)) == expected
 

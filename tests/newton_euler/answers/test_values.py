@@ -19,21 +19,10 @@ from newton_euler.answers.trees import evaluate
 from tests.newton_euler.answers.one_answer import SYMBOLS, ground, one, r, theta
 
 NUMBERS = [
-    2.5,
-    np.float64(2.5),
-    np.float32(2.5),
-    np.array(2.5),
-    np.array([2.5]),
-    [2.5],
-    (2.5,),
-    mpmath.mpf("2.5"),
-    sympy.Rational(5, 2),
-    sympy.Float(2.5),
-    Fraction(5, 2),
-    Decimal("2.5"),
-    sympy.sqrt(sympy.Rational(25, 4)),
-    sympy.Matrix([2.5]),
-]
+    2.5, np.float64(2.5), np.float32(2.5), np.array(2.5), np.array([2.5]), [2.5], (2.5,),
+    mpmath.mpf("2.5"), sympy.Rational(5, 2), sympy.Float(2.5), Fraction(5, 2), Decimal("2.5"),
+    sympy.sqrt(sympy.Rational(25, 4)), sympy.Matrix([2.5]),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -56,20 +56,12 @@ def explained(numbers, key, answers, faults=None):
 @pytest.mark.parametrize(
     ("key", "tree", "verdict"),
     [
-        ("v", 5.02, "right"),
-        ("v", 5.04, "wrong"),
-        ("v", None, "blank"),
-        ("v", "5", "unreadable"),
-        ("sense", "falls", "right"),
-        ("sense", "rises", "wrong"),
-        ("sense", ["falls"], "wrong"),
-        ("sense", 1, "wrong"),
-        ("bounces", 2, "right"),
-        ("bounces", 2.0, "wrong"),
-        ("bounces", True, "wrong"),
-        ("bounces", "2", "wrong"),
+        ("v", 5.02, "right"), ("v", 5.04, "wrong"), ("v", None, "blank"), ("v", "5", "unreadable"),
+        ("sense", "falls", "right"), ("sense", "rises", "wrong"), ("sense", ["falls"], "wrong"),
+        ("sense", 1, "wrong"), ("bounces", 2, "right"), ("bounces", 2.0, "wrong"),
+        ("bounces", True, "wrong"), ("bounces", "2", "wrong"),
     ],
-)
+)  # fmt: skip
 def test_an_answer_is_right_wrong_unreadable_or_blank(key, tree, verdict):
     assert verdicts(Fall(), {key: tree})[key].verdict == verdict
 
@@ -91,13 +83,10 @@ def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
 @pytest.mark.parametrize(
     "answers",
     [
-        {"v": 6.0, "square": 30.0},
-        {"v": 5.0, "square": 36.0},
-        {"square": 36.0},
-        {"v": None, "square": 36.0},
-        {"v": 0.0, "square": 0.0},
+        {"v": 6.0, "square": 30.0}, {"v": 5.0, "square": 36.0}, {"square": 36.0},
+        {"v": None, "square": 36.0}, {"v": 0.0, "square": 0.0},
     ],
-)
+)  # fmt: skip
 def test_what_does_not_follow_is_not_said_to(answers):
     assert explained(Fall(), "square", answers).earlier == ()
 
