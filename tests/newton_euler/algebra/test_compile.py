@@ -443,7 +443,7 @@ def test_a_formula_without_arguments_or_without_results():
         (lambda f: f(1.0, yy=3.0), "f takes x, y; missing: y; unknown: yy"),
     ],
 )
-def test_wrong_arguments_are_told_by_name(call, message):
+def test_wrong_arguments_are_reported_by_name(call, message):
     def f(x, y):
         return x + y
 

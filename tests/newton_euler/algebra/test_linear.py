@@ -214,7 +214,7 @@ def test_equations_of_different_units_prove_their_units():
 # -- reports
 
 
-def test_a_statically_indeterminate_beam_tells_what_it_knows():
+def test_a_statically_indeterminate_beam_reports_what_it_knows():
     """Pins at both ends: the forces along the beam are open, their sum is not."""
     ground = Frame("ground")
 
@@ -272,7 +272,7 @@ def test_contradictions_are_named(kind):
     assert issubclass(LinearError, FrameError)
 
 
-def test_symbols_contradict_each_other_too_and_no_made_up_number_is_told():
+def test_symbols_contradict_each_other_too_and_no_made_up_number_is_reported():
     g = sympy.Symbol("g")
     with pytest.raises(LinearError, match="'q' does not hold if 'p' holds"):
         solve_linear(lambda A: {"p": A - g, "q": 2 * A - g})

@@ -36,7 +36,7 @@ def test_vectors_are_bold_and_their_indices_are_not():
     [("lead", True), ("speed_rate", True), ("acc_mag", True), ("tilt", True), ("beta", False),
      ("b_dot", False), ("lam", False), ("AB", False)],
 )  # fmt: skip
-def test_words_are_told_from_symbols(name, word):
+def test_words_are_distinguished_from_symbols(name, word):
     assert is_word(name) is word
 
 

@@ -53,7 +53,7 @@ def test_a_receipt_names_every_answer_that_cannot_be_read(problem):
         receipt(problem, v=3, speed="r")
 
 
-def test_an_unknown_problem_or_answer_is_told(problem):
+def test_an_unknown_problem_or_answer_is_reported(problem):
     with pytest.raises(
         AnswerError,
         match=r"nothing is known of problem '9/99'; run the cells of the notebook from the top",
@@ -101,7 +101,7 @@ def test_a_notebook_shows_the_sentence_of_an_error_without_the_librarys_code(pro
     assert all(len(line) <= 70 for x in shown for line in x.splitlines())
 
 
-def test_a_form_that_does_not_exist_is_told():
+def test_a_form_that_does_not_exist_is_reported():
     with pytest.raises(
         AnswerError, match=r"no such kind of answer: 'tensor'; there are number, vector"
     ):

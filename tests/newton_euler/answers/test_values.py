@@ -166,7 +166,7 @@ WRONG = [
 @pytest.mark.parametrize(
     ("form", "value", "said"), WRONG, ids=[f"{f} from {type(v).__name__}" for f, v, _ in WRONG]
 )
-def test_what_cannot_be_read_is_told_with_what_was_expected_and_what_came(form, value, said):
+def test_what_cannot_be_read_is_reported_with_what_was_expected_and_what_came(form, value, said):
     with pytest.raises(AnswerError, match=said):
         one(form, value, SYMBOLS)
 
@@ -216,7 +216,7 @@ def test_a_vector_is_read_in_the_frames_between_too():
     assert len(one("vector, m", deep.i)) == 4
 
 
-def test_frames_of_one_name_are_told_apart():
+def test_frames_of_one_name_are_distinguished():
     inner = ground.rotate("ground", "z", angle=math.pi / 2, rate=1.0)
     assert list(one("vector, m", 2.0 * inner.i)) == ["ground", "ground'"]
 

@@ -28,7 +28,7 @@ def test_two_notebooks_do_not_lose_each_others_tries(tmp_path):
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"format": 9, "problems": {}}', "{}"])
-def test_a_damaged_file_is_kept_aside_and_told(tmp_path, text):
+def test_a_damaged_file_is_kept_aside_and_reported(tmp_path, text):
     path = tmp_path / "p.json"
     path.write_text(text)
     kept = Progress(path)
