@@ -23,20 +23,11 @@ from newton_euler.motion.prepared import PreparedModel, prepared_model
 from newton_euler.motion.run import Run
 from newton_euler.motion.sizes import time_round_off
 from newton_euler.motion.verified import NEAR_END, NEAR_START, SPARE
-from tests.models import needs_heyoka
+from tests.models import FALL, needs_heyoka, oscillator
 
 START = (1.0, 0.0)
 PENDULUM = second_order("pendulum", {"n": 1.0}, ("a",), lambda s, p, t: (-p.n * sin(s.a),))
-SPRING = second_order(
-    "spring",
-    {"w": 1.0},
-    ("x",),
-    lambda s, p, t: (-p.w * p.w * s.x,),
-    exact=lambda s, p, t: (
-        s.x * cos(p.w * t) + s.dx / p.w * sin(p.w * t),
-        s.dx * cos(p.w * t) - p.w * s.x * sin(p.w * t),
-    ),
-)
+SPRING = oscillator().changed(k=1.0)
 
 
 def test_motions_close_to_each_other_have_one_representative():
@@ -207,7 +198,7 @@ def test_samples_of_a_batch_increase_from_its_start(samples):
 @pytest.mark.parametrize("count", [1, 2, 70])
 def test_the_errors_of_a_batch_of_closed_forms_are_those_asked_for(count):
     w = np.linspace(1.0, 3.0, count)
-    motions = integrate(SPRING.changed(w=w), (1.0, 5.0), (np.ones(count), 0.0), samples=5)
+    motions = integrate(SPRING.changed(k=w * w), (1.0, 5.0), (np.ones(count), 0.0), samples=5)
     assert motions.method.name == "exact"
     assert motions.times.tolist() == [1.0, 2.0, 3.0, 4.0, 5.0]
     exact = np.cos(w[:, None] * (motions.times - 1.0))
@@ -220,12 +211,12 @@ def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spar
     judged = []
 
     def known_accurate(system, method, rtol, t0, t1, start, x):
-        judged.append((system.model.parameters["w"], t1 - t0, start, x, rtol))
+        judged.append((math.sqrt(system.model.parameters["k"]), t1 - t0, start, x, rtol))
         return True
 
     monkeypatch.setattr(batch, "known_accurate", known_accurate)
     w = np.array([1.0, 1.0, 2.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0])
-    motions = integrate(SPRING.changed(w=w), (1.0, 5.0), (1.0, 0.0), 1e-9)
+    motions = integrate(SPRING.changed(k=w * w), (1.0, 5.0), (1.0, 0.0), 1e-9)
     ends = [(x, pytest.approx((math.cos(4 * x), -x * math.sin(4 * x)))) for x in (1.0, 2.0)]
     assert sorted(judged) == [(x, 4.0, (1.0, 0.0), end, 1e-9 / SPARE) for x, end in ends]
     assert (motions.error == 1e-9).all()
@@ -234,10 +225,10 @@ def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spar
 def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypatch):
     """Here those of the faster spring, for which the second number stands."""
     monkeypatch.setattr(
-        batch, "known_accurate", lambda system, *_: system.model.parameters["w"] == 1.0
+        batch, "known_accurate", lambda system, *_: system.model.parameters["k"] == 1.0
     )
     w = np.array([1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0])
-    motions = integrate(SPRING.changed(w=w), 5.0, (1.0, 0.0), 1e-9, samples=3)
+    motions = integrate(SPRING.changed(k=w * w), 5.0, (1.0, 0.0), 1e-9, samples=3)
     assert (motions.error[::2] == 1e-9).all()
     assert (motions.error[1::2] < 1e-12).all()
     assert motions.cost.calls > 3
@@ -282,10 +273,9 @@ def test_many_motions_are_made_by_the_method_asked_for_or_worth_it(model, count,
 )
 def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):
     """x' = -1/x comes to zero at x0^2/2."""
-    fall = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))
     x = np.array(starts)
     with pytest.raises(AccuracyError, match=words) as refused:
-        integrate(fall, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
+        integrate(FALL, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
     reached = refused.value.reached
     through = np.delete(np.arange(len(x)), stopped)
     assert np.isnan(reached.states["x"][stopped]).all()
@@ -475,7 +465,7 @@ def test_a_state_that_is_zero_in_all_motions_counts_as_it_is(monkeypatch):
 @pytest.mark.parametrize("times", [[0.0, 1.0], [1.0], [0.5, 1.0], [0.0, 0.5, 1.0]], ids=str)
 def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
     """x' = -1/x comes to zero at x0^2/2: every third of these at 0.5 s."""
-    system = PreparedModel(Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,)))
+    system = PreparedModel(FALL)
     starts = np.where(np.arange(count) % 3 == 1, 0.7, 3.0)[None]
     p, times = np.zeros((0, count)), np.array(times)
     found, calls = batches(system, 1e-12, starts, p, 0.0, times)

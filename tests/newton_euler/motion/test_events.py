@@ -7,24 +7,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import cos, exp, sin, sqrt, where
-from newton_euler.motion import Event, Model, ModelError, integrate, second_order
+from newton_euler import cos, exp, sqrt, where
+from newton_euler.motion import Event, Model, ModelError, integrate
 from newton_euler.motion.events import EventLocator, events_in_step
 from newton_euler.motion.zeros import EPS
-from tests.models import TAYLOR
-
-
-def spring(closed):
-    def exact(s, p, t):
-        return s.x * cos(t) + s.dx * sin(t), s.dx * cos(t) - s.x * sin(t)
-
-    rates = lambda s, p, t: (-s.x,)
-    return second_order("spring", {}, ("x",), rates, exact=exact if closed else None)
+from tests.models import TAYLOR, oscillator
 
 
 def times(function, t=20.0, start=(1.0, 0.0), closed=True, **options):
-    motion = integrate(spring(closed), t, start, events=Event(function, **options))
-    return [e.t for e in motion.events]
+    spring = oscillator(closed).changed(k=1.0)
+    return [e.t for e in integrate(spring, t, start, events=Event(function, **options)).events]
 
 
 PASSAGES = math.pi * (np.arange(6) + 0.5)  # of x = cos(t) through zero, to t = 20

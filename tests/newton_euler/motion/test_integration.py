@@ -18,10 +18,9 @@ from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.model import KEPT
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
-from tests.models import TAYLOR, forced, free_body, needs_heyoka, oscillator
+from tests.models import FALL, TAYLOR, forced, free_body, needs_heyoka, oscillator
 
 ADAPTIVE = (TAYLOR, "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")
-FALL = Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,))  # sqrt(1 - 2 t)
 
 
 # -- orders and accuracy
@@ -102,14 +101,11 @@ def test_each_argument_is_checked(given, words):
 
 @pytest.mark.parametrize("method", ["dop853", TAYLOR, "scipy RK45", "auto"])
 def test_a_singular_place_ends_it_with_what_was_reached(method):
-    with pytest.raises(
-        MotionError,
-        match=r"falls into the centre could not be followed beyond t = 0\.[45].*singular",
-    ) as refused:
+    with pytest.raises(MotionError, match=r"fall could .* beyond t = 0\.[45].*singular") as refused:
         integrate(FALL, 2.0, (1.0,), 1e-6, method)
     reached = refused.value.reached
     assert 0.49 < reached.t_end <= 0.5 + 1e-6
-    assert reached.at(0.3)["r"] == pytest.approx(math.sqrt(0.4), rel=1e-5)
+    assert reached.at(0.3)["x"] == pytest.approx(math.sqrt(0.4), rel=1e-5)
 
 
 @pytest.mark.parametrize("method", ["dop853", TAYLOR, "auto"])

@@ -3,7 +3,6 @@ which a run goes to its goal.
 """
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -22,11 +21,11 @@ from newton_euler.motion.methods.taylor import (
     level_of,
 )
 from newton_euler.motion.prepared import PreparedModel, prepared_model
+from tests.models import FALL, begun
 
 pytest.importorskip("heyoka")
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
-FALL = Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,))  # until t = 0.5
 
 
 UNKNOWN = Model("unknown", {}, ("r",), lambda s, p, t: (1 / s.r - 1 / s.r**3,))
@@ -38,19 +37,11 @@ def swing(t, size=1.0):
     return size * np.array([np.cos(2 * t), -2 * np.sin(2 * t)])
 
 
-def series(t1=5.0, size=1.0, samples=None, stops=(), model=SPRING, start=None, **more):
+def series(t1=5.0, size=1.0, model=SPRING, start=None, **options):
     """A run that has not begun; that of the spring starts at rest."""
     start = start or (size, 0.0)
-    nothing = (0.0,) * len(start)
-    trajectory = SimpleNamespace(
-        goal=t1,
-        tolerance=LEVELS[-1],
-        max_steps=more.get("max_steps", 5e6),
-        samples=samples,
-        units=more.get("units", (size,) * len(start)),
-        limits=lambda system, t, x: (nothing, nothing, stops),
-    )
-    return Taylor(prepared_model(model), more.get("t0", 0.0), start, trajectory)
+    usual = {"tolerance": LEVELS[-1], "units": (size,) * len(start)}
+    return begun(Taylor, prepared_model(model), start, t1, **usual | options)
 
 
 # -- levels and integrators

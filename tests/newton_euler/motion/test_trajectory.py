@@ -21,7 +21,7 @@ from newton_euler.motion.trajectory import (
     OWN_PART,
     Trajectory,
 )
-from tests.models import needs_heyoka
+from tests.models import DRIFT, FALL, needs_heyoka
 
 DOP853 = METHODS["dop853"]
 
@@ -29,9 +29,6 @@ DOP853 = METHODS["dop853"]
 def spring(w=3.0, extra=0.0):
     rates = lambda s, p, t: (-p.w * p.w * s.x + p.extra,)
     return second_order("spring", {"w": w, "extra": extra}, ("x",), rates)
-
-
-DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
 
 
 def run(model=None, state=(1.0, 0.0), t1=10.0, t0=0.0, **options):
@@ -161,10 +158,9 @@ def test_progress_is_reported_as_a_fraction_of_the_time(t0):
 
 
 def test_a_step_that_cannot_be_taken_is_reported_with_its_place():
-    model = Model("root", {}, ("x",), lambda s, p, t: (-1 / s.x,))
-    found = trajectory(run(model, (1.0,), 1.0))
+    found = trajectory(run(FALL, (1.0,), 1.0))
     assert isinstance(found.failed, StepError)
-    assert "root could not be followed beyond t = 0.5, at x = " in found.ended
+    assert "fall could not be followed beyond t = 0.5, at x = " in found.ended
     assert found.ended.endswith("may be singular there, or the motion leaves the model")
     model = Model("none", {}, ("x",), lambda s, p, t: (1 / (s.x - s.x),))
     found = trajectory(run(model, (1.0,), 1.0))
