@@ -159,7 +159,8 @@ def off(rung):
             for n in range(len(start))
         ]
         expected = zip((*rates, *first), (*model.derivative(state, t), *start), strict=True)
-        return max(abs(a - b) for a, b in expected) / (1 + max(map(abs, (*state, *rates))))
+        size = 1 + max(float(abs(x)) for x in (*state, *rates))
+        return max(float(abs(a - b)) for a, b in expected) / size
 
 
 @pytest.mark.parametrize("I_z", [0.5, 0.999999, 1.0, 1.000001, 1.1, 1.2, 1.5])

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from newton_euler import at
 from newton_euler.applications import earth as e
 from newton_euler.scenes.particles.low_pressure import air_near_low
+from tests.explicit import by_scipy
 from tests.kinds import close, every_kind, numbers, small
 
 
@@ -37,10 +37,8 @@ def test_storms_turn_counterclockwise_in_the_north_and_clockwise_in_the_south(la
     for t in np.linspace(1e3, 2e4, 5):
         x, y, dx, dy = model.solution(t, (1e5, 0.0, 0.0, 0.0))
         assert (x * dy - y * dx) * latitude > 0
-    rhs = air_near_low(latitude, pressure_gradient=1e-8, friction=2e-5).compiled_rhs()
-    run = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()), (0, 6e5), (1e5, 0.0, 0.0, 0.0), rtol=1e-10, atol=1e-6
-    )
+    spiral = air_near_low(latitude, pressure_gradient=1e-8, friction=2e-5)
+    run = by_scipy(spiral, (1e5, 0.0, 0.0, 0.0), 6e5, rtol=1e-10, atol=1e-6)
     x, y, dx, dy = run.y[:, -1]
     assert math.hypot(x, y) < 1e4
     assert np.all((run.y[0] * run.y[3] - run.y[1] * run.y[2])[1:] * latitude > 0)
