@@ -307,8 +307,7 @@ WRONG = {
     "a branch that is wrong": (spring(solution=_right_at_first), 10.0, (1.0, 0.5)),
     "small swings for large ones": (
         replace(
-            physical_pendulum(2.0, 0.5, 0.5, 10.0),
-            exact=small_swings(2.0, 0.5, 0.5, 10.0).exact,
+            physical_pendulum(2.0, 0.5, 0.5, 10.0), exact=small_swings(2.0, 0.5, 0.5, 10.0).exact
         ),
         20.0,
         (0.5, 0.0),
