@@ -9,23 +9,20 @@ from exercises.catalogue import problem
 from tests.grader.courses import command
 
 
-@pytest.mark.parametrize(
-    ("name", "words"),
-    [
-        ((), "python -m grader build ch04 --course"),
-        (("solve",), "--explain"),
-        (("prove",), "exit code 1"),
-        (("figure",), "PNG"),
-        (("build",), "--update"),
-        (("take-in",), "download all submissions"),
-        (("stats",), "--png"),
-        (("export",), "gradescope"),
-        (("diagnose",), "misnamed"),
-        (("personal",), "hand out COURSE/personal/ASSIGNMENT/STUDENT"),
-        (("grade",), "--force"),
-        (("demo",), "six students"),
-    ],
-)
+@pytest.mark.parametrize(("name", "words"), [
+    ((), "python -m grader build ch04 --course"),
+    (("solve",), "--explain"),
+    (("prove",), "exit code 1"),
+    (("figure",), "PNG"),
+    (("build",), "--update"),
+    (("take-in",), "download all submissions"),
+    (("stats",), "--png"),
+    (("export",), "gradescope"),
+    (("diagnose",), "misnamed"),
+    (("personal",), "hand out COURSE/personal/ASSIGNMENT/STUDENT"),
+    (("grade",), "--force"),
+    (("demo",), "six students"),
+])  # fmt: skip
 def test_help_teaches(name, words):
     code, out = command(*name, "--help")
     assert code == 0

@@ -161,23 +161,20 @@ def test_quantities_of_real_libraries_are_refused(name):
             take(q)
 
 
-@pytest.mark.parametrize(
-    "f",
-    [
-        lambda m: attraction(m, 1.0, 1.0),
-        lambda m: attraction(1.0, m, 1.0),
-        lambda m: gravitational_field(P, m, ground),
-        lambda m: gravitational_potential(m, 1.0, 1.0),
-        lambda m: gravity_at_surface(m, 1.0),
-        lambda m: plane_kinetic_energy(m, 1.0, 1.0, 1.0),
-        lambda m: weight_potential(m, 1.0),
-        lambda m: weight(m, ground.k),
-        lambda m: buoyancy(m, 1.0, 1.0, 1.0, 9.8),
-        lambda m: force_near_earth(m, ground.i, ground.j, ground.k),
-        lambda m: support_force(m, 9.8, ground),
-        lambda m: Body("stone", m, ground),
-    ],
-)
+@pytest.mark.parametrize("f", [
+    lambda m: attraction(m, 1.0, 1.0),
+    lambda m: attraction(1.0, m, 1.0),
+    lambda m: gravitational_field(P, m, ground),
+    lambda m: gravitational_potential(m, 1.0, 1.0),
+    lambda m: gravity_at_surface(m, 1.0),
+    lambda m: plane_kinetic_energy(m, 1.0, 1.0, 1.0),
+    lambda m: weight_potential(m, 1.0),
+    lambda m: weight(m, ground.k),
+    lambda m: buoyancy(m, 1.0, 1.0, 1.0, 9.8),
+    lambda m: force_near_earth(m, ground.i, ground.j, ground.k),
+    lambda m: support_force(m, 9.8, ground),
+    lambda m: Body("stone", m, ground),
+])  # fmt: skip
 def test_negative_masses_are_refused_and_zero_is_a_mass(f):
     for bad in (-1.0, np.array([1.0, -1.0]), mpmath.mpf(-1), float("nan"), float("inf")):
         with pytest.raises(MassError):
@@ -290,33 +287,30 @@ def test_each_part_of_a_model_is_asked_for_in_words(part):
             Model(**{**parts, part: bad})
 
 
-@pytest.mark.parametrize(
-    "call",
-    [
-        lambda: second_order("m", {}, 3, falling),
-        lambda: second_order("m", {}, ("x",), None),
-        lambda: Neglected("the air", 3, "position, m"),
-        lambda: FALL.compiled_rhs([1]),
-        lambda: FALL.solution(None, START),
-        lambda: FALL.solution(1.0, range(10**12)),
-        lambda: FALL.solution(1.0, itertools.count()),
-        lambda: FALL.derivative({1.0, 0.0}),
-        lambda: FALL.derivative(START, "now"),
-        lambda: FALL.invariant([], START),
-        lambda: FALL.neglected("now", START),
-        lambda: FALL.neglected(1.0, 3),
-        lambda: integrate(FALL, 10**400, START),
-        lambda: integrate(FALL, 1.0, (10**400, 0.0)),
-        lambda: integrate(FALL, 1.0, (b"30", 0.0)),
-        lambda: integrate(FALL, 1.0, START, method=np.array(["exact", "taylor"])),
-        lambda: integrate(FALL, 1.0, START, events=range(10**12)),
-        lambda: integrate(FALL, 1.0, START, samples=range(10**12)),
-        lambda: prepare(FALL, method=["exact"]),
-        lambda: integrate(FALL, 1.0, START).at(object()),
-        lambda: integrate(FALL, 1.0, START).at("0.5"),
-        lambda: integrate(FALL, 1.0, START).at(np.full((2, 2), 0.5)),
-    ],
-)
+@pytest.mark.parametrize("call", [
+    lambda: second_order("m", {}, 3, falling),
+    lambda: second_order("m", {}, ("x",), None),
+    lambda: Neglected("the air", 3, "position, m"),
+    lambda: FALL.compiled_rhs([1]),
+    lambda: FALL.solution(None, START),
+    lambda: FALL.solution(1.0, range(10**12)),
+    lambda: FALL.solution(1.0, itertools.count()),
+    lambda: FALL.derivative({1.0, 0.0}),
+    lambda: FALL.derivative(START, "now"),
+    lambda: FALL.invariant([], START),
+    lambda: FALL.neglected("now", START),
+    lambda: FALL.neglected(1.0, 3),
+    lambda: integrate(FALL, 10**400, START),
+    lambda: integrate(FALL, 1.0, (10**400, 0.0)),
+    lambda: integrate(FALL, 1.0, (b"30", 0.0)),
+    lambda: integrate(FALL, 1.0, START, method=np.array(["exact", "taylor"])),
+    lambda: integrate(FALL, 1.0, START, events=range(10**12)),
+    lambda: integrate(FALL, 1.0, START, samples=range(10**12)),
+    lambda: prepare(FALL, method=["exact"]),
+    lambda: integrate(FALL, 1.0, START).at(object()),
+    lambda: integrate(FALL, 1.0, START).at("0.5"),
+    lambda: integrate(FALL, 1.0, START).at(np.full((2, 2), 0.5)),
+])  # fmt: skip
 def test_models_and_motions_refuse_in_words(call):
     with pytest.raises(NewtonEulerError):
         call()

@@ -117,15 +117,12 @@ def test_an_ellipse_that_is_almost_a_parabola_is_as_accurate_as_any(less):
         assert distance(x, true) < 2e-14 * max(1.0, math.hypot(*x[:2]), abs(t))
 
 
-@pytest.mark.parametrize(
-    "start",
-    [
-        (1.0, 0.0, 0.0, math.sqrt(2) + 1e-9),
-        (1.0, 0.0, -0.3, 3.0),
-        (2.0, 0.0, 0.6, 0.8),
-        (-3.3, -0.5, 5.3, -0.004),
-    ],
-)
+@pytest.mark.parametrize("start", [
+    (1.0, 0.0, 0.0, math.sqrt(2) + 1e-9),
+    (1.0, 0.0, -0.3, 3.0),
+    (2.0, 0.0, 0.6, 0.8),
+    (-3.3, -0.5, 5.3, -0.004),
+])  # fmt: skip
 def test_a_parabola_or_hyperbola_is_refused_in_words_and_integrated(start):
     with pytest.raises(ModelError, match=r"no ellipse .* integrate them"):
         ORBIT.solution(1.0, start)

@@ -49,19 +49,10 @@ def test_the_engine_calls_every_release_from_rest_a_cusp_with_no_rate_at_all(the
     assert found.theta_min == pytest.approx(theta, rel=1e-15)
 
 
-@pytest.mark.parametrize(
-    ("precession", "kind"),
-    [
-        (1e-3, "waves"),
-        (1e-6, "waves"),
-        (1e-8, "waves"),
-        (1e-12, "cusps"),
-        (-1e-12, "cusps"),
-        (-1e-8, "loops"),
-        (-1e-6, "loops"),
-        (-1e-3, "loops"),
-    ],
-)
+@pytest.mark.parametrize(("precession", "kind"), [
+    (1e-3, "waves"), (1e-6, "waves"), (1e-8, "waves"), (1e-12, "cusps"), (-1e-12, "cusps"),
+    (-1e-8, "loops"), (-1e-6, "loops"), (-1e-3, "loops"),
+])  # fmt: skip
 def test_beside_the_cusp_it_tells_waves_from_loops_and_keeps_the_rate_to_the_last_digit(
     precession, kind
 ):

@@ -60,17 +60,13 @@ def crossings(gap, method="auto"):
     ]
 
 
-@pytest.mark.parametrize(
-    "options",
-    [
-        {},
-        {"rtol": 1e-6},
-        {"method": "DOP853", "rtol": 1e-10},
-        {"method": "Radau"},
-        {"method": "LSODA"},
-    ],
-    ids=str,
-)
+@pytest.mark.parametrize("options", [
+    {},
+    {"rtol": 1e-6},
+    {"method": "DOP853", "rtol": 1e-10},
+    {"method": "Radau"},
+    {"method": "LSODA"},
+], ids=str)  # fmt: skip
 def test_of_two_roots_two_hundredths_of_a_second_apart_solve_ivp_finds_none(options):
     line = TOP - G * 0.02**2 / 8
     found = solve_ivp(

@@ -413,17 +413,13 @@ def test_an_error_on_demand_stays_one():
 
 
 @WAYS
-@pytest.mark.parametrize(
-    "formula",
-    [
-        lambda x, y=2.0: sin(x) * y + x / 3,
-        lambda x, y=2.0: {"a": x, "b": (x * y, where(x < y, x, y))},
-        lambda x, y=2.0: Frame("g").vector(x, y, 0),
-        lambda x, y=2.0: moving(x, rate=y) ** 2,
-        lambda x, y=2.0: x * mpmath.mpf("0.1") + math.inf * y,
-    ],
-    ids=["scalar", "dict", "vector", "moving", "mpf"],
-)
+@pytest.mark.parametrize("formula", [
+    lambda x, y=2.0: sin(x) * y + x / 3,
+    lambda x, y=2.0: {"a": x, "b": (x * y, where(x < y, x, y))},
+    lambda x, y=2.0: Frame("g").vector(x, y, 0),
+    lambda x, y=2.0: moving(x, rate=y) ** 2,
+    lambda x, y=2.0: x * mpmath.mpf("0.1") + math.inf * y,
+], ids=["scalar", "dict", "vector", "moving", "mpf"])  # fmt: skip
 def test_compiled_formulas_can_be_sent(formula, again):
     f = compiled(formula)
     there = again(f)

@@ -38,17 +38,13 @@ SMOOTH = Model(
 )
 
 
-@pytest.mark.parametrize(
-    "options",
-    [
-        {},
-        {"rtol": 1e-6, "atol": 1e-9},
-        {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12},
-        {"method": "Radau"},
-        {"method": "LSODA"},
-    ],
-    ids=str,
-)
+@pytest.mark.parametrize("options", [
+    {},
+    {"rtol": 1e-6, "atol": 1e-9},
+    {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12},
+    {"method": "Radau"},
+    {"method": "LSODA"},
+], ids=str)  # fmt: skip
 def test_solve_ivp_steps_over_a_blow_of_10_ms_and_reports_success(options):
     found = solve_ivp(
         lambda t, y: [y[1], FORCE if BEGINS <= t < BEGINS + LASTS else 0.0],

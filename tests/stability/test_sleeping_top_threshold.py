@@ -49,17 +49,10 @@ def test_a_run_makes_a_stable_top_tilt_a_hundredfold_at_the_threshold():
     assert largest_tilt(1.1) < 4 * TILT
 
 
-@pytest.mark.parametrize(
-    ("ratio", "stable"),
-    [
-        (0.9, False),
-        (1 - 1e-6, False),
-        (1 - 1e-12, False),
-        (1 + 1e-12, True),
-        (1 + 1e-6, True),
-        (1.1, True),
-    ],
-)
+@pytest.mark.parametrize(("ratio", "stable"), [
+    (0.9, False), (1 - 1e-6, False), (1 - 1e-12, False), (1 + 1e-12, True), (1 + 1e-6, True),
+    (1.1, True),
+])  # fmt: skip
 def test_the_criterion_decides_on_both_sides_down_to_1e_minus_12_of_the_critical_spin(
     ratio, stable
 ):

@@ -71,16 +71,12 @@ def test_at_1e_minus_6_it_takes_tens_of_thousands_of_calls_to_stand_still_on_a_j
 
 
 @pytest.mark.filterwarnings("ignore:overflow")
-@pytest.mark.parametrize(
-    "options",
-    [
-        {"method": "LSODA"},
-        {"method": "LSODA", "rtol": 1e-6},
-        {"method": "Radau"},
-        {"rtol": 1e-9, "atol": 1e-9},
-    ],
-    ids=str,
-)
+@pytest.mark.parametrize("options", [
+    {"method": "LSODA"},
+    {"method": "LSODA", "rtol": 1e-6},
+    {"method": "Radau"},
+    {"rtol": 1e-9, "atol": 1e-9},
+], ids=str)  # fmt: skip
 def test_other_methods_and_tighter_tolerances_get_stuck_just_after_rolling_begins(options):
     with pytest.raises(StuckError) as stuck:
         friction_by_sign(**options)

@@ -97,15 +97,12 @@ def test_a_locked_gradebook_is_reported_in_a_sentence_and_nothing_is_lost(fresh)
     assert points(fresh) == before
 
 
-@pytest.mark.parametrize(
-    ("code", "words"),
-    [
-        ("SQLITE_READONLY_DIRECTORY", "cannot be written; give yourself write permission"),
-        ("SQLITE_FULL", "the disk is full; make room"),
-        ("SQLITE_CANTOPEN", "cannot be opened"),
-        ("SQLITE_ERROR", "nbgrader db upgrade"),
-    ],
-)
+@pytest.mark.parametrize(("code", "words"), [
+    ("SQLITE_READONLY_DIRECTORY", "cannot be written; give yourself write permission"),
+    ("SQLITE_FULL", "the disk is full; make room"),
+    ("SQLITE_CANTOPEN", "cannot be opened"),
+    ("SQLITE_ERROR", "nbgrader db upgrade"),
+])  # fmt: skip
 def test_an_error_of_the_database_comes_with_what_to_do(fresh, code, words):
     from sqlalchemy.exc import OperationalError
 

@@ -258,17 +258,10 @@ def test_without_privileges_the_worker_survives_too():
     # no fork bomb where this user is root outside, to whom the kernel grants as many processes as
     # he likes
     names = [
-        "kills everybody",
-        "kills its group",
-        "stops its group",
-        "signals pid 1",
-        "no death with its parent",
-        "daemon",
-        "stops itself",
-        "endless in C",
-        "floods the receipts",
+        "kills everybody", "kills its group", "stops its group", "signals pid 1",
+        "no death with its parent", "daemon", "stops itself", "endless in C", "floods the receipts",
         "memory in pieces",
-    ]
+    ]  # fmt: skip
     before = descendants()
     replies = elsewhere(
         [job(x, setup="import os") for n in names for x in (ENDINGS[n], "x = 42")], ordinary=True

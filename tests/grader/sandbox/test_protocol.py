@@ -53,14 +53,9 @@ def test_givens_may_come_again_and_hold_from_there(harvester):
 def test_the_first_error_since_the_givens_is_reported_with_the_answers(harvester):
     givens, answer, harvest = problem("0/1", "x = 3")
     cells = [
-        own("first", "before"),
-        givens,
-        own("second"),
-        answer,
-        own("third"),
-        harvest,
+        own("first", "before"), givens, own("second"), answer, own("third"), harvest,
         *problem("0/2", "x = 4"),
-    ]
+    ]  # fmt: skip
     reply = run_caged(harvester, cells)
     assert reply["receipts"]["0/1"]["error"] == "NameError, line 1: name 'second' is not defined"
     assert reply["receipts"]["0/1"]["answers"] == {"x": 3.0}
