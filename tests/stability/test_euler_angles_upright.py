@@ -5,7 +5,6 @@ import math
 import mpmath
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from newton_euler.kinematics.rotations import (
     RotationError,
@@ -19,6 +18,7 @@ from newton_euler.kinematics.rotations import (
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.spatial import top
 from tests.kinds import close
+from tests.stability.naive import TIGHT, solved
 
 # W: transverse angular velocity at the closest approach to the vertical, rad/s
 I0, I, OMEGA_Z, W = 1.5, 1.0, 2.0, 0.7
@@ -38,10 +38,7 @@ def axis_of(state):
 
 
 def run(model, start):
-    rhs = model.compiled_rhs()
-    found = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()), (0.0, 2.0), start, method="DOP853", rtol=1e-10, atol=1e-10
-    )
+    found = solved(model, 2.0, start, **TIGHT)
     return found.y[:, -1], found.nfev
 
 

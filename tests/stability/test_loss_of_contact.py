@@ -95,8 +95,6 @@ def test_the_sign_of_the_force_at_the_ends_of_default_steps_is_seen_a_twentieth_
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853"])
 @pytest.mark.parametrize("v0", [0.01, 1.0, 3.0])
 def test_an_event_and_another_model_let_it_go_and_land_where_the_closed_form_says(method, v0):
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     motion = slide(v0, method=method)
     left, landed = motion.events
     assert left.state["theta"] == pytest.approx(leaving(v0), abs=1e-9)

@@ -212,8 +212,6 @@ def differences(motion, there):
 @pytest.mark.parametrize("again", [sent, copy.deepcopy], ids=lambda f: f.__name__)
 @pytest.mark.parametrize("method", METHODS)
 def test_motions_of_every_method_can_be_sent(method, again):
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     model = Model(
         "oscillator", {"k": 4.0}, ("x", "v"), lambda s, p, t: (s.v, -p.k * s.x),
         {"energy": lambda s, p, t: (s.v**2 + p.k * s.x**2) / 2},
@@ -230,8 +228,6 @@ def test_motions_of_every_method_can_be_sent(method, again):
 
 @pytest.mark.parametrize("method", ["dop853", "taylor", "scipy RK45"])
 def test_motions_with_events_can_be_sent(method):
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     ball = Model("ball", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
     bounce = Event(
         lambda s, p, t: s.h, -1, then=lambda s, p, t: (ball, (0.0, -0.7 * s.v)), name="bounce"
@@ -270,8 +266,6 @@ def test_many_motions_can_be_sent():
 @WAYS
 @pytest.mark.parametrize("method", ["exact", "dop853", "taylor"])
 def test_prepared_runs_can_be_sent(method, again):
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     run = prepare(by_lambdas(), 1e-8, method)
     assert again(run)(2.0, (0.3, 0.1)) == run(2.0, (0.3, 0.1))
 

@@ -59,8 +59,6 @@ def test_solve_ivp_steps_over_a_blow_of_10_ms_and_reports_success(options):
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853"])
 def test_the_methods_of_the_engine_look_where_a_force_changes_in_time(method):
     """Neither tolerance nor a second run helps, but a look at the force beforehand does."""
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     motion = integrate(SMOOTH, 10.0, (0.0, 1.0), method=method)
     assert abs(motion.end["v"] - 2.0) <= 2 * motion.error <= 2e-9
 
@@ -70,8 +68,6 @@ def test_the_methods_of_the_engine_look_where_a_force_changes_in_time(method):
 def test_told_as_events_it_is_met_at_its_instants_and_the_motion_is_right_to_1e_minus_12(
     method, lasts
 ):
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     body = BODY.changed(blow=1.0 / lasts, t1=BEGINS + lasts)
     begins = Event(
         _begins, then=lambda s, p, t: (body.changed(F=p.blow), (s.x, s.v), (over,)), name="blow"

@@ -98,8 +98,6 @@ def test_with_an_event_and_two_models_it_rolls_to_round_off_in_a_hundred_calls()
 
 @pytest.mark.parametrize("method", ["dop853", "taylor", "scipy DOP853", "scipy RK45"])
 def test_every_method_of_the_engine_finds_the_same(method):
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     motion = thrown(V0, method=method)
     assert motion.events[0].t == pytest.approx(BEGINS.t, abs=1e-12)
     assert motion.end["x"] == pytest.approx(sphere_at(T, V0, MU, G, R)[0], abs=1e-11)

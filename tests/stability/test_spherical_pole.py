@@ -9,6 +9,7 @@ from newton_euler import Frame
 from newton_euler.algebra.scalars import SingularError
 from newton_euler.kinematics.coordinates import spherical, spherical_coordinates
 from tests.kinds import close
+from tests.stability.naive import TIGHT
 
 ground = Frame("ground")
 
@@ -30,14 +31,8 @@ def straight_in_spherical_coordinates(eps):
 
     r, v = ground.vector(-1.0, eps, 1.0), ground.vector(1.0, 0, 0)
     q = spherical_coordinates(r, v)
-    found = solve_ivp(
-        rates,
-        (0, 2),
-        [*(x.value for x in q), *(x.rate for x in q)],
-        method="DOP853",
-        rtol=1e-10,
-        atol=1e-10,
-    )
+    start = [*(x.value for x in q), *(x.rate for x in q)]
+    found = solve_ivp(rates, (0, 2), start, **TIGHT)
     end = spherical(ground, "P", *found.y[:3, -1]).position(ground)
     assert np.linalg.norm(np.array(end.components(ground)) - [1.0, eps, 1.0]) < 1e-9
     return found.nfev
@@ -50,14 +45,7 @@ def test_a_straight_line_past_the_pole_costs_four_times_the_steps():
 
 @pytest.mark.parametrize("eps", [1e-1, 1e-6, 0.0])
 def test_in_rectangular_components_the_same_line_is_one_step_and_exact(eps):
-    found = solve_ivp(
-        lambda t, y: [1.0, 0.0, 0.0],
-        (0, 2),
-        [-1.0, eps, 1.0],
-        method="DOP853",
-        rtol=1e-10,
-        atol=1e-10,
-    )
+    found = solve_ivp(lambda t, y: [1.0, 0.0, 0.0], (0, 2), [-1.0, eps, 1.0], **TIGHT)
     assert np.allclose(found.y[:, -1], [1.0, eps, 1.0], atol=1e-15, rtol=0)
 
 

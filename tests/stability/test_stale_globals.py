@@ -46,7 +46,6 @@ def model_of(rhs, **more):
 @pytest.mark.parametrize("method", ["dop853", "taylor", "verlet", "scipy LSODA", "auto"])
 @pytest.mark.parametrize("again", [True, False], ids=["new model", "same model"])
 def test_a_global_counts_as_it_is_when_the_model_is_integrated(method, again):
-    pytest.importorskip("heyoka" if method == "taylor" else "scipy")
     space = cell(FALL)
     model = model_of(space["rhs"])
     assert fallen(model, method=method, rtol=1e-7) == pytest.approx(9.81, rel=1e-6)

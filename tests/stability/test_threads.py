@@ -34,14 +34,8 @@ def in_threads(call, arguments, threads=4):
 METHODS = ["taylor", "dop853", "exact"]
 
 
-def needs(method):
-    if method == "taylor":
-        pytest.importorskip("heyoka")
-
-
 @pytest.mark.parametrize("method", METHODS)
 def test_a_prepared_run_in_four_threads(method, busy):
-    needs(method)
     model = physical_pendulum(2.0, 0.5, 0.5, 10.0) if method == "exact" else pendulum()
     run = prepare(model, 1e-9, method)
     count = 60 if method == "dop853" else 4000
@@ -52,7 +46,6 @@ def test_a_prepared_run_in_four_threads(method, busy):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_whole_integrations_in_four_threads(method, busy):
-    needs(method)
     model = physical_pendulum(2.0, 0.5, 0.5, 10.0) if method == "exact" else pendulum()
     turns = Event(lambda s, p, t: s.omega if method == "exact" else s.da, name="turns")
 
@@ -68,7 +61,6 @@ def test_whole_integrations_in_four_threads(method, busy):
 @pytest.mark.parametrize("method", METHODS)
 def test_one_motion_is_read_by_four_threads(method, busy):
     """The dense output between the steps is made when it is first asked for."""
-    needs(method)
     model = physical_pendulum(2.0, 0.5, 0.5, 10.0) if method == "exact" else pendulum()
 
     def made():

@@ -10,7 +10,7 @@ from grader.assignment import copy_to_exchange, make_personal_copies, problems_o
 from grader.assignment import notebook as nb
 from grader.assignment.fetch import personal_name
 from grader.course import CourseError
-from tests.grader.courses import command, ran, read, released_sheet
+from tests.grader.courses import append_config, command, ran, read, released_sheet
 from tests.grader.keys import secrets_in
 
 STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
@@ -53,8 +53,7 @@ def test_a_late_joiner_gets_a_copy_and_nobody_elses_changes(ungraded, tmp_path):
     before = ungraded.personal_path("ch04", "ada").read_text()
     outbound = tmp_path / "exchange/mechanics/outbound/ch04"
     outbound.mkdir(parents=True)
-    config = ungraded.path / "nbgrader_config.py"
-    config.write_text(config.read_text() + f"\nc.Exchange.root = {str(tmp_path / 'exchange')!r}\n")
+    append_config(ungraded, f"c.Exchange.root = {str(tmp_path / 'exchange')!r}")
     ungraded.enrol(["zoe"])
     ran(command("personal", "ch04", "--course", ungraded.path, "--student", "zoe", "--exchange"))
     assert (

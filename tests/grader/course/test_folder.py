@@ -7,7 +7,7 @@ import pytest
 
 from grader.course import Course, CourseError
 from grader.grading import grade
-from tests.grader.courses import command, points
+from tests.grader.courses import REPOSITORY, append_config, command, points
 
 BAD_SECRETS = {
     "not hexadecimal": (
@@ -54,8 +54,6 @@ def test_the_configuration_of_a_course_names_no_place(course):
         text = (course.path / name).read_text()
         assert str(course.path) not in text
         assert "/course/" not in text
-    from tests.grader.courses import REPOSITORY
-
     assert str(REPOSITORY) not in (course.path / "nbgrader_config.py").read_text()
 
 
@@ -119,7 +117,6 @@ def test_a_file_that_is_no_gradebook_is_refused(fresh):
 
 
 def test_an_error_in_the_instructors_configuration_names_the_line(fresh):
-    with open(fresh.path / "nbgrader_config.py", "a") as f:
-        f.write("\nc.Exchange.root = (\n")
+    append_config(fresh, "c.Exchange.root = (")
     with pytest.raises(CourseError, match=r"nbgrader_config.py, line \d+ does not run"):
         fresh.config()

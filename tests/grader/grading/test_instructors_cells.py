@@ -6,7 +6,7 @@ import nbformat
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import gradebook_rows, nbgrader, points, ran, read, submit
+from tests.grader.courses import forget, gradebook_rows, nbgrader, points, ran, read, submit
 from tests.grader.instructors_cells import OWN, with_texts
 from tests.grader.submissions import work
 
@@ -56,8 +56,7 @@ def test_instructors_cells_are_graded_by_nbgraders_rules_in_both_routes(mixed, h
     assert result.waiting == sum(w for _, w in expected.values())
     assert result.out_of == 11 + 15
     ours = gradebook_rows(mixed), autograded(mixed)
-    with mixed.gradebook() as book:
-        book.remove_submission("ch04", "dan")
+    forget(mixed, "dan")
     ran(nbgrader("autograde", "ch04", cwd=mixed.path))
     theirs = gradebook_rows(mixed), autograded(mixed)
     assert ours == theirs

@@ -10,7 +10,16 @@ import shutil
 
 import pytest
 
-from tests.grader.courses import copy_of, nbgrader, points, ran, submit, total
+from tests.grader.courses import (
+    append_config,
+    copy_of,
+    forget,
+    nbgrader,
+    points,
+    ran,
+    submit,
+    total,
+)
 from tests.grader.submissions import work
 
 pytestmark = pytest.mark.integration
@@ -26,12 +35,7 @@ def telltale(fresh, tmp_path):
 
 
 def appended(text):
-    def change(course, tmp_path):
-        with open(course.path / "nbgrader_config.py", "a") as f:
-            f.write(f"\n{text}\n")
-        return {}
-
-    return change
+    return lambda course, tmp_path: append_config(course, text) or {}
 
 
 def without_a_package(course, tmp_path):
@@ -92,8 +96,7 @@ def test_the_other_steps_refuse_too(fresh, step):
 
 def test_a_course_in_a_folder_with_spaces_and_accents_is_graded_by_nbgrader(course, tmp_path):
     moved = copy_of(course, tmp_path / "Méca 2026")
-    with moved.gradebook() as book:
-        book.remove_submission("ch04", "ada")
+    forget(moved, "ada")
     ran(nbgrader("autograde", "ch04", "--student=ada", cwd=moved.path, PYTHONPATH=""))
     assert total(points(moved)["ada"]) == 11
 
@@ -137,8 +140,7 @@ def test_a_notebook_that_is_no_regular_file_is_its_students_trouble_alone(fresh)
         folder = fresh.path / "submitted" / how.__name__ / "ch04"
         folder.mkdir(parents=True)
         how(fresh, folder)
-    with fresh.gradebook() as book:
-        book.remove_submission("ch04", "eve")
+    forget(fresh, "eve")
     # nbformat would take 7 GB for the brackets
     code, out = nbgrader(
         "autograde", "ch04", "--force", cwd=fresh.path, timeout=60, memory=3 * 2**30

@@ -139,12 +139,6 @@ def test_the_text_of_a_test_is_nowhere_while_the_cells_run(harvester):
         assert reply["receipts"]["0/2"]["answers"] == {"x": 0.0}, reply
 
 
-def test_nothing_of_a_test_comes_back_in_a_receipt(harvester):
-    told = "import os\nfor fd in range(3, 90):\n    try: os.write(fd, b'hidden-words')\n    except OSError: pass"
-    reply = run_caged(harvester, a_notebook_with([told, told]))
-    assert "hidden-words" not in str(reply["receipts"]) + str(reply["errors"])
-
-
 FORGED = """
 import os
 for fd in range(3, 200):
