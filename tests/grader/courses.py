@@ -29,14 +29,9 @@ def environment(**more):
 def run(*command, cwd=None, timeout=180, **more):
     """A command line: (exit code, everything it said)."""
     done = subprocess.run(
-        command,
-        cwd=cwd,
-        env=environment(**more),
-        text=True,
-        capture_output=True,
-        timeout=timeout,
+        command, cwd=cwd, env=environment(**more), text=True, capture_output=True, timeout=timeout,
         check=False,
-    )
+    )  # fmt: skip
     return done.returncode, done.stdout + done.stderr
 
 
@@ -197,11 +192,8 @@ def copy_of(course, folder):
     """An independent copy of a course, with the same secret, to do something to."""
     from grader.course import Course
 
-    shutil.copytree(
-        course.path,
-        folder,
-        ignore=shutil.ignore_patterns("exchange", "homes", "autograded", "feedback", "scores"),
-    )
+    left_out = shutil.ignore_patterns("exchange", "homes", "autograded", "feedback", "scores")
+    shutil.copytree(course.path, folder, ignore=left_out)
     config = Path(folder) / "nbgrader_config.py"
     config.write_text(config.read_text().replace(str(course.path), str(folder)))
     return Course(folder)

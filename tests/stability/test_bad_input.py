@@ -126,9 +126,7 @@ def test_the_message_says_what_was_expected_what_came_and_what_to_do():
         "expected a number (float, array, mpf or expression), got '30' of type str; write numbers "
         "without quotation marks"
     )
-    with pytest.raises(
-        ScalarError, match=r"attraction: m2 is a number .* got None of type NoneType"
-    ):
+    with pytest.raises(ScalarError, match=r"attraction: m2 is a number .* got None of type NoneT"):
         attraction(1.0, None, 2.0)
     with pytest.raises(FrameError, match=r"frenet: v is a Vector, as ground.vector.* got 3.0"):
         frenet(3.0, ground.i)
@@ -146,9 +144,7 @@ def test_the_unit_of_a_quantity_is_never_dropped(quantity):
         lambda q: ground.rotate("arm", "z", q), lambda q: unit("m").to_base(q),
         lambda q: Inertia(ground, (q, q, q)), lambda q: at(lambda t: t, q),
     ):  # fmt: skip
-        with pytest.raises(
-            NewtonEulerError, match=r"it has a unit|unit vector|got .*uantity|WithUnit"
-        ):
+        with pytest.raises(NewtonEulerError, match=r"it has a unit|unit vector|uantity|WithUnit"):
             take(quantity)
 
 
@@ -237,10 +233,10 @@ def test_functions_say_where_they_have_no_value():
         where(sympy.Symbol("x") > 1, 1.0, 2.0)
 
 
-def test_a_relative_error_of_an_integral_is_between_0_and_1():
-    for bad in (-1.0, 0.0, "fine", float("nan")):
-        with pytest.raises(NewtonEulerError):
-            work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
+@pytest.mark.parametrize("bad", [-1.0, 0.0, "fine", float("nan")])
+def test_a_relative_error_of_an_integral_is_between_0_and_1(bad):
+    with pytest.raises(NewtonEulerError):
+        work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
 
 
 def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
@@ -279,9 +275,7 @@ PART_OF_MODEL = {
 
 @pytest.mark.parametrize("part", PART_OF_MODEL)
 def test_each_part_of_a_model_is_asked_for_in_words(part):
-    parts = {
-        "name": "fall", "parameters": {"g": 9.81}, "states": ("h", "v"), "rhs": falling,
-    }  # fmt: skip
+    parts = {"name": "fall", "parameters": {"g": 9.81}, "states": ("h", "v"), "rhs": falling}
     for bad in (PART_OF_MODEL[part], 3, object(), np.ones((2, 3, 4))):
         with pytest.raises(ModelError, match=r"model|fall"):
             Model(**{**parts, part: bad})
@@ -510,6 +504,5 @@ def test_the_first_call_of_a_checked_function_may_come_from_many_threads():
             return 2 * x + sum(more)
 
         with ThreadPoolExecutor(8) as pool:
-            assert list(pool.map(lambda n, f=double: f(n, 1.0), range(8))) == [
-                2 * n + 1.0 for n in range(8)
-            ]
+            found = list(pool.map(lambda n, f=double: f(n, 1.0), range(8)))
+        assert found == [2 * n + 1.0 for n in range(8)]

@@ -57,13 +57,8 @@ def test_the_states_are_twice_the_degrees_of_freedom_that_the_constraints_leave(
         {"P": "particle in plane"}, {"rod": lambda P: P[0] ** 2 + P[1] ** 2 - L**2}
     )
     assert len(physical_pendulum(1.0, 0.0, L, G).states) == 2 * pendulum.count
-    rolling = degrees_of_freedom(
-        {"sphere": "body in plane"},
-        {
-            "contact": lambda sphere: sphere[1] - 0.5,
-            "no slip": lambda sphere: sphere[0] + 0.5 * sphere[2],
-        },
-    )
+    rolls = {"contact": lambda s: s[1] - 0.5, "no slip": lambda s: s[0] + 0.5 * s[2]}
+    rolling = degrees_of_freedom({"sphere": "body in plane"}, rolls)
     assert len(rolling_down(0.3, G).states) == 2 * rolling.count
 
 

@@ -42,7 +42,7 @@ from newton_euler import (
 from newton_euler.dynamics import angular_momentum
 from newton_euler.kinematics import curvilinear, frenet
 from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.model import Neglected, second_order
+from newton_euler.motion.model import Neglected
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
 from newton_euler.scenes import LADDERS, SCENES, ladder, scene
@@ -109,12 +109,10 @@ def test_ladders_and_choices_can_be_sent(name):
 
 @WAYS
 def test_a_ladder_of_lambdas_can_be_sent_after_it_was_measured(again):
+    rates = {"slow": lambda s, p, t: (s.v, -9.0), "full": lambda s, p, t: (s.v, -10.0)}
     rungs = [
-        Rung(Model(name, {}, ("h", "v"), rates), (0.0, 0.0), lambda s, p, t: (s.h,))
-        for name, rates in (
-            ("slow", lambda s, p, t: (s.v, -9.0)),
-            ("full", lambda s, p, t: (s.v, -10.0)),
-        )
+        Rung(Model(name, {}, ("h", "v"), f), (0.0, 0.0), lambda s, p, t: (s.h,))
+        for name, f in rates.items()
     ]
     measured = Ladder("fall", "height, m", 2.0, tuple(rungs))
     error = measured.error(rungs[0])
@@ -166,11 +164,6 @@ def test_a_scripts_own_functions_are_sent_as_steps():
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout
     assert pickle.loads(out).derivative((0.0, 0.0)) == (0.0, -9.81)
-
-
-def test_equations_of_second_order_can_be_sent():
-    model = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
-    assert sent(model).derivative((0.5, 1.0)) == (1.0, -2.0)
 
 
 def test_events_can_be_sent():
@@ -229,9 +222,8 @@ def test_motions_of_every_method_can_be_sent(method, again):
 @pytest.mark.parametrize("method", ["dop853", "taylor", "scipy RK45"])
 def test_motions_with_events_can_be_sent(method):
     ball = Model("ball", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
-    bounce = Event(
-        lambda s, p, t: s.h, -1, then=lambda s, p, t: (ball, (0.0, -0.7 * s.v)), name="bounce"
-    )
+    back = lambda s, p, t: (ball, (0.0, -0.7 * s.v))
+    bounce = Event(lambda s, p, t: s.h, -1, then=back, name="bounce")
     motion = integrate(ball, 2.0, (1.0, 0.0), 1e-7, method, events=bounce)
     assert len(motion.segments) > 2
     assert differences(motion, sent(motion)) == []
@@ -275,13 +267,8 @@ def test_prepared_runs_can_be_sent(method, again):
 
 def test_other_processes_integrate_as_this_one():
     """Fresh interpreters, which know nothing of this one; models of scenes, and one of lambdas."""
-    runs = [
-        (*scene(name).motion, 1e-8, method)
-        for name, method in (
-            ("free body", "auto"), ("pendulum", "dop853"), ("planet", "auto"), ("top", "dop853"),
-            ("rolling sphere", "auto"),
-        )
-    ]  # fmt: skip
+    runs = [(*scene(n).motion, 1e-8, "auto") for n in ("free body", "planet", "rolling sphere")]
+    runs += [(*scene(n).motion, 1e-8, "dop853") for n in ("pendulum", "top")]
     runs += [(by_lambdas(), 2.0, (0.3, 0.1), 1e-8, method) for method in ("auto", "dop853")]
     if METHODS["taylor"].unusable_because(None) is None:
         runs += [(by_lambdas(), 2.0, (0.3, 0.1), 1e-8, "taylor")]

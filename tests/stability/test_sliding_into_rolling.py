@@ -86,10 +86,8 @@ def test_other_methods_and_tighter_tolerances_get_stuck_just_after_rolling_begin
 def test_with_an_event_and_two_models_it_rolls_to_round_off_in_a_hundred_calls():
     motion = thrown(V0)
     assert motion.events[0].t == pytest.approx(BEGINS.t, abs=4e-16)
-    assert [segment.system.model.name for segment in motion.segments] == [
-        "sliding sphere",
-        "rolling sphere",
-    ]
+    models = [segment.system.model.name for segment in motion.segments]
+    assert models == ["sliding sphere", "rolling sphere"]
     assert motion.end["v"] == pytest.approx(5.0, abs=2e-15)
     assert abs(motion.end["v"] + motion.end["omega"] * R) < 4e-15
     assert motion.end["x"] == pytest.approx(sphere_at(T, V0, MU, G, R)[0], abs=4e-15)

@@ -24,10 +24,8 @@ def test_what_a_human_grader_gave_and_wrote_survives_grading_again(fresh):
     with fresh.gradebook() as book:
         given = book.find_grade("answer-4-16", "ch04", "ch04", "ben")
         assert (given.auto_score, given.manual_score, given.score) == (3, 2.5, 2.5)
-        assert (
-            book.find_comment("answer-4-16", "ch04", "ch04", "ben").manual_comment
-            == "a good attempt"
-        )
+        comment = book.find_comment("answer-4-16", "ch04", "ch04", "ben")
+        assert comment.manual_comment == "a good attempt"
 
 
 def test_an_interrupted_run_leaves_the_gradebook_and_the_next_one_fills_it(fresh, monkeypatch):
