@@ -57,8 +57,8 @@ def test_the_states_are_twice_the_degrees_of_freedom_that_the_constraints_leave(
         {"P": "particle in plane"}, {"rod": lambda P: P[0] ** 2 + P[1] ** 2 - L**2}
     )
     assert len(physical_pendulum(1.0, 0.0, L, G).states) == 2 * pendulum.count
-    rolls = {"contact": lambda s: s[1] - 0.5, "no slip": lambda s: s[0] + 0.5 * s[2]}
-    rolling = degrees_of_freedom({"sphere": "body in plane"}, rolls)
+    rolls = {"contact": lambda ball: ball[1] - 0.5, "no slip": lambda ball: ball[0] + 0.5 * ball[2]}
+    rolling = degrees_of_freedom({"ball": "body in plane"}, rolls)
     assert len(rolling_down(0.3, G).states) == 2 * rolling.count
 
 

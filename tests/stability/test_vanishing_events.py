@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from newton_euler import cos, sin, sqrt
+from newton_euler import Frame, cos, sin, sqrt
 from newton_euler.motion import Event, ModelError, integrate, second_order
 from newton_euler.motion.events import EventError
 from newton_euler.scenes.planar.pendulum import physical_pendulum
@@ -100,6 +100,7 @@ def test_an_event_made_wrongly_is_refused(arguments, words):
     (lambda s, p, t: "down", "returns a real number, not 'down'"),
     (lambda s, p, t: 1j * s.x, "returns a real number, not 1j"),
     (lambda s, p, t: (s.x, s.dx), "returns a real number, not (1.0, 0.0)"),
+    (lambda s, p, t: Frame("F").vector(s.x, 0, 0), "returns a real number, not"),
     (lambda s, p, t: s.y, "fails when it is tried: there is no state 'y'; there are x, dx"),
     (lambda s: s.x, "fails when it is tried: .* takes 1 positional argument but 3 were given"),
 ])  # fmt: skip
