@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problem
-from exercises.catalogue.variants import SEPARATION, distance, draw, evaluate, flat
+from exercises.catalogue.variants import SEPARATION, draw, evaluate, flat
 from exercises.catalogue.wording import term_text
 from grader.scoring import score_receipt
 from grader.scoring.numbers import Numbers
@@ -106,15 +106,6 @@ def test_a_right_answer_never_gets_a_diagnosis_also_when_rounded(p, data):
         for part in score_receipt(p, given, {"answers": rounded}).parts:
             assert part.diagnosis is None
             assert part.points
-
-
-@pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
-def test_every_listed_mistake_is_well_away_from_the_key(p, data):
-    right, wrong = numbers_of(p, values(p, data))
-    for name, answers in wrong.items():
-        for key, w in answers.items():
-            gaps = [distance(tuple(w[:, n]), tuple(right[key][:, n])) for n in range(w.shape[1])]
-            assert np.median(gaps) >= SEPARATION, (name, key)
 
 
 def vectors(kind="vector"):
