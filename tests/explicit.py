@@ -55,21 +55,18 @@ def spherical_position(R, theta, phi):
     )
 
 
-def integrated(model, start, end):
-    """States by name as functions of time, by SciPy in short steps."""
+def by_scipy(model, start, end, **options):
+    """SciPy's solution of the model from its start, without rounding to speak of."""
     from scipy.integrate import solve_ivp
 
     rhs = model.compiled_rhs()
-    run = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()),
-        (0.0, end),
-        start,
-        "DOP853",
-        rtol=1e-12,
-        atol=1e-13,
-        max_step=0.05,
-        dense_output=True,
-    )
+    options = {"rtol": 1e-12, "atol": 1e-13} | options
+    return solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", **options)
+
+
+def integrated(model, start, end):
+    """States by name as functions of time, by SciPy in short steps."""
+    run = by_scipy(model, start, end, max_step=0.05, dense_output=True)
     return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
 
 

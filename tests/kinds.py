@@ -1,8 +1,8 @@
 """One test over many kinds of number.
 
-    from tests.kinds import KINDS, close, numbers
+    from tests.kinds import close, every_kind, numbers
 
-    @pytest.mark.parametrize("kind", KINDS)
+    @every_kind
     def test_a_law(kind):
         x, y = numbers(kind, 0.3, "1/3")
         assert close(sin(x)**2 + cos(x)**2, 1)
@@ -15,6 +15,7 @@ from fractions import Fraction
 
 import mpmath
 import numpy as np
+import pytest
 import sympy
 
 from newton_euler.algebra.scalars import to_plain
@@ -39,6 +40,7 @@ def _rational(x):
 
 # each makes its number from a Fraction
 KINDS = {"float": float, "array": _array, "mpmath": _mpf, "sympy": _rational}
+every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 def numbers(kind, *values):
@@ -64,9 +66,9 @@ def number(x):
     return mpmath.mpf(x)
 
 
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mpmath.mpf(10) ** -25
+def small(kind, scale=1):
+    """Absolute, for quantities of order 10 ``scale``: a few round-offs of the kind."""
+    return scale * (1e-12 if kind in ("float", "array") else mpmath.mpf(10) ** -25)
 
 
 def close(a, b, tolerance=1e-12):

@@ -1,7 +1,18 @@
 """Models for tests that need nothing above motion."""
 
+from importlib.util import find_spec
+from types import SimpleNamespace
+
+import pytest
+
 from newton_euler import Model, cos, sin, sqrt
 from newton_euler.motion import second_order
+
+needs_heyoka = pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+TAYLOR = pytest.param("taylor", marks=needs_heyoka)
+
+DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
+FALL = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))  # x^2 = x0^2 - 2 t
 
 
 def free_body(A=1.0, B=2.0, C=3.0):
@@ -63,3 +74,25 @@ def forced():
         ("x",),
         lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,),
     )
+
+
+def begun(stepper, system, start, t1=5.0, t0=0.0, **options):
+    """A run of a method of integration that has not taken a step.
+
+    options : what a trajectory has, and the ``floors``, ``noise`` and ``stops`` of its limits
+    """
+    nothing = (0.0,) * len(start)
+    limits = [
+        options.pop(n, usual)
+        for n, usual in (("floors", nothing), ("noise", nothing), ("stops", ()))
+    ]
+    usual = {
+        "tolerance": 1e-8,
+        "max_steps": 5e6,
+        "step": None,
+        "longest_part": 0.4,
+        "samples": None,
+        "units": (),
+    }
+    trajectory = SimpleNamespace(goal=t1, limits=lambda *_: limits, **usual | options)
+    return stepper(system, t0, start, trajectory)

@@ -98,14 +98,19 @@ def statement(p: Problem, values: Values, figure: bool = True) -> str:
         listed = (f"{_quantity(p, n, values)}, {typeset(p.givens[n].means, p)}" for n in others)
         lines += ["", f"Given: {'; '.join(listed)}."]
     if figure:
-        words = re.sub(r"[\[\]()\n]", " ", p.figure).strip()
+        words = re.sub(r"[\[\]]", r"\\\g<0>", " ".join(p.figure.split()))
         lines += ["", f"![Figure: {words}](attachment:figure.png)"]
     if p.frame:
-        lines += ["", f"*Components:* {typeset(p.frame, p)}"]
+        lines += ["", f"*{frame_heading(p)}:* {typeset(p.frame, p)}"]
     lines += ["", "*Find*", ""]
     lines += [_asked(p, a) for a in p.answers]
     lines += ["", section_line(p)] if p.section else []
     return "\n".join(lines)
+
+
+def frame_heading(p: Problem) -> str:
+    """What ``p.frame`` is called: that of a problem without vectors says no components."""
+    return "Components" if any(a.kind.length > 2 for a in p.answers) else "Note"
 
 
 def _asked(p, a):

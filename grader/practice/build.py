@@ -19,7 +19,7 @@ from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.figures import figure_png
-from ..assignment.notebook import number, slug, statement, typeset
+from ..assignment.notebook import frame_heading, number, slug, statement, typeset
 from ..assignment.solution import worked_solution
 from ..course import CourseError
 from .plain import plain
@@ -185,7 +185,7 @@ def _plain(p, values):
 
     lines = [plain(p.text, p.units, quantity)]
     if p.frame:
-        lines.append(f"Components: {plain(p.frame, p.units)}")
+        lines.append(f"{frame_heading(p)}: {plain(p.frame, p.units)}")
     return "\n\n".join(lines)
 
 

@@ -107,6 +107,14 @@ def outranks(x, kind):
     return isinstance(x, _Own) and x.rank > kind.rank
 
 
+def highest(values):
+    """Of these values the number of the engine's own that carries out an operation with all of
+    them; None if there is none.
+    """
+    own = [x for x in values if isinstance(x, _Own)]
+    return max(own, key=lambda x: x.rank) if own else None
+
+
 class Scaled:
     """Base of vectors and other quantities that a scalar can multiply; they carry out the product,
     not the scalar.
@@ -404,9 +412,8 @@ def library_of(values):
 
 def function(name, *args):
     """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
-    own = [a for a in args if isinstance(a, _Own)]
-    if own:
-        chosen = max(own, key=lambda a: a.rank)
+    chosen = highest(args)
+    if chosen is not None:
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
     args = [0 if (x := scalar(a)) is ZERO else x for a in args]
     try:
@@ -464,12 +471,16 @@ def hypot(*values: Scalar) -> Scalar:
 
 
 def _hypot_of_arrays(numpy, values):
-    with numpy.errstate(over="ignore", under="ignore"):
+    if max(numpy.size(x) for x in values) < 100:  # longer: it takes ten times as long as the root
+        return reduce(numpy.hypot, values, 0.0)
+    with numpy.errstate(over="ignore"):
         square = sum(x * x for x in values)
         root = numpy.sqrt(square)
-    lost = (square < 1e-280) | (square > 1e300)  # digits of the squares, or all of them
-    # numpy.hypot is right everywhere, and takes three times as long
-    return numpy.where(lost, reduce(numpy.hypot, values, 0.0), root) if lost.any() else root
+    if square.min() > 1e-280 and square.max() < 1e300:
+        return root
+    lost = ~((square > 1e-280) & (square < 1e300))  # digits of the squares, or all of them
+    root[lost] = reduce(numpy.hypot, (numpy.broadcast_to(x, root.shape)[lost] for x in values), 0.0)
+    return root
 
 
 def _has_floats(x):

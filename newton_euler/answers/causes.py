@@ -66,8 +66,18 @@ DIRECTION = Cause("seen", "direction", "its size is right, its direction is not"
 NEAR = Cause(
     "seen",
     "near",
+    f"it is within {100 * NEARLY:.0f} % of the right answer: check each number and term in it",
+)
+NEAR_IN_FEW_DIGITS = Cause(
+    "seen",
+    "near in few digits",
     f"it is within {100 * NEARLY:.0f} % of the right answer: keep more digits, and round at the "
     "end",
+)
+FIRST_DIGITS = Cause(
+    "seen",
+    "first digits",
+    "it agrees with the right answer in one or two digits only: three are needed",
 )
 
 

@@ -119,7 +119,7 @@ def _stages(
     def group(name, models=near):
         return [model for model in models if model[0].group == name]
 
-    rounded = [(EXACT, ROUNDED)] if is_rounded(fit.given, fit.key) else []
+    rounded = [(EXACT, ROUNDED)] if _is_surely_rounded(fit) else []
     single, listed_alone = (NUMBER_RTOL, LISTED_RTOL) if kind.is_met_by_chance else (None, None)
     yield [*of(group("listed"), listed_alone), *of(group("book"), single, apart=False), *rounded]
     yield of(group("term"))
@@ -134,6 +134,13 @@ def _stages(
     found = [pair for pair in pairs(fit, group("listed", wrong)) if fit(pair[-1], NUMBER_RTOL)]
     possible = [p[:2] for p in found if not any(map(elsewhere.contradicts, p[:2]))]
     yield [(LOOSE, both(*pair)) for pair in possible] if len(possible) == 1 else []
+
+
+def _is_surely_rounded(fit):
+    """True of several components in few digits; in a single one, read as 2.5, a zero may be lost
+    that was written in 2.50.
+    """
+    return is_rounded(fit.given, fit.key) and sum(map(bool, fit.given[0])) > 1
 
 
 def _of_unlike_axes(models, fit):

@@ -80,6 +80,11 @@ def rounding(point: Sequence[float]) -> float:
     return math.hypot(*(0.5 * 10.0 ** written(x)[1] for x in point if x))
 
 
+def most_digits(point: Sequence[float]) -> int:
+    """The most digits in which a component of this point was written."""
+    return max((written(x)[0] for x in point if x), default=0)
+
+
 def written(x: float) -> tuple[int, int]:
     """(number of digits, place of the last) of a number as it was typed: 1.25 has (3, -2)."""
     if not math.isfinite(x):

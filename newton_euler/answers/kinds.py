@@ -12,8 +12,8 @@ from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.vectors import Vector
 from . import slips, tolerance
-from .causes import DIRECTION, NEAR, Cause
-from .fit import Fit
+from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, Cause
+from .fit import Fit, most_digits
 from .messages import Stated
 from .notation import list_symbol, matrix_symbol
 from .reading import Budget, are_one_vector, formulas, numbers
@@ -132,7 +132,11 @@ class Kind:
     def observed(self, given: Points, key: Points) -> Cause | None:
         """A remark on a wrong answer that no mistake explains, or None."""
         size = math.hypot(*key[0])
-        return NEAR if size and math.dist(given[0], key[0]) <= tolerance.NEARLY * size else None
+        if slips.is_rounded(given, key):
+            return FIRST_DIGITS
+        if not size or math.dist(given[0], key[0]) > tolerance.NEARLY * size:
+            return None
+        return NEAR_IN_FEW_DIGITS if most_digits(given[0]) < tolerance.DIGITS else NEAR
 
     # -- other numbers
 

@@ -125,36 +125,44 @@ def number_symbol(x):
     return rf"{digits} \times 10^{{{int(power)}}}" if power else digits
 
 
-_NAME = rf"\b(?:(?:{'|'.join(GREEK)})(?:_\w+)?|[A-Za-z]_\w+)(?!\w)"
+_NAME = rf"\b(?:(?:{'|'.join(GREEK)})(?:_\w+)?|[A-Za-z]_\w+|[rIJ][\dxyz])(?!\w)"
 _FACTOR = rf"(?:{_NAME}|\b[A-Za-z]\b)"
 _CROSSED = rf"(?:{_FACTOR}|\({_FACTOR} x {_FACTOR}\))"
+_PRODUCT_OF = rf"(?:{_FACTOR} = )?(?:\d )?{_CROSSED}(?: x {_CROSSED})+"
+_AXES = rf"(?:{_FACTOR} = )?{_FACTOR} cross {_FACTOR}"
+_TERM = rf"(?:(?:{_FACTOR}|\bpi\b)(?:/\d\b)?|\d+(?:\.\d+)?(?: deg(?:rees?)?)?)(?!\w)"
+_RELATION = rf"(?<![-+=<>/*] ){_TERM}(?: [-+=<>] {_TERM})+(?! ?[-+=<>/*^] ?[\w{{$(])"
+_EQUAL_TO_GIVEN = r"(?:\b[A-Z]{2} = )?\b(?:[A-Za-z]|[A-Z]{2})(?= = \{)"  # PQ = SR = {a}
 _WRITTEN_OUT = re.compile(
-    rf"(?<![{{\w\\$`])(?:(?P<product>(?:\d )?{_FACTOR}(?: x {_CROSSED})+)"
-    r"|(?P<axes>\b[A-Za-z] = [A-Za-z] cross [A-Za-z]\b)"
-    rf"|(?P<name>{_NAME}))(?![\w}}`])"
+    rf"(?<![{{\w\\$`'])(?:{_AXES}|(?P<product>{_PRODUCT_OF})|{_RELATION}|{_EQUAL_TO_GIVEN}"
+    rf"|{_NAME}(?:/\d\b)?)"
+    r"(?![\w}`])"
 )
 
 
 def typeset_names(text, symbols):
     r"""A plain text with the names that it writes out as formulas: Greek letters, names with an
-    index, cross products. What is in braces, dollar signs or backquotes stays.
+    index, sums and equations of names, cross products. What is in braces, dollar signs or
+    backquotes stays.
 
     symbols : {name: LaTeX} of those that are not written as :func:`symbol` says
 
-    >>> print(typeset_names("the rate of beta, 2 omega x v_r, {omega}", {}))
-    the rate of $\beta$, $2 \boldsymbol{\omega} \times \mathbf{v}_r$, {omega}
+    >>> print(typeset_names("the rate of beta, 2 omega x v_r, {omega}; I_xx - I_yy = 0", {}))
+    the rate of $\beta$, $2 \boldsymbol{\omega} \times \mathbf{v}_r$, {omega}; $I_{xx} - I_{yy} = 0$
     """
     return _WRITTEN_OUT.sub(lambda m: f"${_named(m, symbols)}$", text)
 
 
 def _named(match, symbols):
     """A match in LaTeX; the factors of a cross product are vectors."""
-    if match["name"]:
-        return symbols.get(match[0]) or symbol(match[0])
-    if match["axes"]:
-        return match["axes"].replace(" cross ", r" \times ")
-    product = match["product"].replace(" x ", r" \times ")
-    return re.sub(rf"(?<!\\){_FACTOR}", lambda m: symbol(m[0], vector=True), product)
+    if match["product"]:
+        product = match[0].replace(" x ", r" \times ")
+        return re.sub(rf"(?<!\\){_FACTOR}", lambda m: symbol(m[0], vector=True), product)
+    written = {"pi": r"\pi", " cross ": r" \times ", **symbols}
+    text = re.sub(" deg(rees?)?", r"^\\circ", match[0])
+    return re.sub(
+        rf"(?<!\\)(?:\bpi\b| cross |{_FACTOR})", lambda m: written.get(m[0]) or symbol(m[0]), text
+    )
 
 
 _SUM, _PRODUCT, _POWER = 1, 2, 3  # how tightly what is written holds together

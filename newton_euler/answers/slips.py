@@ -11,8 +11,8 @@ from itertools import combinations
 from ..algebra.units import unit
 from . import causes
 from .causes import Cause
-from .fit import Fit, written
-from .tolerance import NOISE, NUMBER_RTOL, Points
+from .fit import Fit, most_digits, written
+from .tolerance import DIGITS, NOISE, NUMBER_RTOL, Points
 
 Models = Iterator[tuple[Cause, Points]]
 
@@ -85,7 +85,7 @@ def _signs(fit):
     if all(abs(given[n] + key[n]) <= near for n in off):
         signs = [-1 if n in off else 1 for n in range(len(key))]
         yield causes.reversed_components(off), _signed(signs, fit.key)
-    if len(off) == 1 and abs(given[off[0]]) <= NOISE * size:
+    if len(off) == 1 and abs(given[off[0]]) <= NOISE * size and any(given):
         kept = [0 if n in off else 1 for n in range(len(key))]
         yield causes.left_out_component(off[0]), _signed(kept, fit.key)
 
@@ -159,9 +159,9 @@ def is_rounded(given: Points, key: Points) -> bool:
     size = math.hypot(*key[0])
     if not math.dist(given[0], key[0]) <= 0.34 * size:  # 1.5 rounded to 2 is the most
         return False
-    digits, places = zip(*(written(x) for x in given[0] if x), strict=True)
-    if max(digits) > 2:
+    if most_digits(given[0]) >= DIGITS:
         return False
+    least = min(written(x)[1] for x in given[0] if x)
     # round-off for zero, and the 0 that is written for it
     components = [
         (k if abs(k) > NOISE * size else 0.0, x) for k, x in zip(key[0], given[0], strict=True)
@@ -171,6 +171,6 @@ def is_rounded(given: Points, key: Points) -> bool:
     ways = (
         lambda k: float(f"{k:.1g}"),
         lambda k: float(f"{k:.2g}"),
-        lambda k: round(k, -min(places)),
+        lambda k: round(k, -least),
     )
     return any(all(math.isclose(way(k), x, rel_tol=NOISE) for k, x in components) for way in ways)

@@ -12,6 +12,7 @@ Point = tuple[Any, ...]
 Points = tuple[Point, ...]
 
 RTOL = 0.005  # of the size of the key: accepts three significant figures, rounded up or down
+DIGITS = 3  # significant figures that are asked for
 FORMULA_RTOL = 3e-5  # formulas are exact; this accepts 3.1416 for pi, 6.283 for 2 pi, 0.33333
 NOISE = 1e-9  # a component smaller than this, relative to the whole, is round-off for zero
 # a mistake differs from the key by this much of its size, or it might be rounding

@@ -9,7 +9,7 @@ from ..algebra.errors import LONGEST_SEQUENCE
 from ..algebra.scalars import clipped
 from .events import Event
 from .methods.table import METHODS
-from .model import ModelError, finite_number, real_numbers
+from .model import ModelError, expect, finite_number, real_numbers
 
 
 def time_span(t):
@@ -74,24 +74,21 @@ def check_options(rtol, method, step=None, progress=None):
         if number and 0 < rtol < 1:
             why = f"method {method!r} cannot reach it, the least is {least:g}"
         raise ModelError(f"rtol is the requested tolerance, got {clipped(rtol)}: {why}")
-    if step is not None and not (type(step) in (int, float) and 0 < step < math.inf):
-        raise ModelError(f"the step is a positive time, got {clipped(step)}")
-    if progress is not None and not callable(progress):
-        raise ModelError(
-            f"progress is a function of the fraction that is done, got {clipped(progress)}"
-        )
+    positive = step is None or (type(step) in (int, float) and 0 < step < math.inf)
+    expect(positive, "the step is a positive time", step)
+    what = "progress is a function of the fraction that is done"
+    expect(progress is None or callable(progress), what, progress)
 
 
 def event_tuple(events):
     """One or several events as a tuple."""
     if isinstance(events, Event):
         return (events,)
-    if not hasattr(events, "__iter__") or isinstance(events, (str, bytes, range)):
-        raise ModelError(f"events are an Event, or several, got {clipped(events)}")
+    several = hasattr(events, "__iter__") and not isinstance(events, (str, bytes, range))
+    expect(several, "events are an Event, or several", events)
     events = tuple(events)
     for event in events:
-        if not isinstance(event, Event):
-            raise ModelError(f"events are made by Event(...), got {clipped(event)}")
+        expect(isinstance(event, Event), "events are made by Event(...)", event)
     return events
 
 

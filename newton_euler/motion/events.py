@@ -11,7 +11,7 @@ from numbers import Real
 from ..algebra.portable import Portable
 from .chebyshev import EPS, root
 from .methods.base import Stepper
-from .model import ModelError
+from .model import ModelError, expect
 from .zeros import UnresolvedError, ZeroSearch
 
 # relative change of the time and of each state by which the round-off of a function is measured
@@ -51,10 +51,6 @@ class Event(Portable):
     name: str = ""
 
     def __post_init__(self):
-        def expect(fits, what, got):
-            if not fits:
-                raise ModelError(f"{what}, got {got!r}")
-
         direction, then = self.direction, self.then
         what = "an event takes a function (s, p, t) whose zeros are looked for"
         expect(callable(self.function), what, self.function)

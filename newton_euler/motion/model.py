@@ -47,6 +47,12 @@ class ModelError(NewtonEulerError, ValueError):
     """Raised for a model whose parts do not fit together, and for requests that it cannot meet."""
 
 
+def expect(fits, what, got):
+    """Raise :class:`ModelError` with what was expected unless it ``fits``."""
+    if not fits:
+        raise ModelError(f"{what}, got {clipped(got)}")
+
+
 class Named:
     """Values by name, as ``s.v``; an unknown name raises an AttributeError that lists the known
     ones.
@@ -201,21 +207,16 @@ class Model(Portable):
             raise ModelError(f"no exact solution of {self.name!r} is known; integrate it")
         found = self._value_of("exact solution", self.exact, start, t)
         states = tuple(found) if hasattr(found, "__iter__") else ()
-        if len(states) != len(self.states):
-            raise ModelError(
-                f"the exact solution of {self.name!r} returns a value for each of "
-                f"{', '.join(self.states)}, got {clipped(found)}"
-            )
+        what = f"the exact solution of {self.name!r} returns a value for each of "
+        expect(len(states) == len(self.states), what + ", ".join(self.states), found)
         return states
 
     def invariant(self, name: str, state: State, t: Scalar = 0) -> Scalar:
         """The value of one invariant at a state."""
         self._expect("invariant", [name], self.invariants)
         found = self._value_of(f"invariant {name!r}", self.invariants[name], state, t)
-        if not _is_scalar(found):
-            raise ModelError(
-                f"the invariant {name!r} of {self.name!r} returns a number, got {clipped(found)}"
-            )
+        what = f"the invariant {name!r} of {self.name!r} returns a number"
+        expect(_is_scalar(found), what, found)
         return found
 
     def _value_of(self, what, f, state, t):
@@ -325,26 +326,17 @@ class Model(Portable):
                 )
 
     def _check_functions(self):
-        if not isinstance(self.name, str):
-            raise ModelError(f"the name of a model is a text, got {clipped(self.name)}")
-        for what in ("rhs", "exact"):
-            f = getattr(self, what)
-            if not _is_function(f) and not (what == "exact" and f is None):
-                raise ModelError(
-                    f"{what} of {self.name!r} is a function (s, p, t), got {clipped(f)}"
-                )
+        expect(isinstance(self.name, str), "the name of a model is a text", self.name)
+        takes = "is a function (s, p, t)"
+        expect(_is_function(self.rhs), f"rhs of {self.name!r} {takes}", self.rhs)
+        fits = self.exact is None or _is_function(self.exact)
+        expect(fits, f"exact of {self.name!r} {takes}", self.exact)
+        what = f"an invariant of {self.name!r} has a name, and {takes}"
         for name, f in self.invariants.items():
-            if not isinstance(name, str) or not _is_function(f):
-                raise ModelError(
-                    f"an invariant of {self.name!r} has a name, and is a function (s, p, t); got "
-                    f"{clipped(name)}: {clipped(f)}"
-                )
+            expect(isinstance(name, str) and _is_function(f), what, (name, f))
+        what = f"what {self.name!r} neglects is a tuple of Neglected(what, bound, of)"
         for x in self.neglects:
-            if not isinstance(x, Neglected):
-                raise ModelError(
-                    f"what {self.name!r} neglects is a tuple of Neglected(what, bound, of), got "
-                    f"{clipped(x)}"
-                )
+            expect(isinstance(x, Neglected), what, x)
 
     def _check_rhs(self):
         """One call without values: it reaches every name, as the formula has no branches."""
@@ -416,21 +408,18 @@ def _is_function(x):
 def _by_name(what, x):
     """A dict from a mapping or pairs; ``what`` names it in the message."""
     try:
-        if isinstance(x, (str, bytes)):
-            raise TypeError
-        return dict(x)
+        return dict(None if isinstance(x, (str, bytes)) else x)
     except (TypeError, ValueError) as error:
-        raise ModelError(
-            f"the {what} of a model are a dict of values by name, got {clipped(x)}"
-        ) from error
+        what = f"the {what} of a model are a dict of values by name"
+        raise ModelError(f"{what}, got {clipped(x)}") from error
 
 
 def _several(what, x):
     """A tuple from an ordered sequence; ``what`` names it in the message."""
     if type(x) is tuple:
         return x
-    if isinstance(x, (str, bytes, set, frozenset, range)) or not hasattr(x, "__iter__"):
-        raise ModelError(f"the {what} of a model are a tuple of them, got {clipped(x)}")
+    unordered = isinstance(x, (str, bytes, set, frozenset, range)) or not hasattr(x, "__iter__")
+    expect(not unordered, f"the {what} of a model are a tuple of them", x)
     return tuple(x)
 
 
@@ -518,11 +507,7 @@ def real_numbers(x, what):
 
 
 def second_order(
-    name: str,
-    parameters: Mapping,
-    coordinates: Sequence[str],
-    accelerations: Callable,
-    **more: Any,
+    name: str, parameters: Mapping, coordinates: Sequence[str], accelerations: Callable, **more: Any
 ) -> Model:
     """The :class:`Model` whose states are the coordinates and their rates: second-order equations
     of motion in state-variable form.
@@ -537,10 +522,8 @@ def second_order(
     (('x', 'dx'), (1.0, -2.0))
     """
     coordinates = _several("coordinates", coordinates)
-    if not _is_function(accelerations):
-        raise ModelError(
-            f"accelerations of {name!r} is a function (s, p, t), got {clipped(accelerations)}"
-        )
+    what = f"accelerations of {name!r} is a function (s, p, t)"
+    expect(_is_function(accelerations), what, accelerations)
     rates = tuple(f"d{q}" for q in coordinates)
     rhs = StateVariables(rates, accelerations)
     return Model(name, parameters, (*coordinates, *rates), rhs, **more)

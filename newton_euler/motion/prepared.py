@@ -13,15 +13,7 @@ from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .analytic import hazards, kinks
-from .model import (
-    Model,
-    ModelError,
-    cached,
-    current,
-    finite_number,
-    is_law,
-    shared,
-)
+from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .verified import Verified
 
 _TRACED: dict = {}

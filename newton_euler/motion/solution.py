@@ -27,7 +27,7 @@ class MotionError(ModelError):
         self.reached = reached
 
     def __reduce__(self):
-        return MotionError, (str(self), self.reached)
+        return type(self), (str(self), self.reached)
 
 
 class AccuracyError(MotionError):

@@ -2,19 +2,9 @@
 slider only one run in many is compared with another.
 """
 
-from typing import NamedTuple
-
 # largest distance of a start, and of an end, from a verified one, as a fraction of the state's size
 NEAR_START, NEAR_END = 0.02, 0.2
 SPARE = 3.0  # factor by which a run that vouches for others must be more accurate than requested
-
-
-class _Run(NamedTuple):
-    t0: float
-    t1: float
-    start: tuple
-    end: tuple
-    error: float
 
 
 class Verified:
@@ -24,22 +14,22 @@ class Verified:
     """
 
     def __init__(self):
-        self.runs: dict[float, _Run] = {}
+        self.runs: dict[float, tuple] = {}
 
     def add(self, rtol, t0, t1, start, end, error):
         """Record a run whose error is not above the rtol."""
-        self.runs[rtol] = _Run(t0, t1, start, end, error)
+        self.runs[rtol] = (t0, t1), start, end, error
 
     def covers(self, rtol, t0, t1, start, end):
         """True if this run is the verified one, or so close to it that it has about the same error,
         provided that this error is well below the rtol.
         """
-        known = self.runs.get(rtol)
-        if known is None or t1 != known.t1 or t0 != known.t0:
+        span, known_start, known_end, error = self.runs.get(rtol, (None,) * 4)
+        if span != (t0, t1):
             return False
-        if start == known.start:
+        if start == known_start:
             return True
-        return SPARE * known.error <= rtol and near(start, end, known.start, known.end)
+        return SPARE * error <= rtol and near(start, end, known_start, known_end)
 
 
 def near(start, end, other_start, other_end):

@@ -12,7 +12,9 @@ import importlib.util
 import math
 import warnings
 from collections.abc import Callable
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from time import perf_counter
 
 import numpy as np
@@ -46,13 +48,20 @@ class Rival:
         return float(abs(self.observed(self.run(setting)) - exact).max())
 
 
+@contextmanager
+def quiet():
+    """Without the warnings of other people's packages, and of settings that are too loose."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        yield
+
+
 def prepared(make, observed, settings=TOLERANCES):
     """The rival that ``make`` makes, run once: what that takes is mostly derivation and
     compilation.
     """
     begun = perf_counter()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of other people's packages
+    with quiet():
         run = make()
         run(settings[0])
     return Rival(run, observed, settings, perf_counter() - begun)
@@ -62,13 +71,9 @@ def loosest(rival, exact, wanted):
     """The first setting with which the rival is accurate enough, and its true error; None where
     there is none.
     """
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # at settings that are too loose
-        for setting in rival.settings:
-            error = rival.error(setting, exact)
-            if error <= wanted:
-                return setting, error
-    return None
+    with quiet():
+        errors = ((setting, rival.error(setting, exact)) for setting in rival.settings)
+        return next((pair for pair in errors if pair[1] <= wanted), None)
 
 
 def have(*modules):
@@ -84,9 +89,8 @@ def axis(x):
     ...) in any frame that goes with the axis.
     """
     a, b, c, d, wx, wy = x[:6]
-    return np.array(
-        [a * a + d * d - b * b - c * c, 2 * (wy * (b * d - a * c) - wx * (c * d + a * b)) / SPIN]
-    )
+    rate = 2 * (wy * (b * d - a * c) - wx * (c * d + a * b))
+    return np.array([a * a + d * d - b * b - c * c, rate / SPIN])
 
 
 def axis_of_angle(theta, rate):
@@ -110,11 +114,7 @@ def free_rates(xp):
 
 def top_rates(xp):
     """Quaternion and body rates of the top, the weight 5 along -Z at the unit distance along z."""
-    I, down, along = (
-        xp.array([1.0, 1.0, 1.5]),
-        xp.array([0.0, 0.0, -5.0]),
-        xp.array([0.0, 0.0, 1.0]),
-    )
+    I, down, along = map(xp.array, ([1.0, 1.0, 1.5], [0.0, 0.0, -5.0], [0.0, 0.0, 1.0]))
 
     def rhs(t, y, args=None):
         q, w = y[:4], y[4:]
@@ -146,20 +146,10 @@ def diffrax_alone(rates_by, t, y, solver):
 
     @jax.jit
     def run(tolerance):
-        control, method = (
-            diffrax.PIDController(rtol=tolerance, atol=tolerance),
-            getattr(diffrax, solver)(),
-        )
+        control = diffrax.PIDController(rtol=tolerance, atol=tolerance)
+        method, given = getattr(diffrax, solver)(), {"max_steps": 100_000, "throw": False}
         return diffrax.diffeqsolve(
-            term,
-            method,
-            0.0,
-            t,
-            None,
-            start,
-            stepsize_controller=control,
-            max_steps=100_000,
-            throw=False,
+            term, method, 0.0, t, None, start, stepsize_controller=control, **given
         ).ys[-1]
 
     return lambda tolerance: np.asarray(run(tolerance))
@@ -168,7 +158,7 @@ def diffrax_alone(rates_by, t, y, solver):
 # -- heyoka by itself
 
 
-def heyoka_alone(equations, t, y):
+def heyoka_alone(equations, y, t):
     """Heyoka with the numbers of the scene in its equations, compiled once for each tolerance."""
     import heyoka as hy
 
@@ -198,12 +188,8 @@ def heyoka_top():
 
     a, b, c, d, x, y, z = hy.make_vars(*"abcdxyz")
     kx, ky = 2.0 * (b * d - a * c), 2.0 * (c * d + a * b)
-    return [
-        *turning(a, b, c, d, x, y, z),
-        (x, 5.0 * ky - 0.5 * y * z),
-        (y, 0.5 * z * x - 5.0 * kx),
-        (z, 0.0 * z),
-    ]
+    own = (x, 5.0 * ky - 0.5 * y * z), (y, 0.5 * z * x - 5.0 * kx), (z, 0.0 * z)
+    return [*turning(a, b, c, d, x, y, z), *own]
 
 
 def heyoka_free(full=True):
@@ -211,11 +197,8 @@ def heyoka_free(full=True):
     import heyoka as hy
 
     a, b, c, d, x, y, z = hy.make_vars(*"abcdxyz")
-    return (turning(a, b, c, d, x, y, z) if full else []) + [
-        (x, -y * z),
-        (y, z * x),
-        (z, -x * y / 3.0),
-    ]
+    own = (x, -y * z), (y, z * x), (z, -x * y / 3.0)
+    return [*(turning(a, b, c, d, x, y, z) if full else ()), *own]
 
 
 # -- Kane's method by SymPy, and PyDy, which compiles it by Cython
@@ -255,10 +238,8 @@ def pydy_system(constants, start, t):
     from pydy.system import System
 
     kane, symbols = kanes_method(weight=len(constants) > 3)
-    values, begin = (
-        dict(zip(symbols, constants, strict=True)),
-        dict(zip((*kane.q, *kane.u), start, strict=True)),
-    )
+    values = dict(zip(symbols, constants, strict=True))
+    begin = dict(zip((*kane.q, *kane.u), start, strict=True))
     system = System(kane, values, initial_conditions=begin, times=np.array([0.0, t]))
     system.generate_ode_function(generator="cython")
     return system
@@ -272,9 +253,8 @@ def first_top_by_sympy():
     from sympy import lambdify
 
     kane, symbols = kanes_method(weight=True)
-    equations = lambdify(
-        (*kane.q, *kane.u, *symbols), (kane.mass_matrix_full, kane.forcing_full), cse=True
-    )
+    system = kane.mass_matrix_full, kane.forcing_full
+    equations = lambdify((*kane.q, *kane.u, *symbols), system, cse=True)
 
     def rhs(t, y):
         M, f = equations(*y, *WEIGHTY)
@@ -290,11 +270,8 @@ def pydy_odeint(system):
 
 def pydy_dop853(system):
     """Its compiled right-hand side in solve_ivp."""
-    f, start, p = (
-        system.evaluate_ode_function,
-        [system.initial_conditions[q] for q in system.states],
-        system.constants,
-    )
+    f, p = system.evaluate_ode_function, system.constants
+    start = [system.initial_conditions[q] for q in system.states]
     return scipy_alone(lambda t, y: f(y, t, p), system.times[-1], start)
 
 
@@ -315,9 +292,8 @@ def mujoco_alone(moments, r, g, quaternion, w, t):
     """MuJoCo with so many steps; its quaternion and body rates."""
     import mujoco
 
-    model = mujoco.MjModel.from_xml_string(
-        MUJOCO.format(g=-g, r=r, moments=" ".join(map(str, moments)))
-    )
+    text = MUJOCO.format(g=-g, r=r, moments=" ".join(map(str, moments)))
+    model = mujoco.MjModel.from_xml_string(text)
     data = mujoco.MjData(model)
 
     def run(steps):
@@ -335,70 +311,52 @@ def mujoco_alone(moments, r, g, quaternion, w, t):
 
 def top_rivals():
     """Those that are installed, by name."""
-    out = {
-        f"SciPy {m}, np.cross": prepared(
-            lambda m=m: scipy_alone(top_rates(np), TOP_TIME, TOP, m), axis
-        )
-        for m in ("DOP853", "LSODA")
-    }
-    if have("heyoka"):
-        out["heyoka, full model"] = prepared(
-            lambda: heyoka_alone(heyoka_top(), TOP_TIME, TOP), axis
-        )
-    if have("pydy", "Cython"):
-        out |= _pydy(lambda: pydy_system(WEIGHTY, TOP_ANGLES, TOP_TIME), axis_of_angles)
-    if have("mujoco"):
-        out["MuJoCo RK4"] = prepared(
-            lambda: mujoco_alone(CENTRAL, 0.5, 10.0, TOP[:4], TOP[4:], TOP_TIME), axis, STEPS
-        )
-    if have("diffrax"):
-        out |= {
-            f"diffrax {s}": prepared(lambda s=s: diffrax_alone(top_rates, TOP_TIME, TOP, s), axis)
-            for s in ("Tsit5", "Dopri8")
-        }
-    return out
+    return _rivals(
+        axis, top_rates, TOP, TOP_TIME, {"full model": lambda: (heyoka_top(), TOP)},
+        (WEIGHTY, TOP_ANGLES, axis_of_angles), (CENTRAL, 0.5, 10.0, TOP[:4], TOP[4:]),
+    )  # fmt: skip
 
 
 def free_rivals():
     """Those that are installed, by name. PyDy's angles begin with the body's y axis upwards, and so
     never come near their singular place.
     """
-    start, moments = [0.0, math.pi / 2, 0.0, *FREE], (1.0, 2.0, 3.0)
-    out = {
-        f"SciPy {m}, np.cross": prepared(
-            lambda m=m: scipy_alone(free_rates(np), FREE_TIME, FREE, m), rates
-        )
-        for m in ("DOP853", "LSODA")
+    angles, moments = [0.0, math.pi / 2, 0.0, *FREE], (1.0, 2.0, 3.0)
+    heyokas = {
+        "full model": lambda: (heyoka_free(), [*UPRIGHT, *FREE]),
+        "rates alone": lambda: (heyoka_free(full=False), FREE),
     }
+    return _rivals(
+        rates, free_rates, FREE, FREE_TIME, heyokas,
+        (moments, angles, rates), (moments, 0.0, 0.0, UPRIGHT, FREE),
+    )  # fmt: skip
+
+
+def _rivals(observed, rates_by, start, t, heyokas, of_pydy, of_mujoco):
+    """All rivals on one scene.
+
+    heyokas : by name functions that return equations and the start; of_pydy : constants, start and
+        what is compared; of_mujoco : the arguments of :func:`mujoco_alone` but the time
+    """
+    alone = lambda m: scipy_alone(rates_by(np), t, start, m)
+    makers = {f"SciPy {m}, np.cross": partial(alone, m) for m in ("DOP853", "LSODA")}
     if have("heyoka"):
-        out["heyoka, full model"] = prepared(
-            lambda: heyoka_alone(heyoka_free(), FREE_TIME, [*UPRIGHT, *FREE]), rates
-        )
-        out["heyoka, rates alone"] = prepared(
-            lambda: heyoka_alone(heyoka_free(full=False), FREE_TIME, FREE), rates
-        )
-    if have("pydy", "Cython"):
-        out |= _pydy(lambda: pydy_system(moments, start, FREE_TIME), rates)
-    if have("mujoco"):
-        out["MuJoCo RK4"] = prepared(
-            lambda: mujoco_alone(moments, 0.0, 0.0, UPRIGHT, FREE, FREE_TIME), rates, STEPS
-        )
+        alone = lambda scene: heyoka_alone(*scene(), t)
+        makers |= {f"heyoka, {name}": partial(alone, scene) for name, scene in heyokas.items()}
     if have("diffrax"):
-        out |= {
-            f"diffrax {s}": prepared(
-                lambda s=s: diffrax_alone(free_rates, FREE_TIME, FREE, s), rates
-            )
-            for s in ("Tsit5", "Dopri8")
-        }
-    return out
+        alone = partial(diffrax_alone, rates_by, t, start)
+        makers |= {f"diffrax {s}": partial(alone, s) for s in ("Tsit5", "Dopri8")}
+    out = {name: prepared(make, observed) for name, make in makers.items()}
+    if have("mujoco"):
+        out["MuJoCo RK4"] = prepared(lambda: mujoco_alone(*of_mujoco, t), observed, STEPS)
+    return out | (_pydy(*of_pydy, t) if have("pydy", "Cython") else {})
 
 
-def _pydy(make, observed):
+def _pydy(constants, start, observed, t):
     """One compiled system, run by both integrators."""
     begun = perf_counter()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        system = make()
+    with quiet():
+        system = pydy_system(constants, start, t)
     took = perf_counter() - begun
     runs = {"PyDy odeint, Cython": pydy_odeint(system), "PyDy DOP853, Cython": pydy_dop853(system)}
     return {name: Rival(run, observed, TOLERANCES, took) for name, run in runs.items()}

@@ -13,6 +13,7 @@ import statistics
 import subprocess
 import sys
 import time
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -42,9 +43,8 @@ def chain_acceleration(angles, L):
     """
     frame = ground = Frame("ground")
     for n, angle in enumerate(angles):
-        frame = frame.rotate(
-            f"link {n}", "zx"[n % 2], angle, origin=frame.point("O", L, 0, 0) if n else None
-        )
+        origin = frame.point("O", L, 0, 0) if n else None
+        frame = frame.rotate(f"link {n}", "zx"[n % 2], angle, origin=origin)
     return frame.point("P", L, 0, 0).acceleration(ground)
 
 
@@ -62,7 +62,7 @@ def disk_by_physics_vector():
     tilted = shaft.orientnew("tilted", "Axis", (-phi, shaft.x))
     disk = tilted.orientnew("disk", "Axis", (spin, tilted.y))
     O = Point("O")
-    B, A = O.locatenew("B", R * tilted.y), None
+    B = O.locatenew("B", R * tilted.y)
     A = B.locatenew("A", r * disk.z)
     O.set_vel(N, 0)
     O.set_acc(N, 0)
@@ -93,16 +93,8 @@ def chain_by_physics_vector():
 # -- derivation with cold caches
 
 
-def disk_on_sympy():
-    import sympy
-
-    return disk_acceleration(*sympy.symbols(NAMES))
-
-
-def disk_on_symengine():
-    import symengine
-
-    return disk_acceleration(*map(symengine.Symbol, NAMES))
+def disk_on(library):
+    return disk_acceleration(*map(import_module(library).Symbol, NAMES))
 
 
 def chain_on_sympy():
@@ -115,28 +107,28 @@ def chain_on_sympy():
 def chain_on_symengine():
     import symengine
 
-    q = [moving(*(symengine.Symbol(f"{d}q{n}") for d in ("", "d", "dd"))) for n in range(5)]
-    return chain_acceleration(q, symengine.Symbol("L"))
+    return chain_of_numbers(*map(symengine.Symbol, [*CHAIN, "L"]))
 
 
-def chain_traced():
-    names = [f"{d}q{n}" for n in range(5) for d in ("", "d", "dd")]
-    scope = {
-        "tip": lambda *x: chain_acceleration(
-            [moving(*x[n : n + 3]) for n in range(0, 15, 3)], x[15]
-        )
-    }
-    return compiled(eval(f"lambda {', '.join(names)}, L: tip({', '.join(names)}, L)", scope))
+def chain_of_numbers(*x):
+    return chain_acceleration([moving(*x[n : n + 3]) for n in range(0, 15, 3)], x[15])
 
 
+CHAIN = [f"{d}q{n}" for n in range(5) for d in ("", "d", "dd")]
+FORMULAS = {
+    "disk": disk_acceleration,
+    "chain": eval(
+        f"lambda {', '.join(CHAIN)}, L: tip({', '.join(CHAIN)}, L)", {"tip": chain_of_numbers}
+    ),
+}
 DERIVATIONS = {
     "disk, physics.vector": disk_by_physics_vector,
-    "disk, engine on SymPy": disk_on_sympy,
-    "disk, engine on SymEngine": disk_on_symengine,
+    "disk, engine on SymPy": lambda: disk_on("sympy"),
+    "disk, engine on SymEngine": lambda: disk_on("symengine"),
     "chain, physics.vector": chain_by_physics_vector,
     "chain, engine on SymPy": chain_on_sympy,
     "chain, engine on SymEngine": chain_on_symengine,
-    "chain, engine traced": chain_traced,
+    "chain, engine traced": lambda: compiled(FORMULAS["chain"]),
 }
 
 
@@ -157,17 +149,11 @@ def cold_derivations():
 
     # case by case, not interleaved: after a round of SymPy the processor's caches hold none of the
     # engine's code
-    print(
-        json.dumps(
-            {
-                name: statistics.median([cold(case) for _ in range(3 * ROUNDS)])
-                for name, case in DERIVATIONS.items()
-            }
-        )
-    )
+    rounds = {n: [cold(case) for _ in range(3 * ROUNDS)] for n, case in DERIVATIONS.items()}
+    print(json.dumps({name: statistics.median(seconds) for name, seconds in rounds.items()}))
 
 
-# -- measuring and telling
+# -- measuring and reporting
 
 
 def medians(cases, repeat):
@@ -196,30 +182,18 @@ def table(title, times, unit, scale):
 @pytest.mark.benchmark
 def test_deriving_is_faster_than_physics_vector():
     pytest.importorskip("symengine")
-    root = str(Path(__file__).parents[2])
-    out = subprocess.run(
-        [sys.executable, __file__, "derive"],
-        capture_output=True,
-        text=True,
-        check=True,
-        env={**os.environ, "PYTHONPATH": root},
-    )
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+    command = [sys.executable, __file__, "derive"]
+    out = subprocess.run(command, capture_output=True, text=True, check=True, env=environment)
     t = json.loads(out.stdout)
     for scene in ("disk", "chain"):
-        table(
-            f"{scene}: derivation, cold",
-            {n: x for n, x in t.items() if n.startswith(scene)},
-            "ms",
-            1e3,
-        )
+        own = {n: x for n, x in t.items() if n.startswith(scene)}
+        table(f"{scene}: derivation, cold", own, "ms", 1e3)
     assert t["disk, physics.vector"] > 3 * t["disk, engine on SymPy"]
     assert t["disk, physics.vector"] > 15 * t["disk, engine on SymEngine"]
     assert t["chain, physics.vector"] > 3 * t["chain, engine on SymPy"]
     assert t["chain, physics.vector"] > 25 * t["chain, engine on SymEngine"]
     assert t["chain, physics.vector"] > 10 * t["chain, engine traced"]
-
-
-CHAIN = [f"{d}q{n}" for n in range(5) for d in ("", "d", "dd")]
 
 
 def by_lambdify(scene, library):
@@ -231,14 +205,9 @@ def by_lambdify(scene, library):
     if scene == "disk":
         a, (turn, spin) = disk_by_physics_vector()
         symbols = sympy.symbols(NAMES)
-        values = {
-            turn.diff(t, 2): symbols[2],
-            turn.diff(t): symbols[1],
-            spin.diff(t, 2): symbols[4],
-            spin.diff(t): symbols[3],
-            turn: 0,
-            spin: 0,
-        }
+        _, omega, domega, p, dp, *_ = symbols
+        values = {turn.diff(t, 2): domega, spin.diff(t, 2): dp}
+        values |= {turn.diff(t): omega, spin.diff(t): p, turn: 0, spin: 0}
     else:
         a, symbols = chain_by_physics_vector(), (*sympy.symbols(CHAIN), sympy.Symbol("L"))
         values = {
@@ -247,18 +216,6 @@ def by_lambdify(scene, library):
             for n, q in enumerate(dynamicsymbols("q:5"))
         }
     return sympy.lambdify(symbols, [c.subs(values) for c in a], library, cse=True)
-
-
-def chain_of_numbers(*x):
-    return chain_acceleration([moving(*x[n : n + 3]) for n in range(0, 15, 3)], x[15])
-
-
-FORMULAS = {
-    "disk": disk_acceleration,
-    "chain": eval(
-        f"lambda {', '.join(CHAIN)}, L: tip({', '.join(CHAIN)}, L)", {"tip": chain_of_numbers}
-    ),
-}
 
 
 @pytest.mark.benchmark
@@ -310,20 +267,10 @@ def test_one_instant_is_faster_than_np_cross():
         "formula directly (frames and points)": lambda: disk_acceleration(*x),
         "np.cross": lambda: disk_by_numpy(*x),
     }
-    expected = disk_by_numpy(*x)
+    expected, close = disk_by_numpy(*x), {"rtol": 1e-12, "atol": 1e-13}
     for name in list(cases)[:3]:
-        assert np.allclose([float(c) for c in cases[name]()], expected, rtol=1e-12, atol=1e-13), (
-            name
-        )
-    t = medians(
-        cases,
-        {
-            "compiled, floats": 5000,
-            "lambdify(math, cse=True)": 3000,
-            "formula directly (frames and points)": 200,
-            "np.cross": 100,
-        },
-    )
+        assert np.allclose([float(c) for c in cases[name]()], expected, **close), name
+    t = medians(cases, dict(zip(cases, (5000, 3000, 200, 100), strict=True)))
     table("disk: one instant on floats", t, "us", 1e6)
     assert t["np.cross"] > 20 * t["compiled, floats"]
     assert t["np.cross"] > 1.5 * t["formula directly (frames and points)"]

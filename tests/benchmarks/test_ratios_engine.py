@@ -24,35 +24,22 @@ def top_by_engine(symbols):
     from newton_euler import Frame, euler_frame, moving, sin, solve_rates
     from newton_euler.applications import gyro_moment
 
-    I0, I, mgr, psi, theta, phi, dpsi, dtheta, dphi = symbols(
-        "I0 I mgr psi theta phi dpsi dtheta dphi"
-    )
+    I0, I, mgr, *x = symbols("I0 I mgr psi theta phi dpsi dtheta dphi")
+    angles, rates = x[:3], x[3:]
 
-    def conditions(ddpsi, ddtheta, ddphi):
+    def conditions(*accelerations):
         ground = Frame("ground")
-        top = euler_frame(
-            ground,
-            "top",
-            moving(psi, dpsi, ddpsi),
-            moving(theta, dtheta, ddtheta),
-            moving(phi, dphi, ddphi),
-        )
-        M = gyro_moment(top, ground, I0, I)
-        return M.x - mgr * sin(theta), M.y, M.z
+        turned = map(moving, angles, rates, accelerations)
+        M = gyro_moment(euler_frame(ground, "top", *turned), ground, I0, I)
+        return M.x - mgr * sin(angles[1]), M.y, M.z
 
     return list(solve_rates(conditions, 3))
 
 
 def top_by_kane(_):
     import sympy
-    from sympy.physics.mechanics import (
-        KanesMethod,
-        Point,
-        ReferenceFrame,
-        RigidBody,
-        dynamicsymbols,
-        inertia,
-    )
+    from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBody, inertia
+    from sympy.physics.vector import dynamicsymbols
 
     I0, I, m, g, r = sympy.symbols("I0 I m g r")
     q, u = dynamicsymbols("psi theta phi"), dynamicsymbols("u1:4")
@@ -64,9 +51,8 @@ def top_by_kane(_):
     G.set_pos(O, r * B.z)
     G.v2pt_theory(O, N, B)
     body = RigidBody("top", G, B, m, (inertia(B, I0 - m * r**2, I0 - m * r**2, I), G))
-    kane = KanesMethod(
-        N, q_ind=q, u_ind=u, kd_eqs=[a.diff() - b for a, b in zip(q, u, strict=True)]
-    )
+    kinematic = [a.diff() - b for a, b in zip(q, u, strict=True)]
+    kane = KanesMethod(N, q_ind=q, u_ind=u, kd_eqs=kinematic)
     kane.kanes_equations([body], [(G, -m * g * N.z)])
     return list(kane.mass_matrix.LUsolve(kane.forcing))
 
@@ -92,28 +78,18 @@ def serve():
     # on floats, to have all rooms imported
     top_by_engine(lambda names: [0.3 + 0.1 * n for n, _ in enumerate(names.split())])
     newton_euler.sin(symengine.Symbol("x")), newton_euler.sin(sympy.Symbol("x"))
-    engine = {
-        f"engine, {library.__name__}": (top_by_engine, library.symbols)
-        for library in (sympy, symengine)
-    }
-    cases = {"KanesMethod": (top_by_kane, None), **engine}
-    rounds = {top_by_kane: ROUNDS, top_by_engine: 5 * ROUNDS}
-    print(
-        json.dumps(
-            {name: [cold(*case) for _ in range(rounds[case[0]])] for name, case in cases.items()}
-        )
-    )
+    cases = {"KanesMethod": (top_by_kane, None, ROUNDS)}
+    for library in (sympy, symengine):
+        cases[f"engine, {library.__name__}"] = top_by_engine, library.symbols, 5 * ROUNDS
+    print(json.dumps({n: [cold(f, x) for _ in range(k)] for n, (f, x, k) in cases.items()}))
 
 
 @pytest.mark.benchmark
 def test_heavy_top_is_derived_5_times_faster_than_by_kane_on_sympy_and_80_times_on_symengine():
     pytest.importorskip("symengine")
-    seconds = json.loads(
-        subprocess.run(
-            [sys.executable, __file__], capture_output=True, text=True, check=True
-        ).stdout
-    )
-    typical = {name: statistics.median(s) for name, s in seconds.items()}
+    command = [sys.executable, __file__]
+    out = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    typical = {name: statistics.median(s) for name, s in json.loads(out).items()}
     for name, s in typical.items():
         print(f"  {name:<20} {1e3 * s:8.2f} ms   x {s / min(typical.values()):.1f}")
     assert typical["KanesMethod"] > 5 * typical["engine, sympy"]
@@ -122,37 +98,19 @@ def test_heavy_top_is_derived_5_times_faster_than_by_kane_on_sympy_and_80_times_
 
 def test_both_derivations_of_the_top_agree():
     import sympy
+    from sympy.physics.vector import dynamicsymbols
 
     ours, kanes = top_by_engine(sympy.symbols), top_by_kane(None)
-    at = {
-        "I0": 1.5,
-        "I": 1.0,
-        "mgr": 5.0,
-        "psi": 0.3,
-        "theta": 0.6,
-        "phi": 0.2,
-        "dpsi": 0.7,
-        "dtheta": -0.4,
-        "dphi": 8.0,
-    }
-    mine = [float(x.subs(at)) for x in ours]
-    from sympy.physics.mechanics import dynamicsymbols
-
-    q, u, names = dynamicsymbols("psi theta phi"), dynamicsymbols("u1:4"), ("psi", "theta", "phi")
-    there = {
-        **{x: at[n] for x, n in zip(q, names, strict=True)},
-        **{x: at["d" + n] for x, n in zip(u, names, strict=True)},
-    }
-    there |= {
-        sympy.Symbol("I0"): 1.5,
-        sympy.Symbol("I"): 1.0,
-        sympy.Symbol("m"): 1.0,
-        sympy.Symbol("r"): 0.5,
-        sympy.Symbol("g"): 10.0,
-    }
-    assert mine == pytest.approx(
-        [float(x.subs({a.diff(): 0 for a in u}).subs(there)) for x in kanes], rel=1e-9
-    )
+    inertias, angles, rates = {"I0": 1.5, "I": 1.0}, (0.3, 0.6, 0.2), (0.7, -0.4, 8.0)
+    names = "psi theta phi", "dpsi dtheta dphi"
+    turned = dict(zip(" ".join(names).split(), angles + rates, strict=True))
+    mine = [float(x.subs({**inertias, "mgr": 5.0, **turned})) for x in ours]
+    q, u = dynamicsymbols(names[0]), dynamicsymbols("u1:4")
+    there = dict(zip((*q, *u), angles + rates, strict=True))
+    there |= inertias | {"m": 1.0, "r": 0.5, "g": 10.0}
+    at_rest = {a.diff(): 0 for a in u}
+    theirs = [float(x.subs(at_rest).subs(there)) for x in kanes]
+    assert mine == pytest.approx(theirs, rel=1e-9)
 
 
 @pytest.mark.benchmark
@@ -162,16 +120,12 @@ def test_the_import_costs_at_most_1_3_times_that_of_numpy():
         subprocess.run([sys.executable, "-c", code], check=True)
         return time.perf_counter() - start
 
-    rounds = [
-        [seconds(code) for code in ("pass", "import numpy", "import newton_euler")]
-        for _ in range(7)
-    ]
-    bare, numpy, ours = (min(column) for column in zip(*rounds, strict=True))
-    print(
-        f"  over the bare interpreter: numpy {1e3 * (numpy - bare):.0f} ms, newton_euler "
-        f"{1e3 * (ours - bare):.0f} ms"
-    )
-    assert ours - bare < 1.3 * (numpy - bare)
+    codes = "pass", "import numpy", "import newton_euler"
+    rounds = [[seconds(code) for code in codes] for _ in range(7)]
+    bare, *others = (min(column) for column in zip(*rounds, strict=True))
+    numpy, ours = (x - bare for x in others)
+    print(f"  over bare Python: numpy {1e3 * numpy:.0f} ms, newton_euler {1e3 * ours:.0f} ms")
+    assert ours < 1.3 * numpy
 
 
 if __name__ == "__main__":

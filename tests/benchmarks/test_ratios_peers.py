@@ -12,8 +12,7 @@ the first one that needs it, an import.
 
 import subprocess
 import sys
-import warnings
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from time import perf_counter
 
@@ -29,6 +28,7 @@ from tests.benchmarks import peers
 from tests.benchmarks.peers import FREE, FREE_TIME, SPIN, THETA, TOP, TOP_TIME
 from tests.motions import SCENES, reference, sizes, true_error
 
+pytestmark = pytest.mark.benchmark
 ERRORS = (1e-6, 1e-10)
 # s: on a busy machine short runs find quiet moments that long ones do not, so all of a table are
 # long
@@ -61,38 +61,22 @@ PEERS = {
 # -- ours
 
 
-def _axis_of_six(motion):
-    return peers.axis(list(motion.end.values()))
-
-
-def _axis_of_theta(motion):
-    return peers.axis_of_angle(motion.end["theta"], motion.end["theta_rate"])
-
-
-def _rates(motion):
-    return peers.rates(list(motion.end.values()))
-
-
 @cache
 def own(scene):
     """Our models of a scene, by words: the model, t, the start, and what is compared."""
-    if scene == "top":
-        difference = top.momentum_difference(1.0, 1.5, THETA, 0.0, SPIN)
-        return {
-            "full model": (
-                top.attitude(1.0, 1.5, 5.0, SPIN),
-                TOP_TIME,
-                (*TOP[:4], 0.0, 0.0),
-                _axis_of_six,
-            ),
-            "theta alone": (
-                top.nutation(1.0, 1.5, 5.0, SPIN, difference),
-                TOP_TIME,
-                (THETA, 0.0),
-                _axis_of_theta,
-            ),
-        }
-    return {"rates": (free_body(1.0, 2.0, 3.0), FREE_TIME, FREE, _rates)}
+    numbers = lambda motion: list(motion.end.values())
+    if scene == "free body":
+        rates = lambda motion: peers.rates(numbers(motion))
+        return {"rates": (free_body(1.0, 2.0, 3.0), FREE_TIME, FREE, rates)}
+    full = top.attitude(1.0, 1.5, 5.0, SPIN)
+    difference = top.momentum_difference(1.0, 1.5, THETA, 0.0, SPIN)
+    alone = top.nutation(1.0, 1.5, 5.0, SPIN, difference)
+    axis = lambda motion: peers.axis(numbers(motion))
+    angle = lambda motion: peers.axis_of_angle(motion.end["theta"], motion.end["theta_rate"])
+    return {
+        "full model": (full, TOP_TIME, (*TOP[:4], 0.0, 0.0), axis),
+        "theta alone": (alone, TOP_TIME, (THETA, 0.0), angle),
+    }
 
 
 @cache
@@ -108,9 +92,8 @@ def rivals(scene):
 @cache
 def fitted(scene, wanted):
     """The loosest setting and the true error of every rival that can be so accurate."""
-    found = {
-        name: peers.loosest(rival, exact(scene), wanted) for name, rival in rivals(scene).items()
-    }
+    known = exact(scene)
+    found = {name: peers.loosest(x, known, wanted) for name, x in rivals(scene).items()}
     return {name: setting for name, setting in found.items() if setting}
 
 
@@ -131,21 +114,20 @@ def competitors(scene, wanted):
             except ModelError as error:
                 print(f"\n{scene}: {error}")
                 continue
-            row = (
-                float(abs(observed(motion) - exact(scene)).max()),
-                f"{wanted:g}",
-                perf_counter() - begun,
-            )
-            out[f"ours: {method}, {words}"] = _ours(model, t, start, wanted, method), *row
+            took = perf_counter() - begun
+            row = _off(observed(motion), exact(scene)), f"{wanted:g}", took
+            asked, name = (model, t, start, wanted, method), f"ours: {method}, {words}"
+            out[name] = _ours(*asked), *row
             if method != "dop853":
-                out[f"ours: {method}, {words}, with record"] = (
-                    lambda a=(model, t, start, wanted, method): integrate(*a),
-                    *row,
-                )
+                out[f"{name}, with record"] = partial(integrate, *asked), *row
     for name, (setting, error) in fitted(scene, wanted).items():
         rival = rivals(scene)[name]
         out[name] = _theirs(rival, setting), error, f"{setting:g}", rival.prepared
     return out
+
+
+def _off(found, exactly):
+    return float(abs(found - exactly).max())
 
 
 @cache
@@ -153,28 +135,18 @@ def measured(scene, wanted):
     """All in one run, by name: seconds, true error, setting, seconds until ready."""
     rows = competitors(scene, wanted)
     times = timed(*(row[0] for row in rows.values()), runs=RUNS, shortest=SHORTEST)
-    return {
-        name: (seconds, *row[1:]) for (name, row), seconds in zip(rows.items(), times, strict=True)
-    }
+    return {name: (t, *rows[name][1:]) for name, t in zip(rows, times, strict=True)}
 
 
 @cache
 def quick(scene, wanted):
     """Ours and heyoka alone once more, those that are quick: seconds by name."""
-    names = [
-        name
-        for name, row in measured(scene, wanted).items()
-        if row[0] < QUICK and name.startswith(("ours", "heyoka"))
-    ]
+    rows, brief = measured(scene, wanted), ("ours", "heyoka")
+    names = [name for name, row in rows.items() if row[0] < QUICK and name.startswith(brief)]
     times = timed(*(competitors(scene, wanted)[name][0] for name in names), runs=25)
-    found = dict(zip(names, times, strict=True))
-    print(
-        f"\n{scene}, {wanted:g}: "
-        + "; ".join(
-            f"{name} {1e6 * t:.1f} us"
-            for name, t in sorted(found.items(), key=lambda item: item[1])
-        )
-    )
+    found = dict(sorted(zip(names, times, strict=True), key=lambda item: item[1]))
+    listed = "; ".join(f"{name} {1e6 * t:.1f} us" for name, t in found.items())
+    print(f"\n{scene}, {wanted:g}: {listed}")
     return found
 
 
@@ -203,11 +175,8 @@ def table(title, rows):
         f"{'ready':>8s}   ours is faster than"
     )
     for name, (seconds, error, setting, ready) in sorted(rows.items(), key=lambda item: item[1][0]):
-        faster = (
-            [f"{words.split(',')[0]} {t / seconds:.3g}" for words, t in against.items() if t]
-            if name.startswith("ours")
-            else []
-        )
+        beaten = against.items() if name.startswith("ours") else ()
+        faster = [f"{words.split(',')[0]} {t / seconds:.3g}" for words, t in beaten if t]
         print(
             f"  {name:28s} {1e6 * seconds:9.1f} us {seconds / fastest:9.1f} {error:11.1e} "
             f"{setting:>8s} {ready:6.2f} s   {', '.join(faster)}"
@@ -221,13 +190,12 @@ def beside(title, us, own_error, them, error):
     )
 
 
-both = pytest.mark.parametrize(
-    ("scene", "wanted"), [(scene, wanted) for scene in ("top", "free body") for wanted in ERRORS]
-)
+at_each_error = pytest.mark.parametrize("wanted", ERRORS)
+on_each_scene = pytest.mark.parametrize("scene", ["top", "free body"])
 
 
-@pytest.mark.benchmark
-@both
+@on_each_scene
+@at_each_error
 def test_every_competitor_is_as_accurate_as_wanted(scene, wanted):
     rows = measured(scene, wanted)
     table(f"{scene}, true error within {wanted:g}", rows)
@@ -237,8 +205,8 @@ def test_every_competitor_is_as_accurate_as_wanted(scene, wanted):
     assert not never, "no setting of theirs is accurate enough"
 
 
-@pytest.mark.benchmark
-@both
+@on_each_scene
+@at_each_error
 @pytest.mark.parametrize(("peer", "asked"), [("pydy", OVER_PYDY), ("scipy", OVER_SCIPY)])
 def test_ours_is_faster_than_a_peer(scene, wanted, peer, asked):
     pytest.importorskip("heyoka")
@@ -248,8 +216,8 @@ def test_ours_is_faster_than_a_peer(scene, wanted, peer, asked):
     assert ratio >= asked
 
 
-@pytest.mark.benchmark
-@both
+@on_each_scene
+@at_each_error
 @pytest.mark.parametrize("peer", ["mujoco", "diffrax"])
 def test_ours_is_not_slower_than_other_engines(scene, wanted, peer):
     pytest.importorskip(peer)
@@ -257,14 +225,13 @@ def test_ours_is_not_slower_than_other_engines(scene, wanted, peer):
     assert best(rows, "ours") < best(rows, PEERS[peer])
 
 
-@pytest.mark.benchmark
-@both
+@on_each_scene
+@at_each_error
 def test_a_smaller_model_or_closed_form_is_faster_than_heyoka_on_the_full_model(scene, wanted):
     pytest.importorskip("heyoka")
     times = quick(scene, wanted)
-    smaller = min(
-        t for name, t in times.items() if name.startswith("ours") and "full model" not in name
-    )
+    ours = {name: t for name, t in times.items() if name.startswith("ours")}
+    smaller = min(t for name, t in ours.items() if "full model" not in name)
     assert times["heyoka, full model"] / smaller >= OVER_HEYOKA[wanted]
 
 
@@ -278,8 +245,7 @@ def compared(title, call, own_error, rival, exactly):
     return us / them
 
 
-@pytest.mark.benchmark
-@pytest.mark.parametrize("wanted", ERRORS)
+@at_each_error
 @pytest.mark.parametrize(
     ("scene", "words", "rival"),
     [("top", "full model", "heyoka, full model"), ("free body", "rates", "heyoka, rates alone")],
@@ -287,52 +253,32 @@ def compared(title, call, own_error, rival, exactly):
 def test_at_equal_error_ours_costs_no_more_than_heyoka_alone(scene, words, rival, wanted):
     pytest.importorskip("heyoka")
     model, t, start, observed = own(scene)[words]
-    own_error = float(
-        abs(observed(integrate(model, t, start, wanted, "taylor")) - exact(scene)).max()
-    )
+    asked, known = (model, t, start, wanted, "taylor"), exact(scene)
+    own_error = _off(observed(integrate(*asked)), known)
     assert own_error <= wanted
-    ratio = compared(
-        f"{scene}, {wanted:g}",
-        _ours(model, t, start, wanted, "taylor"),
-        own_error,
-        rivals(scene)[rival],
-        exact(scene),
-    )
-    assert ratio <= ELSEWHERE
+    title = f"{scene}, {wanted:g}"
+    assert compared(title, _ours(*asked), own_error, rivals(scene)[rival], known) <= ELSEWHERE
 
 
-@pytest.mark.benchmark
-@pytest.mark.parametrize("wanted", ERRORS)
+@at_each_error
 @pytest.mark.parametrize("name", PLAIN)
 def test_elsewhere_ours_costs_no_more_than_heyoka_alone_on_the_same_equations(name, wanted):
     hy = pytest.importorskip("heyoka")
     model, t, start = SCENES[name]
     variables = [hy.expression(n) for n in model.states]
-    equations = [
-        (v, hy.expression(0.0) + rate)
-        for v, rate in zip(variables, model.derivative(variables, hy.time), strict=True)
-    ]
+    rates = [hy.expression(0.0) + rate for rate in model.derivative(variables, hy.time)]
+    equations = list(zip(variables, rates, strict=True))
     scales = np.array([sizes(name)[n] for n in model.states])
-    alone = peers.Rival(
-        peers.heyoka_alone(equations, t, list(start)),
-        lambda x: np.array(x) / scales,
-        peers.TOLERANCES,
-        0.0,
-    )
-    own_error = true_error(name, integrate(model, t, start, wanted, "taylor"))
+    run, relative = peers.heyoka_alone(equations, list(start), t), lambda x: np.array(x) / scales
+    alone, asked = peers.Rival(run, relative, peers.TOLERANCES, 0.0), (model, t, start, wanted)
+    own_error = true_error(name, integrate(*asked, "taylor"))
     assert own_error <= wanted
-    ratio = compared(
-        f"{name}, {wanted:g}",
-        _ours(model, t, start, wanted, "taylor"),
-        own_error,
-        alone,
-        np.array(reference(name)) / scales,
-    )
-    assert ratio <= ELSEWHERE
+    title, known = f"{name}, {wanted:g}", relative(reference(name))
+    assert compared(title, _ours(*asked, "taylor"), own_error, alone, known) <= ELSEWHERE
 
 
-@pytest.mark.benchmark
-@both
+@on_each_scene
+@at_each_error
 def test_without_fast_ours_is_faster_than_scipy(scene, wanted):
     rows = measured(scene, wanted)
     ratio = best(rows, "SciPy") / best(rows, "ours: dop853")
@@ -342,8 +288,7 @@ def test_without_fast_ours_is_faster_than_scipy(scene, wanted):
 # -- samples and sweeps
 
 
-@pytest.mark.benchmark
-@pytest.mark.parametrize("wanted", ERRORS)
+@at_each_error
 def test_samples_for_an_animation_cost_little_more_than_heyokas_own_grid(wanted):
     hy = pytest.importorskip("heyoka")
     model, t, start, _ = own("top")["full model"]
@@ -360,7 +305,7 @@ def test_samples_for_an_animation_cost_little_more_than_heyokas_own_grid(wanted)
     own_error = abs(peers.axis(list(sampled().values())) - fine).max()
     for tolerance in peers.TOLERANCES:
         ta = hy.taylor_adaptive(peers.heyoka_top(), TOP, tol=tolerance)
-        if (error := abs(peers.axis(own_grid(ta).T) - fine).max()) <= 2 * own_error:
+        if (error := _off(peers.axis(own_grid(ta).T), fine)) <= 2 * own_error:
             break
     us, them = timed(sampled, lambda: own_grid(ta), runs=25)
     beside(f"1001 samples, {wanted:g}", us, own_error, them, error)
@@ -410,16 +355,14 @@ def swept(wanted):
     return us, them, slow
 
 
-@pytest.mark.benchmark
-@pytest.mark.parametrize("wanted", ERRORS)
+@at_each_error
 def test_a_sweep_of_1000_tops_costs_little_more_than_heyokas_batch_mode(wanted):
     pytest.importorskip("heyoka")
     us, them, _ = swept(wanted)
     assert us / them <= SWEEP
 
 
-@pytest.mark.benchmark
-@pytest.mark.parametrize("wanted", ERRORS)
+@at_each_error
 def test_a_sweep_of_1000_tops_is_faster_than_by_scipy(wanted):
     pytest.importorskip("heyoka")
     us, _, slow = swept(wanted)
@@ -429,7 +372,6 @@ def test_a_sweep_of_1000_tops_is_faster_than_by_scipy(wanted):
 # -- from nothing
 
 
-@pytest.mark.benchmark
 def test_a_first_top_from_a_fresh_interpreter():
     ours = (
         "from newton_euler.motion.integration import integrate; from "
@@ -438,16 +380,13 @@ def test_a_first_top_from_a_fresh_interpreter():
     )
     theirs = "from tests.benchmarks.peers import first_top_by_sympy; first_top_by_sympy()"
     root = Path(__file__).parents[2]
-    cases = [
-        lambda code=code: subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
-        for code in (ours, theirs)
-    ]
+    run = partial(subprocess.run, check=True, cwd=root)
+    cases = [partial(run, [sys.executable, "-c", code]) for code in (ours, theirs)]
     us, them = timed(*cases, runs=5)
     print(
         f"\nfresh interpreter to a first top: {1e3 * us:.0f} ms; SymPy mechanics with SciPy: "
         f"{1e3 * them:.0f} ms"
     )
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of other people's packages
+    with peers.quiet():
         assert abs(peers.axis_of_angles(peers.first_top_by_sympy()) - exact("top")).max() <= 1e-6
     assert us / them <= FRESH

@@ -44,23 +44,18 @@ def seconds(work):
 def test_scoring_a_class_against_solving_its_problems():
     values = [{p.id: draw(p, f"s{n}".encode()) for p in CH04} for n in range(STUDENTS)]
     right = [{p.id: right_answers(p, v[p.id]) for p in CH04} for v in values]
-    wrong = [
-        {p.id: {a.key: too_large(a.kind.name, r[p.id][a.key]) for a in p.answers} for p in CH04}
-        for r in right
-    ]
+    off = lambda p, r: {a.key: too_large(a.kind.name, r[p.id][a.key]) for a in p.answers}
+    wrong = [{p.id: off(p, r) for p in CH04} for r in right]
     samples = [{p.id: numbers_of(p, v[p.id]).sample for p in CH04} for v in values]
     solving = seconds(lambda p, n: p.solve(samples[n][p.id]))
     costs = {}
     for name, answers in (("right", right), ("wrong", wrong)):
+        receipts = [{i: {"answers": found} for i, found in own.items()} for own in answers]
         costs[name] = seconds(
-            lambda p, n, answers=answers: score_receipt(
-                p, values[n][p.id], {"answers": answers[n][p.id]}
-            )
+            lambda p, n, r=receipts: score_receipt(p, values[n][p.id], r[n][p.id])
         )
-        each = 1e6 * costs[name] / STUDENTS / len(CH04)
-        print(
-            f"\n{name}: {each:.0f} us a receipt, {costs[name] / solving:.2f} of solving it", end=""
-        )
+        each, of_solving = 1e6 * costs[name] / STUDENTS / len(CH04), costs[name] / solving
+        print(f"\n{name}: {each:.0f} us a receipt, {of_solving:.2f} of solving it", end="")
     print(f"; formulas are compared at {POINTS} points")
     assert costs["right"] < solving
     assert costs["wrong"] < 2 * solving

@@ -81,29 +81,18 @@ class Case:
     @property
     def count(self):
         """How many motions it is."""
-        return max(
-            [1]
-            + [
-                len(x)
-                for x in (*self.start, *self.model.parameters.values())
-                if getattr(x, "shape", ())
-            ]
-        )
+        numbers = (*self.start, *self.model.parameters.values())
+        return max([1, *(len(x) for x in numbers if getattr(x, "shape", ()))])
 
     def member(self, k):
         """One of many motions, as a case of its own."""
         if self.count == 1:
             return self
 
-        def one(x):
-            return float(x[k]) if getattr(x, "shape", ()) else x
-
-        model = replace(
-            self.model, parameters={n: one(x) for n, x in self.model.parameters.items()}
-        )
-        return replace(
-            self, model=model, start=tuple(one(x) for x in self.start), name=f"{self.name}[{k}]"
-        )
+        one = lambda x: float(x[k]) if getattr(x, "shape", ()) else x
+        parameters = {n: one(x) for n, x in self.model.parameters.items()}
+        model, start = replace(self.model, parameters=parameters), tuple(map(one, self.start))
+        return replace(self, model=model, start=start, name=f"{self.name}[{k}]")
 
     def explain(self):
         """What reproduces it: the call, in numbers."""
@@ -139,10 +128,8 @@ def draw(name, seed, number):
     >>> draw("pendulum", 0, 1).start == draw("pendulum", 0, 1).start != draw("pendulum", 0, 2).start
     True
     """
-    made = FAMILIES.get(name) or HOLDOUT[name]
-    return replace(
-        made(Draws(f"{name}/{seed}/{number}")), name=f"{name}/{seed}/{number}", tags=made.tags
-    )
+    made, case = FAMILIES.get(name) or HOLDOUT[name], f"{name}/{seed}/{number}"
+    return replace(made(Draws(case)), name=case, tags=made.tags)
 
 
 class Log(NamedTuple):

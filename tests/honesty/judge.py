@@ -134,13 +134,9 @@ def events_error(found, truth, rtol, t0=0.0):
     if [n for n, _ in found] != [n for n, *_ in truth.events]:
         return math.inf
     span = float(Fraction(truth.times[-1]) - Fraction(t0)) if truth.times else 1.0
-    return max(
-        (
-            w * float(abs(Fraction(t) - Fraction(true))) / span
-            for (_, t), (_, true, w) in zip(found, truth.events, strict=True)
-        ),
-        default=0.0,
-    )
+    both = zip(found, truth.events, strict=True)
+    off = [w * float(abs(Fraction(t) - Fraction(true))) / span for (_, t), (_, true, w) in both]
+    return max(off, default=0.0)
 
 
 def reachable(truth, rtol):
@@ -158,11 +154,8 @@ def runs_of(case, methods=("auto", *METHOD_NAMES), tolerances=TOLERANCES, withou
     without : True in a process in which heyoka cannot be imported: the ways are then called so
     """
     if case.count > 1:
-        ways = [
-            (m, f"batch of {'64' if case.count >= 64 else '3'}")
-            for m in methods
-            if m in ("auto", "taylor", "dop853")
-        ]
+        batch = "batch of 64" if case.count >= 64 else "batch of 3"
+        ways = [(m, batch) for m in methods if m in ("auto", "taylor", "dop853")]
     else:
         ways = [(m, "") for m in methods]
         ways += [(m, SAMPLES) for m in methods if m in ("auto", "taylor")]
@@ -191,9 +184,8 @@ def judged(case, truths, method, way, rtol, seconds=SECONDS, integrate=integrate
     begun = perf_counter()
 
     def without_answer(outcome, taken, words, needless=False):
-        seconds = perf_counter() - begun
-        found = {"outcome": outcome, "taken": taken, "words": words, "needless": needless}
-        return replace(asked, seconds=seconds, **found)
+        asked_in_vain = replace(asked, outcome=outcome, taken=taken, words=words)
+        return replace(asked_in_vain, needless=needless, seconds=perf_counter() - begun)
 
     try:
         with limited(seconds):
@@ -250,14 +242,10 @@ def _asked(case, truths, method, way, rtol, integrate, prepare):
     times = [t for t in case.times[:-1] if case.t0 <= t <= motion.t_end]
     states = motion.states if samples else motion.at(times) if times else {}
     rows = list(zip(*(x.tolist() for x in states.values()), strict=True))[: len(times)]
-    found = [(_number(case, e.name), e.t) for e in motion.events] if case.events else None
+    named = [e.name or f"event {n + 1}" for n, e in enumerate(case.events)]
+    found = [(named.index(e.name), e.t) for e in motion.events] if named else None
     answer = tuple(motion.end.values()), None if math.isnan(estimate) else estimate, rows, found
     return {0: answer}, motion.method.name
-
-
-def _number(case, name):
-    named = [e.name or f"event {n + 1}" for n, e in enumerate(case.events)]
-    return named.index(name)
 
 
 def _batch(case, truths, method, count, rtol, integrate):
@@ -376,9 +364,10 @@ def in_two_threads(
     How many answers differ from those that each gets alone: a :class:`Change` for each way to ask.
     """
     other = tuple(x * (1 + 2.0**-10) for x in case.start)
+    motion = lambda start: integrate(case.model, case.span, start, rtol, events=case.events)
     ways = {
         "prepared, two threads": _by_prepare(case, rtol, prepare),
-        "two threads": _by_integrate(case, rtol, integrate),
+        "two threads": lambda start: tuple(motion(start).end.values()),
     }
     for way, ask in ways.items():
         found = ask and _threads(case, truth, way, rtol, calls, seconds, ask, other)
@@ -394,12 +383,6 @@ def _by_prepare(case, rtol, prepare):
     except ModelError:
         return None
     return lambda start: tuple(run(case.t_end, start))
-
-
-def _by_integrate(case, rtol, integrate):
-    return lambda start: tuple(
-        integrate(case.model, case.span, start, rtol, events=case.events).end.values()
-    )
 
 
 def _threads(case, truth, way, rtol, calls, seconds, ask, other):
@@ -434,14 +417,10 @@ def _threads(case, truth, way, rtol, calls, seconds, ask, other):
         for thread in threads:
             thread.join()
     wrong, moved = 0, 0.0
-    for n in range(2):
-        change = (
-            _change(case, truth, way, rtol, [alone[n], *found[n]], ())
-            if alone[n] and type(alone[n][0]) is float
-            else None
-        )
-        if change is None:
-            wrong += sum(a != alone[n] for a in found[n])
-        else:
+    for first, rest in zip(alone, found, strict=True):
+        if first and type(first[0]) is float:
+            change = _change(case, truth, way, rtol, [first, *rest], ())
             wrong, moved = wrong + change.answers, max(moved, change.moved)
+        else:  # a refusal
+            wrong += sum(a != first for a in rest)
     return Change(case.name, way, rtol, wrong, 2 * calls, moved, ())

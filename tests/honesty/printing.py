@@ -18,12 +18,13 @@ def everything(console, found, lines, count, seconds, every_call=False):
     lines : of the table; seconds : that all took; every_call : True to list each call of each case
     """
     runs = [r for f in found for r in f.runs]
-    if every_call:
-        for f in found:
-            _calls(console, f)
+    for f in found if every_call else ():
+        _calls(console, f)
     console.print(_table(lines))
     console.print(_subjects(report.by_subject(runs)))
-    _by_cost(console, report.answers(runs))
+    if answers := report.answers(runs):
+        _say(console, "\n[bold]By method, the cheapest first; cost over the cheapest that met[/]")
+        _say(console, escape(table(answers)))
     changes = [c for f in found for c in f.changes]
     for way in dict.fromkeys(c.way for c in changes):
         _changes(console, way, [c for c in changes if c.way == way])
@@ -35,12 +36,13 @@ def _say(console, text):
     console.print(text, highlight=False, soft_wrap=True)
 
 
-def _percent(x):
-    return "" if math.isnan(x) else f"{100 * x:.1f}"
+def _number(x, digits=".2g"):
+    return "" if math.isnan(x) else f"{x:{digits}}"
 
 
-def _number(x):
-    return "" if math.isnan(x) else f"{x:.2g}"
+def _rates(x):
+    """Per cent met and covered, and the median of the estimate over the true error."""
+    return [_number(100 * x.met, ".1f"), _number(100 * x.covers, ".1f"), _number(x.ratio)]
 
 
 def _empty(title, heads):
@@ -62,8 +64,8 @@ def _table(lines):
     shown = _empty("Accuracy reached and estimated", heads)
     for x in lines:
         rtol = "all" if x.rtol is None else f"{x.rtol:.0e}"
-        cells = [x.row, rtol, str(x.runs), str(x.returned), _percent(x.met), _percent(x.covers)]
-        cells += [_number(x.ratio), _percent(x.inside), *_counts(x), _number(1e3 * x.seconds)]
+        cells = [x.row, rtol, str(x.runs), str(x.returned), *_rates(x)]
+        cells += [_number(100 * x.inside, ".1f"), *_counts(x), _number(1e3 * x.seconds)]
         shown.add_row(*cells, style="bold" if x.rtol is None else None)
     return shown
 
@@ -72,15 +74,8 @@ def _subjects(pairs):
     heads = "subject answers met% covers% est/true silent refused raw timeout"
     shown = _empty("\nBy subject, auto at all tolerances", heads)
     for subject, x in pairs:
-        cells = str(x.returned), _percent(x.met), _percent(x.covers), _number(x.ratio)
-        shown.add_row(subject, *cells, *_counts(x))
+        shown.add_row(subject, str(x.returned), *_rates(x), *_counts(x))
     return shown
-
-
-def _by_cost(console, answers):
-    if answers:
-        _say(console, "\n[bold]By method, the cheapest first; cost over the cheapest that met[/]")
-        _say(console, escape(table(answers)))
 
 
 def _changes(console, way, own):
@@ -95,9 +90,8 @@ def _changes(console, way, own):
         "because another method was taken",
     )
     for c in sorted(gross, key=lambda c: -c.moved / c.rtol)[:5]:
-        by = ", ".join(c.methods)
-        say = f"  {c.case}, {c.rtol:.0e}: moved by {c.moved:.2g}; {c.answers} of {c.calls} {by}"
-        _say(console, say)
+        by = f"{c.answers} of {c.calls} {', '.join(c.methods)}"
+        _say(console, f"  {c.case}, {c.rtol:.0e}: moved by {c.moved:.2g}; {by}")
 
 
 def _case(name):

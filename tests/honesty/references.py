@@ -23,6 +23,9 @@ from pathlib import Path
 from random import Random
 from time import perf_counter
 
+import mpmath as mp
+import numpy as np
+
 from newton_euler import Model, compiled
 from tests.honesty import closed_forms
 from tests.honesty.cases import names
@@ -125,12 +128,9 @@ def _key(case):
     parts = [VERSION, problem.rates.source, watched, dict(case.model.parameters)]
     parts += [case.start, case.times, case.t0, case.knots, case.singular_at]
     parts += [("all extrema", e.direction, e.terminal, e.then is not None) for e in case.events]
-    known = case.exact, case.event_times, case.impact
-    parts += [inspect.getsource(f) if f else None for f in known]
-    if case.exact:
-        parts.append(inspect.getsource(closed_forms))
-    elif watched:
-        parts.append(inspect.getsource(_Integration))
+    code = [f for f in (case.exact, case.event_times, case.impact) if f]
+    code += [closed_forms] if case.exact else [_Integration] if watched else []
+    parts += map(inspect.getsource, code)
     return hashlib.sha256(repr(parts).encode()).hexdigest()[:32]
 
 
@@ -156,15 +156,15 @@ def _computed(case, seconds):
     if not agreement <= AGREEMENT:
         raise NoReferenceError(f"{way} and {checked} differ by {agreement:.1g}")
     events, margin = found.events(case)
-    states = tuple(tuple(_text(x) for x in row) for row in found.states)
-    times, condition, ways = tuple(map(_text, found.times)), float(moved / NUDGE), (way, checked)
-    agreement = float(agreement)
+    times, states = (
+        tuple(map(_text, found.times)),
+        tuple(tuple(map(_text, x)) for x in found.states),
+    )
+    condition, ways = moved / NUDGE, (way, checked)
     return Reference(times, states, *about, condition, events, margin, ways, agreement)
 
 
 def _text(x):
-    import mpmath as mp
-
     return mp.nstr(x, 34, strip_zeros=False, min_fixed=0, max_fixed=0)
 
 
@@ -172,8 +172,6 @@ def _first(case):
     """The motion by the first way, the name of the way, and a function that follows it from a start
     changed a little.
     """
-    import mpmath as mp
-
     if case.exact:
         with mp.workdps(EXACT_DIGITS):
             return _closed(case, None), "closed form", lambda seed: _closed(case, seed)
@@ -181,8 +179,8 @@ def _first(case):
         stepper, way = Extrapolation(_Problem(case), DIGITS), "extrapolation, 42 digits"
     else:
         stepper, way = TaylorSeries(_Problem(case), BITS), "Taylor series, 42 digits"
-    again = lambda seed: _followed(case, stepper, DIGITS, seed)
-    return again(None), way, again
+    again = lambda seed=None: _followed(case, stepper, DIGITS, seed)
+    return again(), way, again
 
 
 def _second(case, found, sizes, natural, seconds):
@@ -192,34 +190,29 @@ def _second(case, found, sizes, natural, seconds):
     try:
         with limited(min(CHECK_SECONDS, seconds)):
             checker = Extrapolation(_Problem(case), CHECK_DIGITS, scales(sizes, natural))
-            return "extrapolation, 22 digits", _distance(
-                _followed(case, checker, CHECK_DIGITS, None), found, sizes, natural
-            )
+            again, way = _followed(case, checker, CHECK_DIGITS), "extrapolation, 22 digits"
     except TimeUp:
-        pass
-    with limited(seconds):
-        again = _followed(case, TaylorSeries(_Problem(case), FINE_BITS), DIGITS, None)
-    return "Taylor series, 60 digits", _distance(again, found, sizes, natural)
+        with limited(seconds):
+            again = _followed(case, TaylorSeries(_Problem(case), FINE_BITS), DIGITS)
+            way = "Taylor series, 60 digits"
+    return way, _distance(again, found, sizes, natural)
 
 
 def _distance(a, b, sizes, natural):
     """The largest difference of two motions at the times of comparison, each state relative to its
     size.
     """
-    import mpmath as mp
-
-    all_scales = scales(sizes, natural)
-    if len(a.states) != len(b.states):
-        raise NoReferenceError(
-            f"two ways end with {len(a.states)} and {len(b.states)} times of comparison"
-        )
+    counts = len(a.states), len(b.states)
+    if counts[0] != counts[1]:
+        raise NoReferenceError(f"times of comparison reached by two ways: {counts}")
     with mp.workdps(EXACT_DIGITS):
-        pairs = (
-            (u, v, s)
-            for x, y in zip(a.states, b.states, strict=True)
-            for u, v, s in zip(x, y, all_scales, strict=True)
-        )
-        return float(max(abs(u - v) / s for u, v, s in pairs))
+        pairs = zip(a.states, b.states, strict=True)
+        return float(max(_relative(x, y, scales(sizes, natural)) for x, y in pairs))
+
+
+def _relative(a, b, sizes):
+    """The largest difference of the numbers of two states over their sizes."""
+    return max(abs(u - v) / s for u, v, s in zip(a, b, sizes, strict=True))
 
 
 def scales(sizes, natural):
@@ -245,36 +238,34 @@ def natural_sizes(case, way, sizes):
     That is independent of units, and says how large a state is that happens to be zero: the rate of
     nutation of a steady precession is as large as a nutation by the whole angle would make it.
     """
-    import numpy as np
-
-    f, p, n = (
-        case.model.compiled_rhs(*case.model.parameters),
-        tuple(case.model.parameters.values()),
-        len(sizes),
-    )
-    span = case.t_end - case.t0
-    natural = np.zeros(n)
+    f, p = case.model.compiled_rhs(*case.model.parameters), case.model.parameters.values()
+    natural = np.zeros(len(sizes))
     for _ in range(2):  # the second time with a step also for states that are zero
         scale = np.maximum(sizes, natural)
-        step = 1e-6 * np.where(scale > 0, scale, 1.0)
-        made, fastest = np.zeros(n), 1 / span
+        steps = 1e-6 * np.where(scale > 0, scale, 1.0)
+        made, fastest = np.zeros(len(sizes)), 1 / (case.t_end - case.t0)
         for t, x in way:
-            J = np.full((n, n), math.nan)
-            for j in range(n):
-                up, down = list(x), list(x)
-                up[j] += step[j]
-                down[j] -= step[j]
-                try:
-                    J[:, j] = (np.array(f(t, *up, *p)) - np.array(f(t, *down, *p))) / (
-                        up[j] - down[j]
-                    )
-                except (ArithmeticError, ValueError):
-                    break
+            J = _jacobian(lambda *x, t=t: f(t, *x, *p), x, steps)
             if np.isfinite(J).all():
                 made = np.maximum(made, abs(J) @ np.array(sizes))
-                fastest = max(fastest, abs(np.linalg.eigvals(J * step / step[:, None])).max())
+                fastest = max(fastest, abs(np.linalg.eigvals(J * steps / steps[:, None])).max())
         natural = made / fastest
     return tuple(float(x) for x in natural)
+
+
+def _jacobian(f, x, steps):
+    """By differences; nan where the rates have no value."""
+    columns = []
+    for j, step in enumerate(steps):
+        up, down = list(x), list(x)
+        up[j] += step
+        down[j] -= step
+        try:
+            difference = np.array(f(*up)) - np.array(f(*down))
+        except (ArithmeticError, ValueError):
+            return np.array([math.nan])
+        columns.append(difference / (up[j] - down[j]))
+    return np.transpose(columns)
 
 
 # -- the formulas of a case
@@ -290,14 +281,10 @@ class _Problem:
         self.switches = len(branches.switches) if branches else 0
         self.free = list(model.parameters)
         if branches:
-            extra = [f"branch{i}" for i in range(self.switches)]
-
-            def rates(s, p, t):
-                return branches.rates(s, p, t, tuple(getattr(p, n) for n in extra))
-
-            pieces = Model(
-                "pieces", {**model.parameters, **dict.fromkeys(extra, 1.0)}, model.states, rates
-            )
+            extra = dict.fromkeys([f"branch{i}" for i in range(self.switches)], 1.0)
+            chosen = lambda p: tuple(getattr(p, n) for n in extra)
+            rates = lambda s, p, t: branches.rates(s, p, t, chosen(p))
+            pieces = Model("pieces", {**model.parameters, **extra}, model.states, rates)
             self.rates = pieces.compiled_rhs(*self.free, *extra)
         else:
             self.rates = model.compiled_rhs(*self.free)
@@ -310,8 +297,8 @@ def _formula(model, f):
     order = ("t", *model.states, *model.parameters)
 
     def values(**given):
-        s, p = ({n: given[n] for n in part} for part in (model.states, model.parameters))
-        return f(names(s, s.values()), names(p, p.values()), given["t"])
+        s, p = (names(part, map(given.get, part)) for part in (model.states, model.parameters))
+        return f(s, p, given["t"])
 
     values.__signature__ = Signature([Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in order])
     return compiled(values)
@@ -331,18 +318,14 @@ class _Motion:
         """The events with their weights, and the margin."""
         span = case.t_end - case.t0
         weights = {n: span / r if r else 1.0 for n, r in self.ranges.items()}
-        events = tuple(
-            (n, _text(t), min(1.0, abs(slope) * weights.get(n, 1.0))) for n, t, slope in self.found
-        )
-        return events, min(
-            (abs(g) / self.ranges[n] for n, g in self.extrema if self.ranges[n]), default=math.inf
-        )
+        weight = lambda n, slope: min(1.0, abs(slope) * weights.get(n, 1.0))
+        events = tuple((n, _text(t), weight(n, slope)) for n, t, slope in self.found)
+        extrema = [abs(g) / self.ranges[n] for n, g in self.extrema if self.ranges[n]]
+        return events, min(extrema, default=math.inf)
 
 
 def _given(case, seed):
     """Start and parameters as mpf; with a seed each is changed by a relative 1e-18, up or down."""
-    import mpmath as mp
-
     chance = Random(seed)
 
     def change(x):
@@ -352,8 +335,6 @@ def _given(case, seed):
 
 
 def _closed(case, seed):
-    import mpmath as mp
-
     with mp.workdps(EXACT_DIGITS):
         x, p = _given(case, seed)
         s, p = names(case.model.states, x), names(case.model.parameters, p)
@@ -381,48 +362,32 @@ def _residual(case, sizes, natural):
     """How far the derivative of a closed form is from the rates, relative to the largest rates, and
     its beginning from the start.
     """
-    import mpmath as mp
-
     span, f = case.t_end - case.t0, case.model.compiled_rhs(*case.model.parameters)
     with mp.workdps(EXACT_DIGITS):
         x, p = _given(case, None)
         s, q = names(case.model.states, x), names(case.model.parameters, p)
-        last = case.exact(mp, s, q, mp.mpf(case.t_end))
-        begin = case.exact(mp, s, q, mp.mpf(case.t0))
-        worst = max(
-            abs(a - b) / scale for a, b, scale in zip(begin, x, scales(sizes, natural), strict=True)
-        )
-        off, largest = [0] * len(x), [size / span for size in scales(sizes, natural)]
+        at = lambda t: tuple(map(mp.mpf, case.exact(mp, s, q, mp.mpf(t))))
+        known, last = scales(sizes, natural), at(case.t_end)
+        off, largest = [0] * len(x), [size / span for size in known]
         for t in map(mp.mpf, case.times[:-1]):
-            now = tuple(map(mp.mpf, case.exact(mp, s, q, t)))
-            if now == tuple(last):  # it has come to rest, where rates that jump have no value
+            now = at(t)
+            if now == last:  # it has come to rest, where rates that jump have no value
                 continue
             rates = f(t, *now, *p)
-            h = min(
-                [mp.mpf(span) * mp.mpf(10) ** -18]
-                + [
-                    mp.mpf(10) ** -16 * size / abs(r)
-                    for size, r in zip(sizes, rates, strict=True)
-                    if r and size
-                ]
-            )
-            before, after = case.exact(mp, s, q, t - h), case.exact(mp, s, q, t + h)
-            off = [
-                max(o, abs((b - a) / (2 * h) - r))
-                for o, a, b, r in zip(off, before, after, rates, strict=True)
-            ]
-            largest = [max(o, abs(r)) for o, r in zip(largest, rates, strict=True)]
-        worst = max(worst, *(o / r for o, r in zip(off, largest, strict=True)))
-        return float(worst)
+            paces = [size / abs(r) for size, r in zip(sizes, rates, strict=True) if r and size]
+            h = min([mp.mpf(10) ** -18 * span, *(mp.mpf(10) ** -16 * pace for pace in paces)])
+            for i, (a, b, r) in enumerate(zip(at(t - h), at(t + h), rates, strict=True)):
+                off[i] = max(off[i], abs((b - a) / (2 * h) - r))
+                largest[i] = max(largest[i], abs(r))
+        of_rates = max(o / r for o, r in zip(off, largest, strict=True))
+        return float(max(_relative(at(case.t0), x, known), of_rates))
 
 
 # -- step by step
 
 
-def _followed(case, stepper, digits, seed):
+def _followed(case, stepper, digits, seed=None):
     """The motion from the start to the end, one analytic piece after the other."""
-    import mpmath as mp
-
     with mp.workdps(digits + 6):
         return _Integration(case, stepper, *_given(case, seed)).run()
 
@@ -433,10 +398,8 @@ class _Integration:
     """
 
     def __init__(self, case, stepper, x, p):
-        import mpmath as mp
-
-        self.case, self.problem, self.stepper, self.p = case, stepper.problem, stepper, p
-        problem = self.problem
+        problem = stepper.problem
+        self.case, self.problem, self.stepper, self.p = case, problem, stepper, p
         self.out, self.signs = _Motion(), [1] * problem.switches
         self.goal, self.floats = mp.mpf(case.t_end), [float(v) for v in p]
         stepper.begin(mp.mpf(case.t0), x, p, self.signs, self.goal - case.t0, bool(problem.watched))
@@ -470,14 +433,11 @@ class _Integration:
 
         None at a zero, as just after the event ``but``.
         """
-        first = self.problem.switches
-        values = [
-            0 if i in (but, *range(first)) else self._g(i, self.stepper.t, x)
-            for i in range(len(self.problem.watched))
-        ]
-        self.side = [
-            None if abs(g) < self.stepper.precision else 1 if g > 0 else -1 for g in values
-        ]
+        self.side = [None] * len(self.problem.watched)
+        for i in range(self.problem.switches, len(self.side)):
+            g = self._g(i, self.stepper.t, x)
+            if i != but and abs(g) >= self.stepper.precision:
+                self.side[i] = 1 if g > 0 else -1
 
     def _g(self, i, t, x):
         return self.problem.watched[i](t, *x, *self.p)
@@ -485,8 +445,6 @@ class _Integration:
     def run(self):
         case, stepper, out = self.case, self.stepper, self.out
         out.way.append((float(stepper.t), tuple(map(float, stepper.state()))))
-        import mpmath as mp
-
         goals = sorted({*case.times, *(t for t in case.knots if case.t0 < t < case.t_end)})
         for goal in map(mp.mpf, goals):
             while stepper.t < goal:
@@ -507,50 +465,37 @@ class _Integration:
         If it is a switch, go back there and change the branch.
         """
         stepper, h = self.stepper, float(self.stepper.h)
-        begun = float(stepper.before[0])
-        hits = []
-        for i in range(len(self.problem.watched)):
-            hits += self._zeros(i, h, begun)
+        begun, first = float(stepper.before[0]), self.problem.switches
+        hits = [hit for i in range(len(self.problem.watched)) for hit in self._zeros(i, h, begun)]
         for tau, i in sorted(hits):
             t, x = stepper.before[0] + tau, stepper.inside(tau)
-            if i < self.problem.switches:
+            if i < first:
                 self.signs[i] = -self.signs[i]
-                stepper.put(t, x, self.signs)
-                self._sides(x)
-                return "switched"
-            event = self.case.events[i - self.problem.switches]
-            sign, slope = self._slope(i, tau, h)
-            if event.direction in (0, sign):
-                self.out.found.append((i - self.problem.switches, t, slope))
+                return self._go_on(t, x)
+            event, slope = self.case.events[i - first], self._slope(i, tau, h)
+            if event.direction in (0, 1 if slope > 0 else -1):
+                self.out.found.append((i - first, t, slope))
                 if self.case.impact and event.then:
-                    s, p = (
-                        names(self.case.model.states, x),
-                        names(self.case.model.parameters, self.p),
-                    )
-                    x = list(self.case.impact(s, p, t))
-                    stepper.put(t, x, self.signs)
-                    self._sides(x, but=i)
-                    return "switched"
+                    s, p = names(self.case.model.states, x), names(self.problem.free, self.p)
+                    return self._go_on(t, list(self.case.impact(s, p, t)), but=i)
                 if event.ends:
                     stepper.put(t, x, self.signs)
                     return "ended"
         return None
 
+    def _go_on(self, t, x, but=None):
+        self.stepper.put(t, x, self.signs)
+        self._sides(x, but)
+        return "switched"
+
     def _float(self, i, tau, begun):
-        return float(
-            self.problem.watched[i](
-                begun + tau, *map(float, self.stepper.inside(tau)), *self.floats
-            )
-        )
+        x = map(float, self.stepper.inside(tau))
+        return float(self.problem.watched[i](begun + tau, *x, *self.floats))
 
     def _slope(self, i, tau, h):
-        d = 1e-4 * h
-        a, b = (
-            self._g(i, self.stepper.before[0] + u, self.stepper.inside(u))
-            for u in (tau - d, tau + d)
-        )
-        slope = float(b - a) / (2 * d)
-        return (1 if slope > 0 else -1), slope
+        t, inside, d = self.stepper.before[0], self.stepper.inside, 1e-4 * h
+        a, b = (self._g(i, t + u, inside(u)) for u in (tau - d, tau + d))
+        return float(b - a) / (2 * d)
 
     def _looks(self, i, h, begun):
         """Times in the last step and values of function i there.
@@ -576,52 +521,42 @@ class _Integration:
         n, switch = i - self.problem.switches, i < self.problem.switches
         taus, values = self._looks(i, h, begun)
         largest = self.out.ranges[n] = max(self.out.ranges.get(n, 0.0), *map(abs, values))
-        sign = self.signs[i] if switch else self.side[i]
-        points, out = list(zip(taus, values, strict=True)), []
-        # an extremum near zero: look closer
+        points = list(zip(taus, values, strict=True))
         for (a, ga), (b, gb), (c, gc) in zip(points, points[1:], points[2:], strict=False):
-            if (
-                abs(gb) <= min(abs(ga), abs(gc))
-                and ga * gb > 0
-                and gb * gc > 0
-                and abs(gb) < 0.1 * largest
-            ):
+            near = abs(gb) < 0.1 * largest
+            if near and abs(gb) <= min(abs(ga), abs(gc)) and ga * gb > 0 and gb * gc > 0:
                 b, gb = self._extremum(i, a, c, begun, math.copysign(1.0, ga))
                 if not switch:
                     self.out.extrema.append((n, gb))
                 if gb * ga < 0:
                     points.append((b, gb))
             elif not switch and (gb - ga) * (gc - gb) < 0:
-                # the bottom of a dip into which a look has fallen
-                if abs(gb) < 0.1 * largest:
+                if near:  # the bottom of a dip into which a look has fallen
                     _, gb = self._extremum(i, a, c, begun, math.copysign(1.0, ga - gb))
                 self.out.extrema.append((n, gb))
-        # the sign at the beginning is known
-        points = sorted(points)[1 if self.stepper.dense else 0 :]
-        grid = [0.0] + [t for t, _ in points]
-        signs = [sign] + [1 if g > 0 else -1 for _, g in points]
-        for k in range(1, len(grid)):
-            if signs[k - 1] is not None and signs[k] != signs[k - 1]:
-                out.append((self._root(i, grid[k - 1], grid[k], signs[k - 1]), i))
-                if switch:
-                    break  # what follows is of another branch
-        self.side[i] = signs[-1]
+        before, sign, out = 0.0, self.signs[i] if switch else self.side[i], []
+        for tau, g in sorted(points)[1 if self.stepper.dense else 0 :]:  # the first sign is known
+            now = 1 if g > 0 else -1
+            if sign not in (None, now) and not (switch and out):  # what follows is another branch's
+                out.append((self._root(i, before, tau, sign), i))
+            before, sign = tau, now
+        self.side[i] = sign
         return out
 
     def _extremum(self, i, a, c, begun, sign):
         """The smallest value of sign*g between a and c, by golden section."""
-        ratio = (math.sqrt(5) - 1) / 2
-        u, v = c - ratio * (c - a), a + ratio * (c - a)
-        gu, gv = (sign * self._float(i, w, begun) for w in (u, v))
+        value = lambda tau: sign * self._float(i, tau, begun)
+        u, v = c - GOLDEN * (c - a), a + GOLDEN * (c - a)
+        gu, gv = value(u), value(v)
         for _ in range(60):
             if gu < gv:
                 c, v, gv = v, u, gu
-                u = c - ratio * (c - a)
-                gu = sign * self._float(i, u, begun)
+                u = c - GOLDEN * (c - a)
+                gu = value(u)
             else:
                 a, u, gu = u, v, gv
-                v = a + ratio * (c - a)
-                gv = sign * self._float(i, v, begun)
+                v = a + GOLDEN * (c - a)
+                gv = value(v)
             if c - a < 1e-9 * c:
                 break
         return (u, sign * gu) if gu < gv else (v, sign * gv)
@@ -631,16 +566,15 @@ class _Integration:
 
         False position by the Illinois rule.
         """
-        import mpmath as mp
-
         t0, inside = self.stepper.before[0], self.stepper.inside
+        value = lambda tau: self._g(i, t0 + tau, inside(tau))
         a, b = mp.mpf(a), mp.mpf(b)
-        ga, gb = (self._g(i, t0 + u, inside(u)) for u in (a, b))
+        ga, gb = value(a), value(b)
         if ga * sign <= 0:  # it has passed zero before the first look, or starts there
             if a > 0:
                 return a
             a = b * mp.mpf(10) ** -12
-            ga = self._g(i, t0 + a, inside(a))
+            ga = value(a)
             if ga * sign <= 0:
                 raise NoReferenceError(f"the motion stays at a switch from t = {float(t0):.6g} on")
         if gb == 0:
@@ -650,7 +584,7 @@ class _Integration:
             if abs(b - a) <= scale * self.stepper.precision:
                 break
             c = (a * gb - b * ga) / (gb - ga)
-            gc = self._g(i, t0 + c, inside(c))
+            gc = value(c)
             if gc == 0:
                 return c
             if gc * gb > 0:
@@ -686,13 +620,9 @@ class TaylorSeries:
         self.precision = 10.0 ** -(0.3 * bits - 6)
 
     def _real(self, x):
-        import mpmath as mp
-
         return self.hy.real(mp.nstr(x, 64), self.bits)
 
     def _mpf(self, x):
-        import mpmath as mp
-
         return mp.mpf(str(x))
 
     def begin(self, t, x, p, signs, span, watched):
@@ -714,15 +644,12 @@ class TaylorSeries:
         """One step, of at most that length."""
         self.before = (self.t,)
         outcome, h = self.ta.step(max_delta_t=self._real(most), write_tc=True)
-        if (
-            outcome not in (self.hy.taylor_outcome.success, self.hy.taylor_outcome.time_limit)
-            or not float(h) > 0
-        ):
-            raise NoReferenceError(
-                f"the series of heyoka end at t = {float(self.t):.6g}: {outcome}"
-            )
+        ends = self.hy.taylor_outcome
+        if outcome not in (ends.success, ends.time_limit) or not float(h) > 0:
+            at = f"t = {float(self.t):.6g}"
+            raise NoReferenceError(f"the series of heyoka end at {at}: {outcome}")
         self.h = self._mpf(h)
-        self.t = self.t + most if outcome == self.hy.taylor_outcome.time_limit else self.t + self.h
+        self.t += most if outcome == ends.time_limit else self.h
 
     def state(self):
         """The state that is reached."""
@@ -731,23 +658,16 @@ class TaylorSeries:
     def inside(self, tau):
         """The state so long after the beginning of the last step; in floats if tau is one."""
         if type(tau) is float:
-            return [
-                float(x)
-                for x in self.ta.update_d_output(
-                    self.hy.real(tau - float(self.h), self.bits), rel_time=True
-                )
-            ]
-        return [
-            self._mpf(x) for x in self.ta.update_d_output(self._real(tau - self.h), rel_time=True)
-        ]
+            number, back = float, self.hy.real(tau - float(self.h), self.bits)
+        else:
+            number, back = self._mpf, self._real(tau - self.h)
+        return [number(x) for x in self.ta.update_d_output(back, rel_time=True)]
 
     def way(self):
         """Floats of the middle and the end of the last step."""
         t, h = float(self.before[0]), float(self.h)
-        return [
-            (t + h / 2, tuple(self.inside(h / 2))),
-            (t + h, tuple(float(x) for x in self.ta.state)),
-        ]
+        middle, end = tuple(self.inside(h / 2)), tuple(map(float, self.ta.state))
+        return [(t + h / 2, middle), (t + h, end)]
 
 
 class Extrapolation:
@@ -756,14 +676,8 @@ class Extrapolation:
     dense = False
 
     def __init__(self, problem, digits, sizes=None):
-        import mpmath as mp
-
-        self.problem, self.goal, self.precision = (
-            problem,
-            mp.mpf(10) ** -(digits + 2),
-            mp.mpf(10) ** -(digits - 2),
-        )
-        self.known = sizes
+        self.problem, self.known = problem, sizes
+        self.goal, self.precision = mp.mpf(10) ** -(digits + 2), mp.mpf(10) ** -(digits - 2)
 
     def begin(self, t, x, p, signs, span, watched):
         """Start with these parameters and branches."""
@@ -785,13 +699,8 @@ class Extrapolation:
         while True:
             h = min(most, self.next, self.most)
             new, error = self._to(h)
-            factor = min(
-                4.0,
-                max(
-                    0.2,
-                    0.9 * float(self.goal / (error + self.goal * 1e-20)) ** (1 / (2 * RUNS - 1)),
-                ),
-            )
+            margin = float(self.goal / (error + self.goal * 1e-20))
+            factor = min(4.0, max(0.2, 0.9 * margin ** (1 / (2 * RUNS - 1))))
             if error <= self.goal:
                 break
             self.next = h * factor
@@ -822,21 +731,16 @@ class Extrapolation:
                 weight = 1 / ((self.goal * 0 + run) ** 2 / (run - back) ** 2 - 1)
                 row.append([a + (a - b) * weight for a, b in zip(row[-1], column, strict=True)])
             table.append(row)
-        best, before = table[-1][-1], table[-1][-2]
+        *_, before, best = table[-1]
         floor = max(max(map(abs, best)), *self.sizes) * self.goal  # of states that are zero
-        errors = (
-            abs(a - b) / max(abs(a), s, floor)
-            for a, b, s in zip(best, before, self.sizes, strict=True)
-        )
-        return best, max(errors)
+        sizes = [max(abs(a), s, floor) for a, s in zip(best, self.sizes, strict=True)]
+        return best, _relative(best, before, sizes)
 
     def _midpoint(self, t, x, first, h, n):
         """Gragg's rule: n steps of h/n."""
         d = h / n
         before, now = x, [a + d * k for a, k in zip(x, first, strict=True)]
         for i in range(1, n):
-            before, now = (
-                now,
-                [a + 2 * d * k for a, k in zip(before, self._rates(t + i * d, now), strict=True)],
-            )
+            rates = self._rates(t + i * d, now)
+            before, now = now, [a + 2 * d * k for a, k in zip(before, rates, strict=True)]
         return now

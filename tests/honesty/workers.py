@@ -89,62 +89,44 @@ def results(cases, plan, jobs=2):
 def run_case(case, plan, stopped=None):
     """One case, in processes of its own, which are ended when the event ``stopped`` is set."""
     stopped = stopped or threading.Event()
-    found = CaseResult("/".join(map(str, case)))
-    for kind, *message in _messages(
-        _reference_process,
-        (case, plan),
-        len(judge.members(draw(*case))) * plan.reference_seconds + GRACE,
-        stopped,
-    ):
+    found, drawn = CaseResult("/".join(map(str, case))), draw(*case)
+    patience = len(judge.members(drawn)) * plan.reference_seconds + GRACE
+    for kind, *message in _messages(_reference_process, (case, plan), patience, stopped):
         if kind == "reference":
-            condition, ways = message
-            found.condition, found.ways = max(found.condition, condition), ways
+            condition, found.ways = message
+            found.condition = max(found.condition, condition)
         elif kind == "dropped":
-            found.dropped = message[0]
-        elif kind == "killed":
+            (found.dropped,) = message
+        else:
             found.dropped = "the process that looked for the reference did not end"
-    if found.dropped:
-        return found
-    for without in {"both": (False, True), "with": (False,), "without": (True,)}[plan.heyoka]:
-        _judge_in_processes(case, plan, without, found, stopped)
+    if not found.dropped:
+        for without in {"both": (False, True), "with": (False,), "without": (True,)}[plan.heyoka]:
+            _judge_in_processes(case, drawn.tags, plan, without, found, stopped)
     return found
 
 
-def _judge_in_processes(case, plan, without, found, stopped):
+def _judge_in_processes(case, tags, plan, without, found, stopped):
     """All calls.
 
     A process that hangs is ended, and another goes on after the call at which it hung.
     """
-    skipped, restarts = [], 0
-    while True:
-        current, killed = None, False
-        for kind, *message in _messages(
-            _judge_process, (case, plan, without, tuple(skipped)), plan.seconds + GRACE, stopped
-        ):
+    skipped, patience = [], plan.seconds + GRACE
+    for _ in range(RESTARTS + 1):
+        current = killed = None
+        given = case, plan, without, tuple(skipped)
+        for kind, *message in _messages(_judge_process, given, patience, stopped):
             if kind == "start":
-                current = message[0]
+                (current,) = message
                 skipped.append(current)
-            elif kind == "run":
-                found.runs.append(message[0])
-            elif kind == "change":
-                found.changes.append(message[0])
             elif kind == "killed":
-                killed = True
-        if not killed or current is None or restarts == RESTARTS or stopped.is_set():
+                killed = current
+            else:
+                (found.runs if kind == "run" else found.changes).extend(message)
+        if killed is None or stopped.is_set():
             return
-        restarts += 1
-        if current != "changes":
-            tags = draw(*case).tags
-            found.runs.append(
-                judge.Run(
-                    found.case,
-                    tags,
-                    *current,
-                    outcome="timeout",
-                    words="it had to be killed",
-                    seconds=plan.seconds + GRACE,
-                )
-            )
+        if killed != "changes":
+            outcome = {"outcome": "timeout", "words": "it had to be killed", "seconds": patience}
+            found.runs.append(judge.Run(found.case, tags, *killed, **outcome))
 
 
 def _messages(work, args, patience, stopped):
@@ -155,24 +137,25 @@ def _messages(work, args, patience, stopped):
     process.start()
     theirs.close()
     try:
-        while True:
-            limit = time.monotonic() + patience
-            while not ours.poll(LOOK):
-                if stopped.is_set() or time.monotonic() > limit:
-                    yield ("killed",)
-                    return
-            try:
-                message = ours.recv()
-            except EOFError:
-                yield ("killed",)
-                return
-            if message[0] == "done":
-                return
+        while (message := _received(ours, patience, stopped)) != ("done",):
             yield message
+            if message == ("killed",):
+                return
     finally:
         process.kill()
         process.join()
         ours.close()
+
+
+def _received(pipe, patience, stopped):
+    limit = time.monotonic() + patience
+    while not pipe.poll(LOOK):
+        if stopped.is_set() or time.monotonic() > limit:
+            return ("killed",)
+    try:
+        return pipe.recv()
+    except EOFError:
+        return ("killed",)
 
 
 def _context():
@@ -187,10 +170,7 @@ def _context():
 
 
 def _reference_process(case, plan, pipe):
-    import tests.honesty.families
-    import tests.honesty.holdout  # noqa: F401
-
-    made = draw(*case)
+    made = _drawn(case)
     try:
         for k in judge.members(made):
             truth = reference(made.member(k), plan.cache, plan.reference_seconds)
@@ -200,24 +180,21 @@ def _reference_process(case, plan, pipe):
     pipe.send(("done",))
 
 
-def _judge_process(case, plan, without, skipped, pipe):
+def _drawn(case):
     import tests.honesty.families
     import tests.honesty.holdout  # noqa: F401
 
+    return draw(*case)
+
+
+def _judge_process(case, plan, without, skipped, pipe):
+    made = _drawn(case)
     warnings.simplefilter("ignore")  # of SciPy, which repeats in words what its status says
     if without:
         sys.modules["heyoka"] = None  # what looks for it finds that it is not there
-    made = draw(*case)
     truths = {k: reference(made.member(k), plan.cache) for k in judge.members(made)}
     aside = without and plan.heyoka == "both"
     methods = [m for m in plan.methods if m == "auto"] if aside else plan.methods
-    repeats = (
-        plan.changes
-        and made.count == 1
-        and not without
-        and "auto" in methods
-        and "changes" not in skipped
-    )
     first, unfit = {}, set()
     for call in judge.runs_of(made, methods, plan.tolerances, without):
         method, way, _ = call
@@ -231,7 +208,8 @@ def _judge_process(case, plan, without, skipped, pipe):
             pipe.send(("run", run))
         if call[:2] == ("auto", ""):
             first[run.rtol] = run.end, run.taken
-    if repeats:
+    repeats = plan.changes and made.count == 1 and not without and "auto" in methods
+    if repeats and "changes" not in skipped:
         pipe.send(("start", "changes"))
         changes = judge.repeated(made, truths[0], first), judge.in_two_threads(made, truths[0])
         for change in chain(*changes):

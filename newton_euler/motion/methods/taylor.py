@@ -211,8 +211,7 @@ class Taylor(Stepper):
             self.calls += steps * ta.order
         if len(found) != len(grid):
             return None
-        rows = found[-len(times) :].T
-        return rows * np.array(self.units)[:, None] if self.units else rows
+        return self._unscaled(found[-len(times) :].T)
 
     def _by_steps(self, limit):
         """Take at most ``limit`` steps and keep their series."""
@@ -225,8 +224,7 @@ class Taylor(Stepper):
                 # a step below twice a float's epsilon does not change the time
                 if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
                     raise StepError("the series is not finite here, or the step became too small")
-                tc = ta.tc.copy()
-                self.series.append(tc * self._columns() if self.units else tc)
+                self.series.append(self._unscaled(ta.tc.copy()))
                 self.t, self.x, limit = float(ta.time), x, limit - 1
                 if abs(stop - self.t) <= 4e-16 * abs(stop):
                     self.t = stop  # the time was rounded
@@ -235,10 +233,10 @@ class Taylor(Stepper):
                 self.update_scales()
                 self.check_progress()
 
-    def _columns(self):
+    def _unscaled(self, rows):
         import numpy as np
 
-        return np.array(self.units)[:, None]
+        return rows * np.array(self.units)[:, None] if self.units else rows
 
     def states(self, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""

@@ -1,6 +1,5 @@
 """The worked examples of 8.4."""
 
-import mpmath as mp
 import numpy as np
 import pytest
 
@@ -11,25 +10,16 @@ from newton_euler.chapters.examples.ch08 import (
     bars_about_x,
 )
 from newton_euler.dynamics.euler import euler_moments, fixed_line_moment
-from tests.kinds import KINDS, close, number, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10: some round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
+from tests.kinds import close, every_kind, number, numbers, small
 
 
 @every_kind
 def test_example_8_4_1_three_bars_about_x(kind):
     m, l, w, a = numbers(kind, 2, "3/2", "4/5", "-1/3")
     e, unit = bars_about_x(m, l, w, a), m * l * l / 12
-    assert close(e.H, (8 * unit * w, -3 * unit * w, 3 * unit * w), tolerance(kind))
-    assert close(
-        e.M, (8 * unit * a, -3 * unit * (a + w * w), 3 * unit * (a - w * w)), tolerance(kind)
-    )
-    assert close(fixed_line_moment(e.body.about(e.about), w, a, "x"), e.M, tolerance(kind))
+    assert close(e.H, (8 * unit * w, -3 * unit * w, 3 * unit * w), small(kind))
+    assert close(e.M, (8 * unit * a, -3 * unit * (a + w * w), 3 * unit * (a - w * w)), small(kind))
+    assert close(fixed_line_moment(e.body.about(e.about), w, a, "x"), e.M, small(kind))
     with pytest.raises(
         MassError, match=r"Euler's equations \(8\.13\) hold along principal axes, but .* I_xy ="
     ):
@@ -49,8 +39,8 @@ def test_example_8_4_2_three_bars_about_their_principal_axis(kind):
         if kind != "array"
         else e.body.frame.vector(2.0, 1.0, -1.0).direction()
     )
-    assert close(e.H, axis * (5 * m * l * l / 12 * w), tolerance(kind))
-    assert close(e.M, axis * (5 * m * l * l / 12 * a), tolerance(kind))
+    assert close(e.H, axis * (5 * m * l * l / 12 * w), small(kind))
+    assert close(e.M, axis * (5 * m * l * l / 12 * a), small(kind))
 
 
 @every_kind
@@ -60,22 +50,18 @@ def test_example_8_4_3_three_bars_about_their_mass_centre_where_the_book_errs(ki
     """
     m, l, w, a = numbers(kind, 2, "3/2", "4/5", "-1/3")
     e, unit = bars_about_mass_centre(m, l, w, a), m * l * l / 12
-    assert close(e.H, (3 * unit * w, unit * w, 10 * unit * w), tolerance(kind))
-    assert close(
-        e.M, (unit * (3 * a - w * w), unit * (a + 3 * w * w), 10 * unit * a), tolerance(kind)
-    )
+    assert close(e.H, (3 * unit * w, unit * w, 10 * unit * w), small(kind))
+    assert close(e.M, (unit * (3 * a - w * w), unit * (a + 3 * w * w), 10 * unit * a), small(kind))
     assert close(
         e.body.inertia.matrix,
         [[x * unit / 3 for x in row] for row in ((18, -9, 9), (-9, 30, 3), (9, 3, 30))],
-        tolerance(kind),
+        small(kind),
     )
     origin = e.body.about(e.body.frame)
     wrong = tuple(
         x - m * d for x, d in zip(origin._rows()[2], (0, -l * l / 36, l * l / 36), strict=True)
     )
-    assert close(
-        [x * w for x in wrong], [k * m * l * l / 36 * w for k in (9, 1, 32)], tolerance(kind)
-    )
+    assert close([x * w for x in wrong], [k * m * l * l / 36 * w for k in (9, 1, 32)], small(kind))
     printed = m * l * l / 36 * w
     assert (
         abs(number(e.H.z) - number(32 * printed)).max() > 0.04

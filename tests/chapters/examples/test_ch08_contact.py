@@ -1,6 +1,5 @@
 """A body that rolls or slips on a moving surface (8.6)."""
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
@@ -8,17 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler.chapters.examples import ch08 as rolling_contact
-from tests.kinds import KINDS, numbers
+from tests.kinds import every_kind, numbers, small
 from tests.tumbling import close
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
-    differentiation leaves of 50 digits.
-    """
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
 
 
 @every_kind
@@ -31,7 +21,7 @@ def test_a_cylinder_on_an_accelerated_slab_rolls_if_the_friction_suffices(kind):
     assert close(
         (s.a, s.alpha, s.friction),
         (n * g / 3, 2 * n * g / (3 * r), m * n * g / 3),
-        100 * tolerance(kind),
+        small(kind, 100),
     )
     low, high = numbers(kind, "1/2", "3/4")
     for mu, rolls in ((low, False), (high, True)):
@@ -39,9 +29,7 @@ def test_a_cylinder_on_an_accelerated_slab_rolls_if_the_friction_suffices(kind):
         if kind == "array":
             continue  # there the three slabs differ
         assert bool(c.rolls) is rolls
-        assert close(
-            c.alpha, 2 * n * g / (3 * r) if rolls else 2 * mu * g / r, 100 * tolerance(kind)
-        )
+        assert close(c.alpha, 2 * n * g / (3 * r) if rolls else 2 * mu * g / r, small(kind, 100))
 
 
 def test_many_contacts_at_once_choose_their_regime_one_by_one():

@@ -45,7 +45,9 @@ def slips_of(right, kind, stated_in):
         yield "factor", f"{words} too small", [x / factor for x in right]
     yield "all signs", "opposite sign", [-x for x in right]
     for digits in (1, 2):
-        yield "rounded", "too far", [float(f"{x:.{digits}g}") if x else x for x in right]
+        # a single number may have lost its zeros
+        words = "too far" if len(there) > 1 else "in one or two digits only"
+        yield "rounded", words, [float(f"{x:.{digits}g}") if x else x for x in right]
     if kind != "vector":
         return
     for n in there:
@@ -54,6 +56,8 @@ def slips_of(right, kind, stated_in):
         words = "opposite sign" if every else f"opposite sign in its {ORDINALS[n]}"
         yield "one sign", words, turned
         dropped = [0.0 if m == n else x for m, x in enumerate(right)]
+        if every:
+            continue  # nothing is left
         yield "dropped", f"leaves out its {ORDINALS[n]}", dropped
     for a, b in ((0, 1), (0, 2), (1, 2)):
         swapped = list(right)
@@ -85,9 +89,11 @@ def judged(p, numbers, a, words, slip, others):
     part = next(x for x in score_receipt(p, values, {"answers": answers}).parts if x.key == a.key)
     if part.verdict == "right":
         return "passed"
+    if any(words in c.text for c in part.causes):
+        return "named"
     if all(c.is_observation for c in part.causes):
         return "observed" if part.causes else "unnamed"
-    if any(words in c.text or same_numbers(numbers, a, c, slip) for c in part.causes):
+    if any(same_numbers(numbers, a, c, slip) for c in part.causes):
         return "named"
     return part.diagnosis
 
@@ -157,7 +163,8 @@ def formulas_of(right):
             continue
         turned, dropped = ["*", -1, x], 0.0
         yield "one sign", "opposite sign", [turned if m == n else y for m, y in enumerate(right)]
-        yield "dropped", "leaves out", [dropped if m == n else y for m, y in enumerate(right)]
+        if sum(map(bool, right)) > 1:
+            yield "dropped", "leaves out", [dropped if m == n else y for m, y in enumerate(right)]
     yield "factor", "2 times too large", [["*", 2, x] for x in right]
     yield "factor", "6.283 times too small", [["/", x, 2 * math.pi] for x in right]
 

@@ -34,7 +34,6 @@ def triangle(b, h):
 
 def test_floats_and_arrays():
     a, k = np.array([0.5, 2.0, 3.0]), 1.7
-    assert wire(2.0, k) == pytest.approx(wire_by_hand(2.0, k), rel=1e-14)
     np.testing.assert_allclose(wire(a, k), wire_by_hand(a, k), rtol=1e-14)
     np.testing.assert_allclose(triangle(a, 2.0), a**2 * 4 / 24, rtol=1e-14)
 
@@ -87,9 +86,7 @@ def test_expressions_of_symengine():
 def test_moving_limits_and_functions():
     a = moving(0.7, rate=1.3, acceleration=-0.4)
     for found, expected in ((wire(a, 2.0), wire_by_hand(a, 2.0)), (triangle(a, a), a**4 / 24)):
-        assert found.value == pytest.approx(expected.value, rel=1e-13)
-        assert found.rate == pytest.approx(expected.rate, rel=1e-13)
-        assert found.acceleration == pytest.approx(expected.acceleration, rel=1e-13)
+        assert found._parts() == pytest.approx(expected._parts(), rel=1e-13)
 
 
 def test_moving_dimensions():
@@ -120,18 +117,9 @@ def test_vectors_and_tuples():
 # -- traced
 
 
-def test_traced_integrals_run_on_every_kind():
-    run = compiled(wire)
-    a = np.array([0.5, 2.0, 3.0])
-    assert run(2.0, 1.7) == pytest.approx(wire_by_hand(2.0, 1.7), rel=1e-14)
-    np.testing.assert_allclose(run(a, 1.7), wire_by_hand(a, 1.7), rtol=1e-14)
-    with mpmath.mp.workdps(50):
-        x = mpmath.mpf("0.7")
-        assert abs(run(x, x) - wire_by_hand(x, x)) < mpmath.mpf(10) ** -48
-    assert run(LENGTH, MASS) == MASS * LENGTH**2
-    assert run(moving(0.7, 1.0), 2.0).rate == pytest.approx(
-        wire_by_hand(moving(0.7, 1.0), 2.0).rate, rel=1e-13
-    )
+def test_traced_integrals_carry_rates():
+    found, expected = (f(moving(0.7, 1.0), 2.0) for f in (compiled(wire), wire_by_hand))
+    assert found.rate == pytest.approx(expected.rate, rel=1e-13)
 
 
 def test_traced_integrals_in_integrals():
@@ -172,7 +160,7 @@ def test_a_traced_integral_computes_outer_steps_once_and_equal_ones_once():
     assert other.source.count("integral(") == 2
 
 
-def test_a_traced_integral_keeps_vectors_and_choices():
+def test_a_traced_integral_of_a_vector_is_one():
     ground = Frame("ground")
     run = compiled(lambda a: integral(lambda x: ground.vector(a * x, 0, x * x), 0, 1))
     assert run(4.0) == pytest.approx((2.0, 0, 1 / 3))

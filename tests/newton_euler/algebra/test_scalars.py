@@ -2,8 +2,10 @@
 derivatives, dimensions.
 """
 
+import copy
 import importlib
 import math
+import pickle
 import subprocess
 import sys
 from fractions import Fraction
@@ -34,6 +36,7 @@ from newton_euler.algebra.scalars import (
     radians,
     scalar,
     to_plain,
+    where,
 )
 from newton_euler.algebra.units import Dimension, DimensionError
 from tests.kinds import KINDS, close, numbers
@@ -43,24 +46,14 @@ def symbol(library):
     return pytest.importorskip(library).Symbol("x")
 
 
-def heyoka_variable():
-    return pytest.importorskip("heyoka").expression("x")
-
-
 EVERY_KIND = {
-    "int": lambda: 3,
-    "float": lambda: 1.5,
-    "complex": lambda: 1j,
-    "fraction": lambda: Fraction(1, 3),
-    "numpy scalar": lambda: np.float64(1.5),
-    "array": lambda: np.array([1.5, 2.5]),
-    "empty array": lambda: np.array([]),
-    "mpf": lambda: mpmath.mpf("0.1"),
-    "sympy": lambda: symbol("sympy"),
-    "symengine": lambda: symbol("symengine"),
-    "dimension": lambda: Dimension(1, 1, -2),
+    "int": lambda: 3, "float": lambda: 1.5, "complex": lambda: 1j,
+    "fraction": lambda: Fraction(1, 3), "numpy scalar": lambda: np.float64(1.5),
+    "array": lambda: np.array([1.5, 2.5]), "empty array": lambda: np.array([]),
+    "mpf": lambda: mpmath.mpf("0.1"), "sympy": lambda: symbol("sympy"),
+    "symengine": lambda: symbol("symengine"), "dimension": lambda: Dimension(1, 1, -2),
     "moving": lambda: moving(1.5, 2.0, 3.0),
-}
+}  # fmt: skip
 
 
 @pytest.fixture(params=EVERY_KIND)
@@ -73,7 +66,7 @@ def x(request):
 
 def equal(a, b):
     if isinstance(a, Moving):
-        return (a.value, a.rate, a.acceleration) == (b.value, b.rate, b.acceleration)
+        return a._parts() == b._parts()
     return type(a) is type(b) and bool(np.all(a == b))
 
 
@@ -97,26 +90,18 @@ def test_dividing_by_zero_is_refused_in_words(x):
 
 
 def test_zero_on_heyoka_expressions_folds_away():
-    v = heyoka_variable()
+    v = pytest.importorskip("heyoka").expression("x")
     assert str(v + ZERO) == str(ZERO + v) == "x"
     assert ZERO * v is ZERO
     assert str(v * ZERO).startswith("0.0")
 
 
 def test_zero_and_zero():
-    assert ZERO + ZERO is ZERO
-    assert -ZERO is ZERO
-    assert +ZERO is ZERO
-    assert abs(ZERO) is ZERO
-    assert ZERO - ZERO is ZERO
-    assert ZERO * ZERO is ZERO
-    assert ZERO**2 is ZERO
-    assert ZERO**0 == 1
-    assert 2.0**ZERO == 1
-    assert not ZERO
+    for same in (ZERO + ZERO, -ZERO, +ZERO, abs(ZERO), ZERO - ZERO, ZERO * ZERO, ZERO**2):
+        assert same is ZERO
+    assert ZERO**0 == 2.0**ZERO == 1
+    assert (bool(ZERO), hash(ZERO), float(ZERO)) == (False, hash(0), 0.0)
     assert ZERO == 0
-    assert hash(ZERO) == hash(0)
-    assert float(ZERO) == 0.0
     with pytest.raises(ZeroDivisionError, match="0/0"):
         ZERO / ZERO
     with pytest.raises(ZeroDivisionError, match="to the power -1"):
@@ -124,9 +109,6 @@ def test_zero_and_zero():
 
 
 def test_there_is_one_zero_even_after_copying_and_pickling():
-    import copy
-    import pickle
-
     assert copy.deepcopy(ZERO) is ZERO
     assert pickle.loads(pickle.dumps(ZERO)) is ZERO
 
@@ -154,18 +136,10 @@ def test_a_literal_zero_is_structural_and_a_computed_one_is_not():
 @pytest.mark.parametrize(
     "bad",
     [
-        "1",
-        None,
-        [1],
-        (1, 2),
-        {},
-        b"1",
-        object(),
-        np.array(["a"]),
-        np.str_("a"),
+        "1", None, [1], (1, 2), {}, b"1", object(), np.array(["a"]), np.str_("a"),
         np.datetime64("2020-01-01"),
     ],
-)
+)  # fmt: skip
 def test_what_is_not_a_number_is_refused_and_named(bad):
     with pytest.raises(ScalarError, match="expected a number") as error:
         scalar(bad)
@@ -187,13 +161,11 @@ def test_numbers_times_vectors_are_vectors_whatever_the_kind(x):
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_functions_on_every_kind_agree_with_mpmath(kind, name):
     u = numbers(kind, "0.4")
-    values = u if kind == "array" else [u]
-    results = function(name, u) if kind == "array" else [function(name, u)]
-    for value, result in zip(values, results, strict=True):
-        expected = getattr(mpmath, name)(
-            mpmath.mpf(4) / 10 if kind in ("mpmath", "sympy") else mpmath.mpf(float(value))
-        )
-        assert close(result, expected, 1e-27 if kind in ("mpmath", "sympy") else 1e-15)
+    exact = kind in ("mpmath", "sympy")
+    results = np.atleast_1d(function(name, u))
+    for value, result in zip(np.atleast_1d(u), results, strict=True):
+        x = mpmath.mpf(4) / 10 if exact else mpmath.mpf(float(value))
+        assert close(result, getattr(mpmath, name)(x), 1e-27 if exact else 1e-15)
 
 
 @pytest.mark.parametrize("library", ["sympy", "symengine"])
@@ -213,12 +185,9 @@ def test_functions_of_heyoka_expressions(name):
 
 
 @pytest.mark.parametrize("number", [1, Fraction(1, 4), True, np.float32(0.5)])
-def test_functions_take_ints_and_fractions(number):
+def test_functions_take_whole_rational_and_complex_numbers(number):
     assert function("sqrt", number) == pytest.approx(math.sqrt(number))
-
-
-def test_functions_of_complex_numbers():
-    assert function("sin", 1j) == pytest.approx(1j * math.sinh(1))
+    assert function("sin", 1j * number) == pytest.approx(1j * math.sinh(number))
 
 
 @pytest.mark.parametrize(
@@ -262,56 +231,32 @@ def test_whole_numbers_take_the_kind_of_another():
 
 
 def test_questions_about_values():
-    assert is_numeric(1.0)
-    assert is_numeric(np.zeros(2))
-    assert is_numeric(sympy.Rational(1, 3))
-    assert is_numeric(moving(1.0))
-    assert not is_numeric(sympy.Symbol("x"))
-    assert not is_numeric(Dimension())
-    assert not is_numeric(moving(sympy.Symbol("x")))
+    x = sympy.Symbol("x")
+    for number in (1.0, np.zeros(2), sympy.Rational(1, 3), moving(1.0)):
+        assert is_numeric(number)
+    for other in (x, Dimension(), moving(x)):
+        assert not is_numeric(other)
     assert is_zero(np.zeros(3))
-    assert not is_zero(np.array([0.0, 1.0]))
     assert is_zero(mpmath.mpf(0))
-    assert not is_zero(sympy.Symbol("x"))
+    assert not is_zero(np.array([0.0, 1.0]))
+    assert not is_zero(x)
     assert max_abs(np.array([-3.0, 2.0])) == 3.0
     assert max_abs(np.array([])) == 0.0
     assert min_abs(np.array([-3.0, 2.0])) == 2.0
     assert max_abs(moving(-2.0, 5.0)) == 2.0
 
 
-@pytest.mark.parametrize(
-    "x",
-    [
-        float("nan"),
-        float("inf"),
-        np.array([1.0, np.nan]),
-        np.array([np.inf]),
-        mpmath.mpf("nan"),
-        mpmath.inf,
-        sympy.nan,
-        sympy.oo,
-    ],
-)
-def test_what_is_not_finite_is_seen_in_every_kind(x):
-    assert not is_finite(x)
-
-
-@pytest.mark.parametrize(
-    "x",
-    [
-        1.0,
-        3,
-        np.zeros(2),
-        mpmath.mpf(1),
-        sympy.Symbol("x"),
-        sympy.Rational(1, 3),
-        ZERO,
-        Dimension(),
-        moving(1.0),
-    ],
-)
-def test_what_is_finite_or_an_expression_counts_as_finite(x):
-    assert is_finite(x)
+def test_what_is_not_finite_is_seen_in_every_kind():
+    for x in (
+        math.nan, math.inf, np.array([1.0, np.nan]), np.array([np.inf]), mpmath.mpf("nan"),
+        mpmath.inf, sympy.nan, sympy.oo,
+    ):  # fmt: skip
+        assert not is_finite(x), x
+    for x in (
+        1.0, 3, np.zeros(2), mpmath.mpf(1), sympy.Symbol("x"), sympy.Rational(1, 3), ZERO,
+        Dimension(), moving(1.0),
+    ):  # fmt: skip
+        assert is_finite(x), x
 
 
 # -- moving numbers
@@ -336,29 +281,21 @@ COMPOSITES = {
 }
 
 
-def derivatives(f, t):
+def is_differentiated(f, t, tolerance):
+    """True if a number moving with t gives the value and two rates of f that mpmath finds."""
     with mpmath.workdps(60):
-        return tuple(+mpmath.diff(f, mpmath.mpf(t), n) for n in range(3))
-
-
-def plainly(f):
-    """The function without structural zeros in the result."""
-    return lambda t: to_plain(f(t))
+        expected = [+mpmath.diff(lambda x: to_plain(f(x)), mpmath.mpf(t), n) for n in range(3)]
+    found = map(to_plain, at(f, t)._parts())
+    return all(
+        abs(x - y) < tolerance * max(1, abs(y)) for x, y in zip(found, expected, strict=True)
+    )
 
 
 @pytest.mark.parametrize("name", COMPOSITES)
 @pytest.mark.parametrize("t", ["0.3", "1.1"])
 def test_moving_numbers_against_mpmath_in_composites(name, t):
-    f = COMPOSITES[name]
-    m = at(f, mpmath.mpf(t))
-    for got, expected in zip(
-        (m.value, m.rate, m.acceleration), derivatives(plainly(f), t), strict=True
-    ):
-        assert (
-            abs(to_plain(got) - expected) < 1e-14
-            if "constant" in name or "fractional" in name
-            else abs(to_plain(got) - expected) < 1e-25
-        )
+    tolerance = 1e-14 if "constant" in name or "fractional" in name else 1e-25
+    assert is_differentiated(COMPOSITES[name], mpmath.mpf(t), tolerance)
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -367,14 +304,8 @@ def test_moving_numbers_against_mpmath_for_each_function(name, t):
     def f(t):
         return function(name, t * t / 3 + t / 2)
 
-    m = at(f, mpmath.mpf(t))
-    for got, expected in zip((m.value, m.rate, m.acceleration), derivatives(f, t), strict=True):
-        assert abs(got - expected) < 1e-24 * max(1, abs(expected))
-    floats = at(f, float(t))
-    for got, expected in zip(
-        (floats.value, floats.rate, floats.acceleration), derivatives(f, float(t)), strict=True
-    ):
-        assert abs(got - expected) < 1e-13 * max(1, abs(expected))
+    assert is_differentiated(f, mpmath.mpf(t), 1e-24)
+    assert is_differentiated(f, float(t), 1e-13)
 
 
 @given(st.floats(-0.999999999, 0.999999999))
@@ -418,8 +349,7 @@ def test_moving_numbers_wrap_every_kind(kind):
 def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
     for u in (-2.0, 3.0, np.array([-2.0, 3.0]), mpmath.mpf(-2)):
         size, root = abs(Moving(u, 5.0, -7.0)), scalars.sqrt(Moving(u, 5.0, -7.0) ** 2)
-        for part in ("value", "rate", "acceleration"):
-            assert max_abs(getattr(size, part) - getattr(root, part)) < 1e-14
+        assert close(size._parts(), root._parts(), 1e-14)
     x = sympy.Symbol("x", real=True)
     assert abs(Moving(x, 2)).rate == 2 * x / abs(x)
     length, speed = Dimension(0, 1, 0), Dimension(0, 1, -1)
@@ -446,19 +376,20 @@ def test_moving_expressions_derive_their_rates_in_t():
     assert moving(q).acceleration == q.diff("t", 2)
 
 
-def test_moving_numbers_refuse_what_has_no_meaning():
-    with pytest.raises(ScalarError, match="constant power only"):
-        moving(2.0, 1.0) ** moving(1.0, 1.0)
-    with pytest.raises(ScalarError, match="already has its rates"):
-        moving(moving(1.0), rate=2.0)
-    with pytest.raises(ScalarError, match=r"pass at\(f, t\) instead of f"):
-        moving(lambda t: t)
-    with pytest.raises(ScalarError, match="expected a number"):
-        moving("1")
-    with pytest.raises(ScalarError, match="expected a number"):
-        moving(1.0) + "1"
-    with pytest.raises(ScalarError, match="expected a number"):
-        at(lambda t: (t, t), 1.0)
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        (lambda: moving(2.0, 1.0) ** moving(1.0, 1.0), "constant power only"),
+        (lambda: moving(moving(1.0), rate=2.0), "already has its rates"),
+        (lambda: moving(lambda t: t), r"pass at\(f, t\) instead of f"),
+        (lambda: moving("1"), "expected a number"),
+        (lambda: moving(1.0) + "1", "expected a number"),
+        (lambda: at(lambda t: (t, t), 1.0), "expected a number"),
+    ],
+)
+def test_moving_numbers_refuse_what_has_no_meaning(wrong, message):
+    with pytest.raises(ScalarError, match=message):
+        wrong()
 
 
 def test_at_takes_functions_built_of_other_functions_and_constants():
@@ -466,13 +397,8 @@ def test_at_takes_functions_built_of_other_functions_and_constants():
         theta = 2 * t + scalars.sin(t)
         return scalars.cos(theta) + scalars.sqrt(9 - scalars.sin(theta) ** 2)
 
-    m = at(crank, mpmath.mpf("0.7"))
-    for got, expected in zip(
-        (m.value, m.rate, m.acceleration), derivatives(crank, "0.7"), strict=True
-    ):
-        assert abs(got - expected) < 1e-25
-    constant = at(lambda t: 5.0, 1.0)
-    assert (constant.value, to_plain(constant.rate), to_plain(constant.acceleration)) == (5.0, 0, 0)
+    assert is_differentiated(crank, mpmath.mpf("0.7"), 1e-25)
+    assert tuple(map(to_plain, at(lambda t: 5.0, 1.0)._parts())) == (5.0, 0, 0)
     assert at(at_of_at, 2.0).rate == 12.0
 
 
@@ -513,20 +439,16 @@ def test_dimension_algebra():
     assert Dimension() ** Dimension() == Dimension()
 
 
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        lambda: LENGTH + TIME,
-        lambda: LENGTH - 1.0,
-        lambda: 1 + TIME,
-        lambda: MASS + LENGTH * MASS,
-        lambda: LENGTH + np.zeros(3),
+def test_unlike_dimensions_do_not_add():
+    for wrong in (
+        lambda: LENGTH + TIME, lambda: LENGTH - 1.0, lambda: 1 + TIME,
+        lambda: MASS + LENGTH * MASS, lambda: LENGTH + np.zeros(3),
         lambda: scalars.atan2(LENGTH, TIME),
-    ],
-)
-def test_unlike_dimensions_do_not_add(wrong):
-    with pytest.raises(DimensionError, match=r"cannot add .*: look at the units of the two terms"):
-        wrong()
+    ):  # fmt: skip
+        with pytest.raises(
+            DimensionError, match=r"cannot add .*: look at the units of the two terms"
+        ):
+            wrong()
 
 
 @pytest.mark.parametrize("name", [n for n in FUNCTIONS if n != "sqrt"])
@@ -547,16 +469,13 @@ def test_atan2_of_two_lengths_is_an_angle():
 def test_a_dimension_cannot_be_raised_to_what_varies():
     with pytest.raises(DimensionError, match="its dimension would vary too"):
         LENGTH ** Dimension()
+    with pytest.raises(DimensionError, match="its dimension would vary too"):
+        moving(LENGTH) ** Dimension()
+    assert (moving(Dimension()) ** Dimension()).value == Dimension()
     with pytest.raises(DimensionError, match=r".*"):
         2**LENGTH
     with pytest.raises(ScalarError, match="expected a number"):
         LENGTH + "m"
-
-
-def test_a_moving_dimension_is_raised_to_a_pure_number_if_it_is_one_itself():
-    assert (moving(Dimension()) ** Dimension()).value == Dimension()
-    with pytest.raises(DimensionError, match="its dimension would vary too"):
-        moving(LENGTH) ** Dimension()
 
 
 def test_moving_dimensions_have_the_dimensions_of_their_rates():
@@ -567,30 +486,53 @@ def test_moving_dimensions_have_the_dimensions_of_their_rates():
         x + moving(LENGTH, LENGTH)
 
 
+def test_a_choice_between_like_quantities_has_their_dimension():
+    assert where(LENGTH > 2 * LENGTH, LENGTH, 3 * LENGTH) == LENGTH
+    assert where(LENGTH > 0, TIME, 0) == TIME
+    assert where(LENGTH >= 0, 0, TIME) == TIME
+    assert where(Dimension() < 1.5, 1.0, 2.0) == 1.0
+    assert where(LENGTH < LENGTH, "rises", "falls") in ("rises", "falls")
+
+
+def test_unlike_quantities_are_not_compared():
+    with pytest.raises(DimensionError, match=r"cannot compare Dimension\(L\^1\) with Dimension\(T"):
+        where(LENGTH > TIME, LENGTH, LENGTH)
+    with pytest.raises(DimensionError, match=r"cannot compare .* with 1\.0"):
+        where(LENGTH > 1.0, LENGTH, LENGTH)
+
+
+def test_a_choice_between_unlike_quantities_is_refused():
+    with pytest.raises(DimensionError, match="cannot add"):
+        where(LENGTH > 0, LENGTH, TIME)
+
+
+def test_a_branch_on_dimensions_is_referred_to_where():
+    with pytest.raises(DimensionError, match=r"choose by where\(x < y, a, b\), or in a function"):
+        max(LENGTH, 2 * LENGTH)
+
+
 # -- weight
 
 
-def test_importing_the_engine_loads_none_of_the_heavy_libraries():
+HEAVY = "sympy scipy matplotlib heyoka mpmath numpy symengine numba IPython"
+
+
+@pytest.mark.parametrize(
+    ("program", "needed"),
+    [
+        ("import newton_euler", ""),
+        ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
+         "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
+    ],
+    ids=["importing the engine", "floats, arrays and tracing"],
+)  # fmt: skip
+def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
     """What a student waits for is import time."""
-    heavy = "sympy scipy matplotlib heyoka mpmath numpy symengine numba IPython"
-    program = f"import sys, newton_euler; print([m for m in {heavy.split()} if m in sys.modules])"
+    program = f"import sys; {program}; print(*(m for m in {HEAVY.split()} if m in sys.modules))"
     out = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
-    assert out.stdout.strip() == "[]"
-
-
-def test_floats_arrays_and_tracing_need_numpy_alone():
-    program = (
-        "import sys, numpy as np; from newton_euler import *; f = compiled(lambda w: "
-        "Frame('g').rotate('a', 'z', rate=w).i.norm());"
-        "f(1.0); f(np.zeros(5)); print([m for m in 'sympy scipy matplotlib heyoka mpmath "
-        "symengine'.split() if m in sys.modules])"
-    )
-    out = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=True
-    )
-    assert out.stdout.strip() == "[]"
+    assert out.stdout.strip() == needed
 
 
 @pytest.mark.parametrize("module", ["scalars", "jets", "vectors", "compile", "units"])

@@ -15,32 +15,13 @@ from newton_euler.algebra.units import UNITS, Unit, UnitError, unit
 from tests.kinds import KINDS, close, numbers
 
 PINT = {
-    "lb": "lbf",
-    "oz": "ozf",
-    "rev": "turn",
-    "rpm": "turn/min",
-    "%": "percent",
-    "in": "inch",
-    "mi": "mile",
-    "g": "gram",
-    "h": "hour",
-}
+    "lb": "lbf", "oz": "ozf", "rev": "turn", "rpm": "turn/min", "%": "percent", "in": "inch",
+    "mi": "mile", "g": "gram", "h": "hour",
+}  # fmt: skip
 SOME = [
-    "1",
-    "mm",
-    "rev/min",
-    "deg/s^2",
-    "slug*ft^2",
-    "lb/in^2",
-    "kg*m^2/s",
-    "N*m/rad",
-    "mi/h",
-    "1/s",
-    "m^-1",
-    "in^4",
-    "oz*in*s^2",
-    "kN/m",
-]
+    "1", "mm", "rev/min", "deg/s^2", "slug*ft^2", "lb/in^2", "kg*m^2/s", "N*m/rad", "mi/h", "1/s",
+    "m^-1", "in^4", "oz*in*s^2", "kN/m",
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("name", UNITS)
@@ -51,11 +32,7 @@ def test_factors_agree_with_pint(name):
     registry = pint.UnitRegistry()
     expected = registry.Quantity(1.0, PINT.get(name, name)).to_base_units()
     got = Unit(name)
-    base = {
-        "[mass]": got.dimension.powers[0],
-        "[length]": got.dimension.powers[1],
-        "[time]": got.dimension.powers[2],
-    }
+    base = dict(zip(("[mass]", "[length]", "[time]"), got.dimension.powers, strict=True))
     assert {k: v for k, v in base.items() if v} == dict(expected.dimensionality)
     assert got.to_base(1.0) == pytest.approx(expected.magnitude, rel=1e-12)
 
@@ -73,15 +50,10 @@ def test_definitions_are_exact():
 @pytest.mark.parametrize(
     ("text", "x", "expected"),
     [
-        ("mm", 250.0, 0.25),
-        ("deg", 180.0, math.pi),
-        ("m", 3.0, 3.0),
-        ("rev/min", 60.0, 2 * math.pi),
-        ("rpm", 60.0, 2 * math.pi),
-        ("in", 10.0, 0.254),
-        ("km/h", 36.0, 10.0),
+        ("mm", 250.0, 0.25), ("deg", 180.0, math.pi), ("m", 3.0, 3.0), ("in", 10.0, 0.254),
+        ("rev/min", 60.0, 2 * math.pi), ("rpm", 60.0, 2 * math.pi), ("km/h", 36.0, 10.0),
     ],
-)
+)  # fmt: skip
 def test_round_numbers_come_out_round(text, x, expected):
     assert Unit(text).to_base(x) == expected
     assert Unit(text).from_base(expected) == x
@@ -100,11 +72,8 @@ def test_every_kind_of_number_is_converted(kind, text):
     with mpmath.workdps(40):
         factor = mpmath.mpf(u.factor.numerator) / u.factor.denominator * mpmath.pi**u.pi_power
     expected = x * float(factor) if kind in ("float", "array") else mpmath.mpf("12.5") * factor
-    assert close(
-        u.to_base(x),
-        expected,
-        (1e-15 if kind in ("float", "array") else 1e-28) * abs(float(factor)) * 20,
-    )
+    small = 1e-15 if kind in ("float", "array") else 1e-28
+    assert close(u.to_base(x), expected, small * abs(float(factor)) * 20)
 
 
 def test_thirty_digits_and_symbols_stay_exact():
@@ -128,12 +97,8 @@ def test_a_vector_keeps_its_digits_also_where_its_first_component_is_zero():
 
 
 def test_dimensions_follow_the_text():
-    assert (
-        Unit("kg*m^2/s^2").dimension
-        == Unit("J").dimension
-        == Unit("N*m").dimension
-        == Dimension(1, 2, -2)
-    )
+    for text in ("kg*m^2/s^2", "J", "N*m"):
+        assert Unit(text).dimension == Dimension(1, 2, -2)
     assert Unit("kg/m/s").dimension == Dimension(1, -1, -1)
     assert Unit("kg / m * s").dimension == Dimension(1, -1, 1)
     assert Unit("m^-2").dimension == Dimension(0, -2, 0)
@@ -149,24 +114,9 @@ def test_arrays_of_whole_numbers_do_not_overflow():
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "",
-        "m//s",
-        "m*",
-        "/s",
-        "m^",
-        "m^2.5",
-        "m^x",
-        "m^2^2",
-        "2*m",
-        "m s^",
-        "m-s",
-        "(m)",
-        "µm",
-        None,
-        3,
-    ],
-)
+    ["", "m//s", "m*", "/s", "m^", "m^2.5", "m^x", "m^2^2", "2*m", "m s^", "m-s", "(m)", "µm",
+     None, 3],
+)  # fmt: skip
 def test_what_cannot_be_read_is_quoted(text):
     with pytest.raises(UnitError, match=r"cannot read the unit|unknown unit") as error:
         Unit(text)

@@ -3,7 +3,6 @@
 import math
 import re
 
-import mpmath
 import mpmath as mp
 import numpy as np
 import pytest
@@ -13,44 +12,12 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, Vector, at, compiled, cos, cross, dot, moving, sin
 from newton_euler.algebra import ZERO, Explanation, FrameError, ScalarError, TermError, same
-from tests.kinds import KINDS, close, number, numbers
+from tests.kinds import KINDS, close, first, number, numbers
 
 ground = Frame("ground")
-
-
 turned = ground.rotate("turned", (1, 2, 2), 0.7)
-
-
-reals = st.floats(-1e3, 1e3)
-
-
-triples = st.tuples(reals, reals, reals)
-
-
-def vectors(kind):
-    a, b = numbers(kind, 1, "-2/3", "1/2"), numbers(kind, 2, "1/4", -3)
-    return ground.vector(*a), ground.vector(*b), a, b
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_eqn_A_11_scalar_product_and_A_12_magnitude(kind):
-    a, b, x, y = vectors(kind)
-    assert close(a.dot(b), x[0] * y[0] + x[1] * y[1] + x[2] * y[2])
-    assert close(dot(a, b), a.dot(b))
-    assert close(a.norm() ** 2, a.dot(a))
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_eqn_A_13_vector_product_is_right_handed(kind):
-    a, b, x, y = vectors(kind)
-    assert close(
-        a.cross(b),
-        (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]),
-    )
-    assert close(cross(a, b), -b.cross(a))
-    assert close(ground.i.cross(ground.j), ground.k)
-    assert close(ground.j.cross(ground.k), ground.i)
-    assert close(ground.k.cross(ground.i), ground.j)
+triples = st.tuples(*(st.floats(-1e3, 1e3),) * 3)
+every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 @given(triples, triples, triples)
@@ -65,10 +32,10 @@ def test_products_obey_the_identities_of_lagrange_and_grassmann(a, b, c):
     )
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@every_kind
 def test_sums_multiples_and_quotients(kind):
-    a, b, x, y = vectors(kind)
-    (s,) = (numbers(kind, "3/7"),)
+    x, y = numbers(kind, 1, "-2/3", "1/2"), numbers(kind, 2, "1/4", -3)
+    a, b, s = ground.vector(*x), ground.vector(*y), numbers(kind, "3/7")
     assert close(a + b, tuple(p + q for p, q in zip(x, y, strict=True)))
     assert close(a - b, tuple(p - q for p, q in zip(x, y, strict=True)))
     assert close(s * a, tuple(s * p for p in x))
@@ -79,8 +46,8 @@ def test_sums_multiples_and_quotients(kind):
 
 
 def test_dividing_keeps_the_digits_of_the_dividend():
-    third = ground.vector(mpmath.mpf(1), 0, 0) / 3
-    assert abs(third.x - mpmath.mpf(1) / 3) < 1e-30
+    third = ground.vector(mp.mpf(1), 0, 0) / 3
+    assert abs(third.x - mp.mpf(1) / 3) < 1e-30
     assert (ground.vector(sympy.Symbol("x"), 0, 0) / 3).x == sympy.Symbol("x") / 3
 
 
@@ -146,16 +113,13 @@ def test_to_array_has_shape_3_or_3_by_n():
         (lambda a: a + 1, "cannot add the vector .* and 1: both must be vectors"),
         (lambda a: 1 + a, "cannot add the vector .* and 1: both must be vectors"),
         (lambda a: a - "b", "cannot subtract the vector .* and 'b': both must be vectors"),
-        (
-            lambda a: a.dot((1, 2, 3)),
-            r"cannot take the dot product of the vector .* and \(1, 2, 3\)",
-        ),
+        (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of .* and \(1, 2, 3\)"),
         (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
         (lambda a: np.zeros(3) + a, "both must be vectors"),
         (lambda a: a.explain(), "was not computed as a named sum"),
     ],
 )
-def test_mistakes_with_vectors_are_told_in_words(wrong, message):
+def test_mistakes_with_vectors_are_refused_in_words(wrong, message):
     with pytest.raises(FrameError, match=message):
         wrong(ground.vector(1.0, 2.0, 3.0))
 
@@ -189,13 +153,8 @@ def test_equal_vectors_are_equal_and_others_are_not():
 
 def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
     a = Frame("ground").vector(2.0, 0, -1.0)
-    assert (a[0], a[-1], a[:2], len(a), abs(Frame("other").vector(3.0, 0, 4.0))) == (
-        2.0,
-        -1.0,
-        (2.0, 0),
-        3,
-        5.0,
-    )
+    assert (a[0], a[-1], a[:2], len(a)) == (2.0, -1.0, (2.0, 0), 3)
+    assert abs(ground.vector(3.0, 0, 4.0)) == 5.0
     assert np.array(a).tolist() == [2.0, 0.0, -1.0]
     with pytest.raises(IndexError):
         a[3]
@@ -228,14 +187,11 @@ def test_reweighted_and_without_are_sums_of_changed_terms():
     _, a = moving_arm()
     assert close(a.reweighted(), a)
     assert close(a.without("coriolis"), a - a.terms["coriolis"])
-    assert close(
-        a.reweighted(coriolis=0.5, euler=-1), a - 0.5 * a.terms["coriolis"] - 2 * a.terms["euler"]
-    )
+    changed = a - 0.5 * a.terms["coriolis"] - 2 * a.terms["euler"]
+    assert close(a.reweighted(coriolis=0.5, euler=-1), changed)
     assert close(a.without(*a.terms), (0, 0, 0))
-    with pytest.raises(
-        TermError,
-        match="no term 'corolis'; the terms are origin, relative, coriolis, euler, centripetal",
-    ):
+    known = "origin, relative, coriolis, euler, centripetal"
+    with pytest.raises(TermError, match=f"no term 'corolis'; the terms are {known}"):
         a.without("corolis")
     with pytest.raises(TermError, match="no term 'coriolis'; the terms are none"):
         ground.i.without("coriolis")
@@ -249,16 +205,12 @@ def test_a_sum_of_vectors_has_no_terms_of_its_own():
 
 def test_explain_prints_the_equation_its_number_and_every_term():
     _, a = moving_arm()
-    text = str(a.explain("m/s^2"))
-    assert (
-        text.splitlines()[0]
-        == "acceleration of P in ground, by way of arm, equation (4.18), components in arm"
+    first, *lines = str(a.explain("m/s^2")).splitlines()
+    assert first == "acceleration of P in ground, by way of arm, equation (4.18), components in arm"
+    assert ["coriolis", "2", "omega", "x", "v_r", "[0,", "12,", "0]", "m/s^2"] in map(
+        str.split, lines
     )
-    assert any(
-        line.split() == ["coriolis", "2", "omega", "x", "v_r", "[0,", "12,", "0]", "m/s^2"]
-        for line in text.splitlines()
-    )
-    assert text.splitlines()[-1].split() == ["sum", "[-4.1,", "11.7,", "0]", "m/s^2"]
+    assert lines[-1].split() == ["sum", "[-4.1,", "11.7,", "0]", "m/s^2"]
     assert isinstance(a.explain(), Explanation)
     assert repr(a.explain()) == str(a.explain())
 
@@ -271,10 +223,8 @@ def test_explain_shows_latex_in_jupyter():
     assert latex.count("{") == latex.count("}")
     assert r"\tag{4.18}" in latex
     rod = arm.rotate("rod", "x", rate=1.0)
-    assert (
-        r"\boldsymbol{\omega}_{\text{arm}}\times\boldsymbol{\omega}_{\text{rod}}"
-        in rod.angular_acceleration(ground).explain().latex
-    )
+    product = r"\boldsymbol{\omega}_{\text{arm}}\times\boldsymbol{\omega}_{\text{rod}}"
+    assert product in rod.angular_acceleration(ground).explain().latex
     assert r"\tag{4.22}" in rod.angular_velocity(ground).explain().latex
     assert "equation (4.15)" in str(arm.i.rate(ground).explain())
     assert "equation (4.17)" in str(rod.point("Q", 1.0, 0, 0).velocity(ground).explain())
@@ -291,11 +241,8 @@ def test_no_underscore_of_a_name_stands_bare_in_latex():
     assert not re.search(r"[A-Za-z]_\d", re.sub(r"\\[A-Za-z]+", "", latex))
 
 
-@pytest.mark.parametrize("kind", [*KINDS, "traced", "dimension"])
+@pytest.mark.parametrize("kind", [*KINDS, "dimension"])
 def test_every_kind_of_component_can_be_shown(kind):
-    if kind == "traced":
-        compiled(lambda x: (str(ground.vector(x, 1.0, 0)), ground.vector(x, 1.0, 0).latex()) and x)
-        return
     x = Dimension(length=1) if kind == "dimension" else numbers(kind, "1/3")
     v = ground.vector(x, 0, -2 * x)
     assert str(v).endswith("in ground")
@@ -304,16 +251,20 @@ def test_every_kind_of_component_can_be_shown(kind):
     assert v._repr_latex_() == f"${v.latex()}$"
 
 
-def test_latex_writes_signs_and_powers_of_ten():
-    assert (
-        ground.vector(1.5, -2e-7, 0).latex()
-        == r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"
-    )
-    assert ground.vector(0, 0, 0).latex() == r"\mathbf{0}"
-    assert (
-        ground.vector(0, sympy.Symbol("a") + 1, 0).latex()
-        == r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"
-    )
+def test_traced_components_can_be_shown():
+    compiled(lambda x: (str(ground.vector(x, 1.0, 0)), ground.vector(x, 1.0, 0).latex()) and x)
+
+
+@pytest.mark.parametrize(
+    ("components", "latex"),
+    [
+        ((1.5, -2e-7, 0), r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"),
+        ((0, 0, 0), r"\mathbf{0}"),
+        ((0, sympy.Symbol("a") + 1, 0), r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"),
+    ],
+)  # fmt: skip
+def test_latex_writes_signs_and_powers_of_ten(components, latex):
+    assert ground.vector(*components).latex() == latex
 
 
 def test_numpy_does_not_take_vectors_apart():
@@ -321,9 +272,6 @@ def test_numpy_does_not_take_vectors_apart():
     assert isinstance(np.float64(2.0) * v, Vector)
     assert isinstance(np.array([1.0, 2.0]) * v, Vector)
     assert (np.array([1.0, 2.0]) * v).z.tolist() == [3.0, 6.0]
-
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 def tolerance(kind):
@@ -406,7 +354,9 @@ def test_eqn_A_11_and_A_12_dot_product_and_magnitude_in_components(kind):
         sum(p * q for p, q in zip(P.components(tilted), Q.components(tilted), strict=True)),
         tolerance(kind),
     )
-    assert close(P.dot(P), P.norm() ** 2, tolerance(kind))
+    assert close(dot(P, P), P.norm() ** 2, tolerance(kind))
+    (a, b, c), (d, e, f) = P, Q
+    assert close(P.dot(Q), a * d + b * e + c * f, 0)
 
 
 @every_kind
@@ -414,6 +364,7 @@ def test_eqn_A_13_and_A_14_cross_product_is_the_determinant(kind):
     P, Q, _ = three_vectors(kind)
     (a, b, c), (d, e, f) = P, Q
     assert close(P.cross(Q), (b * f - c * e, -(a * f - c * d), a * e - b * d), 0)
+    assert close(cross(P, Q), -Q.cross(P), 0)
     tilted = ground.rotate("tilted 2", "y", numbers(kind, "0.8"))
     assert close(
         P.expressed_in(tilted).cross(Q.expressed_in(tilted)),
@@ -441,14 +392,8 @@ def test_eqn_A_17_rate_is_the_limit_of_differences(kind):
     P, _, _, t = functions(kind)
     rate = vector_at(P, t).rate(ground)
     errors = []
-    for dt in (mp.mpf(10) ** -4, mp.mpf(10) ** -4 / 2):
-        dt = (
-            float(dt)
-            if kind in ("float", "array")
-            else dt
-            if kind == "mpmath"
-            else sympy.Rational(str(float(dt)))
-        )
+    for dt in numbers(kind, "1e-4", "5e-5"):
+        dt = first(dt)
         difference = (vector_at(P, t + dt) - vector_at(P, t)) / dt
         errors.append(number((difference - rate).norm()))
     ratio = errors[0] / errors[1]
@@ -461,35 +406,22 @@ def test_eqn_A_18_to_A_21_product_rules(kind):
     p, q, v = vector_at(P, t), vector_at(Q, t), at(u, t)
     dp, dq = p.rate(ground), q.rate(ground)
 
-    def written_out(components):
-        return tuple(at(f, t).rate for f in components)
+    def written_out(component):
+        return tuple(at(component(n), t).rate for n in range(3))
 
-    assert close(
-        (p + q).rate(ground),
-        written_out([lambda s, n=n: P[n](s) + Q[n](s) for n in range(3)]),
-        tolerance(kind),
-    )
-    assert close(
-        (v * p).rate(ground),
-        written_out([lambda s, n=n: u(s) * P[n](s) for n in range(3)]),
-        tolerance(kind),
-    )
-    assert close((v * p).rate(ground), v.value * dp + v.rate * p, tolerance(kind))
+    small = tolerance(kind)
+    assert close((p + q).rate(ground), written_out(lambda n: lambda s: P[n](s) + Q[n](s)), small)
+    assert close((v * p).rate(ground), written_out(lambda n: lambda s: u(s) * P[n](s)), small)
+    assert close((v * p).rate(ground), v.value * dp + v.rate * p, small)
     product = at(lambda s: P[0](s) * Q[0](s) + P[1](s) * Q[1](s) + P[2](s) * Q[2](s), t)
     assert close(p.dot(dq) + q.dot(dp), product.rate, tolerance(kind))
-    crossed = [
-        lambda s, n=n, m=(n + 1) % 3, k=(n + 2) % 3: P[m](s) * Q[k](s) - P[k](s) * Q[m](s)
-        for n in range(3)
-    ]
-    assert close(p.cross(q).rate(ground), written_out(crossed), tolerance(kind))
+
+    def crossed(n):
+        m, k = (n + 1) % 3, (n + 2) % 3
+        return lambda s: P[m](s) * Q[k](s) - P[k](s) * Q[m](s)
+
+    assert close(p.cross(q).rate(ground), written_out(crossed), small)
     assert close(p.cross(q).rate(ground), p.cross(dq) + dp.cross(q), tolerance(kind))
-
-
-def test_angle_between_nearly_parallel_vectors_keeps_its_digits():
-    small = 1e-9
-    P, Q = ground.vector(1.0, 0, 0), ground.vector(math.cos(small), math.sin(small), 0)
-    assert abs(P.angle_to(Q) / small - 1) < 1e-15
-    assert math.acos(P.dot(Q)) == 0.0  # the textbook formula loses it
 
 
 @given(st.floats(-300, 300), st.floats(-300, 300), st.floats(0.3, 3.0), st.floats(-1.0, 1.0))

@@ -6,8 +6,11 @@ import pytest
 
 from newton_euler.answers.causes import (
     BOUNDS,
+    FIRST_DIGITS,
     NEAR,
+    NEAR_IN_FEW_DIGITS,
     OFF_DIAGONAL,
+    ROUNDED,
     TRANSPOSED,
     Cause,
     both,
@@ -157,7 +160,24 @@ def test_the_distance_that_is_called_near_is_the_one_of_the_rule():
     vector = KINDS["vector"]
     assert "within 3 % of" in NEAR.text
     assert vector.observed(((3.0 * 1.029, 4.0 * 1.029, 0.0),), KEY) == NEAR
+    assert vector.observed(((3.0, 4.1, 0.0),), KEY) == NEAR_IN_FEW_DIGITS
     assert vector.observed(((3.0 * 1.031, 4.0 * 1.031, 0.0),), KEY) is None
+
+
+@pytest.mark.parametrize("x", [2.5, 2.0, 250.0])
+def test_a_number_that_may_have_lost_its_zeros_is_not_accused_of_rounding(x):
+    """2.50 is read as 2.5."""
+    given, key = ((x,),), ((1.012 * x,),)
+    assert diagnose(given, key, [], KINDS["number"]) == ()
+    assert KINDS["number"].observed(given, key) == FIRST_DIGITS
+
+
+def test_components_in_two_digits_are_rounded_too_far():
+    assert diagnose(((2.5, 1.3, 0.0),), ((2.53, 1.27, 0.0),), []) == (ROUNDED,)
+
+
+def test_a_zero_vector_does_not_leave_out_one_component():
+    assert diagnose(((0.0, 0.0, 0.0),), ((3.0, 0.0, 0.0),), []) == ()
 
 
 def test_a_formula_fits_as_loosely_as_at_its_worst_point():

@@ -39,7 +39,7 @@ from newton_euler.dynamics.potential import (
     weight_potential,
 )
 from newton_euler.dynamics.work import power, work_along
-from newton_euler.kinematics import gradient
+from newton_euler.kinematics import along, gradient
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
@@ -91,29 +91,17 @@ def vortex(x, y, z):
 def test_eqn_11_15_the_work_of_a_force_with_potential_by_its_components(kind):
     a, q = numbers(kind, 2, 1)
     U = work_along(down_hill, lambda s: (a * s, s * s, 1 - s), 0, q, exact=kind == "sympy")
-    assert close(
-        U.terms["x"] + U.terms["y"] + U.terms["z"],
-        hill(0, 0, 1) - hill(a * q, q * q, 1 - q),
-        small(kind),
-    )
+    lost = hill(0, 0, 1) - hill(a * q, q * q, 1 - q)
+    assert close(U.terms["x"] + U.terms["y"] + U.terms["z"], lost, small(kind))
 
 
 @every_kind
-def test_eqn_11_16_the_force_is_minus_the_gradient(kind):
-    x, y, z = numbers(kind, 2, "-0.5", "1.5")
-    P = Frame("ground").point("P", x, y, z)
+def test_eqn_11_16_11_17_the_force_is_minus_the_gradient_of_the_partial_derivatives(kind):
+    q = x, y, z = numbers(kind, 2, "-0.5", "1.5")
+    P = Frame("ground").point("P", *q)
     assert close(conservative_force(hill, P), down_hill(x, y, z), small(kind))
-
-
-@every_kind
-def test_eqn_11_17_the_gradient_has_the_partial_derivatives_as_components(kind):
-    x, y, z = numbers(kind, 2, "-0.5", "1.5")
-    slopes = (
-        at(lambda s: hill(s, y, z), x).rate,
-        at(lambda s: hill(x, s, z), y).rate,
-        at(lambda s: hill(x, y, s), z).rate,
-    )
-    assert close(gradient(hill, Frame("ground").point("P", x, y, z)), slopes, small(kind))
+    slopes = [at(lambda s, n=n: hill(*q[:n], s, *q[n + 1 :]), q[n]).rate for n in range(3)]
+    assert close(gradient(hill, P), slopes, small(kind))
 
 
 def test_eqn_11_18_components_against_sympy():
@@ -129,45 +117,37 @@ def test_eqn_11_18_in_spherical_coordinates(kind):
     """V = -1/R^2: the force is -2/R^3 along e_R, wherever."""
     R, theta, phi = numbers(kind, 2, "0.5", "0.25")
     P = spherical(Frame("ground"), "P", R, theta, phi)
-    assert close(
-        conservative_force(lambda R, theta, phi: -1 / (R * R), P),
-        (-2 / R**3, 0 * R, 0 * R),
-        small(kind),
-    )
+    F = conservative_force(lambda R, theta, phi: -1 / (R * R), P)
+    assert close(F, (-2 / R**3, 0 * R, 0 * R), small(kind))
 
 
 @every_kind
 def test_eqn_11_19_power_is_minus_the_rate_of_the_potential(kind):
-    t = numbers(kind, "0.75")
-    place = [lambda t: sin(t), lambda t: t * t, lambda t: 1 - t]
-    P = Frame("ground").point("P", *(at(f, t) for f in place))
-    lost = at(lambda t: hill(*(f(t) for f in place)), t).rate
-    assert close(power(conservative_force(hill, P), P.velocity(P.frame)), -lost, small(kind))
+    t, place = numbers(kind, "0.75"), lambda t: (sin(t), t * t, 1 - t)
+    P = Frame("ground").point("P", *along(place, t))
+    rate = at(lambda t: hill(*place(t)), t).rate
+    assert close(power(conservative_force(hill, P), P.velocity(P.frame)), -rate, small(kind))
 
 
 @every_kind
 def test_eqn_11_20_work_is_the_potential_lost_on_every_path(kind):
-    q = numbers(kind, 1)
-    exact, lost = kind == "sympy", hill(0, 0, 1) - hill(1, 2, 3)
-    straight = work_along(down_hill, lambda s: (s, 2 * s, 1 + 2 * s), 0, q, exact=exact)
-    curved = work_along(
-        down_hill, lambda s: (s**3, 2 * s * s, 1 + 2 * s * (3 - 2 * s)), 0, q, exact=exact
-    )
-    if kind != "array":  # where the ends differ from instant to instant
-        assert close(straight.value, lost, small(kind))
-        assert close(curved.value, lost, small(kind))
-    assert close(straight.value, hill(0, 0, 1) - hill(q, 2 * q, 1 + 2 * q), 10 * small(kind))
+    q, lost = numbers(kind, 1), hill(0, 0, 1) - hill(1, 2, 3)
+    straight = lambda s: (s, 2 * s, 1 + 2 * s)
+    bent = lambda s: (s**3, 2 * s * s, 1 + 2 * s * (3 - 2 * s))
+    for path in (straight, bent):
+        U = work_along(down_hill, path, 0, q, exact=kind == "sympy")
+        assert close(U.value, hill(0, 0, 1) - hill(*path(q)), 10 * small(kind))
+        if kind != "array":  # where the ends differ from instant to instant
+            assert close(U.value, lost, small(kind))
 
 
 @every_kind
 def test_eqn_11_20_round_a_closed_path_it_is_zero(kind):
     a = numbers(kind, "1.5")
     loop = lambda q: (a * q * (1 - q), 2 * q * q * (1 - q), 1 + a * q * (1 - q) ** 2)
-    assert close(
-        work_along(down_hill, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, small(kind)
-    )
-    # that of one with curl is not
-    assert not close(work_along(swirl, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, 0.01)
+    round_it = lambda field: work_along(field, loop, 0, 1 + 0 * a, exact=kind == "sympy").value
+    assert close(round_it(down_hill), 0, small(kind))
+    assert not close(round_it(swirl), 0, 0.01)  # that of one with curl is not
 
 
 @settings(deadline=None, max_examples=25)
@@ -177,50 +157,27 @@ def test_eqn_11_20_round_a_closed_path_it_is_zero(kind):
 )
 def test_eqn_11_20_for_any_potential_and_any_two_paths(c, bend):
     def V(x, y, z):
-        return (
-            c[0] * x * y
-            + c[1] * y * z
-            + c[2] * z * x
-            + c[3] * x**3
-            + c[4] * cos(c[5] * y + z)
-            + c[6] * sin(x * z)
-            + c[7] * y
-            + c[8] * x * y * z
-        )
+        parts = x * y, y * z, z * x, x**3, cos(c[8] * y + z), sin(x * z), y, x * y * z
+        return sum(a * part for a, part in zip(c, parts, strict=False))
 
-    def F(x, y, z):
-        return conservative_force(V, Frame("g").point("P", x, y, z)).components()
-
-    def path(k):
-        return lambda q: tuple(
+    F = lambda x, y, z: conservative_force(V, Frame("g").point("P", x, y, z)).components()
+    for k in (bend[:3], bend[3:]):
+        path = lambda q, k=k: tuple(
             a + 2 * q + b * q * (1 - q) for a, b in zip((-1, 0, 1), k, strict=True)
         )
-
-    for k in (bend[:3], bend[3:]):
-        U = work_along(F, path(k), 0.0, 1.0)
+        U = work_along(F, path, 0.0, 1.0)
         assert U.value == pytest.approx(V(-1, 0, 1) - V(1, 2, 3), abs=1e-9)
 
 
 @every_kind
-def test_eqn_11_34_the_potential_of_a_weight_is_minus_its_work(kind):
-    m, g, h = numbers(kind, 2, "9.81", "1.5")
-    U = work_along(
-        lambda x, y, z: (0, 0, -m * g),
-        lambda q: (sin(q), q * q, h * q),
-        0,
-        1 + 0 * h,
-        exact=kind == "sympy",
-    )
-    assert close(weight_potential(m, h, g), -U.value, small(kind))
-
-
-@every_kind
-def test_eqn_11_35_the_potential_of_a_spring_is_minus_its_work(kind):
-    K, x = numbers(kind, 20, "-0.5")
-    U = work_along(
-        lambda x, y, z: (-K * x, 0, 0), lambda q: (x * q, 0, 0), 0, 1 + 0 * x, exact=kind == "sympy"
-    )
-    assert close(spring_potential(K, x), -U.value, small(kind))
+def test_eqn_11_34_11_35_the_potential_of_weight_and_spring_is_minus_their_work(kind):
+    m, g, h, K, x = numbers(kind, 2, "9.81", "1.5", 20, "-0.5")
+    for V, F, path in (
+        (weight_potential(m, h, g), lambda *r: (0, 0, -m * g), lambda q: (sin(q), q * q, h * q)),
+        (spring_potential(K, x), lambda x, y, z: (-K * x, 0, 0), lambda q: (x * q, 0, 0)),
+    ):
+        U = work_along(F, path, 0, 1 + 0 * h, exact=kind == "sympy")
+        assert close(V, -U.value, small(kind))
 
 
 @every_kind
@@ -228,27 +185,19 @@ def test_eqn_11_35_a_slant_spring_pulls_along_its_line(kind):
     """The gradient of V by the place of one end is the tension, towards the other one."""
     K, l0, x, y = numbers(kind, 20, "1.5", 3, 4)
     ground = Frame("ground")
-    V = lambda x, y, z: spring_between(K, l0, (0, 0, 0), (x, y, z))
+    P, V = ground.point("P", x, y, 0), lambda x, y, z: spring_between(K, l0, (0, 0, 0), (x, y, z))
     r = sqrt(x * x + y * y)
     F = K * (r - l0)
-    assert close(
-        spring_between(K, l0, ground.origin, ground.point("P", x, y, 0)), V(x, y, 0), small(kind)
-    )
-    assert close(
-        conservative_force(V, ground.point("P", x, y, 0)),
-        (-F * x / r, -F * y / r, 0),
-        10 * small(kind),
-    )
+    assert close(spring_between(K, l0, ground.origin, P), V(x, y, 0), small(kind))
+    assert close(conservative_force(V, P), (-F * x / r, -F * y / r, 0), 10 * small(kind))
 
 
 def test_potentials_are_energies():
     ground = Frame("ground")
+    P, stiffness = ground.point("P", LENGTH, LENGTH, 0), MASS / TIME**2
     assert weight_potential(MASS, LENGTH, LENGTH / TIME**2) == ENERGY
-    assert spring_potential(MASS / TIME**2, LENGTH) == ENERGY
-    assert (
-        spring_between(MASS / TIME**2, LENGTH, ground.origin, ground.point("P", LENGTH, LENGTH, 0))
-        == ENERGY
-    )
+    assert spring_potential(stiffness, LENGTH) == ENERGY
+    assert spring_between(stiffness, LENGTH, ground.origin, P) == ENERGY
     assert gravitational_potential(MASS, MASS, LENGTH, LENGTH**3 / (MASS * TIME**2)) == ENERGY
     assert compiled(lambda K, x: spring_potential(K, x))(200.0, 0.1) == pytest.approx(1.0)
 
@@ -270,23 +219,18 @@ def test_a_potential_found_differentiates_to_the_force():
     V, P = find_potential(down_hill), Frame("ground").point("P", 2.0, -0.5, 1.5)
     assert close(-gradient(V, P), down_hill(2.0, -0.5, 1.5), 1e-14)
     place = lambda t: (sin(t), t * t, 1 - t)
-    found, true = at(lambda t: V(*place(t)), 0.75), at(lambda t: hill(*place(t)), 0.75)
-    for got, expected in zip(
-        (found.value, found.rate, found.acceleration),
-        (true.value, true.rate, true.acceleration),
-        strict=True,
-    ):
-        assert got == pytest.approx(expected, rel=1e-12)
+    found, true = (at(lambda t, f=f: f(*place(t)), 0.75) for f in (V, hill))
+    for part in ("value", "rate", "acceleration"):
+        assert getattr(found, part) == pytest.approx(getattr(true, part), rel=1e-12)
 
 
 @every_kind
 def test_the_curl_by_hand(kind):
-    x, y, z = numbers(kind, 2, "-0.5", "1.5")
+    q = x, y, z = numbers(kind, 2, "-0.5", "1.5")
     F = lambda x, y, z: (x * y * z, -x * z, y * y)
-    assert close(curl(F, (x, y, z)), (2 * y + x, x * y, -z - x * z), small(kind))
-    assert close(
-        jacobian(F, (x, y, z)), ((y * z, x * z, x * y), (-z, 0, -x), (0, 2 * y, 0)), small(kind)
-    )
+    assert close(curl(F, q), (2 * y + x, x * y, -z - x * z), small(kind))
+    partial = (y * z, x * z, x * y), (-z, 0, -x), (0, 2 * y, 0)
+    assert close(jacobian(F, q), partial, small(kind))
 
 
 def test_a_force_with_curl_has_no_potential():
@@ -339,18 +283,12 @@ def test_a_hole_elsewhere_needs_its_own_loop():
         find_potential(down_hill, loops=[lambda s: (s, 0, 0)])
 
 
-@pytest.mark.parametrize(
-    ("field", "message"),
-    [
-        (lambda x, y, z: (1 / x, 0), r"two|got 2 components"),
-        (
-            lambda x, y, z: (sqrt(x), 0, 0),
-            r"the force has no value at \(-0\.75.*keep base, box and loops where it exists",
-        ),
-        (lambda x, y, z: (math.inf, 0, 0), "not finite; keep base, box and loops"),
-        (lambda x, y, z: ("x", 0, 0), "the force has no value at.*expected a number"),
-    ],
-)
+@pytest.mark.parametrize(("field", "message"), [
+    (lambda x, y, z: (1 / x, 0), r"two|got 2 components"),
+    (lambda x, y, z: (sqrt(x), 0, 0), r"the force has no value at \(-0\.75.*keep base, box and loops where it exists"),
+    (lambda x, y, z: (math.inf, 0, 0), "not finite; keep base, box and loops"),
+    (lambda x, y, z: ("x", 0, 0), "the force has no value at.*expected a number"),
+])  # fmt: skip
 def test_what_is_not_a_field_is_refused(field, message):
     with pytest.raises(WorkError, match=message):
         find_potential(field)
@@ -367,10 +305,6 @@ def test_a_straight_line_through_the_centre_of_attraction_is_refused():
 
 def test_a_potential_of_many_places_at_once():
     x = np.array([1.0, 2.0, 3.0])
-    V = find_potential(down_hill)
+    V, slopes = find_potential(down_hill), [-down_hill(a, 1.0, 0.5)[0] for a in x]
     assert np.allclose(V(x, 1.0, 0.5), hill(x, 1.0, 0.5), rtol=1e-14)
-    assert np.allclose(
-        V(moving(x, 1.0), 1.0, 0.5).rate,
-        -np.array([down_hill(a, 1.0, 0.5)[0] for a in x]),
-        rtol=1e-14,
-    )
+    assert np.allclose(V(moving(x, 1.0), 1.0, 0.5).rate, slopes, rtol=1e-14)

@@ -2,8 +2,6 @@
 that does not get on is refused.
 """
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
@@ -15,6 +13,7 @@ from newton_euler.motion.methods.base import (
     Stepper,
     sample_times,
 )
+from tests.models import begun
 
 
 class _Counted(Stepper):
@@ -24,11 +23,9 @@ class _Counted(Stepper):
         return np.array([times, n + 0 * times])
 
 
-def stepper(*times, goal=10.0, x=(7.0, 8.0), floors=(0.0, 0.0), stops=(), max_steps=1e300):
+def stepper(*times, goal=10.0, x=(7.0, 8.0), **options):
     """One that has taken steps to these times."""
-    limits = lambda system, t, x: (floors, (0.0, 0.0), stops)
-    trajectory = SimpleNamespace(goal=goal, tolerance=1e-9, max_steps=max_steps, limits=limits)
-    one = _Counted(None, times[0], x, trajectory)
+    one = begun(_Counted, None, x, goal, times[0], **{"max_steps": 1e300} | options)
     one.step_times, one.t = list(times), times[-1]
     one.steps = [("length", t, n) for n, t in enumerate(times[:-1])]
     return one

@@ -1,6 +1,5 @@
 """Many motions at once: which of them vouch for which, and that each is as accurate as asked."""
 
-import importlib.util
 import math
 from types import SimpleNamespace
 
@@ -17,32 +16,18 @@ from newton_euler.motion.batch import (
     _representatives,
     _taylor,
 )
-from newton_euler.motion.error_estimates import (
-    ROUND_OFF_OF_RATES,
-    SERIES_ROUND_OFF,
-    SERIES_SAFETY,
-)
+from newton_euler.motion.error_estimates import ROUND_OFF_OF_RATES, SERIES_ROUND_OFF, SERIES_SAFETY
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.methods.taylor import batches, level_of
 from newton_euler.motion.prepared import PreparedModel, prepared_model
 from newton_euler.motion.run import Run
 from newton_euler.motion.sizes import time_round_off
 from newton_euler.motion.verified import NEAR_END, NEAR_START, SPARE
+from tests.models import FALL, needs_heyoka, oscillator
 
-HEYOKA = importlib.util.find_spec("heyoka") is not None
-needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
 START = (1.0, 0.0)
 PENDULUM = second_order("pendulum", {"n": 1.0}, ("a",), lambda s, p, t: (-p.n * sin(s.a),))
-SPRING = second_order(
-    "spring",
-    {"w": 1.0},
-    ("x",),
-    lambda s, p, t: (-p.w * p.w * s.x,),
-    exact=lambda s, p, t: (
-        s.x * cos(p.w * t) + s.dx / p.w * sin(p.w * t),
-        s.dx * cos(p.w * t) - p.w * s.x * sin(p.w * t),
-    ),
-)
+SPRING = oscillator().changed(k=1.0)
 
 
 def test_motions_close_to_each_other_have_one_representative():
@@ -90,10 +75,7 @@ def test_motions_that_are_not_close_to_any_stand_for_themselves():
 def test_motions_without_a_finite_end_stand_for_nobody_else(bad):
     ends = np.ones((2, 30))
     ends[1, ::3] = bad
-    chosen, group = _representatives(np.ones((2, 30)), ends)
-    assert set(range(0, 30, 3)) < set(chosen.tolist())
-    assert len(chosen) == 11
-    assert len(set(np.delete(group, np.arange(0, 30, 3)))) == 1
+    assert together(np.ones((2, 30)), ends) == [n if n % 3 == 0 else 1 for n in range(30)]
 
 
 def together(begins, ends):
@@ -103,12 +85,11 @@ def together(begins, ends):
     return first[group].tolist()
 
 
-def test_a_motion_that_is_smaller_as_a_whole_is_judged_by_the_size_of_the_larger():
-    for part, number in ((0.99, 0), (1.01, 5)):
-        both = np.full((1, 12), 7.0)
-        both[0, 5] *= 1 - part * NEAR_START
-        assert together(both, both)[5] == number
-        assert together(1 / both, 1 / both)[5] == number
+@pytest.mark.parametrize(("part", "number"), [(0.99, 0), (1.01, 5)])
+def test_a_motion_that_is_smaller_as_a_whole_is_judged_by_the_size_of_the_larger(part, number):
+    both = np.full((1, 12), 7.0)
+    both[0, 5] *= 1 - part * NEAR_START
+    assert together(both, both)[5] == together(1 / both, 1 / both)[5] == number
 
 
 def test_the_size_of_a_state_is_that_of_its_end_whichever_way_it_points():
@@ -117,47 +98,48 @@ def test_the_size_of_a_state_is_that_of_its_end_whichever_way_it_points():
 
 
 def test_a_state_that_is_zero_at_both_ends_is_judged_by_the_others_as_far_as_it_is_like_them():
-    """The second state comes out as nothing or 1e-8, and once as 1e-7; the motions from number 10
-    on are small beside the others in their first state, so that for them 1e-8 is not small. The
-    third state is always zero.
+    """The second state ends at 0 or 1e-8, and once at 1e-7; the motions from number 10 on are small
+    beside the others in their first state, so that for them 1e-8 is not small. The third state is
+    always zero.
     """
     begins, ends = np.zeros((3, 20)), np.zeros((3, 20))
     begins[0] = ends[0] = [1e-6] * 10 + [1e-9] * 10
     ends[1] = [0.0, 1e-8] * 10
     ends[1, 9] = 1e-7
     # whichever stands in the middle of a block, what is not small is not together
-    found = together(begins, ends)
-    assert found[:9] == [0] * 9
-    assert found[9] == 9
-    assert found[10:] == [10, 11] * 5
+    assert together(begins, ends) == [0] * 9 + [9] + [10, 11] * 5
 
 
-def test_motions_that_all_begin_at_zero_are_judged_by_the_largest_end():
-    ends = np.array([[1.0, 0.0, 0.15] * 7])
-    assert together(np.zeros((1, 21)), ends) == [0, 1, 1] * 7
-    ends = np.array([[1.0, 0.7] * 10])
-    assert together(np.zeros((1, 20)), ends) == [0, 1] * 10
-
-
-def system(hazards=(), kinks=()):
-    traced = SimpleNamespace(hazards=hazards, kinks=kinks)
-    return SimpleNamespace(traced=traced, model=SimpleNamespace(name="any"))
+@pytest.mark.parametrize(("ends", "groups"), [([1.0, 0.0, 0.15], [0, 1, 1]), ([1.0, 0.7], [0, 1])])
+def test_motions_that_all_begin_at_zero_are_judged_by_the_largest_end(ends, groups):
+    assert together(np.zeros((1, 7 * len(ends))), np.array([7 * ends])) == 7 * groups
 
 
 @needs_heyoka
-def test_heyoka_is_taken_for_many_motions_or_if_it_is_asked_for():
-    assert not _by_series(system(), "auto", MIN_HEYOKA_BATCH - 1)
-    assert _by_series(system(), "auto", MIN_HEYOKA_BATCH)
-    assert _by_series(system(), "taylor", 1)
-    assert not _by_series(system(), "dop853", 10 * MIN_HEYOKA_BATCH)
-    assert not _by_series(system(), "exact", 10 * MIN_HEYOKA_BATCH)
+@pytest.mark.parametrize(
+    ("method", "count", "hazards", "found"),
+    [
+        ("auto", MIN_HEYOKA_BATCH - 1, (), False),
+        ("auto", MIN_HEYOKA_BATCH, (), True),
+        ("taylor", 1, (), True),
+        ("dop853", 10 * MIN_HEYOKA_BATCH, (), False),
+        ("exact", 10 * MIN_HEYOKA_BATCH, (), False),
+        ("taylor", 100, ("sqrt",), False),
+        ("auto", 100, ("sqrt",), False),
+    ],
+)
+def test_heyoka_is_taken_if_asked_for_or_worth_it_and_if_a_series_sees_all(
+    method, count, hazards, found
+):
+    traced = SimpleNamespace(hazards=hazards, kinks=())
+    assert _by_series(SimpleNamespace(traced=traced), method, count) is found
 
 
 @needs_heyoka
-def test_heyoka_is_not_taken_for_what_a_series_does_not_see():
-    assert not _by_series(system(hazards=("sqrt",)), "taylor", 100)
-    assert not _by_series(system(hazards=("sqrt",)), "auto", 100)
-    assert not _by_series(system(kinks=("where",)), "auto", 100)
+def test_auto_takes_no_batch_of_series_for_rates_with_kinks():
+    traced = SimpleNamespace(hazards=(), kinks=("where",))
+    kinked = SimpleNamespace(traced=traced, model=SimpleNamespace(name="any"))
+    assert not _by_series(kinked, "auto", 100)
 
 
 def amplitudes(count):
@@ -167,9 +149,7 @@ def amplitudes(count):
 @needs_heyoka
 @pytest.mark.parametrize("count", [1, 3, 65])
 @pytest.mark.parametrize(
-    "samples",
-    [None, 7, [2.0, 5.0], [0.0, 2.0, 5.0], [5.0], [0.0, 5.0]],
-    ids=str,
+    "samples", [None, 7, [2.0, 5.0], [0.0, 2.0, 5.0], [5.0], [0.0, 5.0]], ids=str
 )
 def test_each_motion_of_a_batch_is_that_of_integrate_at_its_samples(count, samples):
     a = amplitudes(count)
@@ -193,20 +173,18 @@ def test_a_batch_begins_when_it_is_asked_to(t):
     w = np.linspace(0.5, 1.5, 9)
     motions = integrate(model.changed(w=w), t, (np.ones(9),), method="taylor")
     exact = 1 + (np.sin(w * t[1]) - np.sin(w * t[0])) / w
+    apart = abs(motions.states["x"].T - [np.ones(9), exact])
     assert motions.times.tolist() == list(t)
-    assert abs(motions.states["x"][:, 0] - 1).max() == 0
-    assert abs(motions.states["x"][:, -1] - exact).max() < 1e-9
-    sizes = np.maximum(1.0, abs(exact))
-    assert (abs(motions.states["x"][:, -1] - exact) / sizes <= motions.error).all()
+    assert (apart <= [np.zeros(9), np.maximum(1.0, abs(exact)) * motions.error]).all()
+    assert (motions.error <= 1e-9).all()
 
 
 @needs_heyoka
 def test_a_batch_does_not_pass_over_a_pulse():
-    model = Model(
-        "struck", {"h": 1.0}, ("x",), lambda s, p, t: (p.h * exp(-(((t - 50) / 0.05) ** 2)),)
-    )
+    pulse = lambda s, p, t: (p.h * exp(-(((t - 50) / 0.05) ** 2)),)
     h = np.linspace(1.0, 2.0, 5)
-    motions = integrate(model.changed(h=h), 100.0, (np.zeros(5),), method="taylor")
+    model = Model("struck", {"h": h}, ("x",), pulse)
+    motions = integrate(model, 100.0, (np.zeros(5),), method="taylor")
     assert motions.states["x"][:, -1] == pytest.approx(h * 0.05 * math.sqrt(math.pi), rel=1e-9)
 
 
@@ -220,7 +198,7 @@ def test_samples_of_a_batch_increase_from_its_start(samples):
 @pytest.mark.parametrize("count", [1, 2, 70])
 def test_the_errors_of_a_batch_of_closed_forms_are_those_asked_for(count):
     w = np.linspace(1.0, 3.0, count)
-    motions = integrate(SPRING.changed(w=w), (1.0, 5.0), (np.ones(count), 0.0), samples=5)
+    motions = integrate(SPRING.changed(k=w * w), (1.0, 5.0), (np.ones(count), 0.0), samples=5)
     assert motions.method.name == "exact"
     assert motions.times.tolist() == [1.0, 2.0, 3.0, 4.0, 5.0]
     exact = np.cos(w[:, None] * (motions.times - 1.0))
@@ -233,12 +211,12 @@ def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spar
     judged = []
 
     def known_accurate(system, method, rtol, t0, t1, start, x):
-        judged.append((system.model.parameters["w"], t1 - t0, start, x, rtol))
+        judged.append((math.sqrt(system.model.parameters["k"]), t1 - t0, start, x, rtol))
         return True
 
     monkeypatch.setattr(batch, "known_accurate", known_accurate)
     w = np.array([1.0, 1.0, 2.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0])
-    motions = integrate(SPRING.changed(w=w), (1.0, 5.0), (1.0, 0.0), 1e-9)
+    motions = integrate(SPRING.changed(k=w * w), (1.0, 5.0), (1.0, 0.0), 1e-9)
     ends = [(x, pytest.approx((math.cos(4 * x), -x * math.sin(4 * x)))) for x in (1.0, 2.0)]
     assert sorted(judged) == [(x, 4.0, (1.0, 0.0), end, 1e-9 / SPARE) for x, end in ends]
     assert (motions.error == 1e-9).all()
@@ -247,10 +225,10 @@ def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spar
 def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypatch):
     """Here those of the faster spring, for which the second number stands."""
     monkeypatch.setattr(
-        batch, "known_accurate", lambda system, *_: system.model.parameters["w"] == 1.0
+        batch, "known_accurate", lambda system, *_: system.model.parameters["k"] == 1.0
     )
     w = np.array([1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0])
-    motions = integrate(SPRING.changed(w=w), 5.0, (1.0, 0.0), 1e-9, samples=3)
+    motions = integrate(SPRING.changed(k=w * w), 5.0, (1.0, 0.0), 1e-9, samples=3)
     assert (motions.error[::2] == 1e-9).all()
     assert (motions.error[1::2] < 1e-12).all()
     assert motions.cost.calls > 3
@@ -267,26 +245,23 @@ def test_a_closed_form_that_is_not_accurate_is_refused_with_all_motions():
     assert np.isfinite(reached.states["x"]).all()
 
 
-def test_a_method_by_name_is_taken_also_where_there_is_a_closed_form():
-    motions = integrate(SPRING, 5.0, (np.array([1.0, 2.0]), 0.0), method="dop853")
-    assert motions.method.name == "dop853"
-    assert motions.cost.calls > 100
-
-
 def fresh():
     """A model of which no other test has made an integrator."""
     return second_order("fresh", {}, ("a",), lambda s, p, t: (-sin(s.a) - s.da / 64,))
 
 
-def test_auto_takes_for_few_motions_what_it_takes_for_one():
-    motions = integrate(fresh(), 1.0, (amplitudes(3), 0.0))
-    assert motions.method.name == integrate(fresh(), 1.0, START).method.name == "dop853"
-
-
-@needs_heyoka
-def test_auto_takes_series_for_many_motions():
-    motions = integrate(PENDULUM, 1.0, (amplitudes(MIN_HEYOKA_BATCH), 0.0))
-    assert motions.method.name == "taylor"
+@pytest.mark.parametrize(
+    ("model", "count", "method", "found"),
+    [
+        (SPRING, 2, "dop853", "dop853"),  # though it has a closed form
+        (fresh(), 3, "auto", "dop853"),  # as for one
+        pytest.param(PENDULUM, MIN_HEYOKA_BATCH, "auto", "taylor", marks=needs_heyoka),
+    ],
+)
+def test_many_motions_are_made_by_the_method_asked_for_or_worth_it(model, count, method, found):
+    motions = integrate(model, 1.0, (amplitudes(count), 0.0), method=method)
+    assert motions.method.name == found
+    assert motions.cost.calls > 100
 
 
 @pytest.mark.parametrize(
@@ -298,10 +273,9 @@ def test_auto_takes_series_for_many_motions():
 )
 def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):
     """x' = -1/x comes to zero at x0^2/2."""
-    fall = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))
     x = np.array(starts)
     with pytest.raises(AccuracyError, match=words) as refused:
-        integrate(fall, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
+        integrate(FALL, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
     reached = refused.value.reached
     through = np.delete(np.arange(len(x)), stopped)
     assert np.isnan(reached.states["x"][stopped]).all()
@@ -361,20 +335,16 @@ class Batches:
         return (self.ends + self.off)[:, members, None], 10
 
 
-def bybatches(
-    monkeypatch, ends, off, representatives=None, starts=None, rtol=1e-9, times=(0.0, 5.0)
-):
+def by_batches(monkeypatch, ends, off, vouching=None, starts=None, times=(0.0, 5.0)):
     """What is found of motions whose parameters are their numbers, 1, 2 and so on."""
     ends = np.array(ends, dtype=float)
     starts = np.ones(ends.shape) if starts is None else np.array(starts, dtype=float)
     runs = Batches(ends, off)
     monkeypatch.setattr(batch, "batches", runs)
-    if representatives:
-        given = tuple(map(np.array, representatives))
-        monkeypatch.setattr(batch, "_representatives", lambda *_: given)
-    numbers = {"n": 1.0 + np.arange(ends.shape[1])}
-    many = _Many(PENDULUM, starts, numbers, np.array(times))
-    return runs, _taylor(many, Run(PreparedModel(PENDULUM), 0.0, times[-1], None, rtol))
+    if vouching:
+        monkeypatch.setattr(batch, "_representatives", lambda *_: tuple(map(np.array, vouching)))
+    many = _Many(PENDULUM, starts, {"n": 1.0 + np.arange(ends.shape[1])}, np.array(times))
+    return runs, _taylor(many, Run(PreparedModel(PENDULUM), 0.0, times[-1], None, 1e-9))
 
 
 def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypatch):
@@ -386,7 +356,7 @@ def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypat
 
     monkeypatch.setattr(batch, "_clock_errors", clock_errors)
     ends = [[1.0, 2.0, 4.0]] * 2
-    _, (_, errors, _) = bybatches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
+    _, (_, errors, _) = by_batches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
     assert asked == [
         (0.0, 5.0, [1.0, 2.0], [1.0, 2.0], [1.0, 4.0], pytest.approx(0.01)),
         (0.0, 5.0, [4.0], [3.0], [4.0], pytest.approx(0.01)),
@@ -397,7 +367,7 @@ def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypat
 def test_a_batch_that_may_have_passed_over_a_pulse_is_not_compared(monkeypatch):
     asked = []
     monkeypatch.setattr(batch, "knots", lambda system, *t: asked.append(t) or (1.0,))
-    runs, (_, errors, calls) = bybatches(monkeypatch, np.ones((2, 3)), 0.0)
+    runs, (_, errors, calls) = by_batches(monkeypatch, np.ones((2, 3)), 0.0)
     assert asked == [(0.0, 5.0)]
     assert np.isinf(errors).all()  # each is made by itself
     assert (len(runs.asked), calls) == (1, 100)
@@ -425,7 +395,7 @@ def error_of(difference):
 
 
 def test_a_batch_is_compared_with_one_of_higher_order_beside_its_start(monkeypatch):
-    runs, (found, errors, calls) = bybatches(
+    runs, (found, errors, calls) = by_batches(
         monkeypatch, [[1.0, 2.0]] * 2, 1e-11, times=(0.0, 2.0, 5.0)
     )
     taylor, level = METHODS["taylor"], level_of(1e-9 / 10**1.5)
@@ -446,7 +416,7 @@ def test_the_rest_is_compared_too_where_those_that_vouch_have_nothing_to_spare(
     monkeypatch, part, compared
 ):
     off = part * (1e-9 / SPARE - SERIES_ROUND_OFF) / SERIES_SAFETY
-    runs, (_, errors, calls) = bybatches(
+    runs, (_, errors, calls) = by_batches(
         monkeypatch, np.ones((2, 4)), [[off, 2e-13, 2e-13, 1e-9]] * 2, ([0], [0, 0, 0, 0])
     )
     members = [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]]
@@ -459,11 +429,8 @@ def test_the_rest_is_compared_too_where_those_that_vouch_have_nothing_to_spare(
 
 
 def test_each_motion_is_vouched_for_by_the_one_that_it_is_close_to(monkeypatch):
-    runs, (_, errors, _) = bybatches(
-        monkeypatch,
-        np.ones((2, 4)),
-        [[1e-13, 9e-10, 1e-13, 1e-10]] * 2,
-        ([0, 1], [0, 1, 0, 1]),
+    runs, (_, errors, _) = by_batches(
+        monkeypatch, np.ones((2, 4)), [[1e-13, 9e-10, 1e-13, 1e-10]] * 2, ([0, 1], [0, 1, 0, 1])
     )
     assert [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]] == [[1.0, 2.0], [4.0]]
     # of the one that it is close to, with something to spare, and then as every error
@@ -471,24 +438,25 @@ def test_each_motion_is_vouched_for_by_the_one_that_it_is_close_to(monkeypatch):
     assert errors[[1, 3]] == pytest.approx([error_of(9e-10), 3 * error_of(1e-10)], rel=1e-3)
 
 
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("where", ["start", "end"])
+@pytest.mark.parametrize(
+    ("starts", "ends"),
+    [([1.0, 1e-3], [1.0, 0.0]), ([1.0, -1e-3], [1.0, 0.0]), ([1.0, 0.0], [1.0, 1e-3]), ([1.0, 0.0], [1.0, -1e-3])],
+)  # fmt: skip
 def test_a_state_that_ends_at_zero_is_as_large_as_in_the_motions_close_to_it(
-    monkeypatch, where, sign
+    monkeypatch, starts, ends
 ):
-    """The second state of the second motion, of 1e-3 at its start or at its end."""
-    values = {"start": np.zeros((2, 2)), "end": np.zeros((2, 2))}
-    values["start"][0] = values["end"][0] = 1.0
-    values[where][1, 1] = sign * 1e-3
-    _, (_, errors, _) = bybatches(
-        monkeypatch, values["end"], [[0.0] * 2, [1e-14] * 2], ([0], [0, 0]), values["start"]
+    """The second motion, whose second state is not zero at its start or at its end."""
+    beside = [1.0, 0.0]
+    ends, starts = (np.transpose([beside, one]) for one in (ends, starts))
+    _, (_, errors, _) = by_batches(
+        monkeypatch, ends, [[0.0] * 2, [1e-14] * 2], ([0], [0, 0]), starts
     )
     assert errors[0] == pytest.approx(3 * error_of(1e-11), rel=1e-3)
 
 
 def test_a_state_that_is_zero_in_all_motions_counts_as_it_is(monkeypatch):
     ends = [[1.0], [0.0]]
-    _, (_, errors, _) = bybatches(monkeypatch, ends, [[0.0], [1e-11]], None, ends)
+    _, (_, errors, _) = by_batches(monkeypatch, ends, [[0.0], [1e-11]], None, ends)
     assert errors == pytest.approx([3 * error_of(1e-11)], rel=1e-3)
 
 
@@ -497,7 +465,7 @@ def test_a_state_that_is_zero_in_all_motions_counts_as_it_is(monkeypatch):
 @pytest.mark.parametrize("times", [[0.0, 1.0], [1.0], [0.5, 1.0], [0.0, 0.5, 1.0]], ids=str)
 def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
     """x' = -1/x comes to zero at x0^2/2: every third of these at 0.5 s."""
-    system = PreparedModel(Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,)))
+    system = PreparedModel(FALL)
     starts = np.where(np.arange(count) % 3 == 1, 0.7, 3.0)[None]
     p, times = np.zeros((0, count)), np.array(times)
     found, calls = batches(system, 1e-12, starts, p, 0.0, times)
@@ -511,43 +479,37 @@ def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
                 assert found[0, n, 0] == x
 
 
-def test_what_no_batch_can_begin_with_is_said():
-    a = amplitudes(3)
-    with pytest.raises(ModelError, match="events need one motion at a time"):
-        integrate(PENDULUM, 1.0, (a, 0.0), events=Event(lambda s, p, t: s.a))
-    with pytest.raises(ModelError, match=r"lengths that do not fit together: a \(3,\), da \(2,\)"):
-        integrate(PENDULUM, 1.0, (a, np.zeros(2)))
-    with pytest.raises(ModelError, match="one dimension, got"):
-        integrate(PENDULUM, 1.0, (np.ones((2, 2)), 0.0))
-    for bad in (math.nan, math.inf):
-        with pytest.raises(ModelError, match="must be finite numbers"):
-            integrate(PENDULUM, 1.0, (np.array([1.0, bad]), 0.0))
-        with pytest.raises(ModelError, match="must be finite numbers"):
-            integrate(PENDULUM.changed(n=np.array([1.0, bad])), 1.0, (1.0, 0.0))
+@pytest.mark.parametrize(
+    ("starts", "n", "events", "words"),
+    [
+        ((np.ones(3), 0.0), 1.0, Event(lambda s, p, t: s.a), "events need one motion at a time"),
+        ((np.ones(3), np.zeros(2)), 1.0, (), r"do not fit together: a \(3,\), da \(2,\)"),
+        ((np.ones((2, 2)), 0.0), 1.0, (), "one dimension, got"),
+        ((np.array([1.0, math.nan]), 0.0), 1.0, (), "must be finite numbers"),
+        ((1.0, 0.0), np.array([1.0, math.inf]), (), "must be finite numbers"),
+    ],
+)
+def test_what_no_batch_can_begin_with_is_refused(starts, n, events, words):
+    with pytest.raises(ModelError, match=words):
+        integrate(PENDULUM.changed(n=n), 1.0, starts, events=events)
 
 
-def test_a_batch_of_fixed_steps_takes_them():
+@pytest.mark.parametrize(
+    "options", [{"method": "verlet", "step": 0.125}, {"method": "dop853"}], ids=str
+)
+def test_without_heyoka_each_motion_of_a_batch_is_integrated_by_itself(options):
     a = amplitudes(3)
-    motions = integrate(PENDULUM, 1.0, (a, np.zeros(3)), method="verlet", step=0.125)
-    for n in range(3):
-        one = integrate(PENDULUM, 1.0, (a[n], 0.0), method="verlet", step=0.125)
-        assert motions.states["a"][n, -1] == one.end["a"]
-    assert np.isnan(motions.error).all()
+    motions = integrate(PENDULUM, (1.0, 4.0), (a, np.zeros(3)), samples=4, **options)
+    each = [integrate(PENDULUM, (1.0, 4.0), (x, 0.0), samples=4, **options) for x in a]
+    assert motions.method.name == options["method"]
+    assert motions.states["a"].tolist() == [one.states["a"].tolist() for one in each]
+    assert np.array_equal(motions.error, [one.error for one in each], equal_nan=True)
+    assert motions.cost.calls == sum(one.cost.calls for one in each)
+
+
+def test_a_fixed_step_of_a_batch_needs_a_method_by_name():
     with pytest.raises(ModelError, match="a fixed step needs a method by name"):
-        integrate(SPRING, 1.0, (a, np.zeros(3)), step=0.125)
-
-
-def test_without_heyoka_each_motion_of_a_batch_is_integrated_by_itself():
-    a = amplitudes(3)
-    motions = integrate(PENDULUM, (1.0, 4.0), (a, np.zeros(3)), method="dop853", samples=4)
-    assert motions.method.name == "dop853"
-    for n in range(3):
-        one = integrate(PENDULUM, (1.0, 4.0), (a[n], 0.0), method="dop853", samples=4)
-        assert motions.states["a"][n].tolist() == one.states["a"].tolist()
-        assert motions.error[n] == one.error
-    assert motions.cost.calls == sum(
-        integrate(PENDULUM, (1.0, 4.0), (x, 0.0), method="dop853").cost.calls for x in a
-    )
+        integrate(SPRING, 1.0, (amplitudes(3), np.zeros(3)), step=0.125)
 
 
 def test_a_prepared_model_is_not_changed_by_its_batch():

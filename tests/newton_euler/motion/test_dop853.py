@@ -1,7 +1,6 @@
 """The steps of DOP853: their first length, their bounds, what they cost, and what lies in them."""
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,24 +10,16 @@ from newton_euler.motion import second_order
 from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
 from newton_euler.motion.methods.dop853 import GROW, SAFETY, SHRINK, Dop853
 from newton_euler.motion.prepared import prepared_model
+from tests.models import FALL, begun
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 DECAY = Model("decay", {"c": 3.0}, ("x",), lambda s, p, t: (-p.c * s.x,))
 TOL = 1e-8
 
 
-def run(model=SPRING, start=(1.0, 0.0), t1=5.0, t0=0.0, step=None, longest_part=0.4, **more):
+def run(model=SPRING, start=(1.0, 0.0), t1=5.0, **options):
     """One that has not begun; of its right-hand side ``counted`` says how often it was called."""
-    nothing = (0.0,) * len(start)
-    trajectory = SimpleNamespace(
-        goal=t1,
-        tolerance=TOL,
-        max_steps=5e6,
-        step=step,
-        longest_part=longest_part,
-        limits=lambda system, t, x: (more.get("floors", nothing), nothing, more.get("stops", ())),
-    )
-    one = Dop853(prepared_model(model), t0, start, trajectory)
+    one = begun(Dop853, prepared_model(model), start, t1, **options)
     f, constants = one.f
     one.counted = 1  # of begin()
 
@@ -160,8 +151,7 @@ def test_more_steps_than_are_looked_at_together_are_taken_one_after_the_other():
 
 @pytest.mark.parametrize(("t0", "t1"), [(0.0, 1.0), (1e6, 1e6 + 1), (-1e6, 0.0)])
 def test_a_step_that_would_not_change_the_time_is_refused(t0, t1):
-    root = Model("root", {}, ("x",), lambda s, p, t: (-1 / s.x,))
-    one = run(root, (1.0,), t0=t0, t1=t1)
+    one = run(FALL, (1.0,), t0=t0, t1=t1)
     with pytest.raises(StepError, match="too small"):
         one.step()
     assert one.t - t0 == pytest.approx(0.5, abs=1e-8)

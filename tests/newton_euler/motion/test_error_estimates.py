@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from newton_euler import Model, cos, integrate, sin, sqrt
+from newton_euler import Model, cos, integrate, sin
 from newton_euler.motion import error_estimates, second_order
 from newton_euler.motion.error_estimates import (
     IRREGULAR,
@@ -26,17 +26,13 @@ from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.run import Run
 from newton_euler.motion.trajectory import Segment
+from tests.models import TAYLOR, kepler
 
 PENDULUM = second_order("pendulum", {}, ("a",), lambda s, p, t: (-sin(s.a),))
 START = (1.0, 0.0)
 
 
-def kepler(s, p, t):
-    r3 = sqrt(s.x * s.x + s.y * s.y) ** 3
-    return -s.x / r3, -s.y / r3
-
-
-ORBIT = second_order("orbit", {}, ("x", "y"), kepler)  # of e = 0.3: three turns end at the start
+ORBIT = kepler()  # of e = 0.3: three turns end at the start
 PERIAPSIS = 0.7, 0.0, 0.0, math.sqrt(1.3 / 0.7)
 DRIVEN = Model("driven", {"n": 2.0}, ("x",), lambda s, p, t: (cos(p.n * t) * s.x,))
 
@@ -82,36 +78,34 @@ def test_the_error_of_a_fine_run_is_a_power_of_the_ratio_of_the_tolerances():
     )
 
 
-def test_no_error_is_below_the_tolerance_nor_below_round_off():
-    assert error_by_difference(0.0, 1e-3, 1e-7) == pytest.approx(1e-7, rel=1e-6)
-    assert error_by_difference(0.0, 1e-3, 0.0) == ROUND_OFF
-    assert error_by_difference(0.0, 54.0, 1e-7) == SERIES_ROUND_OFF
+@pytest.mark.parametrize(
+    ("given", "found"),
+    [
+        # no error is below the tolerance nor below round-off
+        ((0.0, 1e-3, 1e-7), 1e-7),
+        ((0.0, 1e-3, 0.0), ROUND_OFF),
+        ((0.0, 54.0, 1e-7), SERIES_ROUND_OFF),
+        # beside a more accurate run the difference is the error; of equal tolerances neither is
+        ((1e-8, 54.0, 1e-3), SERIES_SAFETY * 1e-8),
+        ((1e-8, 1.5, 1e-3), SERIES_SAFETY * 1e-8),
+        ((1e-8, 1.0, 1e-12), SAFETY * 1e-8),
+        # round-off grows as the root of the number of steps
+        ((0.0, 1e-3, 0.0, True, 300), 2 * ROUND_OFF),
+        ((0.0, 54.0, 0.0, True, 300), 2 * SERIES_ROUND_OFF),
+        ((0.0, 54.0, 0.0, True, 9900), 10 * SERIES_ROUND_OFF),
+        # two runs that are far apart predict nothing
+        ((0.051, 1e-3, 1e-9), 0.051),
+        ((0.05, 54.0, 1e-9), SERIES_SAFETY * 0.05),
+        ((math.nan, 1e-3, 1e-9), math.nan),
+        ((math.inf, 1e-3, 1e-9), math.inf),
+    ],
+)  # fmt: skip
+def test_the_error_of_a_difference(given, found):
+    assert error_by_difference(*given) == pytest.approx(found, rel=1e-5, abs=0.0, nan_ok=True)
 
 
-def test_beside_a_more_accurate_run_the_difference_is_the_error():
-    assert error_by_difference(1e-8, 54.0, 1e-3) == pytest.approx(SERIES_SAFETY * 1e-8, rel=1e-5)
-    assert error_by_difference(1e-8, 1.5, 1e-3) == error_by_difference(1e-8, 54.0, 1e-3)
-    # of equal tolerances neither is
-    assert error_by_difference(1e-8, 1.0, 1e-12) == pytest.approx(SAFETY * 1e-8, rel=1e-5)
-
-
-def test_round_off_grows_as_the_root_of_the_number_of_steps():
-    for ratio, one in ((1e-3, ROUND_OFF), (54.0, SERIES_ROUND_OFF)):
-        assert error_by_difference(0.0, ratio, 0.0, True, 0) == one
-        assert error_by_difference(0.0, ratio, 0.0, True, 300) == pytest.approx(
-            2 * one, rel=1e-9, abs=0.0
-        )
-        assert error_by_difference(0.0, ratio, 0.0, True, 10**6) == pytest.approx(
-            100 * one, rel=1e-3, abs=0.0
-        )
-
-
-def test_two_runs_that_are_far_apart_predict_nothing():
-    assert error_by_difference(0.051, 1e-3, 1e-9) == 0.051
+def test_two_runs_that_are_less_far_apart_predict_something():
     assert error_by_difference(0.049, 1e-3, 1e-9) < 0.01
-    assert error_by_difference(0.05, 54.0, 1e-9) > 0.1
-    assert math.isnan(error_by_difference(math.nan, 1e-3, 1e-9))
-    assert error_by_difference(math.inf, 1e-3, 1e-9) == math.inf
 
 
 @pytest.mark.parametrize("what", ["kinks", "hazards"])
@@ -124,16 +118,13 @@ def test_where_formulas_change_the_prediction_is_the_cautious_one(monkeypatch, w
     assert found[1] / found[0] == pytest.approx(1e-3 ** (IRREGULAR - REGULAR), rel=1e-3)
 
 
-@pytest.mark.parametrize("method", ["dop853", "scipy RK45", "taylor"])
+@pytest.mark.parametrize("method", ["dop853", "scipy RK45", TAYLOR])
 def test_the_error_contains_what_the_clock_makes_of_a_force_in_time(method):
     """x' = sin(w t) at t = 1e9: the time is known to 1e-7 s."""
-    if method == "taylor":
-        pytest.importorskip("heyoka")
     model = second_order("driven", {"w": 2.0}, ("x",), lambda s, p, t: (sin(p.w * t) - s.x,))
     errors = [integrate(model, (t0, t0 + 2.0), START, 1e-5, method).error for t0 in (0.0, 1e9)]
     assert errors[1] > 1e-7
-    if method == "taylor":
-        assert errors[0] < 3e-8
+    assert method != "taylor" or errors[0] < 3e-8
 
 
 class Still:
@@ -147,16 +138,10 @@ class Still:
 
 def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,)):
     """A trajectory of so many steps in each segment."""
-    parts = [
-        Segment(
-            system or Still(),
-            SimpleNamespace(step_times=range(n + 1), scales=(1.0,), residual=lambda r=r: r),
-            0.0,
-            1.0,
-            (1.0,),
-        )
-        for n, r in itertools.zip_longest(steps, residuals, fillvalue=0.0)
-    ]
+    parts = []
+    for n, r in itertools.zip_longest(steps, residuals, fillvalue=0.0):
+        of = {"step_times": range(n + 1), "scales": (1.0,), "residual": lambda r=r: r}
+        parts.append(Segment(system or Still(), SimpleNamespace(**of), 0.0, 1.0, (1.0,)))
     return SimpleNamespace(
         segments=parts, tolerance=tolerance, count=sum(steps), difference=lambda other: difference
     )

@@ -7,82 +7,59 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import cos, exp, sin, sqrt, where
-from newton_euler.motion import Event, Model, ModelError, integrate, second_order
+from newton_euler import cos, exp, sqrt, where
+from newton_euler.motion import Event, Model, ModelError, integrate
 from newton_euler.motion.events import EventLocator, events_in_step
 from newton_euler.motion.zeros import EPS
-
-
-def spring(closed):
-    def exact(s, p, t):
-        return s.x * cos(t) + s.dx * sin(t), s.dx * cos(t) - s.x * sin(t)
-
-    rates = lambda s, p, t: (-s.x,)
-    return second_order("spring", {}, ("x",), rates, exact=exact if closed else None)
+from tests.models import TAYLOR, oscillator
 
 
 def times(function, t=20.0, start=(1.0, 0.0), closed=True, **options):
-    motion = integrate(spring(closed), t, start, events=Event(function, **options))
-    return [e.t for e in motion.events]
+    spring = oscillator(closed).changed(k=1.0)
+    return [e.t for e in integrate(spring, t, start, events=Event(function, **options)).events]
 
 
 PASSAGES = math.pi * (np.arange(6) + 0.5)  # of x = cos(t) through zero, to t = 20
+EVERY_CHANGE_OF_SIGN = {
+    "x": lambda s, p, t: s.x,
+    "huge": lambda s, p, t: 1e250 * s.x,
+    "tiny": lambda s, p, t: 1e-250 * s.x,
+    "decaying": lambda s, p, t: exp(-t) * s.x,
+    "kink": lambda s, p, t: s.x + abs(s.x) / 2,
+    "flat kink": lambda s, p, t: s.x * abs(s.x),
+    "jump": lambda s, p, t: where(s.x > 0, 1.0, -2.0),
+    "branch": lambda s, p, t: 1.0 if s.x > 0 else -2.0,
+}
+NO_CHANGE = {
+    "square": lambda s, p, t: s.dx**2,
+    "modulus": lambda s, p, t: abs(s.x),
+    "touching": lambda s, p, t: 1 - s.x,
+    "round-off": lambda s, p, t: s.x**2 + s.dx**2 - 1,
+    "zero": lambda s, p, t: 0 * s.x,
+    "jump": lambda s, p, t: where(s.x > 0, 1.0, 5.0),
+    "pole": lambda s, p, t: 1 / s.x,
+}
 BOTH = pytest.mark.parametrize("closed", [True, False])
 
 
 @BOTH
-@pytest.mark.parametrize(
-    "function",
-    [
-        lambda s, p, t: s.x,
-        lambda s, p, t: 1e250 * s.x,
-        lambda s, p, t: 1e-250 * s.x,
-        lambda s, p, t: exp(-t) * s.x,
-        lambda s, p, t: s.x + abs(s.x) / 2,
-        lambda s, p, t: s.x * abs(s.x),
-        lambda s, p, t: where(s.x > 0, 1.0, -2.0),
-        lambda s, p, t: 1.0 if s.x > 0 else -2.0,
-    ],
-    ids=["x", "huge", "tiny", "decaying", "kink", "flat kink", "jump", "branch"],
-)
-def test_every_change_of_sign_is_an_event(function, closed):
-    assert times(function, closed=closed) == pytest.approx(PASSAGES, abs=1e-9)
+@pytest.mark.parametrize("name", EVERY_CHANGE_OF_SIGN)
+def test_every_change_of_sign_is_an_event_of_its_direction(name, closed):
+    found = times(EVERY_CHANGE_OF_SIGN[name], closed=closed)
+    assert found == pytest.approx(PASSAGES, abs=1e-9)
+    for direction, part in ((-1, found[::2]), (1, found[1::2])):
+        one_way = times(EVERY_CHANGE_OF_SIGN[name], closed=closed, direction=direction)
+        assert one_way == pytest.approx(part, abs=1e-10)
 
 
-@pytest.mark.parametrize(
-    "function",
-    [
-        lambda s, p, t: s.dx**2,
-        lambda s, p, t: abs(s.x),
-        lambda s, p, t: 1 - s.x,
-        lambda s, p, t: s.x**2 + s.dx**2 - 1,
-        lambda s, p, t: 0 * s.x,
-        lambda s, p, t: where(s.x > 0, 1.0, 5.0),
-        lambda s, p, t: 1 / s.x,
-    ],
-    ids=["square", "modulus", "touching", "round-off", "zero", "jump", "pole"],
-)
-def test_without_a_passage_through_zero_there_is_no_event(function):
-    assert times(function) == []
-
-
-@BOTH
-def test_zeros_beside_a_kink_are_two(closed):
-    found = times(lambda s, p, t: abs(s.x) - 1e-6, closed=closed)
-    exact = (PASSAGES[:, None] + [-1e-6, 1e-6]).reshape(-1)
-    assert found == pytest.approx(exact, abs=1e-9)
-
-
-@BOTH
-def test_directions_share_the_zeros(closed):
-    both, up, down = (times(lambda s, p, t: s.x, closed=closed, direction=d) for d in (0, 1, -1))
-    assert (down, up) == (both[::2], both[1::2])
+@pytest.mark.parametrize("name", NO_CHANGE)
+def test_without_a_passage_through_zero_there_is_no_event(name):
+    assert times(NO_CHANGE[name]) == []
 
 
 @BOTH
 @pytest.mark.parametrize("start", [(0.0, 1.0), (0.0, -1.0), (math.sin(math.pi), -1.0)])
 def test_a_zero_at_the_start_does_not_count(start, closed):
-    assert times(lambda s, p, t: s.x, 3.0, start, closed) == []
     assert times(lambda s, p, t: s.x, 4.0, start, closed) == pytest.approx([math.pi], abs=1e-9)
 
 
@@ -98,14 +75,11 @@ def test_a_zero_is_found_before_the_function_loses_its_value(closed):
     assert found == pytest.approx([math.acos(0.01)], abs=1e-9)
 
 
+PARTS = st.tuples(st.floats(0.1, 60.0), st.floats(0.0, 6.3), st.floats(0.2, 1.0))
+
+
 @settings(max_examples=25, deadline=None)
-@given(
-    st.lists(
-        st.tuples(st.floats(0.1, 60.0), st.floats(0.0, 6.3), st.floats(0.2, 1.0)),
-        min_size=1,
-        max_size=4,
-    )
-)
+@given(st.lists(PARTS, min_size=1, max_size=4))
 def test_sums_of_oscillations_change_sign_as_often_as_a_fine_grid_shows(parts):
     def g(s, p, t):
         return sum(a * (s.x * cos(w * t + f) + s.dx / 3) for w, f, a in parts)
@@ -217,13 +191,6 @@ def test_an_event_is_where_the_more_accurate_states_have_it(ahead):
     assert found == pytest.approx([5.0], abs=1e-12)
 
 
-@pytest.mark.parametrize("ahead", [0.1, -0.1])
-def test_states_that_are_far_from_the_interpolation_do_not_move_an_event(ahead):
-    """More than a thousandth of the step: it is not for Newton's method."""
-    found = found_in_step(lambda t, x: x - 5, steps=_Rough(ahead))
-    assert found == pytest.approx([5.0 - ahead], abs=1e-12)
-
-
 @pytest.mark.parametrize("size", [1, 1e-200])
 @pytest.mark.parametrize("ahead", [5e-9, -5e-7, 5e-5, 5e-3, -5e-3])
 def test_a_jump_is_where_the_more_accurate_states_have_it(ahead, size):
@@ -231,9 +198,12 @@ def test_a_jump_is_where_the_more_accurate_states_have_it(ahead, size):
     assert found == pytest.approx([5.0], abs=1e-14)
 
 
-def test_states_that_are_far_from_the_interpolation_do_not_move_a_jump():
-    found = found_in_step(lambda t, x: np.where(x < 5, -1.0, 2.0), steps=_Rough(0.1))
-    assert found == pytest.approx([4.9], abs=1e-12)
+@pytest.mark.parametrize("ahead", [0.1, -0.1])
+@pytest.mark.parametrize("function", [lambda t, x: x - 5, lambda t, x: np.where(x < 5, -1.0, 2.0)])
+def test_states_that_are_far_from_the_interpolation_move_no_event(function, ahead):
+    """More than a thousandth of the step: it is not for Newton's method."""
+    found = found_in_step(function, steps=_Rough(ahead))
+    assert found == pytest.approx([5.0 - ahead], abs=1e-12)
 
 
 def test_an_event_beside_the_end_of_a_step_stays_in_it():
@@ -253,7 +223,7 @@ def test_a_function_that_branches_is_given_an_array_only_once():
     assert len(arrays) == 1
 
 
-@pytest.mark.parametrize("closed", [True, False])
+@BOTH
 def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
     def table(s, p, t):
         if t > 1.0:
@@ -264,11 +234,9 @@ def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
         times(table, closed=closed)
 
 
-@pytest.mark.parametrize("method", ["exact", "dop853", "taylor"])
+@pytest.mark.parametrize("method", ["exact", "dop853", TAYLOR])
 def test_a_ball_in_a_corner_bounces_off_both_walls(method):
     """Two events at one time: each has its then."""
-    if method == "taylor":
-        pytest.importorskip("heyoka")
 
     def exact(s, p, t):
         return s.x + s.u * t, s.y + s.v * t, s.u, s.v

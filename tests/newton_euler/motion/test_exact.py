@@ -3,7 +3,6 @@ tested against the truth in tests/stability/test_phase_of_closed_forms.py.
 """
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -21,6 +20,7 @@ from newton_euler.motion.methods.exact import (
     residual,
 )
 from newton_euler.motion.prepared import PreparedModel, prepared_model
+from tests.models import begun
 
 
 def spring(off=lambda t: 0.0 * t, part=1.0):
@@ -35,15 +35,8 @@ def spring(off=lambda t: 0.0 * t, part=1.0):
     )
 
 
-def run(t0=1.0, t1=3.0):
-    nothing = (0.0, 0.0)
-    limits = lambda system, t, x: (nothing, nothing, ())
-    trajectory = SimpleNamespace(goal=t1, tolerance=1e-9, max_steps=5e6, limits=limits)
-    return Exact(spring(), t0, (1.0, 0.0), trajectory)
-
-
 def test_the_closed_form_is_one_step_in_which_every_state_is_exact():
-    one = run()
+    one = begun(Exact, spring(), (1.0, 0.0), 3.0, 1.0)
     one.step()
     assert (one.t, one.step_times, one.calls) == (3.0, [1.0, 3.0], 1)
     assert one.x == pytest.approx((math.cos(2.0), -math.sin(2.0)), abs=1e-15)

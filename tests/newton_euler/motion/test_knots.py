@@ -22,31 +22,21 @@ def bump(t, centre, width):
     return exp(-(((t - centre) / width) ** 2))
 
 
-@pytest.mark.parametrize(
-    "force",
-    [
-        lambda s, p, t: 1.0,
-        lambda s, p, t: sin(s.x),
-        lambda s, p, t: sin(3 * t),
-        lambda s, p, t: t * s.x,
-        lambda s, p, t: exp(-t) * cos(40 * t),
-        lambda s, p, t: 0 * t,
-        lambda s, p, t: 1 + bump(s.x, 0.5, 1e-3),
-        lambda s, p, t: bump(t - s.x, 5.0, 0.01),
-    ],
-    ids=[
-        "constant",
-        "state",
-        "oscillation",
-        "time itself",
-        "decaying",
-        "zero",
-        "bump in space",
-        "bump that a state moves",
-    ],
-)
-def test_without_a_pulse_nothing_stops_the_motion(force):
-    assert at(force) == ()
+NO_PULSE = {
+    "constant": lambda s, p, t: 1.0,
+    "state": lambda s, p, t: sin(s.x),
+    "oscillation": lambda s, p, t: sin(3 * t),
+    "time itself": lambda s, p, t: t * s.x,
+    "decaying": lambda s, p, t: exp(-t) * cos(40 * t),
+    "zero": lambda s, p, t: 0 * t,
+    "bump in space": lambda s, p, t: 1 + bump(s.x, 0.5, 1e-3),
+    "bump that a state moves": lambda s, p, t: bump(t - s.x, 5.0, 0.01),
+}
+
+
+@pytest.mark.parametrize("name", NO_PULSE)
+def test_without_a_pulse_nothing_stops_the_motion(name):
+    assert at(NO_PULSE[name]) == ()
 
 
 @pytest.mark.parametrize("width", [1e-3, 1e-2, 0.1])
@@ -66,10 +56,7 @@ def test_a_pulse_times_a_state_or_a_rate_is_found_too():
 
 def test_the_pulses_of_all_rates_are_found_in_order():
     model = Model(
-        "two",
-        {"w": 0.02},
-        ("x", "y"),
-        lambda s, p, t: (bump(t, 8.0, p.w), s.x * bump(t, 2.0, p.w)),
+        "two", {"w": 0.02}, ("x", "y"), lambda s, p, t: (bump(t, 8.0, p.w), s.x * bump(t, 2.0, p.w))
     )
     found = knots(prepared_model(model), 0.0, 10.0)
     assert len(found) == 4
@@ -82,29 +69,22 @@ def test_two_pulses_of_one_function_have_two_ends_each():
     assert found == pytest.approx([1.94, 2.06, 7.94, 8.06], abs=0.01)
 
 
-def test_a_rate_of_time_alone_is_looked_at():
-    model = Model("one", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01),))
-    assert len(knots(prepared_model(model), 0.0, 10.0)) == 2
-
-
-def test_beside_a_rate_that_is_a_number_a_pulse_is_found():
-    model = Model("one", {}, ("x", "y"), lambda s, p, t: (bump(t, 5.0, 0.01), 1.0))
-    assert len(knots(prepared_model(model), 0.0, 10.0)) == 2
-
-
-def test_a_rate_of_time_and_a_state_together_is_no_function_of_time():
-    model = Model("moved", {}, ("x",), lambda s, p, t: (bump(t - s.x, 5.0, 0.01),))
-    assert knots(prepared_model(model), 0.0, 10.0) == ()
+@pytest.mark.parametrize(
+    ("states", "rates", "count"),
+    [
+        ("x", lambda s, p, t: (bump(t, 5.0, 0.01),), 2),
+        ("xy", lambda s, p, t: (bump(t, 5.0, 0.01), 1.0), 2),  # beside a number
+        ("x", lambda s, p, t: (bump(t - s.x, 5.0, 0.01),), 0),  # of time and a state together
+    ],
+)
+def test_a_rate_of_time_alone_is_looked_at(states, rates, count):
+    system = prepared_model(Model("any", {}, tuple(states), rates))
+    assert len(knots(system, 0.0, 10.0)) == count
+    assert knots(system, 0.0, 10.0) is knots(system, 0.0, 10.0)  # looked for once
 
 
 def test_a_force_that_has_no_value_at_these_parameters_stops_nothing():
     assert at(lambda s, p, t: bump(t, 5.0, 0.01) * (1 / (p.k - 1)), k=1.0) == ()
-
-
-def test_the_stops_are_looked_for_once():
-    model = Model("one", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01),))
-    system = prepared_model(model)
-    assert knots(system, 0.0, 10.0) is knots(system, 0.0, 10.0)
 
 
 def test_a_switch_between_constants_is_stopped_at_within_an_interval():
@@ -114,14 +94,10 @@ def test_a_switch_between_constants_is_stopped_at_within_an_interval():
 
 
 def test_the_time_asked_for_is_looked_at_not_another():
-    force = lambda s, p, t: bump(t, 5.0, 0.01)
-    model = second_order("pushed", {}, ("x",), lambda s, p, t: (force(s, p, t) - s.x,))
+    model = Model("pushed", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01) - s.x,))
     system = prepared_model(model)
-    assert knots(system, 0.0, 4.0) == ()
-    assert len(knots(system, 0.0, 10.0)) == 2
-    assert knots(system, 6.0, 10.0) == ()
-    assert len(knots(system, 4.0, 10.0)) == 2
-    assert len(knots(system, 0.0, 10.0)) == 2
+    spans = (0.0, 4.0), (0.0, 10.0), (6.0, 10.0), (4.0, 10.0), (0.0, 10.0)
+    assert [len(knots(system, *span)) for span in spans] == [0, 2, 0, 2, 2]
 
 
 def test_a_pulse_that_lasts_to_the_end_has_no_end_and_one_from_the_start_no_beginning():
@@ -164,10 +140,8 @@ def test_the_quiet_before_the_first_pulse_and_after_the_last_is_as_long(interval
 
 
 def test_parameters_are_those_of_the_model():
-    force = lambda s, p, t: bump(t, p.when, p.width)
-    model = second_order(
-        "pushed", {"when": 3.0, "width": 0.01}, ("x",), lambda s, p, t: (force(s, p, t),)
-    )
+    rates = lambda s, p, t: (bump(t, p.when, p.width),)
+    model = Model("pushed", {"when": 3.0, "width": 0.01}, ("x",), rates)
     for when in (3.0, 7.0):
         begin, end = knots(prepared_model(model.changed(when=when)), 0.0, 10.0)
         assert begin < when < end

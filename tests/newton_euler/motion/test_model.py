@@ -2,7 +2,6 @@
 it refuses, in words.
 """
 
-import importlib.util
 import math
 from dataclasses import FrozenInstanceError
 from types import SimpleNamespace
@@ -25,6 +24,7 @@ from newton_euler.motion.model import (
     second_order,
 )
 from tests.kinds import KINDS, close, numbers
+from tests.models import needs_heyoka
 
 
 def oscillator(m=2.0, k=8.0, **more):
@@ -62,14 +62,11 @@ def test_compiled_with_parameters_fixed_or_free():
     assert free.parameters == ["t", "x", "dx", "k"]
     assert free(0.0, 0.5, 1.0, 16.0) == (1.0, -4.0)
     assert close(free(0.0, np.array([0.5, 1.0]), 1.0, 16.0)[1], np.array([-4.0, -8.0]), 0)
-    assert close(
-        free(mp.mpf(0), mp.mpf(1) / 3, mp.mpf(1), mp.mpf(16)),
-        (1, mp.mpf(-8) / 3),
-        mp.mpf(10) ** -29,
-    )
+    third = free(mp.mpf(0), mp.mpf(1) / 3, mp.mpf(1), mp.mpf(16))
+    assert close(third, (1, mp.mpf(-8) / 3), mp.mpf(10) ** -29)
 
 
-@pytest.mark.skipif(importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed")
+@needs_heyoka
 def test_the_right_hand_side_runs_on_heyoka_expressions():
     import heyoka as hy
 
@@ -107,9 +104,8 @@ def test_an_exact_solution_is_over_every_kind_of_number_and_an_invariant_stays()
 
     model, t = oscillator(exact=swing), np.linspace(0.0, 2.0, 5)
     x, v = model.solution(t, (1.0, 2.0))
-    assert close(
-        (x, v), (np.cos(2 * t) + np.sin(2 * t), 2 * np.cos(2 * t) - 2 * np.sin(2 * t)), 1e-14
-    )
+    c, s = np.cos(2 * t), np.sin(2 * t)
+    assert close((x, v), (c + s, 2 * c - 2 * s), 1e-14)
     assert close(model.invariant("energy", (x, v)), 8.0 + 0 * t, 1e-14)
     third = mp.mpf(1) / 3
     assert close(model.solution(third, (mp.mpf(1), 0))[0], mp.cos(2 * third), mp.mpf(10) ** -29)
@@ -123,123 +119,64 @@ def rhs(s, p, t):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("parameters", "states", "rates", "words"),
     [
-        (
-            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v,)),
-            "returns 1 rates for the 2 states h, v",
-        ),
-        (
-            ("fall", {"G": 9.81}, ("h", "v"), rhs),
-            "fails when it is tried: there is no parameter 'g'; there are G",
-        ),
-        (
-            ("fall", {"g": 9.81}, ("h", "w"), rhs),
-            "fails when it is tried: there is no state 'v'; there are h, w",
-        ),
-        (
-            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g if s.h > 0 else 0)),
-            "a formula is traced without values: it must not branch",
-        ),
-        (
-            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, math.sin(s.h))),
-            "a formula is traced without values",
-        ),
-        (
-            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, np.sin(s.h))),
-            "a formula is traced without values",
-        ),
-        (
-            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, "down")),
-            "returns scalars, Vectors, or tuples",
-        ),
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: None), "fails when it is tried"),
-        (
-            ("fall", {"g": "9.81"}, ("h", "v"), rhs),
-            r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'",
-        ),
-        (("fall", {"g": 9.81}, ("h", "g"), rhs), "'g' names two things in 'fall'"),
-        (("fall", {"g": 9.81}, ("h", "t"), rhs), "'t' cannot name a state or parameter"),
-        (("fall", {"g": 9.81}, ("h", "v max"), rhs), "'v max' cannot name a state or parameter"),
-        (("fall", {"lambda": 9.81}, ("h", "v"), rhs), "'lambda' cannot name"),
-        (
-            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (setattr(s, "v", 0), s.v)),
-            "the states are only read, but 'v' was set",
-        ),
-        (
-            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, 1 / ZERO)),
-            "fails when it is tried",
-        ),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v,), "returns 1 rates for the 2 states h, v"),
+        ({"G": 9.81}, "hv", rhs, "fails when it is tried: there is no parameter 'g'; there are G"),
+        ({"g": 9.81}, "hw", rhs, "fails when it is tried: there is no state 'v'; there are h, w"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v, -p.g if s.h > 0 else 0), "a formula is traced without values: it must not branch"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v, math.sin(s.h)), "a formula is traced without values"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v, np.sin(s.h)), "a formula is traced without values"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v, "down"), "returns scalars, Vectors, or tuples"),
+        ({"g": 9.81}, "hv", lambda s, p, t: None, "fails when it is tried"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (setattr(s, "v", 0), s.v), "the states are only read, but 'v' was set"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v, 1 / ZERO), "fails when it is tried"),
+        ({"g": "9.81"}, "hv", rhs, r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'"),
+        ({"g": 9.81}, "hg", rhs, "'g' names two things in 'fall'"),
+        ({"g": 9.81}, "ht", rhs, "'t' cannot name a state or parameter"),
+        ({"g": 9.81}, ["h", "v max"], rhs, "'v max' cannot name a state or parameter"),
+        ({"lambda": 9.81}, "hv", rhs, "'lambda' cannot name"),
+        ("", "hv", rhs, "the parameters of a model are a dict of values by name"),
     ],
-)
-def test_a_model_that_does_not_fit_together_says_so_when_it_is_made(arguments, words):
+)  # fmt: skip
+def test_a_model_that_does_not_fit_together_says_so_when_it_is_made(
+    parameters, states, rates, words
+):
     with pytest.raises(ModelError, match=words):
-        Model(*arguments)
+        Model("fall", parameters, tuple(states), rates)
 
 
 PULLED = Model("pulled", {}, ("x",), lambda s, p, t: (-1 / s.x,))
 
 
-def test_questions_that_a_model_cannot_answer():
-    model = oscillator()
-    for call, words in (
-        (
-            lambda: model.derivative((1.0,)),
-            r"oscillator has the 2 states x, dx; got 1 values: \(1.0,\)",
-        ),
-        (
-            lambda: model.derivative({"x": 1.0}),
-            "the state of 'oscillator' lacks dx; give all of x, dx",
-        ),
-        (
-            lambda: model.solution(1.0, (1.0, 0.0)),
-            "no exact solution of 'oscillator' is known; integrate it",
-        ),
-        (
-            lambda: model.invariant("momentum", (1.0, 0.0)),
-            "oscillator has no invariant 'momentum'; it has energy",
-        ),
-        (lambda: model.changed(c=1.0), "oscillator has no parameter 'c'; it has m, k"),
-        (lambda: model.compiled_rhs("c"), "oscillator has no parameter 'c'"),
-        (
-            lambda: PULLED.derivative((0.0,)),
-            r"pulled has no rates at \{'x': 0.0\}: .* singular there",
-        ),
-    ):
-        with pytest.raises(ModelError, match=words):
-            call()
+@pytest.mark.parametrize(
+    ("ask", "words"),
+    [
+        (lambda m: m.derivative((1.0,)), r"oscillator has the 2 states x, dx; got 1 values: \(1.0,\)"),
+        (lambda m: m.derivative(iter([0.0] * 1000)), "has the 2 states x, dx; got 1000 values: "),
+        (lambda m: m.derivative(iter([0.0] * 1001)), "has the 2 states x, dx; got more values: "),
+        (lambda m: m.derivative({"x": 1.0}), "the state of 'oscillator' lacks dx; give all of x, dx"),
+        (lambda m: m.solution(1.0, (1.0, 0.0)), "no exact solution of 'oscillator' is known; integrate it"),
+        (lambda m: m.invariant("momentum", (1.0, 0.0)), "oscillator has no invariant 'momentum'; it has energy"),
+        (lambda m: m.changed(c=1.0), "oscillator has no parameter 'c'; it has m, k"),
+        (lambda m: m.compiled_rhs("c"), "oscillator has no parameter 'c'"),
+        (lambda m: PULLED.changed(c=1.0), "pulled has no parameter 'c'; it has none"),
+        (lambda m: PULLED.derivative((0.0,)), r"pulled has no rates at \{'x': 0.0\}: .* singular there"),
+        (lambda m: second_order("s", {}, ("x",), 3), r"accelerations of 's' is a function \(s, p, t\), got 3"),
+    ],
+)  # fmt: skip
+def test_questions_that_a_model_cannot_answer(ask, words):
+    with pytest.raises(ModelError, match=words):
+        ask(oscillator())
 
 
 def test_where_a_formula_has_no_value_the_kind_of_error_is_that_of_the_numbers():
-    grows = Model(
-        "grows", {}, ("x",), lambda s, p, t: (s.x,), exact=lambda s, p, t: (exp(t) / s.x,)
-    )
+    exact = lambda s, p, t: (exp(t) / s.x,)
+    grows = Model("grows", {}, ("x",), lambda s, p, t: (s.x,), exact=exact)
     with pytest.raises(RangeError, match="the exact solution of 'grows' has no value at t = 1000"):
         grows.solution(1000.0, (1.0,))
     with pytest.raises(DivisionError, match="the exact solution of 'grows' has no value at t = 1"):
         grows.solution(1.0, (0.0,))
-
-
-def test_a_model_without_parameters_has_none():
-    model = Model("still", {}, ("x",), lambda s, p, t: (0 * s.x,))
-    with pytest.raises(ModelError, match="still has no parameter 'c'; it has none"):
-        model.changed(c=1.0)
-
-
-def test_a_text_is_no_dict_of_parameters_though_it_is_empty():
-    with pytest.raises(ModelError, match="the parameters of a model are a dict of values by name"):
-        Model("still", "", ("x",), lambda s, p, t: (0 * s.x,))
-
-
-@pytest.mark.parametrize(("count", "words"), [(1000, "1000 values"), (1001, "more values")])
-def test_of_a_state_that_is_far_too_long_not_all_is_counted(count, words):
-    with pytest.raises(ModelError, match=f"has the 2 states x, dx; got {words}: "):
-        oscillator().derivative(iter([0.0] * count))
-
-
-def test_accelerations_are_a_function():
-    with pytest.raises(ModelError, match=r"accelerations of 's' is a function \(s, p, t\), got 3"):
-        second_order("s", {}, ("x",), 3)
 
 
 # -- what is a number

@@ -97,10 +97,7 @@ def test_a_closed_form_that_branches_is_called_as_it_is():
 
 @pytest.mark.parametrize(
     ("formula", "why"),
-    [
-        (lambda s, p, t: (1 / (s.x - t),), ": "),
-        (lambda s, p, t: (s.x * 1e300 * 1e300,), ""),
-    ],
+    [(lambda s, p, t: (1 / (s.x - t),), ": "), (lambda s, p, t: (s.x * 1e300 * 1e300,), "")],
 )
 def test_a_closed_form_without_a_value_is_reported_with_its_place(formula, why):
     words = rf"^the exact solution of 'any' has no value at t = 3 after \(3.0,\){why}"

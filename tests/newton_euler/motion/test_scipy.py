@@ -11,13 +11,13 @@ from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
 from newton_euler.motion.methods.scipy import scipy_method
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
+from tests.models import begun
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 NAMES = "DOP853", "RK45", "LSODA", "Radau"
-FLOORS = 1e-3, 1e-3
 
 
-def run(name="RK45", t1=5.0, t0=0.0, step=None, start=(1.0, 0.0), model=SPRING, **more):
+def run(name="RK45", t1=5.0, start=(1.0, 0.0), model=SPRING, **options):
     """One that has not begun; ``counted`` says how often its right-hand side was called."""
     system, counted = prepared_model(model), []
 
@@ -25,23 +25,12 @@ def run(name="RK45", t1=5.0, t0=0.0, step=None, start=(1.0, 0.0), model=SPRING, 
         counted.append(given)
         return system.folded_rates(*given)
 
-    def rates(t, x):
-        return counting(t, *x, *system.constants)
-
-    trajectory = SimpleNamespace(
-        goal=t1,
-        tolerance=more.get("tolerance", 1e-8),
-        max_steps=5e6,
-        step=step,
-        longest_part=more.get("longest_part", 0.4),
-        limits=lambda system, t, x: (
-            FLOORS[: len(start)],
-            more.get("noise", (0.0,) * len(start)),
-            more.get("stops", ()),
-        ),
+    watched = SimpleNamespace(
+        folded_rates=counting,
+        constants=system.constants,
+        rates=lambda t, x: counting(t, *x, *system.constants),
     )
-    watched = SimpleNamespace(folded_rates=counting, constants=system.constants, rates=rates)
-    one = scipy_method(name)(watched, t0, start, trajectory)
+    one = begun(scipy_method(name), watched, start, t1, floors=(1e-3,) * len(start), **options)
     one.counted = counted
     return one
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from newton_euler import Model, sin, sqrt, where
-from newton_euler.motion import second_order
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.sizes import (
     ROUND_OFF,
@@ -66,16 +65,9 @@ class Counted:
 
 @pytest.mark.parametrize(
     ("sizes", "looks"),
-    [
-        ((1e-5, 1e5), 1),
-        ((0.0, 0.0), 1),
-        ((0.0, 0.01), 1),
-        ((0.0, 100.0), 1),
-        ((0.0, 1e-4), 2),
-        ((0.0, 1e4), 2),
-        ((1e-4, 0.0), 2),
-    ],
-)
+    [((1e-5, 1e5), 1), ((0.0, 0.0), 1), ((0.0, 0.01), 1), ((0.0, 100.0), 1),
+     ((0.0, 1e-4), 2), ((0.0, 1e4), 2), ((1e-4, 0.0), 2)],
+)  # fmt: skip
 def test_a_second_look_is_only_for_zero_states_that_turn_out_to_be_very_small_or_large(
     sizes, looks
 ):
@@ -154,14 +146,9 @@ def test_the_change_with_time_is_that_of_a_small_part_of_the_whole_time():
 
 @pytest.mark.parametrize(
     "matrix",
-    [
-        [[0.0, 1.0], [1.0, 0.0]],
-        [[2.0, 0.0], [0.0, 1.0]],
-        [[0.0, 9.0], [4.0, 0.0]],
-        [[1.0, 2.0, 0.5], [0.0, 3.0, 1.0], [2.0, 0.1, 1.0]],
-        [[-1.0, 2.0], [2.0, -1.0]],
-    ],
-)
+    [[[0.0, 1.0], [1.0, 0.0]], [[2.0, 0.0], [0.0, 1.0]], [[0.0, 9.0], [4.0, 0.0]], [[-1.0, 2.0], [2.0, -1.0]],
+     [[1.0, 2.0, 0.5], [0.0, 3.0, 1.0], [2.0, 0.1, 1.0]]],
+)  # fmt: skip
 def test_the_spectral_radius_is_about_that_of_the_absolute_values(matrix):
     a = np.array(matrix)
     exact = max(abs(np.linalg.eigvals(abs(a))))
@@ -217,9 +204,3 @@ def test_the_worst_state_counts():
 def test_natural_sizes_of_rates_beyond_their_domain_beside_the_point_are_nothing():
     rates = system(lambda s, t: (sqrt(s.x), 0.0 * s.v))
     assert natural_sizes(rates, [(0.0, (-1.0, 0.0))], (1.0, 1.0), 1.0)[0] == (0.0, 0.0)
-
-
-def test_second_order_models_are_as_those_of_first_order():
-    model = second_order("spring", {"k": 9.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
-    natural, _ = natural_sizes(prepared_model(model), [(0.0, (1.0, 0.0))], (1.0, 3.0), 1e9)
-    assert natural == pytest.approx((1.0, 3.0), rel=1e-6)

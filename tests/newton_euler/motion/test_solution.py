@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from newton_euler import Model, cos, integrate, sin
-from newton_euler.motion import Event, ModelError, second_order
-from newton_euler.motion.solution import Cost, MotionError
+from newton_euler import Model, integrate, sin
+from newton_euler.motion import Event, ModelError
+from newton_euler.motion.solution import AccuracyError, Cost, MotionError
+from tests.models import DRIFT, oscillator
 
-DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
 OTHER = Model("other", {}, ("x", "u"), lambda s, p, t: (s.u, 0.0 * s.u))
 
 
@@ -48,9 +48,7 @@ def test_of_several_segments_only_steps_before_their_ends_count():
 
 
 def test_a_motion_without_steps_has_samples_at_equal_distances():
-    exact = lambda s, p, t: (s.x * cos(t) + s.dx * sin(t), s.dx * cos(t) - s.x * sin(t))
-    spring = second_order("spring", {}, ("x",), lambda s, p, t: (-s.x,), exact=exact)
-    motion = integrate(spring, (1.0, 3.0), (1.0, 0.0))
+    motion = integrate(oscillator().changed(k=1.0), (1.0, 3.0), (1.0, 0.0))
     assert motion.times == pytest.approx(np.linspace(1.0, 3.0, 101))
     assert motion.states["x"] == pytest.approx(np.cos(motion.times - 1.0))
 
@@ -74,10 +72,7 @@ def test_states_are_those_of_their_segment_and_at_its_begin_of_the_later_one():
 
 
 def test_the_last_sample_is_the_end_to_the_last_digit():
-    for motion in (
-        leap(),
-        integrate(second_order("s", {}, ("x",), lambda s, p, t: (-s.x,)), 7.3, (1, 0.3)),
-    ):
+    for motion in (leap(), integrate(oscillator(exact=False), 7.3, (1, 0.3))):
         for name, x in motion.end.items():
             assert motion.states[name][-1] == x
 
@@ -163,9 +158,10 @@ def test_an_error_that_is_computed_on_demand_is_computed_once():
     assert asked == [1]
 
 
-def test_the_error_of_a_motion_that_failed_is_sent_with_what_was_reached():
-    error = MotionError("too far", drift())
+@pytest.mark.parametrize("kind", [MotionError, AccuracyError])
+def test_the_error_of_a_motion_that_failed_is_sent_with_what_was_reached(kind):
+    error = kind("too far", drift())
     again = pickle.loads(pickle.dumps(error))
-    assert str(again) == "too far"
+    assert (type(again), str(again)) == (kind, "too far")
     assert again.reached.end == error.reached.end
     assert again.reached.at(1.3) == error.reached.at(1.3)

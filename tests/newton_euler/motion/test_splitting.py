@@ -1,7 +1,6 @@
 """Which models a splitting method can split, how long its steps are, and what it keeps."""
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ from newton_euler.motion.methods.splitting import (
     splitting,
 )
 from newton_euler.motion.prepared import prepared_model
-from tests.models import free_body
+from tests.models import begun, free_body
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 
@@ -26,17 +25,10 @@ def model(rates, *states):
     return prepared_model(Model("any", {"k": 2.0}, states, rates))
 
 
-def run(order=4, t1=5.0, step=0.1, start=(1.0, 0.0), model=SPRING, t0=0.0, **more):
+def run(order=4, t1=5.0, step=0.1, start=(1.0, 0.0), model=SPRING, tolerance=1e-6, **options):
     """One that has not begun."""
-    floors = more.get("floors", (0.0,) * len(start))
-    trajectory = SimpleNamespace(
-        goal=t1,
-        tolerance=more.get("tolerance", 1e-6),
-        max_steps=5e6,
-        step=step,
-        limits=lambda system, t, x: (floors, floors, ()),
-    )
-    return splitting(order, len(start) == 3)(prepared_model(model), t0, start, trajectory)
+    options |= {"step": step, "tolerance": tolerance}
+    return begun(splitting(order, len(start) == 3), prepared_model(model), start, t1, **options)
 
 
 # -- which models

@@ -3,7 +3,6 @@ which a run goes to its goal.
 """
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -22,11 +21,11 @@ from newton_euler.motion.methods.taylor import (
     level_of,
 )
 from newton_euler.motion.prepared import PreparedModel, prepared_model
+from tests.models import FALL, begun
 
 pytest.importorskip("heyoka")
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
-FALL = Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,))  # until t = 0.5
 
 
 UNKNOWN = Model("unknown", {}, ("r",), lambda s, p, t: (1 / s.r - 1 / s.r**3,))
@@ -38,19 +37,11 @@ def swing(t, size=1.0):
     return size * np.array([np.cos(2 * t), -2 * np.sin(2 * t)])
 
 
-def series(t1=5.0, size=1.0, samples=None, stops=(), model=SPRING, start=None, **more):
+def series(t1=5.0, size=1.0, model=SPRING, start=None, **options):
     """A run that has not begun; that of the spring starts at rest."""
     start = start or (size, 0.0)
-    nothing = (0.0,) * len(start)
-    trajectory = SimpleNamespace(
-        goal=t1,
-        tolerance=LEVELS[-1],
-        max_steps=more.get("max_steps", 5e6),
-        samples=samples,
-        units=more.get("units", (size,) * len(start)),
-        limits=lambda system, t, x: (nothing, nothing, stops),
-    )
-    return Taylor(prepared_model(model), more.get("t0", 0.0), start, trajectory)
+    usual = {"tolerance": LEVELS[-1], "units": (size,) * len(start)}
+    return begun(Taylor, prepared_model(model), start, t1, **usual | options)
 
 
 # -- levels and integrators
@@ -205,18 +196,16 @@ def test_states_at_increasing_times_need_no_steps_unless_there_are_stops(stops, 
     assert one.states([0.0, 0.0]).tolist() == [[1.0, 1.0], [0.0, 0.0]]  # before the first step
     one.step()
     one.states([1.0, 2.0])
-    assert ("dense" in vars(one)) is steps
-    assert one.series == []
+    assert (("dense" in vars(one)), one.series) == (steps, [])
 
 
 def test_what_was_sampled_is_not_computed_again():
     one = series(samples=7)
     one.step()
-    calls = one.calls
-    found = one.states(np.linspace(0, 5, 7))
-    assert one.calls == calls
+    calls, found = one.calls, one.states(np.linspace(0, 5, 7))
     found[:] = 0.0  # it is a copy
     assert one.states(np.linspace(0, 5, 7))[0, 0] == 1.0
+    assert one.calls == calls
 
 
 @pytest.mark.parametrize("samples", [63, 100, 1000])
@@ -288,16 +277,12 @@ def test_a_prepared_series_is_the_motion_for_any_parameters():
 
 
 @pytest.mark.parametrize(
-    ("run", "t", "start"),
-    [
-        (prepared(), 5.0, (1.0,)),
-        (prepared(), 5.0, (1.0, math.nan)),
-        (prepared(FALL), 1.0, (1.0,)),
-    ],
+    ("model", "t", "start"),
+    [(SPRING, 5.0, (1.0,)), (SPRING, 5.0, (1.0, math.nan)), (FALL, 1.0, (1.0,))],
     ids=["too few", "nan", "singular"],
 )
-def test_a_prepared_series_that_does_not_reach_its_end_has_none(run, t, start):
-    assert run(t, start) is None
+def test_a_prepared_series_that_does_not_reach_its_end_has_none(model, t, start):
+    assert prepared(model)(t, start) is None
 
 
 def test_there_is_no_prepared_series_that_might_not_see_all_of_the_rates():

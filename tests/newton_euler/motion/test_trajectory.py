@@ -1,6 +1,5 @@
 """Segments between events, the scales by which states are judged, and the distance of two runs."""
 
-import importlib.util
 import math
 
 import pytest
@@ -22,18 +21,14 @@ from newton_euler.motion.trajectory import (
     OWN_PART,
     Trajectory,
 )
+from tests.models import DRIFT, FALL, needs_heyoka
 
-HEYOKA = importlib.util.find_spec("heyoka") is not None
-needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
 DOP853 = METHODS["dop853"]
 
 
 def spring(w=3.0, extra=0.0):
     rates = lambda s, p, t: (-p.w * p.w * s.x + p.extra,)
     return second_order("spring", {"w": w, "extra": extra}, ("x",), rates)
-
-
-DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
 
 
 def run(model=None, state=(1.0, 0.0), t1=10.0, t0=0.0, **options):
@@ -73,15 +68,12 @@ def test_an_event_without_a_name_has_its_number():
 
 
 def test_after_an_event_the_motion_goes_on_from_what_then_returns():
-    back = Event(
-        lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (DRIFT, (s.x, -2 * s.v)), name="wall"
-    )
+    then = lambda s, p, t: (DRIFT, (s.x, -2 * s.v))
+    back = Event(lambda s, p, t: s.x - 3.0, then=then, name="wall")
     motion = integrate(DRIFT, 4.0, (0.0, 1.0), events=back)
     assert motion.end == pytest.approx({"x": 1.0, "v": -2.0})
-    assert [(part.t0, part.t1) for part in motion.segments] == [
-        (0.0, pytest.approx(3.0)),
-        (pytest.approx(3.0), 4.0),
-    ]
+    ends = [t for part in motion.segments for t in (part.t0, part.t1)]
+    assert ends == [0.0, pytest.approx(3.0), pytest.approx(3.0), 4.0]
     assert motion.ended == "reached t = 4"
 
 
@@ -129,16 +121,19 @@ def test_an_event_at_the_very_end_begins_no_segment():
     assert motion.ended == "bell at t = 3"
 
 
+ZENO = Model("zeno", {}, ("x", "v", "n"), lambda s, p, t: (s.v, 0.0 * s.v, 0.0 * s.n))
+
+
+def shrunk(part):
+    """An event after which the way to the next is this part of that before."""
+    then = lambda s, p, t: (ZENO, (0.0, s.v, s.n * part))
+    return Event(lambda s, p, t: s.x - s.n, then=then, name="next")
+
+
 def test_events_that_accumulate_end_the_motion_in_words():
     """Each distance is half of that before: they end at t = 2."""
-
-    def halved(s, p, t):
-        return zeno, (0.0, s.v, s.n / 2)
-
-    zeno = Model("zeno", {}, ("x", "v", "n"), lambda s, p, t: (s.v, 0.0 * s.v, 0.0 * s.n))
-    event = Event(lambda s, p, t: s.x - s.n, then=halved, name="half")
-    motion = integrate(zeno, 3.0, (0.0, 1.0, 1.0), events=event)
-    assert motion.ended.startswith(f"{ACCUMULATION}: half at t = 2; give then=")
+    motion = integrate(ZENO, 3.0, (0.0, 1.0, 1.0), events=shrunk(0.5))
+    assert motion.ended.startswith(f"{ACCUMULATION}: next at t = 2; give then=")
     # a part of 1e-9 of the whole time ends it: 2^-n < 3e-9
     assert len(motion.segments) == 30
     assert motion.t_end == pytest.approx(2.0, abs=1e-8)
@@ -163,13 +158,10 @@ def test_progress_is_reported_as_a_fraction_of_the_time(t0):
 
 
 def test_a_step_that_cannot_be_taken_is_reported_with_its_place():
-    model = Model("root", {}, ("x",), lambda s, p, t: (-1 / s.x,))
-    found = trajectory(run(model, (1.0,), 1.0))
+    found = trajectory(run(FALL, (1.0,), 1.0))
     assert isinstance(found.failed, StepError)
-    assert "root could not be followed beyond t = 0.5, at x = " in found.ended
-    assert found.ended.endswith(
-        "the coordinates may be singular there, or the motion leaves the model"
-    )
+    assert "fall could not be followed beyond t = 0.5, at x = " in found.ended
+    assert found.ended.endswith("may be singular there, or the motion leaves the model")
     model = Model("none", {}, ("x",), lambda s, p, t: (1 / (s.x - s.x),))
     found = trajectory(run(model, (1.0,), 1.0))
     assert isinstance(found.failed, ArithmeticError)
@@ -181,16 +173,12 @@ def test_a_step_that_cannot_be_taken_is_reported_with_its_place():
 
 
 def test_after_an_event_to_a_model_without_its_solution_the_exact_method_gives_way():
-    def exact(s, p, t):
-        return s.x + s.v * t, s.v
-
+    exact = lambda s, p, t: (s.x + s.v * t, s.v)
     free = Model("free", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v), exact=exact)
     event = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (spring(), (s.x, s.v)))
     found = trajectory(run(free, (0.0, 1.0), 5.0, events=(event,)), method=METHODS["exact"])
-    assert [type(part.stepper) for part in found.segments] == [
-        METHODS["exact"].stepper,
-        DOP853.stepper,
-    ]
+    steppers = [METHODS["exact"].stepper, DOP853.stepper]
+    assert [type(part.stepper) for part in found.segments] == steppers
 
 
 # -- scales
@@ -339,14 +327,7 @@ def test_runs_that_end_at_one_place_by_chance_differ_on_the_way():
 
 
 def test_accumulating_events_are_compared_by_their_end_only():
-    zeno = Model("zeno", {}, ("x", "v", "n"), lambda s, p, t: (s.v, 0.0 * s.v, 0.0 * s.n))
-
-    def ended(part):
-        then = lambda s, p, t: (zeno, (0.0, s.v, s.n * part))
-        return trajectory(
-            run(zeno, (0.0, 1.0, 1.0), 4.0, events=(Event(lambda s, p, t: s.x - s.n, then=then),))
-        )
-
-    a, b = ended(0.5), ended(0.6)
+    start = 0.0, 1.0, 1.0
+    a, b = (trajectory(run(ZENO, start, 4.0, events=(shrunk(part),))) for part in (0.5, 0.6))
     assert len(a.segments) != len(b.segments)
     assert a.difference(b) == pytest.approx(0.5 / 4.0, rel=1e-3)  # they end at 2 and at 2.5

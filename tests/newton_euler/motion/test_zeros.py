@@ -82,18 +82,17 @@ def test_the_zeros_of_a_smooth_function_are_known_to_round_off_with_their_slopes
 
 
 @pytest.mark.parametrize("shift", [-1e-9, 1e-9])
-def test_between_two_zeros_that_lie_close_together_none_is_missed(shift):
-    found = times(lambda t: (t - 5.0) ** 2 + shift, 0.0, 9.0)
-    exact = [5.0 - math.sqrt(-shift), 5.0 + math.sqrt(-shift)] if shift < 0 else []
-    assert found == pytest.approx(exact, abs=1e-11)
-
-
-@pytest.mark.parametrize("shift", [-1e-9, 1e-9])
-def test_also_where_the_polynomial_is_not_as_accurate_as_that(shift):
-    found = times(lambda t: np.expm1(t - 5.0) - (t - 5.0) + shift, 0.0, 9.0, round_off=1e-16)
-    root_of_it = math.sqrt(2e-9)
-    exact = [5.0 - root_of_it, 5.0 + root_of_it] if shift < 0 else []
-    assert found == pytest.approx(exact, abs=1e-8)
+@pytest.mark.parametrize(
+    ("f", "half", "round_off", "off"),
+    [
+        (lambda x: x * x, math.sqrt(1e-9), EPS, 1e-11),
+        # of which the polynomial is not as accurate as that
+        (lambda x: np.expm1(x) - x, math.sqrt(2e-9), 1e-16, 1e-8),
+    ],
+)
+def test_between_two_zeros_that_lie_close_together_none_is_missed(f, half, round_off, off, shift):
+    found = times(lambda t: f(t - 5.0) + shift, 0.0, 9.0, round_off=round_off)
+    assert found == pytest.approx([5.0 - half, 5.0 + half] if shift < 0 else [], abs=off)
 
 
 @pytest.mark.parametrize("factor", [1.0, -1e-200, 1e200])
@@ -113,10 +112,8 @@ def test_only_zeros_of_the_direction_count(direction, numbers):
 
 
 def test_the_sign_before_the_interval_tells_whether_it_changes_at_its_beginning():
-    line = lambda t: t + 1.0
-    assert times(line, 0.0, 1.0, sign=1) == []
-    assert times(line, 0.0, 1.0, sign=0) == []
-    assert times(line, 0.0, 1.0, sign=-1) == pytest.approx([0.0], abs=EPS)
+    for sign, exact in ((1, []), (0, []), (-1, [0.0])):
+        assert times(lambda t: t + 1.0, 0.0, 1.0, sign=sign) == pytest.approx(exact, abs=EPS)
 
 
 def test_the_sign_goes_on_to_the_end():
@@ -136,13 +133,12 @@ def test_a_zero_at_the_start_does_not_count_whatever_round_off_makes_of_it(value
 
 def test_a_value_at_the_start_that_is_not_round_off_has_its_sign():
     """Just before the zero: it falls at once."""
-    f = lambda t: t - 1e-12
-    assert times(f, 0.0, 4.0, start=(-1e-12, False)) == pytest.approx([1e-12])
+    just_after = lambda t: t - 1e-12
+    assert times(just_after, 0.0, 4.0, start=(-1e-12, False)) == pytest.approx([1e-12])
     f = lambda t: (t - 1.0) - 1e-12
     assert times(f, 1.0, 4.0, start=(-1e-12, False), round_off=0.0) == pytest.approx([1.0 + 1e-12])
     # of an event that has just happened the rest is no other one
-    f = lambda t: t - 1e-12
-    assert times(f, 0.0, 4.0, start=(-1e-12, True)) == []
+    assert times(just_after, 0.0, 4.0, start=(-1e-12, True)) == []
     assert times(lambda t: t - 1e-6, 0.0, 4.0, start=(-1e-6, True)) == pytest.approx([1e-6])
 
 
@@ -239,16 +235,16 @@ def test_round_off_has_no_zeros():
 
 
 def test_where_there_are_no_values_the_search_ends_there():
-    found, message = [], ""
-    asked = Function(lambda t: np.where(t < 3.0, np.cos(t), np.nan))
-    try:
+    asked, found = Function(lambda t: np.where(t < 3.0, np.cos(t), np.nan)), []
+
+    def run():
         for some, _ in ZeroSearch(asked.values, asked.noise, 0.0, 8.0, 1):
-            found += [zero.t for zero in some]
-    except UnresolvedError as error:
-        message = str(error)
+            found.extend(zero.t for zero in some)
+
+    words = r"^has no value from t = 3.*; give one that is defined along the whole motion"
+    with pytest.raises(UnresolvedError, match=words):
+        run()
     assert found == pytest.approx([math.pi / 2])
-    assert message.startswith("has no value from t = 3")
-    assert "; give one that is defined along the whole motion" in message
 
 
 def test_a_function_with_too_many_zeros_is_refused(monkeypatch):

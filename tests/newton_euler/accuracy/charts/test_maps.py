@@ -20,11 +20,6 @@ def map_of(column, timed=False):
     return Map("fake", "A sea", "Words.", *sides, choices, column, (), (10, 10), timed=timed)
 
 
-def strip_of_land(x, ys):
-    """Land on a strip of height 0.2 about y = x, and all of it where y is over 9."""
-    return [LAND if abs(y - x) < 0.1 or y > 9 else SEA for y in ys]
-
-
 def test_parts_that_touch_at_a_corner_are_one_and_others_are_islands():
     found = np.full((4, 4), SEA, dtype=object)
     found[0, 0] = found[1, 1] = found[3, 3] = LAND
@@ -32,12 +27,15 @@ def test_parts_that_touch_at_a_corner_are_one_and_others_are_islands():
     assert (island.choice, island.cells) == (LAND, ((3, 3),))
 
 
+def measured(land, timed=False):
+    """A map whose land is where ``land(x, y)`` says, and its cells."""
+    chart = map_of(lambda x, ys: [LAND if land(x, y) else SEA for y in ys], timed)
+    return chart, chart.measure()
+
+
 def test_an_island_of_times_that_is_not_there_again_is_removed():
-    chart = map_of(lambda x, ys: [SEA] * len(ys), timed=True)
-    found = chart.measure()
-    found[:6, 0] = LAND
-    found[9, 9] = LAND
-    found[:5, 5] = LAND
+    chart, found = measured(lambda x, y: False, timed=True)
+    found[:6, 0] = found[9, 9] = found[:5, 5] = LAND
     better, changed = settled(chart, found)
     assert (better[:, 1:] == SEA).all()
     assert (better[:6, 0] == LAND).all()  # the largest part is no island
@@ -46,44 +44,31 @@ def test_an_island_of_times_that_is_not_there_again_is_removed():
 
 
 def test_a_speck_that_is_there_again_goes_to_its_neighbours_and_a_large_island_stays():
-    def column(x, ys):
-        return [
-            LAND if (y < 5 and x < 4) or (x > 9 and y > 6) or (x > 6 and y < 1) else SEA for y in ys
-        ]
-
-    chart = map_of(column, timed=True)
-    better, changed = settled(chart, chart.measure())
+    better, changed = settled(
+        *measured(lambda x, y: (y < 5 and x < 4) or (x > 9 and y > 6) or (x > 6 and y < 1), True)
+    )
     assert changed == 4 + 4
     assert (better[:5, :4] == LAND).all()
     assert (better[6:, 9] == SEA).all()
 
 
 def test_an_island_where_no_times_decide_is_called_a_strip_thinner_than_a_cell():
-    def column(x, ys):
-        return [LAND if (abs(y - 4.5) < 0.2 and abs(x - 4.5) < 0.1) or y > 9 else SEA for y in ys]
-
-    chart = map_of(column)
-    (output,) = explained(chart, chart.measure())
-    assert output.startswith(
-        'The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y: a strip'
-    )
-    assert output in map_caption(chart, chart.measure())
+    found = measured(lambda x, y: (abs(y - 4.5) < 0.2 and abs(x - 4.5) < 0.1) or y > 9)
+    (output,) = explained(*found)
+    assert output.startswith('The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y: a strip')  # fmt: skip
+    assert output in map_caption(*found)
 
 
 def test_an_island_larger_than_a_cell_is_called_a_region():
-    chart = map_of(lambda x, ys: [LAND if (2 < x < 5 and 2 < y < 5) or y > 9 else SEA for y in ys])
-    (output,) = explained(chart, chart.measure())
+    (output,) = explained(*measured(lambda x, y: (2 < x < 5 and 2 < y < 5) or y > 9))
     assert output.endswith("a region of its own.")
 
 
 def test_the_caption_follows_when_the_choices_are_swapped():
-    chart = map_of(lambda x, ys: [LAND if x < 3 else SEA for y in ys])
-    assert "sea: 70 %; land: 30 %." in map_caption(chart, chart.measure())
-    assert "At the lowest y, from left to right: land; from 3 on sea." in map_caption(
-        chart, chart.measure()
-    )
-    other = map_of(lambda x, ys: [SEA if x < 3 else LAND for y in ys])
-    assert "sea: 30 %; land: 70 %." in map_caption(other, other.measure())
+    caption = map_caption(*measured(lambda x, y: x < 3))
+    assert "sea: 70 %; land: 30 %." in caption
+    assert "At the lowest y, from left to right: land; from 3 on sea." in caption
+    assert "sea: 30 %; land: 70 %." in map_caption(*measured(lambda x, y: x >= 3))
 
 
 def regions(chart, found):
@@ -110,8 +95,6 @@ def test_every_large_region_has_its_name_inside_it(name):
 
 
 def test_a_region_of_few_cells_is_in_the_legend_only():
-    chart = map_of(strip_of_land)
-    found = chart.measure()
-    found[:] = SEA
+    chart, found = measured(lambda x, y: False)
     found[0, 0] = LAND
     assert set(regions(chart, found)) == {SEA}

@@ -6,10 +6,7 @@ import mpmath as mp
 import pytest
 
 from newton_euler import Frame
-from newton_euler.applications.gyroscopes import (
-    GyroError,
-    steady_precession,
-)
+from newton_euler.applications.gyroscopes import GyroError, steady_precession
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, rod, stiffness, swing_out
 
@@ -31,9 +28,8 @@ def test_section_10_7_on_both_sides_of_the_least_rate(part, swings_out):
     assert (stiffness(0.0, **data) < 0) == swings_out
     if swings_out:
         theta = swing_out(**data)
-        assert stiffness(theta, **data) == pytest.approx(
-            (data["omega"] * math.sin(theta)) ** 2, rel=1e-9
-        )
+        expected = (data["omega"] * math.sin(theta)) ** 2
+        assert stiffness(theta, **data) == pytest.approx(expected, rel=1e-9)
     else:
         with pytest.raises(GyroError, match="hangs straight down; it swings out above"):
             swing_out(**data)
@@ -49,14 +45,11 @@ def test_section_10_7_stiffness_is_the_slope_of_the_model():
 def test_exercise_9_9_ring_on_a_turning_shaft():
     a, omega, g, m = 0.5, 8.0, 9.81, 2.0
     body = Frame("ring")
-    about = Inertia(
+    own = Inertia(
         body.origin, (m * a * a / 2, m * a * a, m * a * a / 2), mass=m, centre=body.origin
-    ).about(body.point("A", 0, 0, a))
-    data = {
-        "weight_moment": m * g * a,
-        "inertia_difference": about.moments[1] - about.moments[2],
-        "omega": omega,
-        "about_hinge": about.moments[0],
-    }
+    )
+    hinge, across, along = own.about(body.point("A", 0, 0, a)).moments
+    data = {"weight_moment": m * g * a, "inertia_difference": across - along, "about_hinge": hinge}
+    data["omega"] = omega
     assert math.cos(swing_out(**data)) == pytest.approx(2 * g / (3 * a * omega**2), rel=1e-14)
     assert least_rate(**data) == pytest.approx(math.sqrt(2 * g / (3 * a)), rel=1e-14)
