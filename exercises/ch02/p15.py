@@ -63,6 +63,7 @@ def draw(g, ax):
     outline = [(-0.2, 0.09), (-0.16, 0.03), (0.12, 0.03), (0.19, 0), (0.12, -0.03), (-0.2, -0.03)]
     s.plate([(rho * x, rho * y, 0) for x, y in outline])
     s.vector((0.19 * rho, 0, 0), ground.i, "v")
+    s.vector((0.19 * rho, 0.12 * rho, 0), ground.i, r"$\dot v$", kind="acceleration")
     s.dimension(C, A, label=r"$\rho$", offset=0)
     s.dot(A, "A", offset=(0, -18))
     s.dot(C, "C")

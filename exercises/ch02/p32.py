@@ -1,9 +1,7 @@
 """2/32: as 2/31, while both cars change their speed."""
 
 from exercises.devices import two_cars
-from exercises.devices.two_cars import acceleration_steps, cars, draw, seen_acceleration
-
-__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
+from exercises.devices.two_cars import acceleration_steps, cars, figure, seen_acceleration
 
 
 def scene(g):
@@ -33,3 +31,9 @@ def mistakes(g):
         "no_coriolis": without("coriolis"),
         "a_B_minus_a_A": without("coriolis", "euler", "centripetal"),
     }
+
+
+def draw(g, ax):
+    s, ground, long = figure(g, ax)
+    s.vector((-2 * long, long, 0), ground.j * g.c_A, "$c_A$", kind="acceleration")
+    s.vector((g.x + 2 * long, long, 0), ground.j * g.c_B, "$c_B$", kind="acceleration")

@@ -65,7 +65,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, GROUND, azimuth=35, elevation=20)
+    s = Sketch(ax, GROUND, azimuth=-35, elevation=15)
     P, far = point(g, g.t1), g.cz * g.t1**4
     s.axes((0, 0, 0), GROUND, length=0.5 * far)
     s.path([point(g, g.t1 * n / 40).position(GROUND) for n in range(51)])

@@ -45,5 +45,5 @@ def mistakes(g):
 
 def draw(g, ax):
     v, a = vectors(g)
-    s, T = figure(ax, v, a, r"$\alpha$", azimuth=-60, elevation=25)
-    s.axes(0.4 * T * v.norm() * GROUND.k - v * T, GROUND, length=0.5 * T * v.norm())
+    s, T = figure(ax, v, a, r"$\alpha$", azimuth=-70, elevation=20)
+    s.axes(-0.9 * T * v - 0.5 * T * T * a.norm() * GROUND.k, GROUND, length=0.4 * T * v.norm())

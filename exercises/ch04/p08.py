@@ -106,6 +106,8 @@ def draw(g, ax):
     s.axes(A, frame, length=0.35 * g.L, labels="ijk")
     s.vector(A, A.velocity(ground), "$v_A$")
     s.vector(B, B.velocity(ground), "$v_B$")
+    s.vector(A, ground.vector(g.a_Ax, g.a_Ay, g.a_Az), "$a_A$", kind="acceleration")
+    s.turn(frame.point("M", 0.7 * g.L, 0, 0), frame.i * g.omega_x, label=r"$\omega_x$")
     s.dimension(A, B, label="L", offset=-0.12 * g.L)
     s.dot(A, "A")
     s.dot(B, "B")

@@ -87,19 +87,22 @@ def mistakes(g):
 def draw(g, ax):
     ground, first, second, A, B = scene(g)
     s = Sketch(ax, ground, plane="xy")
-    long, high = 0.1 * g.s_AB, 0.05 * g.s_AB
-    end = second.point("end", 0.9 * g.s_AB, 0, 0)
-    s.road([(-0.35 * g.s_AB, 0, 0), A])
+    long, high = 0.14 * g.s_AB, 0.06 * g.s_AB
+    end = second.point("end", 0.75 * g.s_AB, 0, 0)
+    s.road([(-0.2 * g.s_AB, 0, 0), A])
     s.wire([A, B, end])  # without hatching, so that the small angles are free
-    s.box(first.point("car", 0, high / 2, 0), first, (long, high, high))
-    s.vector(first.point("front", long / 2, high / 2, 0), first.i, "F", kind="force")
+    s.box(first.point("car", 0, 0.8 * high, 0), first, (long, high, high))
+    for x in (-0.3 * long, 0.3 * long):
+        s.disk(first.point("wheel", x, 0.3 * high, 0), ground.k, 0.3 * high)
+    s.vector(first.point("centre", 0, 0.8 * high, 0), -ground.j, "W", kind="force")
+    s.vector(first.point("front", long / 2, 0.8 * high, 0), first.i, "F", kind="force")
     level = second.rotate("level", "z", angle=-g.theta_2)
     for P, name, along, up in (
-        (A, "1", ground.point("level at A", 0.75 * g.s_AB, 0, 0), B),
-        (B, "2", level.point("level at B", 0.75 * g.s_AB, 0, 0), end),
+        (A, "1", ground.point("level at A", 0.7 * g.s_AB, 0, 0), B),
+        (B, "2", level.point("level at B", 0.7 * g.s_AB, 0, 0), end),
     ):
         s.line(P, along)
         s.arc(P, along, up, label=rf"$\theta_{name}$", radius=0.6 * g.s_AB)
     s.dimension(A, B, label="$s_{AB}$", offset=0.2 * g.s_AB)
-    s.dot(A, "A", offset=(0, -14))
+    s.dot(A, "A", offset=(-12, -14))
     s.dot(B, "B", offset=(4, -16))

@@ -136,6 +136,7 @@ def draw(g, ax):
     s.road([(-R, 0, top), (-R, 0, low)])
     s.line((0, 0, low), (0, 0, top), style="centre")
     s.ground(O, normal=ground.k)
+    s.turn((0, 0, 0.9 * top), ground.k, label="f")
     s.rod(O, A)
     s.disk(A, d.shaft.i, g.r, thickness=0.05 * g.r)
     s.ball_joint(O)

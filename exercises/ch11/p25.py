@@ -111,7 +111,9 @@ def draw(g, ax):
 
     O, P = (0, 0, 0), place(start)
     foot, top = ground.vector(P.x, P.y, 0), (0, 0, 1.2 * g.z_0)
-    s.path([place(start * (n / 100 - 0.15)) for n in range(136)])
+    s.wire([place(start * (n / 100 - 0.15)) for n in range(136)])
+    s.line(O, P, style="dotted")
+    s.label(P * 0.45, "r", offset=(9, 0), bold=False)
     s.line(O, (3 * g.R_0, 0, 0), style="solid")
     s.label((3 * g.R_0, 0, 0), "x", offset=(-10, 0), bold=False)
     s.line(O, top, style="centre")

@@ -25,7 +25,7 @@ def about(name, side, **rates):
         lambda g: motion(*this_end(g)),
         lambda g: motion_steps(*this_end(g), "mm"),
         lambda g: prove(g, name, *place(g), **given(g)),
-        lambda g, ax: draw(g, ax, name, *place(g)),
+        lambda g, ax: draw(g, ax, name, *place(g), **given(g)),
     )
 
 
@@ -64,8 +64,12 @@ def common_mistakes(g, scene, x):
     }
 
 
-def draw(g, ax, name, x, y):
-    """The figure; the other end of the rod is as far from A on the other side."""
+def draw(g, ax, name, x, y, alpha=None, a_r=None):
+    """The figure; the other end of the rod is as far from A on the other side.
+
+    A given rate of growth is an arrow: ``alpha`` a wider arc, ``a_r``, which is negative, to the
+    left.
+    """
     ground, P = end(g, name, x, y)
     bracket, side, far = P.frame, x / abs(x), abs(x)
     w, A = 0.12 * far, bracket.point("A", 0 * x, 0, 0)
@@ -85,6 +89,10 @@ def draw(g, ax, name, x, y):
     s.axes(A, ground, labels=["i", "j", ""])
     s.turn(A, -ground.k, label=r"$\omega$")
     s.vector((far, y, 0), ground.i, "u")
+    if alpha is not None:
+        s.turn(A, -ground.k, label=r"$\alpha$", radius=0.36 * far)
+    if a_r is not None:
+        s.vector((0.9 * far, y - 0.3 * far, 0), -ground.i, "d", kind="acceleration")
     s.label(A, "A", offset=(-4, -22))
     s.line((0.45 * x, 0, 0), (0.9 * x, 0, 0))
     s.dimension((0, y, 0), P, f"$x_{name}$", offset=0.4 * far * side)

@@ -114,7 +114,14 @@ def prove(g, a_A=0, a_B=0):
 
 
 def draw(g, ax):
-    """The plan view; how far the curves are drawn goes with the distance of the cars."""
+    """The plan view without rates of the speeds."""
+    figure(g, ax)
+
+
+def figure(g, ax):
+    """The plan view: the sketch, the ground and half the length of a car. How far the curves are
+    drawn goes with the distance of the cars.
+    """
     ground, _, _ = cars(g)
     s = Sketch(ax, ground, plane="xy")
     far, A, B = 1.3 * g.x / (g.R + 0.3 * g.x), (0, 0, 0), (g.x, 0, 0)
@@ -134,3 +141,4 @@ def draw(g, ax):
     s.axes((-0.8 * g.x, -g.x, 0), ground, labels=["i", "j", ""])
     s.label(A, "A", offset=(-14, -12))
     s.label(B, "B", offset=(14, 12))
+    return s, ground, long

@@ -65,12 +65,8 @@ class Notebook(TypedDict):
 
 def markdown_cell(cell_id: str, text: str, own: OwnMetadata) -> Cell:
     """A cell of text."""
-    return {
-        "cell_type": "markdown",
-        "id": cell_id,
-        "metadata": {"newton_euler": own},
-        "source": text,
-    }
+    metadata = {"newton_euler": own}
+    return {"cell_type": "markdown", "id": cell_id, "metadata": metadata, "source": text}
 
 
 def code_cell(
@@ -81,13 +77,9 @@ def code_cell(
     if nbgrader:
         metadata["nbgrader"] = {"schema_version": 3, "task": False, "cell_type": "code", **nbgrader}
     return {
-        "cell_type": "code",
-        "id": cell_id,
-        "metadata": metadata,
-        "source": text,
-        "outputs": [],
+        "cell_type": "code", "id": cell_id, "metadata": metadata, "source": text, "outputs": [],
         "execution_count": None,
-    }
+    }  # fmt: skip
 
 
 def own_metadata(cell: Mapping[str, Any]) -> OwnMetadata:

@@ -39,9 +39,8 @@ class PersonalFetch(ExchangeFetchAssignment):
                 f"python -m grader personal {self.coursedir.assignment_id} --course COURSE "
                 "--exchange"
             )
-        missing = [
-            f for f in os.listdir(own) if not os.path.exists(os.path.join(self.dest_path, f))
-        ]
+        present = os.listdir(self.dest_path) if os.path.isdir(self.dest_path) else []
+        missing = set(os.listdir(own)) - set(present)
         self.log.info("Source: %s", self.src_path)
         self.do_copy(self.src_path, self.dest_path)
         for name in missing:

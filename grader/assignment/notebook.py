@@ -116,11 +116,8 @@ def frame_heading(p: Problem) -> str:
 def _asked(p, a):
     symbol = "" if is_word(a.key) and not a.latex else f" ${p.notation[a.key]}$"
     words = f": {', '.join(a.of[:-1])} or {a.of[-1]}" if a.of else ""
-    return f"- `{a.key}`:{symbol and symbol + ','} {typeset(a.means, p)}{_in_unit(a.unit)}{words}"
-
-
-def _in_unit(unit):
-    return "" if unit == "1" else f", in ${bare_unit(unit)}$"
+    unit = "" if a.unit == "1" else f", in ${bare_unit(a.unit)}$"
+    return f"- `{a.key}`:{symbol and symbol + ','} {typeset(a.means, p)}{unit}{words}"
 
 
 def typeset(text: str, p: Problem, replaced: Callable[[re.Match[str]], str] | None = None) -> str:
@@ -209,18 +206,13 @@ def build_notebook(
     figures: Mapping[str, bytes | None] | None = None,
 ) -> Notebook:
     """A source notebook with the book's numbers; ``seconds``: per cell, ``total``: of all."""
+    text = INTRODUCTION.format(title=title, seconds=seconds, total=total, whose=MASTER_COPY)
+    locked: NbgraderMetadata = {
+        "grade": False, "solution": False, "locked": True, "grade_id": "setup",
+    }  # fmt: skip
     cells = [
-        markdown_cell(
-            "introduction",
-            INTRODUCTION.format(title=title, seconds=seconds, total=total, whose=MASTER_COPY),
-            {"role": "introduction"},
-        ),
-        code_cell(
-            "setup",
-            SETUP.strip(),
-            {"role": "setup"},
-            {"grade": False, "solution": False, "locked": True, "grade_id": "setup"},
-        ),
+        markdown_cell("introduction", text, {"role": "introduction"}),
+        code_cell("setup", SETUP.strip(), {"role": "setup"}, locked),
     ]
     for p in problems:
         cells += _problem_cells(p, p.book_values, (figures or {}).get(p.id))
@@ -291,10 +283,8 @@ def personal_notebook(
             if "figure.png" in cell.get("attachments", {}) and figures.get(number_of):
                 cell["attachments"] = {**cell["attachments"], **_attached(figures[number_of])}
         elif role == "introduction":
-            cell = {
-                **cell,
-                "source": cell["source"].replace(MASTER_COPY, f"The copy of **{student}**."),
-            }
+            text = cell["source"].replace(MASTER_COPY, f"The copy of **{student}**.")
+            cell = {**cell, "source": text}
         cells.append(cell)
     return {**released, "cells": cells}
 

@@ -65,14 +65,9 @@ def tasks(notebook: Notebook) -> dict[str, Task]:
         if own.get("role") != "answer":
             continue
         marks = nbgrader_metadata(cell)
-        task = Task(
-            own["problem"],
-            str(marks.get("grade_id", "")),
-            marks.get("points", 0) if marks.get("grade") else 0,
-            own.get("weights"),
-            own.get("asked"),
-            own.get("follow_through"),
-        )
+        points = marks.get("points", 0) if marks.get("grade") else 0
+        as_asked = own.get("weights"), own.get("asked"), own.get("follow_through")
+        task = Task(own["problem"], str(marks.get("grade_id", "")), points, *as_asked)
         found.setdefault(task.problem, task)
     return found
 

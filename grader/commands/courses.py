@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 from rich.panel import Panel
 
-from .shared import COURSE, PROBLEMS, console, progress_bar
+from .shared import COURSE, FOLDER, PROBLEMS, console, progress_bar
 
 UNSANDBOXED = 3  # exit code
 STUDENTS = click.option(
@@ -34,7 +34,7 @@ STUDENTS = click.option(
 @click.option("--name", help="The name of a new course; default: that of the folder.")
 @click.option(
     "--exchange",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=FOLDER,
     help="nbgrader's exchange for a new course: a folder that students reach. It is made where it "
     "does not exist. Default: nbgrader's own.",
 )
@@ -129,12 +129,9 @@ def personal(
     with progress_bar() as bar:
         task = bar.add_task("figures", total=1.0)
         paths = make_personal_copies(
-            course,
-            assignment,
-            students or None,
-            lambda share: bar.advance(task, share),
+            course, assignment, students or None, lambda share: bar.advance(task, share),
             right_or_wrong=right_or_wrong,
-        )
+        )  # fmt: skip
     if exchange:
         copy_to_exchange(course, assignment, exchange_outbound(course, assignment), paths)
     for student, path in paths.items():
@@ -198,16 +195,9 @@ def grade(
     with progress_bar() as bar:
         task = bar.add_task("grading", total=len(students) or len(course.submissions(assignment)))
         results = grade_submissions(
-            course,
-            assignment,
-            students,
-            force,
-            workers,
-            not unsandboxed,
-            lambda r: bar.advance(task),
-            scheduler,
-            bar.console.print,
-        )
+            course, assignment, students, force, workers, not unsandboxed,
+            lambda r: bar.advance(task), scheduler, bar.console.print,
+        )  # fmt: skip
     if not results:
         click.echo(
             f"Nothing to grade: {course.path / 'submitted'} holds no {assignment}. Collect "
@@ -231,14 +221,11 @@ def grade(
 
 
 def _warn_unsandboxed():
-    console.print(
-        Panel(
-            "Students' code runs WITHOUT A CAGE, as you: it can read and change all that you can, "
-            'this course\'s secret and gradebook too. Every grade says "unsandboxed".',
-            title="UNSANDBOXED",
-            border_style="red",
-        )
+    words = (
+        "Students' code runs WITHOUT A CAGE, as you: it can read and change all that you can, "
+        'this course\'s secret and gradebook too. Every grade says "unsandboxed".'
     )
+    console.print(Panel(words, title="UNSANDBOXED", border_style="red"))
 
 
 @click.command()

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 from rich.markup import escape
 
-from .shared import SEED, console, progress_bar
+from .shared import FOLDER, SEED, console, progress_bar
 
 
 @click.command()
@@ -143,11 +143,7 @@ def _proved(name, seeds):
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
 @SEED
 @click.option(
-    "--to",
-    "folder",
-    default=Path("."),
-    type=click.Path(path_type=Path, file_okay=False),
-    help="Folder to write to; default: here.",
+    "--to", "folder", default=Path("."), type=FOLDER, help="Folder to write to; default: here."
 )
 @click.option("--sheet", is_flag=True, help="Write one contact sheet for each chapter instead.")
 def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) -> None:
@@ -205,12 +201,7 @@ def solution(names: tuple[str, ...], seed: int | None) -> None:
     help="The chapter's problems as one YAML list.",
 )
 @click.option("--only", multiple=True, metavar="2/4", help="Only this problem. May be repeated.")
-@click.option(
-    "--to",
-    "folder",
-    type=click.Path(path_type=Path, file_okay=False),
-    help="Folder of the chapters; default: the exercises.",
-)
+@click.option("--to", "folder", type=FOLDER, help="Folder of the chapters; default: the exercises.")
 def new(chapter: str, spec: Path, only: tuple[str, ...], folder: Path | None) -> None:
     """Write the files of a new chapter's problems from a spec.
 

@@ -4,18 +4,13 @@ from pathlib import Path
 
 import click
 
-from .shared import console, progress_bar
+from .shared import FILE, console, progress_bar
 
 
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="ch04 | 4/16 …")
 @click.option(
-    "-o",
-    "--to",
-    "path",
-    required=True,
-    type=click.Path(path_type=Path, dir_okay=False),
-    help="The file to write, as ch04.practice.",
+    "-o", "--to", "path", required=True, type=FILE, help="The file to write, as ch04.practice."
 )
 @click.option(
     "--variants",

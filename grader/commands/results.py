@@ -4,9 +4,7 @@ from pathlib import Path
 
 import click
 
-from .shared import COURSE, console
-
-FILE = click.Path(path_type=Path, dir_okay=False)
+from .shared import COURSE, FILE, console
 
 
 @click.command()

@@ -14,12 +14,10 @@ from rich.progress import (
 )
 
 console = Console(highlight=False)
+FOLDER = click.Path(path_type=Path, file_okay=False)
+FILE = click.Path(path_type=Path, dir_okay=False)
 COURSE = click.option(
-    "--course",
-    "course_path",
-    required=True,
-    type=click.Path(path_type=Path, file_okay=False),
-    help="The course folder.",
+    "--course", "course_path", required=True, type=FOLDER, help="The course folder."
 )
 
 PROBLEMS = click.option(

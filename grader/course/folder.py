@@ -164,17 +164,10 @@ class Course:
 
     def submissions(self, assignment: str) -> dict[str, Path]:
         """{student: path of the submitted notebook}, also for students not on the roster."""
-        found = {}
-        for folder in sorted((self.path / "submitted").glob(f"*/{assignment}")):
-            found[folder.parent.name] = folder / f"{assignment}.ipynb"
-        return found
+        folders = sorted((self.path / "submitted").glob(f"*/{assignment}"))
+        return {f.parent.name: f / f"{assignment}.ipynb" for f in folders}
 
     # -- students
-
-    db_url = property(
-        lambda self: f"sqlite:///{self.path / 'gradebook.db'}",
-        doc="The URL of nbgrader's gradebook.",
-    )
 
     @contextlib.contextmanager
     def gradebook(self) -> Iterator[Any]:
@@ -188,7 +181,7 @@ class Course:
         if own not in os.environ.get("PATH", "").split(os.pathsep):
             os.environ["PATH"] = own + os.pathsep + os.environ.get("PATH", "")
         try:
-            with Gradebook(self.db_url, self.name) as book:
+            with Gradebook(f"sqlite:///{self.path / 'gradebook.db'}", self.name) as book:
                 yield book
         except DatabaseError as error:
             code = getattr(error.orig, "sqlite_errorname", "")  # SQLITE_READONLY_DIRECTORY …

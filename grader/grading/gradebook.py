@@ -95,11 +95,9 @@ class _Saving:
             here = here & sub.student_id.in_(students)
         submitted = self.db.query(sub.student_id, sub.id, sub.timestamp, sub.extension)
         self.submissions = {r[0]: r for r in submitted.filter(here)}
-        notebooks = self.db.query(
-            nb.assignment_id, nb.notebook_id, nb.id, nb.late_submission_penalty
-        )
-        notebooks = notebooks.join(sub, sub.id == nb.assignment_id).filter(here)
-        self.notebooks = {r[:2]: r for r in notebooks}
+        columns = nb.assignment_id, nb.notebook_id, nb.id, nb.late_submission_penalty
+        notebooks = self.db.query(*columns).join(sub, sub.id == nb.assignment_id)
+        self.notebooks = {r[:2]: r for r in notebooks.filter(here)}
 
         def of_notebooks(table, *columns):
             """Rows of a table by notebook and cell."""
@@ -107,13 +105,8 @@ class _Saving:
             rows = rows.join(nb, nb.id == table.notebook_id).join(sub, sub.id == nb.assignment_id)
             return {r[:2]: r for r in rows.filter(here)}
 
-        self.grades = of_notebooks(
-            grade,
-            grade.auto_score,
-            grade.manual_score,
-            grade.extra_credit,
-            grade.needs_manual_grade,
-        )
+        given = grade.manual_score, grade.extra_credit, grade.needs_manual_grade
+        self.grades = of_notebooks(grade, grade.auto_score, *given)
         self.comments = of_notebooks(comment, comment.auto_comment)
 
     def _cells(self, notebook):

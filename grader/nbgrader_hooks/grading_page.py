@@ -14,12 +14,12 @@ from nbformat import NotebookNode
 
 from ..assignment.cells import kind, own_metadata
 from ..submission.mathml import mathml
+from ..submission.rebuild import PICTURES
 from .shared import Processed
 
 Attachments = dict[str, dict[str, str]]  # of a cell: {name: {MIME type: data}}
 WHOSE = re.compile(r"The copy of \*\*.*?\*\*\.")
 BY_STUDENTS = ("own", "hand", "plain")  # kinds of cells whose text is the student's
-PICTURES = ("image/png", "image/jpeg", "image/gif")
 MOST_PICTURES = 2**26  # characters of all pictures in one text
 # the time of the Markdown library can grow quadratically: 1 MB would take hours
 LONGEST = 20_000  # characters that are read as Markdown; an essay of 3000 words
@@ -81,11 +81,9 @@ class _StudentRenderer(IPythonRenderer):
     def __init__(self, attachments):
         # no anchors: their ids could clash with those of the page's fields
         super().__init__(
-            escape=True,
-            allow_harmful_protocols=False,
-            attachments=attachments,
+            escape=True, allow_harmful_protocols=False, attachments=attachments,
             exclude_anchor_links=True,
-        )
+        )  # fmt: skip
         self._left = MOST_PICTURES
 
     def image(self, text, url, title=None):

@@ -39,11 +39,8 @@ def _key(resources):
 
 def _with_written(resources, course_path):
     """The resources with the path of the annotated notebook, for ``SubmissionReader``."""
-    names = resources["nbgrader"]
-    path = autograded_path(
-        Course(course_path), names["assignment"], names["student"], names["notebook"]
-    )
-    return {**resources, WRITTEN: path}
+    _, *names = _key(resources)
+    return {**resources, WRITTEN: autograded_path(Course(course_path), *names)}
 
 
 class RebuildFromSource(NbGraderPreprocessor):
@@ -115,7 +112,6 @@ class GradesAndFigures(GetGrades):
         # only the figure of a problem: students' attachments are not shown, and could fill memory
         for name, kinds in pictures.items() if kind(cell) == "statement" else ():
             for mime, data in kinds.items():
-                cell.source = cell.source.replace(
-                    f"attachment:{name}", f"data:{mime};base64,{data}"
-                )
+                shown = f"data:{mime};base64,{data}"
+                cell.source = cell.source.replace(f"attachment:{name}", shown)
         return super().preprocess_cell(cell, resources, index)

@@ -9,6 +9,7 @@ import re
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import astuple, dataclass
+from itertools import repeat
 from pathlib import Path
 
 from exercises.catalogue import chapter, problem
@@ -53,9 +54,10 @@ def write_practice(path, problems, count=10, help="solution", graded=None, worke
     if help not in HELP:
         raise PracticeError(f"the help is one of {', '.join(HELP)}, not {help!r}")
     graded, left, pages = graded or {}, [], []
-    jobs = [(p.id, count, help, graded.get(p.id)) for p in problems]
+    names = [p.id for p in problems]
+    given = repeat(count), repeat(help), [graded.get(name) for name in names]
     with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
-        for found in pool.map(_packed, jobs):
+        for found in pool.map(page_of, names, *given):
             if isinstance(found, LeftOut):
                 left.append(found)
             else:
@@ -81,11 +83,6 @@ def _write(path, pages, help):
             for name, png in figures.items():
                 archive.writestr(zipfile.ZipInfo(name), png)  # a PNG is compressed already
     os.replace(beside, path)
-
-
-def _packed(job):
-    """(page, figures) of a problem, or why it is :class:`LeftOut`."""
-    return page_of(*job)
 
 
 def page_of(name, count, help, graded=None, draw=figure_png):
@@ -157,18 +154,16 @@ def _same_for_all(p, computed):
 def _variant(p, values, described, right, help):
     shown = {q["key"] for q in described if not q["step"] or help != "check"}
     wrong = wrong_numbers(p, values, described, right)
-    program = relations(p, values) if help != "check" else None
+    solution = worked_solution(p, values, text=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
         "statement": _without_links(statement(p, values, figure=False)),
         "text": _plain(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
-        "program": program,
+        "program": relations(p, values) if help != "check" else None,
         "terms": _terms(p, values) if help != "check" else {},
-        "solution": _without_links(worked_solution(p, values, text=False))
-        if help == "solution"
-        else "",
+        "solution": _without_links(solution),
     }
 
 
@@ -204,7 +199,6 @@ def _smaller(png):
 
     out = io.BytesIO()
     with Image.open(io.BytesIO(png)) as image:
-        image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(
-            out, "PNG", optimize=True
-        )
+        small = image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
+        small.save(out, "PNG", optimize=True)
     return out.getvalue()

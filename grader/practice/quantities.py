@@ -28,26 +28,20 @@ def quantities(p, values):
     described, right = [], {}
     for s in steps(p, values):
         kind = _kind(s)
-        described.append(
-            {
-                "key": s.key, "kind": kind.name, "unit": s.unit, "means": typeset(s.means, p),
-                "plain": plain(s.means, p.units), "section": s.section or p.section,
-                "equation": s.equation, "latex": symbol(s.key, kind.is_vector), "atol": 0.0,
-                "of": [],
-                "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
-            }
-        )  # fmt: skip
+        described.append({
+            "key": s.key, "kind": kind.name, "unit": s.unit, "means": typeset(s.means, p),
+            "plain": plain(s.means, p.units), "section": s.section or p.section,
+            "equation": s.equation, "latex": symbol(s.key, kind.is_vector), "atol": 0.0, "of": [],
+            "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
+        })  # fmt: skip
         right[s.key] = _numbers(s.value, kind)
     for key, x in p.solve(values).items():
         a = p.answer(key)
-        described.append(
-            {
-                "key": key, "kind": a.kind.name, "unit": a.unit, "means": typeset(a.means, p),
-                "plain": plain(a.means, p.units), "section": p.section, "equation": _equation(x),
-                "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "",
-                "step": False,
-            }
-        )  # fmt: skip
+        described.append({
+            "key": key, "kind": a.kind.name, "unit": a.unit, "means": typeset(a.means, p),
+            "plain": plain(a.means, p.units), "section": p.section, "equation": _equation(x),
+            "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "", "step": False,
+        })  # fmt: skip
         right[key] = _numbers(x, a.kind)
     return described, right
 

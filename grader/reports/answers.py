@@ -32,11 +32,7 @@ def answers_json(p: Problem, results: Results) -> dict[str, Any]:
         if a.kind.is_formula:
             out[a.key] = {"kind": a.kind.name, "expr": nested(value, str), "unit": a.unit}
         else:
-            out[a.key] = {
-                "kind": a.kind.name,
-                "value": nested(value, _plain),
-                "unit": a.unit,
-            }
+            out[a.key] = {"kind": a.kind.name, "value": nested(value, _plain), "unit": a.unit}
     return out
 
 

@@ -10,8 +10,9 @@ import numpy as np
 from rich.table import Table
 
 from ..course import Course
+from ..submission.pipeline import MARK
 from .records import BY_HAND, Entry, entries, questions
-from .tables import VERDICTS, plain_table, shown
+from .tables import plain_table, shown
 
 FEWEST = 5  # students: a correlation of fewer means nothing
 
@@ -51,16 +52,12 @@ def _of_part(problem, key, found, totals):
     points = np.array([e.points for e in found])
     rest = np.array([totals[e.student] for e in found]) - points
     out_of = max(e.out_of for e in found)
+    difficulty = float(points.mean() / out_of) if out_of else 0.0
+    verdicts = Counter(e.verdict for e in found)
     return PartStatistics(
-        problem,
-        key,
-        len(found),
-        out_of,
-        float(points.mean() / out_of) if out_of else 0.0,
-        _correlation(points, rest),
-        Counter(e.verdict for e in found),
+        problem, key, len(found), out_of, difficulty, _correlation(points, rest), verdicts,
         mistake_counts(found),
-    )
+    )  # fmt: skip
 
 
 def mistake_counts(found: Iterable[Entry]) -> list[tuple[str, int]]:
@@ -85,27 +82,16 @@ def _correlation(x, y):
 
 def statistics_table(parts: Iterable[PartStatistics]) -> Table:
     """The statistics as a table for the terminal, each part with its most frequent mistake."""
-    columns = ("problem", "part", ">diff.", ">discr.", *(f">{m}" for m in VERDICTS.values()))
-    table = plain_table(
-        "Statistics  (diff.: mean share of the points; discr.: correlation with the rest)",
-        *columns,
-        "most frequent mistake",
-    )
+    columns = ("problem", "part", ">diff.", ">discr.", *(f">{m}" for m in MARK.values()))
+    title = "Statistics  (diff.: mean share of the points; discr.: correlation with the rest)"
+    table = plain_table(title, *columns, "most frequent mistake")
     for p in parts:
         mistake, count = p.mistakes[0] if p.mistakes else ("", 0)
-        table.add_row(
-            p.problem,
-            p.key,
-            f"{p.difficulty:.2f}",
-            _two_digits(p.discrimination),
-            *(str(p.verdicts[v]) for v in VERDICTS),
-            shown(f"{count}× {mistake}") if count else "",
-        )
+        discrimination = "–" if p.discrimination is None else f"{p.discrimination:.2f}"
+        verdicts = (str(p.verdicts[v]) for v in MARK)
+        frequent = shown(f"{count}× {mistake}") if count else ""
+        table.add_row(p.problem, p.key, f"{p.difficulty:.2f}", discrimination, *verdicts, frequent)
     return table
-
-
-def _two_digits(x):
-    return "–" if x is None else f"{x:.2f}"
 
 
 def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
@@ -113,13 +99,13 @@ def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
     with open(path, "w", newline="", encoding="utf-8-sig") as f:
         writer = csv.writer(f)
         writer.writerow(
-            ("problem", "part", "students", "out_of", "difficulty", "discrimination", *VERDICTS,
+            ("problem", "part", "students", "out_of", "difficulty", "discrimination", *MARK,
              "mistake", "times")
         )  # fmt: skip
         for p in parts:
             own = (p.problem, p.key, p.students, f"{p.out_of:g}", f"{p.difficulty:.4f}",
                    "" if p.discrimination is None else f"{p.discrimination:.4f}",
-                   *(p.verdicts[v] for v in VERDICTS))  # fmt: skip
+                   *(p.verdicts[v] for v in MARK))  # fmt: skip
             writer.writerow((*own, "", ""))
             empty = [""] * (len(own) - 2)
             writer.writerows((p.problem, p.key, *empty, *m) for m in p.mistakes)

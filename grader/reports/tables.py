@@ -13,21 +13,17 @@ from rich.table import Table
 from ..course.take_in import TakenIn
 from ..grading import Result
 from ..sandbox import CAGED
-
-VERDICTS = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
+from ..submission.pipeline import MARK
 
 
 def plain_table(title: str, *columns: str) -> Table:
     """A table without vertical lines; ``columns`` are names, with a leading ``>`` for numbers."""
     table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
     for name in columns:
-        right = name.startswith(">")
-        table.add_column(
-            name.removeprefix(">"),
-            justify="right" if right else "left",
-            no_wrap=right,
-            overflow="fold",
-        )
+        if name.startswith(">"):
+            table.add_column(name[1:], justify="right", no_wrap=True, overflow="fold")
+        else:
+            table.add_column(name, overflow="fold")
     return table
 
 
@@ -38,7 +34,7 @@ def shown(text: object) -> str:
 
 def gradebook_table(results: Sequence[Result]) -> Table:
     """A row for each student (points, answers by verdict, remark), and a summary."""
-    columns = ("student", ">points", ">%", *(f">{m}" for m in VERDICTS.values()), "remark")
+    columns = ("student", ">points", ">%", *(f">{m}" for m in MARK.values()), "remark")
     table = plain_table("Gradebook  (✓ right, ✗ wrong, ? not read, – blank)", *columns)
     # code that ran without a cage may have changed the others' results
     uncaged = any(r.sandbox != CAGED for r in results)
@@ -47,13 +43,9 @@ def gradebook_table(results: Sequence[Result]) -> Table:
             table.add_row(shown(r.student), "–", "–", *[""] * 4, "[red]not graded, see below[/]")
             continue
         found = Counter(p.verdict for s in r.scores.values() for p in s.parts)
-        table.add_row(
-            shown(r.student),
-            f"{r.points:.4g}/{r.out_of:g}",
-            _percent(r),
-            *(str(found[v]) for v in VERDICTS),
-            shown("; ".join([*(["unsandboxed"] if uncaged else []), *_remarks(r)])),
-        )
+        remark = "; ".join([*(["unsandboxed"] if uncaged else []), *_remarks(r)])
+        points, verdicts = f"{r.points:.4g}/{r.out_of:g}", (str(found[v]) for v in MARK)
+        table.add_row(shown(r.student), points, _percent(r), *verdicts, shown(remark))
     _add_summary(table, results)
     return table
 
@@ -103,7 +95,7 @@ def _add_summary(table, results):
     remarks = [f"{len(graded)} graded"]
     remarks += [f"{len(results) - len(graded)} not"] if len(results) > len(graded) else []
     remarks += [f"{waiting} cells wait for a person"] if waiting else []
-    table.add_row("all", "", "", *(str(found[v]) for v in VERDICTS), ", ".join(remarks))
+    table.add_row("all", "", "", *(str(found[v]) for v in MARK), ", ".join(remarks))
 
 
 def diagnosis_table(results: Iterable[Result], most: int | None = None) -> Table:

@@ -14,7 +14,7 @@ from queue import Queue
 from typing import Self, TypedDict
 
 from .receipts import NOT_REACHED, Outcome, Receipt, read_lines
-from .worker import HarvestError, Job, Worker
+from .worker import HarvestError, Job, Limits, Worker
 
 CAGED = "namespaces"  # the "sandbox" of a reply whose code ran in the cage
 CELL_SECONDS = 10.0
@@ -110,21 +110,15 @@ class Harvester:
         cells = [c for c in cells if c["role"] != "run" or c["text"].strip()]
         if (size := sum(len(c.get("text", "")) + PER_CELL for c in cells)) > MOST_TEXT:
             return self._not_run(len(cells), size, tests)
-        state, data, outcomes = self._exchange(
-            [{k: v for k, v in c.items() if k != "hidden"} for c in cells],
-            [c["hidden"] for c in tests],
-            {
-                "seconds": seconds,
-                "cell_seconds": cell_seconds,
-                "sandbox": self.sandbox,
-                "ipython": any(_IPYTHON.search(c.get("text", "")) for c in cells),
-            },
-        )
-        receipts, errors = read_lines(
-            data,
-            {c["problem"] for c in cells if c["role"] == "harvest"},
-            {c["name"] for c in cells if c["role"] == "run"},
-        )
+        limits: Limits = {
+            "seconds": seconds, "cell_seconds": cell_seconds, "sandbox": self.sandbox,
+            "ipython": any(_IPYTHON.search(c.get("text", "")) for c in cells),
+        }  # fmt: skip
+        seen = [{k: v for k, v in c.items() if k != "hidden"} for c in cells]
+        state, data, outcomes = self._exchange(seen, [c["hidden"] for c in tests], limits)
+        problems = {c["problem"] for c in cells if c["role"] == "harvest"}
+        names = {c["name"] for c in cells if c["role"] == "run"}
+        receipts, errors = read_lines(data, problems, names)
         return {
             "receipts": receipts,
             "tests": {c["name"]: o for c, o in zip(tests, outcomes, strict=True)},

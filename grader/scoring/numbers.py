@@ -46,7 +46,7 @@ class Numbers:
     @cached_property
     def key(self):
         """{answer: points} of the right answers; of a word or count, ((word,),)."""
-        found = _run(_key_formula, self.problem, self.sample)
+        found = _run_key(self.problem, self.sample)
         answers = self.problem.answers
         return {
             a.key: ((_one_word(a, x),),) if a.kind.is_word else _points(a, x)
@@ -69,13 +69,10 @@ class Numbers:
 
     def _wrong_words(self, answer):
         """Every listed mistake in a word or count, as for :meth:`wrong`."""
+        given = {m: x[answer.key] for m, x in self._wrong_answers.items() if answer.key in x}
         return [
-            (
-                listed(name, self.problem.mistakes[name]),
-                ((_one_word(answer, (answers[answer.key],)),),),
-            )
-            for name, answers in self._wrong_answers.items()
-            if answer.key in answers
+            (listed(m, self.problem.mistakes[m]), ((_one_word(answer, (x,)),),))
+            for m, x in given.items()
         ]
 
     @cached_property
@@ -166,10 +163,10 @@ def _traced_key(problem_id):
     return traced(find_problem(problem_id), _key_formula)
 
 
-def _run(formula, problem, sample):
+def _run_key(problem, sample):
     run = _traced_key(problem.id)
     with np.errstate(all="ignore"):
-        return run(**sample) if run else formula(problem, sample)
+        return run(**sample) if run else _key_formula(problem, sample)
 
 
 @cache

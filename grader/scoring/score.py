@@ -85,14 +85,7 @@ def _sum(shares):
 
 
 def score_receipt(
-    problem,
-    values,
-    receipt,
-    note="",
-    points=None,
-    weights=None,
-    asked=None,
-    follow_through=None,
+    problem, values, receipt, note="", points=None, weights=None, asked=None, follow_through=None
 ):
     """The :class:`Score` of a receipt ({"answers", "faults", "error"}, or None) for ``problem``
     with a student's ``values``.

@@ -72,7 +72,5 @@ def _frames(right, problem):
         known = named_in_text(frame.name, problem) and not frame.name.startswith("about ")
         name = body_text(frame.name) if known else "another frame"
         yield causes.other_axes(place, name), right.components(frame)
-        yield (
-            causes.turned_the_wrong_way(place, name),
-            Vector(right.c, frame).components(right.frame),
-        )
+        turned = Vector(right.c, frame).components(right.frame)
+        yield causes.turned_the_wrong_way(place, name), turned

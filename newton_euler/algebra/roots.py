@@ -9,10 +9,10 @@ from .scalars import (
     Scalar,
     ScalarError,
     SingularError,
-    _Own,
     anywhere,
     clipped,
     epsilon,
+    highest,
     is_numeric,
     max_abs,
     min_abs,
@@ -42,9 +42,8 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
     """
     sample = scalar(f((low + high) / 2))
     present = [x for x in (low, high, sample) if x is not ZERO]
-    own = [x for x in present if isinstance(x, _Own)]
-    if own:
-        kind = max(own, key=lambda x: x.rank)
+    kind = highest(present)
+    if kind is not None:
         if isinstance(kind, Moving):
             return _moving_root(f, as_moving(low).value, as_moving(high).value)
         if not hasattr(kind, "_root"):

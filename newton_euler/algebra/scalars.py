@@ -107,6 +107,14 @@ def outranks(x, kind):
     return isinstance(x, _Own) and x.rank > kind.rank
 
 
+def highest(values):
+    """Of these values the number of the engine's own that carries out an operation with all of
+    them; None if there is none.
+    """
+    own = [x for x in values if isinstance(x, _Own)]
+    return max(own, key=lambda x: x.rank) if own else None
+
+
 class Scaled:
     """Base of vectors and other quantities that a scalar can multiply; they carry out the product,
     not the scalar.
@@ -404,9 +412,8 @@ def library_of(values):
 
 def function(name, *args):
     """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
-    own = [a for a in args if isinstance(a, _Own)]
-    if own:
-        chosen = max(own, key=lambda a: a.rank)
+    chosen = highest(args)
+    if chosen is not None:
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
     args = [0 if (x := scalar(a)) is ZERO else x for a in args]
     try:

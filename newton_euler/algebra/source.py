@@ -9,8 +9,7 @@ import math
 import operator
 from itertools import takewhile
 
-from .cubes import over_cube
-from .integrals import integrals
+from .integrals import integrals, over_cube
 from .roots import root
 from .scalars import FUNCTIONS, ScalarError, _root, to_plain, where
 from .trace import COMPARISONS, Step

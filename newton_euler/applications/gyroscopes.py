@@ -170,9 +170,8 @@ def _check_moments(I0, I):
     # a disk has I = 2 I0, up to round-off
     if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
         raise GyroError(
-            f"no body of revolution has I = {to_plain(I)!r} with I0 = {to_plain(I0)!r}: I "
-            "lies between 0 "
-            "and 2 I0; are they exchanged?"
+            f"no body of revolution has I = {to_plain(I)!r} with I0 = {to_plain(I0)!r}: I lies "
+            "between 0 and 2 I0; are they exchanged?"
         )
 
 

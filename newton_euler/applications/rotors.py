@@ -168,9 +168,8 @@ def _on_axis(body, A, e, length, about):
     off = e.cross(about - A).norm()
     if is_numeric(off) and is_numeric(length) and max_abs(off) > 1e-9 * max_abs(length):
         raise RotorError(
-            f"{about.name} lies {max_abs(off):.3g} off the axis of the bearings; take a "
-            "point of the "
-            "axis, or leave about= out"
+            f"{about.name} lies {max_abs(off):.3g} off the axis of the bearings; take a point of "
+            "the axis, or leave about= out"
         )
     return about
 
@@ -344,9 +343,8 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
     apart = z2 - z1
     if _small(apart, 1e-13 * max(max_abs(z) if is_numeric(z) else 0.0 for z in (z1, z2))):
         raise RotorError(
-            f"the two planes coincide, at {to_plain(z1)!r} and {to_plain(z2)!r} from "
-            f"{A.name}; a couple "
-            "needs two different planes"
+            f"the two planes coincide, at {to_plain(z1)!r} and {to_plain(z2)!r} from {A.name}; a "
+            "couple needs two different planes"
         )
     found = imbalance(body, A, B, about=A)
     U, P = found.static, found.dynamic

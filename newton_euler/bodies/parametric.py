@@ -13,8 +13,8 @@ rules; with symbols, or ``exact=True``, SymPy finds the formulas.
 from collections.abc import Callable
 from itertools import product
 
-from ..algebra.cubes import NEAR_MIDDLE, over_cube
 from ..algebra.errors import checked
+from ..algebra.integrals import NEAR_MIDDLE, over_cube
 from ..algebra.jets import Moving, as_moving
 from ..algebra.quadrature import cubature
 from ..algebra.scalars import (

@@ -56,10 +56,8 @@ class Freedom:
         )
         for name, times in self.redundant.items():
             follow = "follows" if times == 1 else "follow"
-            text += (
-                f"\n  redundant: {name}, {times} of its equations {follow} from the constraints "
-            )
-            text += "before it"
+            text += f"\n  redundant: {name}, {times} of its equations {follow} "
+            text += "from the constraints before it"
         return text + "\n  the configuration is singular: nearby the rank is higher" * self.singular
 
 

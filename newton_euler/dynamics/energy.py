@@ -208,9 +208,8 @@ def speed_after(speed: Scalar, work: Amount | Scalar, m: Scalar) -> Scalar:
     square = scalar(speed) * speed + 2 * U / m
     if is_numeric(square) and anywhere(to_plain(square) < 0):
         raise EnergyError(
-            f"it does not get there: the work {short(to_plain(U))} takes more than the "
-            "kinetic energy "
-            f"{short(to_plain(scalar(m) * speed * speed / 2))}, so it stops before"
+            f"it does not get there: the work {short(to_plain(U))} takes more than the kinetic "
+            f"energy {short(to_plain(scalar(m) * speed * speed / 2))}, so it stops before"
         )
     return to_plain(sqrt(square))
 

@@ -281,9 +281,8 @@ def _magnitude(x):
     value = probe(scalar(x))
     if value is None:
         raise WorkError(
-            f"the derivative {to_plain(x)!r} of the force cannot be compared with zero; "
-            "put numbers "
-            "or SymPy symbols in"
+            f"the derivative {to_plain(x)!r} of the force cannot be compared with zero; put "
+            "numbers or SymPy symbols in"
         )
     return max_abs(value)
 

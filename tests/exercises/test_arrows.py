@@ -1,4 +1,6 @@
-"""Who imports whom in exercises: the catalogue knows no problem, a device no chapter."""
+"""Who imports whom in exercises: the catalogue knows no problem, a device no chapter, a chapter no
+other.
+"""
 
 from exercises.catalogue.reading import EXERCISES
 from tests.imports import circle, imports, modules
@@ -42,3 +44,8 @@ def test_no_modules_import_each_other_in_a_circle():
     graph = {m: {t for t, _ in imports(m, FILES) if t in FILES and t != m} for m in FILES}
     assert circle(graph) is None
     assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
+
+
+def test_every_device_is_used_by_a_problem_or_another_device():
+    used = {target for m in FILES for target, _ in imports(m, FILES) if target != m}
+    assert {m for m in FILES if m.startswith("exercises.devices.")} <= used

@@ -29,14 +29,9 @@ def environment(**more):
 def run(*command, cwd=None, timeout=180, **more):
     """A command line: (exit code, everything it said)."""
     done = subprocess.run(
-        command,
-        cwd=cwd,
-        env=environment(**more),
-        text=True,
-        capture_output=True,
-        timeout=timeout,
+        command, cwd=cwd, env=environment(**more), text=True, capture_output=True, timeout=timeout,
         check=False,
-    )
+    )  # fmt: skip
     return done.returncode, done.stdout + done.stderr
 
 
@@ -151,6 +146,29 @@ def change_source(course, change, assignment="ch04", copies=True):
         make_personal_copies(course, assignment, workers=1)
 
 
+def append_config(course, text):
+    """Add settings of the instructor's to the configuration of a course."""
+    with open(course.path / "nbgrader_config.py", "a") as f:
+        f.write(f"\n{text}\n")
+
+
+def late_policy(course, penalty):
+    """Name a plugin of the instructor's; ``penalty``: Python of score and total_seconds_late."""
+    path = course.path / "my_policy.py"
+    if not path.exists():
+        append_config(
+            course,
+            "import sys\nsys.path.insert(0, c.CourseDirectory.root)\n"
+            "c.AssignLatePenalties.plugin_class = 'my_policy.Policy'",
+        )
+    path.write_text(
+        "from nbgrader.plugins import LateSubmissionPlugin\n\n\n"
+        "class Policy(LateSubmissionPlugin):\n"
+        "    def late_submission_penalty(self, student_id, score, total_seconds_late):\n"
+        f"        return {penalty}\n"
+    )
+
+
 def gradebook_rows(course, assignment="ch04"):
     """All that the gradebook holds of an assignment's submissions, in an order of its own."""
     rows = []
@@ -174,23 +192,27 @@ def copy_of(course, folder):
     """An independent copy of a course, with the same secret, to do something to."""
     from grader.course import Course
 
-    shutil.copytree(
-        course.path,
-        folder,
-        ignore=shutil.ignore_patterns("exchange", "homes", "autograded", "feedback", "scores"),
-    )
+    left_out = shutil.ignore_patterns("exchange", "homes", "autograded", "feedback", "scores")
+    shutil.copytree(course.path, folder, ignore=left_out)
     config = Path(folder) / "nbgrader_config.py"
     config.write_text(config.read_text().replace(str(course.path), str(folder)))
     return Course(folder)
 
 
+def forget(course, *students):
+    """Remove the grades of these students, or of all, from the gradebook."""
+    from nbgrader.api import MissingEntry
+
+    with course.gradebook() as book:
+        for student in students or course.roster():
+            with contextlib.suppress(MissingEntry):
+                book.remove_submission("ch04", student)
+
+
 def emptied(course):
     """The course, in which nobody has handed in any more."""
     shutil.rmtree(course.path / "submitted")
-    with course.gradebook() as book:
-        for student in course.roster():
-            with contextlib.suppress(Exception):
-                book.remove_submission("ch04", student)
+    forget(course)
     return course
 
 

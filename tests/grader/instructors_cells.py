@@ -10,21 +10,11 @@ def cell(kind, source, grade_id, **marks):
 
 ESSAY = cell("markdown", "Why? *Write here.*", "essay", grade=True, solution=True, points=3)
 SKETCH = cell("code", "# your plot\n", "sketch", grade=True, solution=True, points=2)
-SQUARE = cell(
-    "code",
-    "def square(x):\n    ### BEGIN SOLUTION\n    return x * x\n    ### END SOLUTION",
-    "square",
-    solution=True,
-)
-TEST = cell(
-    "code",
-    "assert square(2) == 4\n### BEGIN HIDDEN TESTS\nassert square(-7) == 49, 'hidden words'\n"
-    "### END HIDDEN TESTS",
-    "test_square",
-    grade=True,
-    locked=True,
-    points=4,
-)
+SQUARE = cell("code", "def square(x):\n    ### BEGIN SOLUTION\n    return x * x\n"
+              "    ### END SOLUTION", "square", solution=True)  # fmt: skip
+TEST = cell("code", "assert square(2) == 4\n### BEGIN HIDDEN TESTS\n"
+            "assert square(-7) == 49, 'hidden words'\n### END HIDDEN TESTS",
+            "test_square", grade=True, locked=True, points=4)  # fmt: skip
 SHARE = cell("code", "0.5 * (square(3) == 9)", "share", grade=True, locked=True, points=1)
 TASK = cell("markdown", "Measure it at home.\n### BEGIN MARK SCHEME\n2 for a photo\n"
             "### END MARK SCHEME", "at_home", task=True, locked=True, points=5)  # fmt: skip

@@ -9,23 +9,20 @@ from exercises.catalogue import problem
 from tests.grader.courses import command
 
 
-@pytest.mark.parametrize(
-    ("name", "words"),
-    [
-        ((), "python -m grader build ch04 --course"),
-        (("solve",), "--explain"),
-        (("prove",), "exit code 1"),
-        (("figure",), "PNG"),
-        (("build",), "--update"),
-        (("take-in",), "download all submissions"),
-        (("stats",), "--png"),
-        (("export",), "gradescope"),
-        (("diagnose",), "misnamed"),
-        (("personal",), "hand out COURSE/personal/ASSIGNMENT/STUDENT"),
-        (("grade",), "--force"),
-        (("demo",), "six students"),
-    ],
-)
+@pytest.mark.parametrize(("name", "words"), [
+    ((), "python -m grader build ch04 --course"),
+    (("solve",), "--explain"),
+    (("prove",), "exit code 1"),
+    (("figure",), "PNG"),
+    (("build",), "--update"),
+    (("take-in",), "download all submissions"),
+    (("stats",), "--png"),
+    (("export",), "gradescope"),
+    (("diagnose",), "misnamed"),
+    (("personal",), "hand out COURSE/personal/ASSIGNMENT/STUDENT"),
+    (("grade",), "--force"),
+    (("demo",), "six students"),
+])  # fmt: skip
 def test_help_teaches(name, words):
     code, out = command(*name, "--help")
     assert code == 0
@@ -53,9 +50,8 @@ def test_prove_ends_with_0_if_all_holds_and_1_if_a_key_is_tampered_with(monkeypa
     assert (code, "2 passed, 0 failed" in out) == (0, True)
     code_of = problem("4/16").code
     original = code_of.solve
-    monkeypatch.setattr(
-        code_of, "solve", lambda g: {**original(g), "v_D": original(g)["v_D"] * 1.0001}
-    )
+    tampered = lambda g: {**original(g), "v_D": original(g)["v_D"] * 1.0001}
+    monkeypatch.setattr(code_of, "solve", tampered)
     from exercises.catalogue import variants
 
     variants._compiled.cache_clear()
@@ -71,9 +67,8 @@ def test_prove_ends_with_0_if_all_holds_and_1_if_a_key_is_tampered_with(monkeypa
 def test_prove_warns_of_mistakes_that_give_the_same_wrong_answer():
     code, out = command("prove", "4/13", "--seeds", 2)
     assert code == 0
-    assert "r_cross_omega and whole_omega_reversed give the same wrong omega" in " ".join(
-        out.split()
-    )
+    words = "r_cross_omega and whole_omega_reversed give the same wrong omega"
+    assert words in " ".join(out.split())
 
 
 def test_figure_writes_a_png(tmp_path):
@@ -97,10 +92,8 @@ def test_figure_says_what_is_hard_to_read(tmp_path, monkeypatch):
     """With 4/16 seen along one of its axes."""
     from newton_euler.drawing import Sketch
 
-    def along_x(self, *scene, **view):
-        return seen(self, *scene, **view | {"azimuth": 2})
-
     seen = Sketch.__init__
+    along_x = lambda self, *scene, **view: seen(self, *scene, **view | {"azimuth": 2})
     monkeypatch.setattr(Sketch, "__init__", along_x)
     code, out = command("figure", "4/16", "--to", tmp_path)
     assert code == 0

@@ -44,17 +44,13 @@ def test_practice_needs_the_wheel_alone(tmp_path):
     write_practice(tmp_path / "one.practice", [problem("4/16")], count=2, workers=1)
     wheel, python = built(tmp_path), tmp_path / "venv" / "bin" / "python"
     assert run(sys.executable, "-m", "venv", str(tmp_path / "venv"))[0] == 0
-    code, out = run(
-        str(python), "-m", "pip", "install", "-q", str(wheel), timeout=600, PYTHONPATH=""
-    )
+    install = str(python), "-m", "pip", "install", "-q", str(wheel)
+    code, out = run(*install, timeout=600, PYTHONPATH="")
     if code and ("No matching distribution" in out or "connection" in out.lower()):
         pytest.skip("the dependencies of the wheel cannot be fetched")
     assert code == 0, out
-    out = ran(
-        run(
-            str(python), "-c", PRACTICE, str(tmp_path / "one.practice"), cwd=tmp_path, PYTHONPATH=""
-        )
-    )
+    script = str(python), "-c", PRACTICE, str(tmp_path / "one.practice")
+    out = ran(run(*script, cwd=tmp_path, PYTHONPATH=""))
     assert "leaves out the Coriolis term" in out
     assert "omega_CD: right" in out
     assert "p.form() needs ipywidgets: pip install ipywidgets" in out
@@ -66,15 +62,11 @@ def test_the_wheel_holds_the_engine_and_no_exercise(tmp_path):
     wheel = built(tmp_path)
     with zipfile.ZipFile(io.BytesIO(wheel.read_bytes())) as z:
         names = z.namelist()
-        everything = "".join(
-            z.read(n).decode("utf-8", "replace")
-            for n in names
-            if n.endswith((".py", ".yaml", ".json", ".ipynb"))
-        )
+        texts = [n for n in names if n.endswith((".py", ".yaml", ".json", ".ipynb"))]
+        everything = "".join(z.read(n).decode("utf-8", "replace") for n in texts)
     assert "newton_euler/answers/receipts.py" in names
-    assert not [
-        n for n in names if n.startswith(("exercises", "grader", "tests", "problems", "book"))
-    ]
+    others = "exercises", "grader", "tests", "problems", "book"
+    assert not [n for n in names if n.startswith(others)]
     assert not [n for n in names if n.endswith((".yaml", "p16.py"))]
     assert "no_coriolis:" not in everything
     assert "coriolis_of_horizontal_nozzle" not in everything

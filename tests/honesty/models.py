@@ -1,8 +1,14 @@
 """Models that several families draw, and their exact solutions as a reference takes them."""
 
+import newton_euler
 from newton_euler import Model, cos, sin, sqrt
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
+
+
+def brought(solution):
+    """A solution ``(m, s, p, t)`` by the functions of a module m, as a model brings it."""
+    return lambda s, p, t: solution(newton_euler, s, p, t)
 
 
 def spring(name="spring", closed=False, **parameters):
@@ -39,17 +45,20 @@ def free_body(A, B, C):
     """Euler's equations without moments."""
 
     def rates(s, p, t):
-        return (
-            (p.B - p.C) / p.A * s.y * s.z,
-            (p.C - p.A) / p.B * s.z * s.x,
-            (p.A - p.B) / p.C * s.x * s.y,
-        )
+        x, y = (p.B - p.C) / p.A * s.y * s.z, (p.C - p.A) / p.B * s.z * s.x
+        return x, y, (p.A - p.B) / p.C * s.x * s.y
 
     return Model("free body", {"A": A, "B": B, "C": C}, ("x", "y", "z"), rates)
 
 
 def exact_free_body(mp, s, p, t):
     return closed_forms.free_body(mp, (p.A, p.B, p.C), (s.x, s.y, s.z), t)
+
+
+def by_power(s, p, t):
+    """The attraction of a centre, by a power of the distance in the plane."""
+    r3 = (s.x**2 + s.y**2) ** 1.5
+    return -p.GM * s.x / r3, -p.GM * s.y / r3
 
 
 def orbit(name, GM):

@@ -4,6 +4,7 @@ import importlib.util
 import math
 from dataclasses import replace
 from itertools import pairwise
+from types import SimpleNamespace
 
 import pytest
 
@@ -27,6 +28,11 @@ def test_a_wrong_closed_form_is_no_reference():
 
     with pytest.raises(NoReferenceError, match="differ by"):
         reference(replace(draw("pendulum", 0, 0), exact=wrong))
+
+
+def test_two_motions_differ_by_the_worst_of_their_states_at_the_worst_of_the_times():
+    a, b = (SimpleNamespace(states=[(1.0, 2.0), (0.0, x), (5.0, 0.0)]) for x in (2.0, 3.0))
+    assert references._distance(a, b, (5.0, 2.0), (0.0, 0.0)) == 0.5
 
 
 @needs_heyoka

@@ -126,9 +126,7 @@ def test_the_message_says_what_was_expected_what_came_and_what_to_do():
         "expected a number (float, array, mpf or expression), got '30' of type str; write numbers "
         "without quotation marks"
     )
-    with pytest.raises(
-        ScalarError, match=r"attraction: m2 is a number .* got None of type NoneType"
-    ):
+    with pytest.raises(ScalarError, match=r"attraction: m2 is a number .* got None of type NoneT"):
         attraction(1.0, None, 2.0)
     with pytest.raises(FrameError, match=r"frenet: v is a Vector, as ground.vector.* got 3.0"):
         frenet(3.0, ground.i)
@@ -146,9 +144,7 @@ def test_the_unit_of_a_quantity_is_never_dropped(quantity):
         lambda q: ground.rotate("arm", "z", q), lambda q: unit("m").to_base(q),
         lambda q: Inertia(ground, (q, q, q)), lambda q: at(lambda t: t, q),
     ):  # fmt: skip
-        with pytest.raises(
-            NewtonEulerError, match=r"it has a unit|unit vector|got .*uantity|WithUnit"
-        ):
+        with pytest.raises(NewtonEulerError, match=r"it has a unit|unit vector|uantity|WithUnit"):
             take(quantity)
 
 
@@ -161,23 +157,20 @@ def test_quantities_of_real_libraries_are_refused(name):
             take(q)
 
 
-@pytest.mark.parametrize(
-    "f",
-    [
-        lambda m: attraction(m, 1.0, 1.0),
-        lambda m: attraction(1.0, m, 1.0),
-        lambda m: gravitational_field(P, m, ground),
-        lambda m: gravitational_potential(m, 1.0, 1.0),
-        lambda m: gravity_at_surface(m, 1.0),
-        lambda m: plane_kinetic_energy(m, 1.0, 1.0, 1.0),
-        lambda m: weight_potential(m, 1.0),
-        lambda m: weight(m, ground.k),
-        lambda m: buoyancy(m, 1.0, 1.0, 1.0, 9.8),
-        lambda m: force_near_earth(m, ground.i, ground.j, ground.k),
-        lambda m: support_force(m, 9.8, ground),
-        lambda m: Body("stone", m, ground),
-    ],
-)
+@pytest.mark.parametrize("f", [
+    lambda m: attraction(m, 1.0, 1.0),
+    lambda m: attraction(1.0, m, 1.0),
+    lambda m: gravitational_field(P, m, ground),
+    lambda m: gravitational_potential(m, 1.0, 1.0),
+    lambda m: gravity_at_surface(m, 1.0),
+    lambda m: plane_kinetic_energy(m, 1.0, 1.0, 1.0),
+    lambda m: weight_potential(m, 1.0),
+    lambda m: weight(m, ground.k),
+    lambda m: buoyancy(m, 1.0, 1.0, 1.0, 9.8),
+    lambda m: force_near_earth(m, ground.i, ground.j, ground.k),
+    lambda m: support_force(m, 9.8, ground),
+    lambda m: Body("stone", m, ground),
+])  # fmt: skip
 def test_negative_masses_are_refused_and_zero_is_a_mass(f):
     for bad in (-1.0, np.array([1.0, -1.0]), mpmath.mpf(-1), float("nan"), float("inf")):
         with pytest.raises(MassError):
@@ -240,10 +233,10 @@ def test_functions_say_where_they_have_no_value():
         where(sympy.Symbol("x") > 1, 1.0, 2.0)
 
 
-def test_a_relative_error_of_an_integral_is_between_0_and_1():
-    for bad in (-1.0, 0.0, "fine", float("nan")):
-        with pytest.raises(NewtonEulerError):
-            work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
+@pytest.mark.parametrize("bad", [-1.0, 0.0, "fine", float("nan")])
+def test_a_relative_error_of_an_integral_is_between_0_and_1(bad):
+    with pytest.raises(NewtonEulerError):
+        work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
 
 
 def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
@@ -282,41 +275,36 @@ PART_OF_MODEL = {
 
 @pytest.mark.parametrize("part", PART_OF_MODEL)
 def test_each_part_of_a_model_is_asked_for_in_words(part):
-    parts = {
-        "name": "fall", "parameters": {"g": 9.81}, "states": ("h", "v"), "rhs": falling,
-    }  # fmt: skip
+    parts = {"name": "fall", "parameters": {"g": 9.81}, "states": ("h", "v"), "rhs": falling}
     for bad in (PART_OF_MODEL[part], 3, object(), np.ones((2, 3, 4))):
         with pytest.raises(ModelError, match=r"model|fall"):
             Model(**{**parts, part: bad})
 
 
-@pytest.mark.parametrize(
-    "call",
-    [
-        lambda: second_order("m", {}, 3, falling),
-        lambda: second_order("m", {}, ("x",), None),
-        lambda: Neglected("the air", 3, "position, m"),
-        lambda: FALL.compiled_rhs([1]),
-        lambda: FALL.solution(None, START),
-        lambda: FALL.solution(1.0, range(10**12)),
-        lambda: FALL.solution(1.0, itertools.count()),
-        lambda: FALL.derivative({1.0, 0.0}),
-        lambda: FALL.derivative(START, "now"),
-        lambda: FALL.invariant([], START),
-        lambda: FALL.neglected("now", START),
-        lambda: FALL.neglected(1.0, 3),
-        lambda: integrate(FALL, 10**400, START),
-        lambda: integrate(FALL, 1.0, (10**400, 0.0)),
-        lambda: integrate(FALL, 1.0, (b"30", 0.0)),
-        lambda: integrate(FALL, 1.0, START, method=np.array(["exact", "taylor"])),
-        lambda: integrate(FALL, 1.0, START, events=range(10**12)),
-        lambda: integrate(FALL, 1.0, START, samples=range(10**12)),
-        lambda: prepare(FALL, method=["exact"]),
-        lambda: integrate(FALL, 1.0, START).at(object()),
-        lambda: integrate(FALL, 1.0, START).at("0.5"),
-        lambda: integrate(FALL, 1.0, START).at(np.full((2, 2), 0.5)),
-    ],
-)
+@pytest.mark.parametrize("call", [
+    lambda: second_order("m", {}, 3, falling),
+    lambda: second_order("m", {}, ("x",), None),
+    lambda: Neglected("the air", 3, "position, m"),
+    lambda: FALL.compiled_rhs([1]),
+    lambda: FALL.solution(None, START),
+    lambda: FALL.solution(1.0, range(10**12)),
+    lambda: FALL.solution(1.0, itertools.count()),
+    lambda: FALL.derivative({1.0, 0.0}),
+    lambda: FALL.derivative(START, "now"),
+    lambda: FALL.invariant([], START),
+    lambda: FALL.neglected("now", START),
+    lambda: FALL.neglected(1.0, 3),
+    lambda: integrate(FALL, 10**400, START),
+    lambda: integrate(FALL, 1.0, (10**400, 0.0)),
+    lambda: integrate(FALL, 1.0, (b"30", 0.0)),
+    lambda: integrate(FALL, 1.0, START, method=np.array(["exact", "taylor"])),
+    lambda: integrate(FALL, 1.0, START, events=range(10**12)),
+    lambda: integrate(FALL, 1.0, START, samples=range(10**12)),
+    lambda: prepare(FALL, method=["exact"]),
+    lambda: integrate(FALL, 1.0, START).at(object()),
+    lambda: integrate(FALL, 1.0, START).at("0.5"),
+    lambda: integrate(FALL, 1.0, START).at(np.full((2, 2), 0.5)),
+])  # fmt: skip
 def test_models_and_motions_refuse_in_words(call):
     with pytest.raises(NewtonEulerError):
         call()
@@ -516,6 +504,5 @@ def test_the_first_call_of_a_checked_function_may_come_from_many_threads():
             return 2 * x + sum(more)
 
         with ThreadPoolExecutor(8) as pool:
-            assert list(pool.map(lambda n, f=double: f(n, 1.0), range(8))) == [
-                2 * n + 1.0 for n in range(8)
-            ]
+            found = list(pool.map(lambda n, f=double: f(n, 1.0), range(8)))
+        assert found == [2 * n + 1.0 for n in range(8)]

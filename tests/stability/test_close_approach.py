@@ -8,22 +8,15 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from scipy.integrate import solve_ivp
 
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.particles.orbit import orbit
 from tests.models import from_farthest
+from tests.stability.naive import solved
 
 ORBIT = orbit(1.0)
 PERIOD = 2 * math.pi
-
-
-def run(e, t, **options):
-    rhs = ORBIT.compiled_rhs()
-    return solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()), (0.0, t), from_farthest(1.0, 1.0, e), **options
-    ).y[:, -1]
 
 
 def distance(a, b):
@@ -34,11 +27,11 @@ def exact(e, t):
     return ORBIT.solution(mpmath.mpf(t), from_farthest(1.0, 1.0, e))
 
 
-@pytest.mark.parametrize(("e", "off"), [(0.9, 0.5), (0.99, 0.5), (0.999, 0.5)])
-def test_the_default_solver_is_lost_by_the_size_of_the_orbit_after_10_periods(e, off):
-    t = 10 * PERIOD
-    assert distance(run(e, t), exact(e, t)) > off  # of the semi-axis, success=True
-    assert distance(ORBIT.solution(t, from_farthest(1.0, 1.0, e)), exact(e, t)) < 3e-14
+@pytest.mark.parametrize("e", [0.9, 0.99, 0.999])
+def test_the_default_solver_is_lost_by_the_size_of_the_orbit_after_10_periods(e):
+    t, start = 10 * PERIOD, from_farthest(1.0, 1.0, e)
+    assert distance(solved(ORBIT, t, start).y[:, -1], exact(e, t)) > 0.5  # of the semi-axis
+    assert distance(ORBIT.solution(t, start), exact(e, t)) < 3e-14
 
 
 def test_runge_kutta_of_1000_steps_a_period_flies_away_at_e_0_99():
@@ -117,15 +110,12 @@ def test_an_ellipse_that_is_almost_a_parabola_is_as_accurate_as_any(less):
         assert distance(x, true) < 2e-14 * max(1.0, math.hypot(*x[:2]), abs(t))
 
 
-@pytest.mark.parametrize(
-    "start",
-    [
-        (1.0, 0.0, 0.0, math.sqrt(2) + 1e-9),
-        (1.0, 0.0, -0.3, 3.0),
-        (2.0, 0.0, 0.6, 0.8),
-        (-3.3, -0.5, 5.3, -0.004),
-    ],
-)
+@pytest.mark.parametrize("start", [
+    (1.0, 0.0, 0.0, math.sqrt(2) + 1e-9),
+    (1.0, 0.0, -0.3, 3.0),
+    (2.0, 0.0, 0.6, 0.8),
+    (-3.3, -0.5, 5.3, -0.004),
+])  # fmt: skip
 def test_a_parabola_or_hyperbola_is_refused_in_words_and_integrated(start):
     with pytest.raises(ModelError, match=r"no ellipse .* integrate them"):
         ORBIT.solution(1.0, start)

@@ -15,6 +15,7 @@ from newton_euler.scenes.planar.rolling_sphere import rolling_down
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
 from newton_euler.scenes.spatial.spherical_pendulum import nodding
+from tests.stability.naive import TIGHT, solved
 
 L, G, THETA0 = 1.0, 9.81, 1.0
 
@@ -45,15 +46,7 @@ def test_at_1e_minus_6_it_is_still_off_by_more_than_1e_minus_5():
 def test_with_the_angle_as_the_state_the_length_cannot_drift_and_the_energy_keeps_10_digits_at_1e_minus_10():
     model = physical_pendulum(1.0, 0.0, L, G)
     assert model.states == ("theta", "omega")
-    rhs = model.compiled_rhs()
-    y = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()),
-        (0, 20),
-        (THETA0, 0.0),
-        method="DOP853",
-        rtol=1e-10,
-        atol=1e-10,
-    ).y
+    y = solved(model, 20.0, (THETA0, 0.0), **TIGHT).y
     assert math.hypot(L * math.sin(y[0, -1]), L * math.cos(y[0, -1])) == pytest.approx(L, abs=2e-16)
     energy = [model.invariant("energy", s) for s in y.T.tolist()]
     assert np.ptp(energy) < 1e-8  # J, of 5
@@ -64,13 +57,8 @@ def test_the_states_are_twice_the_degrees_of_freedom_that_the_constraints_leave(
         {"P": "particle in plane"}, {"rod": lambda P: P[0] ** 2 + P[1] ** 2 - L**2}
     )
     assert len(physical_pendulum(1.0, 0.0, L, G).states) == 2 * pendulum.count
-    rolling = degrees_of_freedom(
-        {"sphere": "body in plane"},
-        {
-            "contact": lambda sphere: sphere[1] - 0.5,
-            "no slip": lambda sphere: sphere[0] + 0.5 * sphere[2],
-        },
-    )
+    rolls = {"contact": lambda ball: ball[1] - 0.5, "no slip": lambda ball: ball[0] + 0.5 * ball[2]}
+    rolling = degrees_of_freedom({"ball": "body in plane"}, rolls)
     assert len(rolling_down(0.3, G).states) == 2 * rolling.count
 
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.integrate import solve_ivp
 
 from newton_euler.applications.nutation import nutation
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.spatial import top
+from tests.stability.naive import solved
 
 I0, I, MGR = 0.02, 0.01, 0.5
 
@@ -36,8 +36,7 @@ def test_the_printed_cubic_makes_waves_of_half_of_the_cusps_and_loops_of_the_oth
 
 
 def test_a_run_at_default_tolerance_makes_loops_of_it():
-    rhs = top.euler(I0, I, MGR, 100.0).compiled_rhs()
-    y = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 20), (0.0, 1.0, 0.0, 0.0, 0.0)).y
+    y = solved(top.euler(I0, I, MGR, 100.0), 20.0, (0.0, 1.0, 0.0, 0.0, 0.0)).y
     assert y[3].min() < -0.01  # rad/s: it runs backwards
 
 
@@ -49,19 +48,10 @@ def test_the_engine_calls_every_release_from_rest_a_cusp_with_no_rate_at_all(the
     assert found.theta_min == pytest.approx(theta, rel=1e-15)
 
 
-@pytest.mark.parametrize(
-    ("precession", "kind"),
-    [
-        (1e-3, "waves"),
-        (1e-6, "waves"),
-        (1e-8, "waves"),
-        (1e-12, "cusps"),
-        (-1e-12, "cusps"),
-        (-1e-8, "loops"),
-        (-1e-6, "loops"),
-        (-1e-3, "loops"),
-    ],
-)
+@pytest.mark.parametrize(("precession", "kind"), [
+    (1e-3, "waves"), (1e-6, "waves"), (1e-8, "waves"), (1e-12, "cusps"), (-1e-12, "cusps"),
+    (-1e-8, "loops"), (-1e-6, "loops"), (-1e-3, "loops"),
+])  # fmt: skip
 def test_beside_the_cusp_it_tells_waves_from_loops_and_keeps_the_rate_to_the_last_digit(
     precession, kind
 ):

@@ -23,10 +23,6 @@ def _exact(s, p, t):
     return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
 
 
-def _height(s, p, t):
-    return s.h
-
-
 def _bounce(s, p, t):
     return BALL.changed(e=p.e), (0.0, -p.e * s.v)
 
@@ -37,6 +33,11 @@ def _bounce_or_rest(s, p, t):
 
 
 BALL = Model("ball", {"g": G, "e": E}, ("h", "v"), _rates, exact=_exact)
+
+
+def dropped(ball, then, **options):
+    impact = Event(lambda s, p, t: s.h, -1, then=then, name="impact")
+    return integrate(ball, T, (HEIGHT, 0.0), events=impact, **options)
 
 
 def impact(n, e=E):
@@ -87,13 +88,7 @@ def test_steps_with_a_test_at_each_let_it_sink_into_the_floor_by_a_hundred_steps
 
 @pytest.mark.parametrize("method", ["exact", "dop853"])
 def test_the_engine_finds_the_impacts_and_before_the_last_says_that_there_is_no_end_of_them(method):
-    motion = integrate(
-        BALL,
-        T,
-        (HEIGHT, 0.0),
-        method=method,
-        events=Event(_height, -1, then=_bounce, name="impact"),
-    )
+    motion = dropped(BALL, _bounce, method=method)
     assert motion.ended.startswith("events follow each other without end: impact at t = 18.99999")
     assert "give then= a rule for what comes after" in motion.ended
     assert motion.t_end == pytest.approx(REST, abs=1e-5)
@@ -104,9 +99,7 @@ def test_the_engine_finds_the_impacts_and_before_the_last_says_that_there_is_no_
 
 
 def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_the_time():
-    motion = integrate(
-        BALL, T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce_or_rest, name="impact")
-    )
+    motion = dropped(BALL, _bounce_or_rest)
     assert motion.ended == "reached t = 30"
     assert motion.end == {"h": 0.0, "v": 0.0}
     assert motion.events[-1].t == pytest.approx(REST, abs=2e-3 / G / (1 - E))
@@ -115,11 +108,7 @@ def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_th
 @pytest.mark.parametrize("e", [0.999, 1.0])
 def test_beside_it_a_ball_that_hardly_loses_anything_goes_on(e):
     """Rest would be reached after 2000 s, or never: 15 impacts in 30 s, within 1e-12 s."""
-    motion = integrate(
-        BALL.changed(e=e), T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce, name="impact")
-    )
+    motion = dropped(BALL.changed(e=e), _bounce)
     assert motion.ended == "reached t = 30"
-    exact = [impact(n, e) for n in range(40)]
-    assert [x.t for x in motion.events] == pytest.approx(
-        [t for t in exact if t < T - 1e-9], abs=1e-12
-    )
+    exact = [t for n in range(40) if (t := impact(n, e)) < T - 1e-9]
+    assert [x.t for x in motion.events] == pytest.approx(exact, abs=1e-12)

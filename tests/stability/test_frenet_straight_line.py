@@ -1,6 +1,5 @@
 """Frenet axes on a straight line: rounding noise must not be normalised into a direction (3.5)."""
 
-import mpmath
 import numpy as np
 import pytest
 
@@ -36,25 +35,3 @@ def test_the_engine_refuses_a_straight_path_in_words_wherever_it_is_asked(t):
 
 def at_time(path, t):
     return tuple(at(lambda s, n=n: path(s)[n], t) for n in range(3))
-
-
-@pytest.mark.parametrize("bend", [1e-3, 1e-6, 1e-9])
-def test_a_line_bent_ever_so_slightly_has_its_flexure_to_the_digits_that_rounding_leaves(bend):
-    def bent(t):
-        x, y, z = line(t)
-        return x + bend * t**2, y, z
-
-    found, exact = (
-        frenet_along(bent, 0.3, ground).flexure,
-        frenet_along(bent, mpmath.mpf(0.3), ground).flexure,
-    )
-    assert abs(found - exact) < 1e-15  # 1/m, absolute
-
-
-def test_a_path_at_rest_has_no_tangent_and_is_refused_with_the_way_out():
-    with pytest.raises(SingularError, match="frenet_along"):
-        frenet(ground.vector(0.0, 0, 0), ground.vector(1.0, 0, 0))
-    # beside the cusp of a semicubical parabola
-    found = frenet_along(lambda s: (s**2, s**3, 0), 1e-9, ground)
-    exact = frenet_along(lambda s: (s**2, s**3, 0), mpmath.mpf(1e-9), ground)
-    assert abs(found.flexure / exact.flexure - 1) < 1e-13

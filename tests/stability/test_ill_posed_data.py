@@ -73,16 +73,13 @@ def test_a_thin_rod_has_no_inverse_inertia_and_is_refused_where_numpy_returns_in
     ).components() == pytest.approx((1.0, 1.0, 0.0), abs=1e-15)
 
 
-@pytest.mark.parametrize(
-    ("moments", "products", "why"),
-    [
-        ((1.0, 2.0, 4.0), (0, 0, 0), "triangle inequality"),
-        ((-1.0, 2.0, 2.0), (0, 0, 0), "no body has"),
-        ((2.0, 2.0, 2.0), (1.5, 0, 0), "its square is at most"),
-        ((2.0, 2.0, 2.0), (-0.9, -0.9, -0.9), "principal moments break the triangle inequality"),
-        ((math.nan, 2.0, 2.0), (0, 0, 0), "not finite"),
-    ],
-)
+@pytest.mark.parametrize(("moments", "products", "why"), [
+    ((1.0, 2.0, 4.0), (0, 0, 0), "triangle inequality"),
+    ((-1.0, 2.0, 2.0), (0, 0, 0), "no body has"),
+    ((2.0, 2.0, 2.0), (1.5, 0, 0), "its square is at most"),
+    ((2.0, 2.0, 2.0), (-0.9, -0.9, -0.9), "principal moments break the triangle inequality"),
+    ((math.nan, 2.0, 2.0), (0, 0, 0), "not finite"),
+])  # fmt: skip
 def test_inertia_that_no_body_has_is_refused_with_the_reason(moments, products, why):
     with pytest.raises(MassError, match=why):
         Inertia(body, moments, products)

@@ -7,24 +7,19 @@ import math
 import mpmath
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from newton_euler.chapters.examples.ch10 import tilt_growth
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
+from tests.stability.naive import solved
 
 BODY = free_body(1.0, 2.0, 3.0)
 GROWTH = 1 / math.sqrt(3)  # 1/s, at 1 rad/s
 
 
-def run(start, t, **options):
-    rhs = BODY.compiled_rhs()
-    return solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, t), start, **options)
-
-
 @pytest.mark.parametrize("rtol", [1e-3, 1e-12])
 def test_exactly_on_the_axis_a_run_of_floats_never_leaves_and_so_tells_nothing(rtol):
-    y = run((0.0, 1.0, 0.0), 1e4, rtol=rtol).y
+    y = solved(BODY, 1e4, (0.0, 1.0, 0.0), rtol=rtol).y
     assert (y[0] == 0).all()
     assert (y[2] == 0).all()
     # nor does the exact one: it is an equilibrium
@@ -51,7 +46,7 @@ def test_from_any_tilt_the_exact_motion_turns_over_when_the_growth_says(tilt):
 
 def test_the_default_solver_is_eight_seconds_late_after_ten_turnovers_and_the_exact_solution_right_to_1e_minus_13():
     start = (0.01, 1.0, 0.01)
-    crossing = run(start, 250.0, events=lambda t, y: y[1]).t_events[0]
+    crossing = solved(BODY, 250.0, start, events=lambda t, y: y[1]).t_events[0]
     t = np.linspace(0.0, 250.0, 20001)
     w = BODY.solution(t, start)[1]
     exact = t[1:][(w[1:] < 0) != (w[:-1] < 0)]

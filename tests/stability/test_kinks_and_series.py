@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler import Model, prepare, sqrt, where
+from newton_euler import Model, prepare, sin, sqrt, where
 from newton_euler.motion import AccuracyError, ModelError, integrate, second_order
 from newton_euler.motion.analytic import hazards, kinks
 from newton_euler.motion.prepared import prepared_model
@@ -61,8 +61,6 @@ def tank():
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "scipy DOP853"])
 def test_a_mass_on_a_rough_floor_ends_where_it_does_at_every_time(method):
-    if method.startswith("scipy"):
-        pytest.importorskip("scipy")
     model, t, start, end = friction()
     for _ in range(60 if method == "auto" else 1):  # auto used to change its method on the way
         motion = integrate(model, t, start, RTOL, method)
@@ -84,8 +82,6 @@ def test_a_throw_with_drag_by_a_root_comes_down():
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor"])
 def test_an_empty_tank_stays_empty_or_is_refused(method):
     model, t, start, end = tank()
-    if method == "taylor" and not HEYOKA:
-        pytest.skip("heyoka is not installed")
     for seconds in (0.0, 1e3):
         prepared_model(model).traced.seconds = seconds
         try:
@@ -133,7 +129,7 @@ def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
     """A sweep of amplitudes up to 1e-7 before the upright: those at its end need care of their own,
     or cannot be had, and all others are there.
     """
-    model = second_order("pendulum", {}, ("a",), lambda s, p, t: (-_sin(s.a),))
+    model = second_order("pendulum", {}, ("a",), lambda s, p, t: (-sin(s.a),))
     a = np.concatenate([np.linspace(0.1, 3.0, 70), math.pi - 10.0 ** -np.arange(1.0, 8.0)])
     with pytest.raises(
         AccuracyError, match=r"of 77 motions are not as accurate.* number 7\d"
@@ -148,12 +144,6 @@ def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
             true = 2 * mpmath.asin(k * mpmath.ellipfun("cd", w * 20, m=k * k))
         error = abs(motions.states["a"][n, -1] - float(true)) / a[n]
         assert error <= (1 if motions.error[n] <= 1e-11 else 10) * motions.error[n]
-
-
-def _sin(x):
-    from newton_euler import sin
-
-    return sin(x)
 
 
 @pytest.mark.parametrize(

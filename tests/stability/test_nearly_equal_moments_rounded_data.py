@@ -35,14 +35,6 @@ def measured(gap, count=400):
     return np.array(turns), p
 
 
-@pytest.mark.parametrize(("gap", "degrees"), [(1e-1, 0.3), (1e-2, 3.0), (1e-3, 20.0)])
-def test_three_digits_turn_the_axes_by_a_tenth_of_a_degree_or_by_twenty_as_the_gap_shrinks(
-    gap, degrees
-):
-    turns, _ = measured(gap)
-    assert np.degrees(np.median(turns)) > degrees
-
-
 @pytest.mark.parametrize("gap", [0.3, 1e-1, 1e-2, 1e-3, 0.0])
 def test_the_turn_that_the_engine_reports_is_the_turn_that_noise_makes_within_a_factor_of_three(
     gap,
@@ -58,13 +50,3 @@ def test_the_report_calls_an_axis_determined_only_while_noise_turns_it_by_less_t
         assert p.determined[0] is fixed
         assert bool(np.median(turns) < 0.245) is fixed
         assert p.determined[2]  # the third moment stands apart
-
-
-def test_without_a_stated_noise_the_same_entries_count_as_exact_and_the_axes_as_determined():
-    _, p = measured(1e-3, count=1)
-    I, axes = inertia(1e-3)
-    exact = Inertia(body, np.diag(I).tolist(), (-I[0, 1], -I[1, 2], -I[2, 0])).principal()
-    assert exact.determined == (True, True, True)
-    assert "axes 1 and 2 are not determined by data with a relative error of 0.001" in str(p)
-    # rad: round-off over the gap
-    assert np.linalg.norm(np.cross(exact.axes[0].components(), axes[0])) < 1e-12

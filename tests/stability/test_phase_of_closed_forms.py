@@ -93,9 +93,8 @@ def errors(model, t, start):
 
 def _springs(chance):
     w = chance.decades(1e-2, 1e2)
-    start = chance.choice(
-        [(1.0, 0.0), (0.0, w), (chance.uniform(-1, 1), chance.uniform(-1, 1) * w)]
-    )
+    anywhere = chance.uniform(-1, 1), chance.uniform(-1, 1) * w
+    start = chance.choice([(1.0, 0.0), (0.0, w), anywhere])
     return spring(w * w), 6.3 / w * chance.decades(0.1, 1e9), start
 
 
@@ -115,11 +114,8 @@ def _swings(chance):
 def _beside_the_separatrix(chance):
     model, w = _pendulum(chance)
     theta, off = chance.uniform(-3, 3), chance.either(chance.decades(1e-12, 1e-2))
-    return (
-        model,
-        6.3 / w * chance.decades(0.1, 1e6),
-        (theta, 2 * w * math.cos(theta / 2) * (1 + off)),
-    )
+    t = 6.3 / w * chance.decades(0.1, 1e6)
+    return model, t, (theta, 2 * w * math.cos(theta / 2) * (1 + off))
 
 
 def _orbits(chance):
@@ -159,17 +155,9 @@ def _pushed_springs(chance):
 
 FAMILIES = {
     f.__name__.strip("_"): f
-    for f in (
-        _springs,
-        _swings,
-        _beside_the_separatrix,
-        _orbits,
-        _bodies,
-        _tops,
-        _sleeping_tops,
-        _pushed_springs,
-    )
-}
+    for f in (_springs, _swings, _beside_the_separatrix, _orbits, _bodies, _tops, _sleeping_tops,
+              _pushed_springs)
+}  # fmt: skip
 
 
 def drawn(name, runs=RUNS):
@@ -193,9 +181,7 @@ def test_a_pendulum_after_a_thousand_million_seconds():
     """Against the formula of the harness, not that of the scene."""
     model, start, t = physical_pendulum(2.0, 0.5, 0.5, 10.0), (1.0, 0.0), 1e9
     with mpmath.workdps(60):
-        ended = closed_forms.pendulum(
-            mpmath, mpmath.mpf(10), *map(mpmath.mpf, start), mpmath.mpf(t)
-        )
+        ended = closed_forms.pendulum(mpmath, *map(mpmath.mpf, (10, *start, t)))
     system = prepared_model(model)
     end, size = system.solution(t, start), sizes(system, t, start)
     true = max(float(abs(x - y)) / s for x, y, s in zip(end, ended, size, strict=True))
@@ -226,12 +212,9 @@ def test_a_formula_that_cannot_be_traced_and_a_parameter_that_is_a_whole_number(
     system = PreparedModel(Model("falling", {}, ("x",), rates, exact=_falling))
     assert exact.estimated_error(system, 3.0, (5.0,), system.solution(3.0, (5.0,))) < 1e-14
     power = Model(
-        "power",
-        {"n": 2.0},
-        ("x",),
-        lambda s, p, t: (-(s.x**p.n),),
+        "power", {"n": 2.0}, ("x",), lambda s, p, t: (-(s.x**p.n),),
         exact=lambda s, p, t: (s.x / (1 + s.x ** (p.n - 1) * t),),
-    )
+    )  # fmt: skip
     system = PreparedModel(power)
     # a negative number has no power that is not whole
     assert exact.estimated_error(system, 0.5, (-0.7,), system.solution(0.5, (-0.7,))) < 1e-14
@@ -274,51 +257,34 @@ def test_the_closed_form_of_every_scene_is_accepted(name):
 # -- formulas that are no solutions
 
 
-def _of_other_frequency(s, p, t):
-    n = sqrt(p.k) * (1 + 1e-6)
-    return s.x * cos(n * t) + s.v / n * sin(n * t), s.v * cos(n * t) - n * s.x * sin(n * t)
+def _wrong_spring(stretch=1.0, sign=1.0, offset=0.0, until=math.inf):
+    """The solution with another frequency, velocity or place, or of the other sign from a time on."""
 
+    def solution(s, p, t):
+        n = stretch * sqrt(p.k)
+        x, v = s.x * cos(n * t) + s.v / n * sin(n * t), s.v * cos(n * t) - n * s.x * sin(n * t)
+        return (x + offset, sign * v) if t < until else (-x, v)
 
-def _of_other_sign(s, p, t):
-    x, v = _spring(s, p, t)
-    return x, -v
-
-
-def _in_degrees(s, p, t):
-    n = sqrt(p.k) * (math.pi / 180)
-    return s.x * cos(n * t) + s.v / n * sin(n * t), s.v * cos(n * t) - n * s.x * sin(n * t)
-
-
-def _with_offset(s, p, t):
-    x, v = _spring(s, p, t)
-    return x + 1e-6, v
-
-
-def _right_at_first(s, p, t):
-    x, v = _spring(s, p, t)
-    return (x, v) if t < 7.0 else (-x, v)
+    return spring(solution=solution), 10.0, (1.0, 0.5)
 
 
 WRONG = {
-    "a frequency off by 1e-6": (spring(solution=_of_other_frequency), 10.0, (1.0, 0.5)),
-    "another sign": (spring(solution=_of_other_sign), 10.0, (1.0, 0.5)),
-    "degrees": (spring(solution=_in_degrees), 10.0, (1.0, 0.5)),
-    "an offset": (spring(solution=_with_offset), 10.0, (1.0, 0.5)),
-    "a branch that is wrong": (spring(solution=_right_at_first), 10.0, (1.0, 0.5)),
+    "a frequency off by 1e-6": _wrong_spring(stretch=1 + 1e-6),
+    "another sign": _wrong_spring(sign=-1),
+    "degrees": _wrong_spring(stretch=math.pi / 180),
+    "an offset": _wrong_spring(offset=1e-6),
+    "a branch that is wrong": _wrong_spring(until=7.0),
     "small swings for large ones": (
         replace(
-            physical_pendulum(2.0, 0.5, 0.5, 10.0),
-            exact=small_swings(2.0, 0.5, 0.5, 10.0).exact,
+            physical_pendulum(2.0, 0.5, 0.5, 10.0), exact=small_swings(2.0, 0.5, 0.5, 10.0).exact
         ),
-        20.0,
-        (0.5, 0.0),
+        20.0, (0.5, 0.0),
     ),
     "a shot without Coriolis": (
         replace(coriolis(9.82, 0.8), exact=flat(9.82, 0.8).exact),
-        10.0,
-        (0.0, 0.0, 0.0, 200.0, 0.0, 200.0),
+        10.0, (0.0, 0.0, 0.0, 200.0, 0.0, 200.0),
     ),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", WRONG)

@@ -5,7 +5,8 @@ no motion depends on what ran before.
 import gc
 import math
 import sys
-import threading
+import weakref
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from types import FunctionType, ModuleType, SimpleNamespace
 
@@ -46,7 +47,6 @@ def model_of(rhs, **more):
 @pytest.mark.parametrize("method", ["dop853", "taylor", "verlet", "scipy LSODA", "auto"])
 @pytest.mark.parametrize("again", [True, False], ids=["new model", "same model"])
 def test_a_global_counts_as_it_is_when_the_model_is_integrated(method, again):
-    pytest.importorskip("heyoka" if method == "taylor" else "scipy")
     space = cell(FALL)
     model = model_of(space["rhs"])
     assert fallen(model, method=method, rtol=1e-7) == pytest.approx(9.81, rel=1e-6)
@@ -134,10 +134,6 @@ def of_object(rates, rhs):
     return rhs, lambda: setattr(rates, "g", 1.62)
 
 
-def of_method(rates):
-    return of_object(rates, rates.__call__)
-
-
 def of_partial():
     space = cell("def rates(k, s, p, t): return s.v, -k*G")
     return partial(space["rates"], 1.0), lambda: space.update(G=1.62)
@@ -182,7 +178,7 @@ WAYS = {
         "constants_of_a_user", "def rhs(s, p, t): return s.v, -constants.g"
     ),
     "module inside": lambda: of_module("constants_inside", IMPORTED),
-    "method": lambda: of_method(Rates()),
+    "method": lambda: of_object(rates := Rates(), rates.__call__),
     "object": lambda: of_object(rates := Rates(), rates),
     "partial": of_partial,
     "code": of_code,
@@ -363,8 +359,6 @@ def test_functions_that_call_each_other_are_read_once():
 
 
 def test_a_cache_by_function_keeps_no_function_alive():
-    import weakref
-
     first = None
     for n in range(200):
         rhs = eval(f"lambda s, p, t: (s.v, -{n}.5)")
@@ -386,10 +380,6 @@ def test_threads_that_change_and_integrate_do_not_mix():
             if not math.isclose(found, g, rel_tol=1e-5):
                 wrong.append((seed, g, found))
 
-    threads = [threading.Thread(target=work, args=(seed,)) for seed in range(4)]
-    with frequent_switches():
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
+    with frequent_switches(), ThreadPoolExecutor(4) as pool:
+        list(pool.map(work, range(4)))
     assert wrong == []

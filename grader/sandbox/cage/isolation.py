@@ -243,11 +243,9 @@ def _kept_flags(place):
     """The flags of the mount that a remount in a user namespace must keep."""
     flags, kept = os.statvfs(place).f_flag, 0
     for status, mount in (
-        (os.ST_NODEV, MS_NODEV),
-        (os.ST_NOEXEC, MS_NOEXEC),
-        (os.ST_NOATIME, MS_NOATIME),
-        (os.ST_RELATIME, MS_RELATIME),
-    ):
+        (os.ST_NODEV, MS_NODEV), (os.ST_NOEXEC, MS_NOEXEC),
+        (os.ST_NOATIME, MS_NOATIME), (os.ST_RELATIME, MS_RELATIME),
+    ):  # fmt: skip
         kept |= mount if flags & status else 0
     return kept
 

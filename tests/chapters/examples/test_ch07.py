@@ -17,12 +17,14 @@ def matrix_of(cloud, about):
     return ((yy + zz, -xy, -zx), (-xy, zz + xx, -yz), (-zx, -yz, xx + yy))
 
 
+M, L = sympy.symbols("m l", positive=True)
+UNIT = M * L**2 / 12
+
+
 def test_example_5_5_body_of_three_rods():
-    m, length = sympy.symbols("m l", positive=True)
-    body = three_rods(m, length)
-    assert body.centre.position(body.frame).components() == (0, length / 6, length / 6)
-    bare = thin_rod(m, length, exact=True)
-    assert bare.centre.position(bare.frame).components() == (length / 2, 0, 0)
+    body, bare = three_rods(M, L), thin_rod(M, L, exact=True)
+    assert body.centre.position(body.frame).components() == (0, L / 6, L / 6)
+    assert bare.centre.position(bare.frame).components() == (L / 2, 0, 0)
 
 
 def test_example_5_6_machine_part_of_sheet():
@@ -36,31 +38,20 @@ def test_example_5_6_machine_part_of_sheet():
     assert sympy.simplify(z - expected) == 0  # independent of t and rho
 
 
-def test_example_5_5_and_7_3_the_rod_in_numbers_and_symbols():
-    m, length = sympy.symbols("m l", positive=True)
-    exact, found = thin_rod(m, length, exact=True), thin_rod(3.0, 1.6)
-    assert exact.about(exact.frame).moments == (0, m * length**2 / 3, m * length**2 / 3)
+def test_example_7_3_thin_rod_about_its_middle_and_its_end():
+    bare, found = thin_rod(M, L, exact=True), thin_rod(3.0, 1.6)
+    assert bare.about(bare.frame).moments == (0, 4 * UNIT, 4 * UNIT)
+    assert bare.about(bare.frame).products == (0, 0, 0)
+    assert bare.inertia.moments == (0, UNIT, UNIT)
     assert close(found.about(found.frame).moments, (0, 2.56, 2.56), 1e-14)
 
 
-def test_example_7_3_thin_rod_about_its_middle_and_its_end():
-    m, length = sympy.symbols("m l", positive=True)
-    bare = thin_rod(m, length, exact=True)
-    third = m * length**2 / 3
-    assert bare.about(bare.frame).moments == (0, third, third)
-    assert bare.about(bare.frame).products == (0, 0, 0)
-    assert bare.inertia.moments == (0, third / 4, third / 4)
-
-
 def test_example_7_3_three_rod_assembly():
-    m, length = sympy.symbols("m l", positive=True)
-    body = three_rods(m, length)
-    unit = m * length**2 / 12
-    assert body.about(body.frame).matrix == (
-        (8 * unit, -3 * unit, 3 * unit),
-        (-3 * unit, 11 * unit, 0),
-        (3 * unit, 0, 11 * unit),
-    )
+    body = three_rods(12, 1)
+    assert close(body.about(body.frame).matrix, ((8, -3, 3), (-3, 11, 0), (3, 0, 11)), 0)
+    symbols = three_rods(M, L)
+    expected = sympy.Matrix([[8, -3, 3], [-3, 11, 0], [3, 0, 11]]) * UNIT
+    assert sympy.Matrix(symbols.about(symbols.frame).matrix) == expected
 
 
 @every_kind
@@ -76,49 +67,30 @@ def test_example_7_5_principal_axes_of_the_three_rods(kind):
 
 
 def test_example_7_5_in_symbols_is_exact():
-    m, length = sympy.symbols("m l", positive=True)
-    body = three_rods(m, length)
-    p = body.about(body.frame).principal()
-    unit = m * length**2 / 12
-    assert p.moments == (5 * unit, 11 * unit, 14 * unit)
-    root = sympy.sqrt
+    body = three_rods(M, L)
+    p, root = body.about(body.frame).principal(), sympy.sqrt
+    assert p.moments == (5 * UNIT, 11 * UNIT, 14 * UNIT)
     assert [v.components() for v in p.axes] == [
         (root(6) / 3, root(6) / 6, -root(6) / 6), (0, root(2) / 2, root(2) / 2), (root(3) / 3, -root(3) / 3, root(3) / 3)]  # fmt: skip
 
 
 def test_example_7_9_radii_of_gyration():
-    m, length = sympy.symbols("m l", positive=True)
-    body = three_rods(m, length)
-    assert (
-        sympy.simplify(body.about(body.frame).radius_of_gyration("x") - sympy.sqrt(2) * length / 3)
-        == 0
-    )
-    assert (
-        sympy.simplify(
-            rod(length, Frame("rod"), "x", mass=m).inertia.radius_of_gyration("y")
-            - length / (2 * sympy.sqrt(3))
-        )
-        == 0
-    )
+    body, bare = three_rods(M, L), rod(L, Frame("rod"), "x", mass=M).inertia
+    of_three = body.about(body.frame).radius_of_gyration("x")
+    assert sympy.simplify(of_three - sympy.sqrt(2) * L / 3) == 0
+    assert sympy.simplify(bare.radius_of_gyration("y") - L / (2 * sympy.sqrt(3))) == 0
 
 
 def test_example_7_10_three_rods_about_their_centre_with_the_whole_mass():
     """The book transfers with the mass of one rod; 3 m is right, and mass points say so."""
-    m, length = sympy.symbols("m l", positive=True)
-    unit = m * length**2
-    I = three_rods(m, length).inertia
-    assert I.moments == (unit / 2, 5 * unit / 6, 5 * unit / 6)
-    assert I.products == (unit / 4, -unit / 12, -unit / 4)
+    I = three_rods(M, L).inertia
+    assert I.moments == (6 * UNIT, 10 * UNIT, 10 * UNIT)
+    assert I.products == (3 * UNIT, -UNIT, -3 * UNIT)
     n = 400
     s = [(k + 0.5) / n for k in range(n)]
-    cloud = (
-        [(1 / n, (-0.5, 0.0, x)) for x in s]
-        + [(1 / n, (x - 0.5, 0.0, 0.0)) for x in s]
-        + [(1 / n, (0.5, x, 0.0)) for x in s]
-    )
-    assert close(
-        three_rods(1.0, 1.0).inertia.matrix, matrix_of(cloud, (0, 1 / 6, 1 / 6)), 1.0 / n**2
-    )
+    places = [p for x in s for p in ((-0.5, 0.0, x), (x - 0.5, 0.0, 0.0), (0.5, x, 0.0))]
+    expected = matrix_of([(1 / n, place) for place in places], (0, 1 / 6, 1 / 6))
+    assert close(three_rods(1.0, 1.0).inertia.matrix, expected, 1.0 / n**2)
 
 
 def test_example_7_10_machine_part():
@@ -127,13 +99,9 @@ def test_example_7_10_machine_part():
     I = part.about(part.frame)
     pi, R = sympy.pi, sympy.Rational
     expected = (
-        pi * rho * r**4 * t / 4
-        + R(2, 3) * rho * (r**2 + h**2) * r * h * t
-        - pi * rho * s**2 * t * (s**2 / 2 + h**2 / 4),
-        pi * rho * r**4 * t / 8
-        + R(2, 3) * rho * r * h**3 * t
-        - pi * rho * s**2 * t * (s**2 / 4 + h**2 / 4),
-        pi * rho * r**4 * t / 8 + R(2, 3) * rho * r**3 * h * t - pi * rho * s**4 * t / 4,
+        pi * r**4 / 4 + R(2, 3) * (r**2 + h**2) * r * h - pi * s**2 * (s**2 / 2 + h**2 / 4),
+        pi * r**4 / 8 + R(2, 3) * r * h**3 - pi * s**2 * (s**2 / 4 + h**2 / 4),
+        pi * r**4 / 8 + R(2, 3) * r**3 * h - pi * s**4 / 4,
     )
-    assert all(sympy.expand(a - b) == 0 for a, b in zip(I.moments, expected, strict=True))
+    assert all(sympy.expand(a - rho * t * b) == 0 for a, b in zip(I.moments, expected, strict=True))
     assert I.products == (0, 0, 0)

@@ -39,38 +39,35 @@ def test_example_11_8_in_numbers():
 
 
 @every_kind
-def test_example_11_8_works_of_two_phases_by_the_tangential_component(kind):
+def test_examples_11_8_and_11_12_by_the_works_of_two_phases_and_by_conservation_of_energy(kind):
     b = ball(kind)
     U = b.works(exact=kind == "sympy")
-    v1 = b.speed_at_bottom()
-    assert close(U.terms["A to the bottom"], (v1 * v1 - b.v0 * b.v0) / 2, small(kind))
-    assert close(U.terms["A to the bottom"], b.g * b.length * (1 - cos(b.angle)), small(kind))
-    assert close(U.terms["bottom to C"], -b.g * (b.length - b.pin), small(kind))
-    assert close(sqrt(b.v0 * b.v0 + 2 * U.value), b.speed_at_pin(), small(kind))
-
-
-@every_kind
-def test_example_11_12_by_conservation_of_energy(kind):
-    b = ball(kind)
-    start = b.energy(b.length * cos(b.angle), b.v0)
-    for depth, speed in ((b.length, b.speed_at_bottom()), (b.pin, b.speed_at_pin())):
-        assert close(b.energy(depth, speed).value, start.value, small(kind))
+    drop = b.g * b.length * (1 - cos(b.angle)), -b.g * (b.length - b.pin)
+    assert list(U.terms) == ["A to the bottom", "bottom to C"]
+    assert close(tuple(U.terms.values()), drop, small(kind))
+    bottom, pin = (sqrt(b.v0 * b.v0 + 2 * work) for work in (drop[0], sum(drop)))
+    assert close((b.speed_at_bottom(), b.speed_at_pin()), (bottom, pin), small(kind))
+    start = b.energy(b.length * cos(b.angle), b.v0).value
+    for depth, speed in ((b.length, bottom), (b.pin, pin)):
+        assert close(b.energy(depth, speed).value, start, small(kind))
 
 
 def test_example_11_8_against_the_motion_in_two_phases():
     """l theta'' = -g sin(theta), then the same with the rest of the cord, by SciPy."""
     b = ball("float")
-    rest = b.length - b.pin
-    swing = lambda l: lambda t, y: (y[1], -b.g / l * math.sin(y[0]))
-    bottom, level = (lambda t, y: y[0]), (lambda t, y: y[0] + math.pi / 2)
-    bottom.terminal = level.terminal = True
-    first = solve_ivp(
-        swing(b.length), (0, 5), (b.angle, -b.v0 / b.length), rtol=1e-11, atol=1e-12, events=bottom
-    )
-    v1 = -b.length * first.y[1, -1]
-    second = solve_ivp(swing(rest), (0, 5), (0.0, -v1 / rest), rtol=1e-11, atol=1e-12, events=level)
-    assert v1 == pytest.approx(b.speed_at_bottom(), rel=1e-9)
-    assert -rest * second.y[1, -1] == pytest.approx(b.speed_at_pin(), rel=1e-9)
+
+    def swing(l, theta, v, end):
+        """The speed at the angle ``end``."""
+        event = lambda t, y: y[0] - end
+        event.terminal = True
+        rates = lambda t, y: (y[1], -b.g / l * math.sin(y[0]))
+        run = solve_ivp(rates, (0, 5), (theta, -v / l), rtol=1e-11, atol=1e-12, events=event)
+        return -l * run.y[1, -1]
+
+    bottom = swing(b.length, b.angle, b.v0, 0.0)
+    assert bottom == pytest.approx(b.speed_at_bottom(), rel=1e-9)
+    pin = swing(b.length - b.pin, 0.0, bottom, -math.pi / 2)
+    assert pin == pytest.approx(b.speed_at_pin(), rel=1e-9)
 
 
 def test_example_11_8_a_ball_that_does_not_reach_the_level_of_the_pin():
@@ -85,55 +82,28 @@ def test_example_11_8_a_ball_that_does_not_reach_the_level_of_the_pin():
 
 
 @every_kind
-def test_eqn_11_21_the_attraction_is_along_the_radius(kind):
+def test_eqn_11_21_to_11_23_the_attraction_along_the_radius_is_that_of_chapter_5(kind):
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
-    space = Frame("space")
-    e_r = space.vector(x, y, z).direction()
-    r2 = x * x + y * y + z * z
-    assert close(
-        space.vector(*attraction_field(K, M, m)(x, y, z)), -(K * M * m / r2) * e_r, small(kind)
-    )
-
-
-@every_kind
-def test_eqn_11_22_it_is_the_force_of_chapter_5(kind):
-    K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
-    space = Frame("space")
-    F = gravitation(particle(m, space.point("P", x, y, z)), particle(M, space.origin, "star"), K)
-    assert close(attraction_field(K, M, m)(x, y, z), F, small(kind))
-
-
-@every_kind
-def test_eqn_11_23_components_by_x_over_r_cubed(kind):
-    K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
+    field, space = attraction_field(K, M, m)(x, y, z), Frame("space")
     r = sqrt(x * x + y * y + z * z)
-    assert close(
-        attraction_field(K, M, m)(x, y, z),
-        tuple(-K * M * m * c / r**3 for c in (x, y, z)),
-        small(kind),
-    )
+    along = -(K * M * m / r**2) * space.vector(x, y, z).direction()
+    F = gravitation(particle(m, space.point("P", x, y, z)), particle(M, space.origin, "star"), K)
+    for other in (along, F, [-K * M * m * c / r**3 for c in (x, y, z)]):
+        assert close(field, tuple(other), small(kind))
 
 
 @every_kind
 def test_eqn_11_24_its_potential_found_from_the_field(kind):
     """Found by integration from the base, where it is zero; the formula is zero far away."""
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, 2, 2)
-    far = gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K) - gravitational_potential(
-        M, m, 5 + 0 * x, K
-    )
+    field, r = attraction_field(K, M, m), sqrt(x * x + y * y + z * z)
+    far = gravitational_potential(M, m, r, K) - gravitational_potential(M, m, 5 + 0 * x, K)
     # the integral to any place is more than SymPy finds; along a radius it is not
     if kind == "sympy":
-        lost = work_along(
-            attraction_field(K, M, m),
-            lambda s: (s, 0, 0),
-            5,
-            sqrt(x * x + y * y + z * z),
-            exact=True,
-        ).value
-        assert close(-lost, far, small(kind))
+        found = -work_along(field, lambda s: (s, 0, 0), 5, r, exact=True).value
     else:
-        V = find_potential(attraction_field(K, M, m), (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))
-        assert close(V(x, y, z), far, small(kind, 10))
+        found = find_potential(field, (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))(x, y, z)
+    assert close(found, far, small(kind, 10))
 
 
 @every_kind

@@ -8,11 +8,7 @@ import pytest
 from newton_euler import Frame, at, cos, moving
 from newton_euler.bodies.body import Body
 from newton_euler.chapters.examples.ch11 import pendulum_energy, swing_rate
-from newton_euler.dynamics.energy import (
-    EnergyError,
-    kinetic_energy,
-    kinetic_energy_about,
-)
+from newton_euler.dynamics.energy import EnergyError, kinetic_energy, kinetic_energy_about
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from tests.explicit import integrated
 from tests.kinds import close, every_kind, numbers, small
@@ -26,15 +22,11 @@ def test_example_11_17_about_the_mass_centre_and_about_the_pivot(kind):
     ground = Frame("ground")  # x down, z along the axis
     frame = ground.rotate("body", "z", moving(theta, omega))
     body = Body("body", m, frame.point("G", l, 0, 0), (I, I, I))
-    assert close(
-        kinetic_energy_about(body, ground.origin, ground).value,
-        E.terms["translation"] + E.terms["rotation"],
-        small(kind),
-    )
-    assert close(
-        kinetic_energy(body, ground).terms["translation"], E.terms["translation"], small(kind)
-    )
-    assert close(-m * g * body.centre.position(ground).x, E.terms["weight"], small(kind))
+    translation, rotation, weight = (E.terms[n] for n in ("translation", "rotation", "weight"))
+    about = kinetic_energy_about(body, ground.origin, ground).value
+    assert close(about, translation + rotation, small(kind))
+    assert close(kinetic_energy(body, ground).terms["translation"], translation, small(kind))
+    assert close(-m * g * body.centre.position(ground).x, weight, small(kind))
 
 
 @every_kind
@@ -43,10 +35,8 @@ def test_example_11_17_its_equation_of_motion_follows_from_the_energy(kind):
     m, I, l, g, theta, omega = numbers(kind, 2, "0.5", "0.75", "9.81", "0.6", 3)
     model = physical_pendulum(m, I, l, g)
     rates = model.derivative((theta, omega))
-    E = at(
-        lambda t: pendulum_energy(m, I, l, g, theta + omega * t, omega + rates[1] * t).value, 0 * m
-    )
-    assert close(E.rate, 0, 10 * small(kind))
+    along = lambda t: pendulum_energy(m, I, l, g, theta + omega * t, omega + rates[1] * t).value
+    assert close(at(along, 0 * m).rate, 0, small(kind, 10))
 
 
 def test_example_11_17_along_the_motion_and_how_far_it_swings():
@@ -56,9 +46,8 @@ def test_example_11_17_along_the_motion_and_how_far_it_swings():
     assert np.ptp(E) < 1e-9 * abs(E[0])
     for t in (0.3, 0.9, 1.4):
         s = states(t)
-        assert swing_rate(2.0, 0.5, 0.75, 9.81, s["theta"], 1.2) == pytest.approx(
-            abs(s["omega"]), rel=1e-8
-        )
+        rate = swing_rate(2.0, 0.5, 0.75, 9.81, s["theta"], 1.2)
+        assert rate == pytest.approx(abs(s["omega"]), rel=1e-8)
     with pytest.raises(EnergyError, match="does not get there"):
         swing_rate(2.0, 0.5, 0.75, 9.81, 1.3, 1.2)
 

@@ -14,11 +14,7 @@ from newton_euler import Frame, moving
 from newton_euler.bodies.solids import sphere
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.chapters.examples.ch11 import friction_needed, rolling_energy, rolling_speed
-from newton_euler.dynamics.energy import (
-    audit,
-    kinetic_energy,
-    kinetic_energy_about,
-)
+from newton_euler.dynamics.energy import audit, kinetic_energy, kinetic_energy_about
 from newton_euler.dynamics.work import power
 from newton_euler.scenes.planar.rolling_sphere import rolling_down
 from tests.explicit import integrated
@@ -28,24 +24,20 @@ from tests.kinds import close, every_kind, numbers, small
 @every_kind
 def test_example_11_15_seven_tenths_of_m_v2(kind):
     m, R, v = numbers(kind, 3, "0.2", 2)
-    T = rolling_energy(m, R, v)
-    assert close(T.value, 7 * m * v * v / 10, small(kind))
-    assert close(T.terms["translation"] / T.value, 0 * m + 5 * v / (7 * v), small(kind))
-    assert close(T.terms["rolling"] / T.value, 0 * m + 2 * v / (7 * v), small(kind))
+    T, unit = rolling_energy(m, R, v), m * v * v
+    assert close(T.value, 7 * unit / 10, small(kind))
+    assert close((T.terms["translation"], T.terms["rolling"]), (unit / 2, unit / 5), small(kind))
 
 
 @every_kind
 def test_example_11_15_by_a_body_in_a_frame_and_about_the_contact(kind):
     m, R, v, pivoting = numbers(kind, 3, "0.25", 2, 5)
     ground = Frame("ground")
-    G = ground.point("G", moving(0 * v, v), 0, R)
+    G, C = ground.point("G", moving(0 * v, v), 0, R), ground.point("C", 0, 0, 0)
     frame = ground.rotate("pivot", "z", rate=pivoting, origin=G).rotate("ball", "y", rate=v / R)
-    ball = sphere(R, frame, mass=m)
-    T = rolling_energy(m, R, v, pivoting)
-    assert close(kinetic_energy(ball, ground).value, T.value, small(kind))
-    assert close(
-        kinetic_energy_about(ball, ground.point("C", 0, 0, 0), ground).value, T.value, small(kind)
-    )
+    ball, T = sphere(R, frame, mass=m), rolling_energy(m, R, v, pivoting)
+    for found in (kinetic_energy(ball, ground), kinetic_energy_about(ball, C, ground)):
+        assert close(found.value, T.value, small(kind))
     # the component that the book leaves out
     assert close(T.terms["pivoting"], m * R * R * pivoting**2 / 5, small(kind))
 
@@ -89,26 +81,17 @@ def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
     def friction(t):
         """Only while there is slip; at the contact point of the ball, which slides on the ground."""
         ball = motion(t)
-        contact = ball.centre.velocity(ground) + ball.frame.angular_velocity(ground).cross(
-            -r * ground.j
-        )
+        turning = ball.frame.angular_velocity(ground)
+        contact = ball.centre.velocity(ground) + turning.cross(-r * ground.j)
         return power(-mu * m * g * ground.i, contact)
 
-    breaks = np.unique(begins.t).tolist()
-    books = audit(
-        lambda t: kinetic_energy(motion(t), ground),
-        0.0,
-        2.0,
-        powers={"friction": friction},
-        breaks=breaks,
-    )
+    energy, breaks = (lambda t: kinetic_energy(motion(t), ground)), np.unique(begins.t).tolist()
+    books = audit(energy, 0.0, 2.0, powers={"friction": friction}, breaks=breaks)
     assert books.balances()
     assert np.allclose(books.heat("friction"), m * v0**2 / 7, rtol=1e-12)
-    assert np.allclose(
-        kinetic_energy(motion(2.0), ground).value, 7 / 10 * m * (5 / 7 * v0) ** 2, rtol=1e-14
-    )
+    assert np.allclose(energy(2.0).value, 7 / 10 * m * (5 / 7 * v0) ** 2, rtol=1e-14)
     # as if it rolled all the time
-    naive = audit(lambda t: kinetic_energy(motion(t), ground), 0.0, 2.0)
+    naive = audit(energy, 0.0, 2.0)
     assert not naive.balances()
     assert np.allclose(naive.residual, -m * v0**2 / 7, rtol=1e-12)
 
@@ -118,12 +101,7 @@ def test_a_formula_of_the_heat_of_the_sphere():
     begins = rolling_begins(v0, mu, g, r)
     slip = lambda t: v0 - mu * g * t - 5 * mu * g * t / 2
     T = lambda t: m * (v0 - mu * g * t) ** 2 / 2 + m * (5 * mu * g * t / 2) ** 2 / 5
-    books = audit(
-        T,
-        sympy.Integer(0),
-        begins.t,
-        powers={"friction": lambda t: -mu * m * g * slip(t)},
-        exact=True,
-    )
+    powers = {"friction": lambda t: -mu * m * g * slip(t)}
+    books = audit(T, sympy.Integer(0), begins.t, powers=powers, exact=True)
     assert books.balances()
     assert sympy.simplify(books.heat() - m * v0**2 / 7) == 0

@@ -7,9 +7,7 @@ import numpy as np
 from newton_euler import Frame, moving
 from newton_euler.bodies.body import Body
 from newton_euler.chapters.examples.ch11 import top_energy
-from newton_euler.dynamics.energy import (
-    kinetic_energy,
-)
+from newton_euler.dynamics.energy import kinetic_energy
 from newton_euler.kinematics.rotations import euler_frame
 from newton_euler.scenes.spatial.top import euler
 from tests.explicit import integrated
@@ -20,16 +18,12 @@ from tests.kinds import close, every_kind, numbers, small
 def test_example_11_16_energy_of_the_top_by_a_body_in_frames(kind):
     I0, I, mgr, theta, nod, precession, spin = numbers(kind, "1.5", 1, 10, "0.8", "0.4", 2, 9)
     ground = Frame("ground")
-    frame = euler_frame(
-        ground, "top", moving(theta, precession), moving(theta, nod), moving(theta, spin)
-    )
+    turning = moving(theta, precession), moving(theta, nod), moving(theta, spin)
+    frame = euler_frame(ground, "top", *turning)
     T = kinetic_energy(Body("top", I, frame, (I0, I0, I)), ground).value
     height = frame.point("G", 0, 0, 1).position(ground).z
-    assert close(
-        top_energy(I0, I, mgr, theta, nod, precession, spin).value,
-        T + mgr * height,
-        10 * small(kind),
-    )
+    E = top_energy(I0, I, mgr, theta, nod, precession, spin)
+    assert close(E.value, T + mgr * height, small(kind, 10))
 
 
 def test_example_11_16_with_the_books_sign_the_sum_is_not_constant():
@@ -39,15 +33,8 @@ def test_example_11_16_with_the_books_sign_the_sum_is_not_constant():
     right, printed = [], []
     for t in np.linspace(0.0, 0.5, 11):
         s = states(t)
-        E = top_energy(
-            I0,
-            I,
-            mgr,
-            s["theta"],
-            s["theta_rate"],
-            s["psi_rate"],
-            omega_z - s["psi_rate"] * math.cos(s["theta"]),
-        )
+        spin = omega_z - s["psi_rate"] * math.cos(s["theta"])
+        E = top_energy(I0, I, mgr, s["theta"], s["theta_rate"], s["psi_rate"], spin)
         right.append(E.value)
         printed.append(E.reweighted(weight=-1))
     assert np.ptp(right) < 1e-9 * abs(right[0])

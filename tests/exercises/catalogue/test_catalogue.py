@@ -34,14 +34,8 @@ def write(tmp_path, monkeypatch):
     """A function that puts a file into chapter 77, the only one of a catalogue of its own."""
 
     def forget():
-        for kept in (
-            reading.chapters,
-            reading.chapter,
-            reading.problems,
-            reading.problem,
-            reading._problem_at,
-        ):
-            kept.cache_clear()
+        for name in ("chapters", "chapter", "problems", "problem", "_problem_at"):
+            getattr(reading, name).cache_clear()
 
     def put(name, text):
         (tmp_path / "ch77").mkdir(exist_ok=True)
@@ -116,12 +110,8 @@ def test_changed_givens_leave_the_others_alone():
 
 def test_formulas_contain_exactly_the_symbols_of_the_text():
     found = problem("4/42").formulas()["a_C"]
-    assert {str(s) for x in found for s in sympy.sympify(x).free_symbols} == {
-        "omega_1",
-        "omega_2",
-        "omega_3",
-        "r",
-    }
+    free = {str(s) for x in found for s in sympy.sympify(x).free_symbols}
+    assert free == {"omega_1", "omega_2", "omega_3", "r"}
 
 
 def test_dimensions_pass_through_base():
@@ -132,24 +122,27 @@ def test_dimensions_pass_through_base():
 # -- errors
 
 
+LACKING = {"beta_1": 120, "b": 8, "L": 16}
+
+
 @pytest.mark.parametrize(
-    ("asked", "answered"),
+    ("ask", "told"),
     [
-        ("4/99", "there is no problem 4/99; ch04 has 4/1 to 4/43"),
-        ("99/1", "there is no problem 99/1: the chapters with problems are .*ch04"),
-        ("4.16", "'4.16' is not a problem number; write chapter and problem, as in 4/16"),
-        ("C/1", "'C/1' is not a problem number"),
-        ("4/", "'4/' is not a problem number"),
+        (lambda: problem("4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
+        (lambda: problem("99/1"), "there is no problem 99/1: the chapters with problems are .*ch04"),
+        (lambda: problem("4.16"), "'4.16' is not a problem number; write chapter and problem, as in 4/16"),
+        (lambda: problem("C/1"), "'C/1' is not a problem number"),
+        (lambda: problem("4/"), "'4/' is not a problem number"),
+        (lambda: problems("ch99"), r"there is no chapter 'ch99'; there are .*ch04"),
+        (lambda: problem("4/16").base(LACKING), "problem 4/16 lacks omega, b_dot"),
+        (lambda: problem("4/16").base({**problem("4/16").book_values, "speed": 1}),
+         "problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"),
+        (lambda: problem("4/16").answer("a_C"), "problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"),
     ],
-)
-def test_unknown_problem_is_told_in_words(asked, answered):
-    with pytest.raises(CatalogueError, match=answered):
-        problem(asked)
-
-
-def test_unknown_chapter_is_told_with_those_that_are():
-    with pytest.raises(CatalogueError, match=r"there is no chapter 'ch99'; there are .*ch04"):
-        problems("ch99")
+)  # fmt: skip
+def test_what_is_not_there_is_named_with_what_is(ask, told):
+    with pytest.raises(CatalogueError, match=told):
+        ask()
 
 
 def test_select_takes_numbers_chapters_and_all_and_each_problem_once():
@@ -157,22 +150,6 @@ def test_select_takes_numbers_chapters_and_all_and_each_problem_once():
     assert select(["ch04"]) == list(problems("ch04"))
     assert select(["all"]) == [p for name in chapters() for p in problems(name)]
     assert select([]) == []
-
-
-def test_missing_and_unknown_givens_are_named():
-    with pytest.raises(CatalogueError, match="problem 4/16 lacks omega, b_dot"):
-        problem("4/16").base({"beta_1": 120, "b": 8, "L": 16})
-    with pytest.raises(
-        CatalogueError, match="problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"
-    ):
-        problem("4/16").base({**problem("4/16").book_values, "speed": 1})
-
-
-def test_unknown_answer_is_named():
-    with pytest.raises(
-        CatalogueError, match="problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"
-    ):
-        problem("4/16").answer("a_C")
 
 
 def changed(right, wrong):
@@ -260,18 +237,10 @@ def test_a_file_that_holds_no_problem_is_told(write, text):
 
 
 def test_a_power_of_ten_is_a_number_with_and_without_a_point(write):
-    write(
-        "p01.yaml",
-        changed("value: 2", "value: 1e-3")
-        .replace("[1, 3]", "[1.0e-4, 2e3]")
-        .replace("means: speed", "means: speed, atol: 1e-9"),
-    )
-    p = problem("77/1")
-    assert (p.givens["r"].value, p.givens["r"].vary, p.answer("v").atol) == (
-        1e-3,
-        (1e-4, 2e3),
-        1e-9,
-    )
+    text = changed("value: 2", "value: 1e-3").replace("[1, 3]", "[1.0e-4, 2e3]")
+    write("p01.yaml", text.replace("means: speed", "means: speed, atol: 1e-9"))
+    r, v = problem("77/1").givens["r"], problem("77/1").answer("v")
+    assert (r.value, r.vary, v.atol) == (1e-3, (1e-4, 2e3), 1e-9)
 
 
 def test_an_answer_weighs_one_unless_the_file_says_more(write):
@@ -281,62 +250,52 @@ def test_an_answer_weighs_one_unless_the_file_says_more(write):
     assert problem("77/1").answer("v").weight == 2.5
 
 
-def test_broken_yaml_is_told_with_file_and_line(write):
-    write("p01.yaml", changed('"4.8"', '"4.8'))
-    told = refused(problem, "77/1")
-    assert told.startswith(
-        "ch77/p01.yaml is not YAML: while scanning a quoted scalar in line 4, column 10 "
-    )
-    assert told.endswith(
-        "; a text with a colon, a # or quotation marks in it wants quotes around it"
-    )
+BROKEN_YAML = (
+    "ch77/p01.yaml is not YAML: while scanning a quoted scalar in line 4, column 10 .*"
+    "; a text with a colon, a # or quotation marks in it wants quotes around it"
+)
 
 
-def test_a_key_that_is_there_twice_is_told_with_file_and_line(write):
-    write(
-        "p01.yaml",
-        changed("{twice: doubles it}", "{twice: doubles it, once: does it, twice: doubles it too}"),
-    )
-    assert refused(problem, "77/1").startswith(
-        "ch77/p01.yaml is not YAML: the key twice is there twice in line 10, column 12;"
-    )
-
-
-def test_a_file_in_another_encoding_is_told_with_byte_and_line(write):
-    write("p01.yaml", changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"))
-    assert (
-        refused(problem, "77/1")
-        == "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"
-    )
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (changed('"4.8"', '"4.8'), BROKEN_YAML),
+        (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
+         "ch77/p01.yaml is not YAML: the key twice is there twice in line 10, column 12;.*"),
+        (changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"),
+         "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"),
+    ],
+    ids=["broken", "key twice", "encoding"],
+)  # fmt: skip
+def test_what_cannot_be_read_is_told_with_file_and_line(write, text, told):
+    write("p01.yaml", text)
+    assert re.fullmatch(told, refused(problem, "77/1"), re.DOTALL)
 
 
 def test_the_same_problem_twice_is_told(write):
     write("p01.yaml", ENTRY)
     write("p02.yaml", ENTRY)
-    told = (
-        "the id 77/1 is that of ch77/p01.yaml, too; give one of them the id that its name "
-        "says, or delete it"
+    assert refused(problems, "ch77") == (
+        "ch77/p02.yaml: the id 77/1 is that of ch77/p01.yaml, too; give one of them the id that "
+        "its name says, or delete it"
     )
-    assert refused(problems, "ch77") == f"ch77/p02.yaml: {told}"
     assert problem("77/1").id == "77/1"
 
 
-@pytest.mark.parametrize("name", ["p1.yaml", "p001.yaml"])
-def test_a_file_whose_number_has_not_two_digits_is_told(write, name):
-    write(name, ENTRY)
-    assert refused(problems, "ch77") == (
-        f"ch77/{name}: the id 77/1 belongs in ch77/p01.yaml; rename this file, or correct the id"
-    )
+NO_NUMBER = "is not named like a problem: rename it as in p01.yaml, or move it out of the folder"
+DIGITS = ": the id 77/1 belongs in ch77/p01.yaml; rename this file, or correct the id"
 
 
-@pytest.mark.parametrize("name", ["problems.yaml", "16.yaml", "p02.yml", "p2 copy.yaml"])
-def test_a_file_that_is_not_named_like_a_problem_is_told(write, name):
-    write("p01.yaml", ENTRY)
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [(name, DIGITS) for name in ("p1.yaml", "p001.yaml")]
+    + [(name, f" {NO_NUMBER}") for name in ("problems.yaml", "16.yaml", "p02.yml", "p2 copy.yaml")],
+)
+def test_a_file_that_is_not_named_after_its_problem_is_told(write, name, told):
+    if told != DIGITS:
+        write("p01.yaml", ENTRY)
     write(name, ENTRY)
-    assert refused(problems, "ch77") == (
-        f"ch77/{name} is not named like a problem: rename it as in p01.yaml, or move it out of "
-        "the folder"
-    )
+    assert refused(problems, "ch77") == f"ch77/{name}{told}"
 
 
 def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_editor(write):
@@ -373,9 +332,7 @@ def test_code_without_a_function_is_told(write, monkeypatch):
     write("p01.yaml", ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: half)
-    with pytest.raises(
-        CatalogueError, match=r"exercises/ch77/p01.py does not define prove, mistakes"
-    ):
+    with pytest.raises(CatalogueError, match=r"ch77/p01.py does not define prove, mistakes"):
         problem("77/1").code.solve(None)
 
 

@@ -95,22 +95,17 @@ def test_a_fault_is_caught(tamper, functions, fault):
 
 
 def test_a_mistake_without_a_text_is_caught():
-    broken = replace(
-        P,
-        mistakes={name: text for name, text in P.mistakes.items() if name != "no_coriolis"},
-    )
-    assert check(broken) == ["the mistake no_coriolis is computed but not in p16.yaml"]
+    others = {name: text for name, text in P.mistakes.items() if name != "no_coriolis"}
+    assert check(replace(P, mistakes=others)) == [
+        "the mistake no_coriolis is computed but not in p16.yaml"
+    ]
 
 
 def test_a_mistake_under_the_key_of_another_answer_is_a_warning(monkeypatch):
-    p = problem("4/16")
-    wrong = lambda g: {
-        **MISTAKES(g),
-        "no_coriolis": {"v_D": MISTAKES(g)["no_coriolis"]["a_D"]},
-    }
-    monkeypatch.setattr(p.code, "mistakes", wrong)
+    stored = lambda wrong, g: {**wrong, "no_coriolis": {"v_D": wrong["no_coriolis"]["a_D"]}}
+    monkeypatch.setattr(P.code, "mistakes", mistaken(stored)["mistakes"])
     told = "the mistake no_coriolis gives v_D the dimension of a_D: is it stored under its key?"
-    assert told in alike(p)
+    assert told in alike(P)
 
 
 def test_frames_of_another_call_in_the_tree_of_an_answer_are_a_fault(tamper):
@@ -136,7 +131,4 @@ def test_a_mistake_in_other_axes_is_caught(tamper):
 
 def test_a_misread_angle_is_caught(tamper):
     faults = tamper(solve=lambda g: SOLVE(g.but(beta_1=g.beta_1 + pi(g.beta_1) / 6)))
-    assert {fault.partition(":")[0] for fault in faults if " prove " in fault} == {
-        "v_D",
-        "a_D",
-    }
+    assert {fault.partition(":")[0] for fault in faults if " prove " in fault} == {"v_D", "a_D"}

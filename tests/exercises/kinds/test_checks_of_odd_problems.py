@@ -4,6 +4,7 @@ stops at the digits of its numbers, with mistakes that cannot be told apart.
 
 from dataclasses import replace
 
+import pytest
 import sympy
 from mpmath import findroot, mp, mpf
 
@@ -86,9 +87,9 @@ def nothing(offset, made):
     )
 
 
-def test_a_key_of_zero_holds_up_to_its_absolute_tolerance(made):
-    assert check(nothing("1e-30", made), seeds=2) == []
-    assert check(nothing("0", made), seeds=2) == []
+@pytest.mark.parametrize("proved", ["1e-30", "0"])
+def test_a_key_of_zero_holds_up_to_its_absolute_tolerance(proved, made):
+    assert check(nothing(proved, made), seeds=2) == []
 
 
 def test_a_key_of_zero_that_the_proof_denies_is_caught(made):
@@ -99,28 +100,24 @@ def test_a_key_of_zero_that_the_proof_denies_is_caught(made):
 # -- mistakes that cannot be told apart
 
 
+def radius(made, **wrong):
+    """A problem that asks for its radius, and has these mistakes."""
+    right = lambda g: {"x": g.r}
+    mistakes = lambda g: {name: {"x": f(g)} for name, f in wrong.items()}
+    given = {"givens": {"r": RADIUS}, "answers": (LENGTH,), "mistakes": dict.fromkeys(wrong, "")}
+    return made(right, right, mistakes, **given)
+
+
 def test_two_mistakes_with_the_same_wrong_answer_are_a_warning(made):
-    p = made(
-        lambda g: {"x": g.r},
-        lambda g: {"x": g.r},
-        lambda g: {"twice": {"x": 2 * g.r}, "diameter": {"x": g.r + g.r}, "half": {"x": g.r / 2}},
-        givens={"r": RADIUS},
-        answers=(LENGTH,),
-        mistakes={"twice": "", "diameter": "", "half": ""},
-    )
+    diameter = {"twice": lambda g: 2 * g.r, "diameter": lambda g: g.r + g.r}
+    p = radius(made, **diameter, half=lambda g: g.r / 2)
     assert check(p, seeds=3) == []
     (warning,) = alike(p, seeds=3)
     assert warning.startswith("the mistakes twice and diameter give the same wrong x")
 
 
 def test_mistakes_that_agree_only_by_chance_are_no_warning(made):
-    p = made(
-        lambda g: {"x": g.r},
-        lambda g: {"x": g.r},
-        lambda g: {"tenfold": {"x": 10 * g.r}, "three": {"x": 0 * g.r + 3}},
-        givens={"r": RADIUS},  # 0.3 in the book, so that both are 3 there
-        answers=(LENGTH,),
-        mistakes={"tenfold": "", "three": ""},
-    )
+    # 0.3 in the book, so that both are 3 there
+    p = radius(made, tenfold=lambda g: 10 * g.r, three=lambda g: 0 * g.r + 3)
     assert alike(p) != []
     assert alike(p, seeds=3) == []

@@ -36,9 +36,8 @@ def test_a_formula_in_feet_and_seconds_has_no_factors_of_metres(problem_with):
     answers = [Answer("v_min", "expression", "ft/s", "speed")]
     p = problem_with(jump, WHEEL, answers)
     s = p.sympy_symbols()
-    assert p.formulas()["v_min"] == sqrt(
-        s["g"] * (s["r"] ** 2 + 2 * s["r"] * s["e"] * cos(s["theta"])) / s["e"]
-    )
+    r, e = s["r"], s["e"]
+    assert p.formulas()["v_min"] == sqrt(s["g"] * (r**2 + 2 * r * e * cos(s["theta"])) / e)
     assert check(p, seeds=3) == []
 
 
@@ -46,15 +45,11 @@ def test_inches_and_ounces_keep_their_factors_of_feet_and_pounds(problem_with):
     def solve(g):
         return {"F": g.W * g.r / g.e, "alpha": g.W * g.r / (g.m * g.r**2)}
 
-    answers = [
-        Answer("F", "expression", "lb", ""),
-        Answer("alpha", "expression", "rad/s^2", ""),
-    ]
+    answers = [Answer("F", "expression", "lb", ""), Answer("alpha", "expression", "rad/s^2", "")]
     p = problem_with(solve, {"W": "oz", "r": "in", "e": "ft", "m": "slug"}, answers)
     s = p.sympy_symbols()
-    found = p.formulas()
-    assert found["F"] == s["W"] / 16 * s["r"] / 12 / s["e"]
-    assert found["alpha"] == s["W"] / 16 / (s["m"] * s["r"] / 12)
+    force, r = s["W"] / 16, s["r"] / 12
+    assert p.formulas() == {"F": force * r / s["e"], "alpha": force / (s["m"] * r)}
 
 
 def test_givens_in_numbers_are_the_same_in_either_system(problem_with):
@@ -64,17 +59,13 @@ def test_givens_in_numbers_are_the_same_in_either_system(problem_with):
     assert (p.system, metric.system) == (US, SI)
     values = {"r": 0.9, "e": 0.3, "theta": 0.4, "g": 32.2}
     assert p.base(values).r == values["r"] == p.base(values).stated("r")
-    assert p.solve(values)["v_min"] == pytest.approx(
-        metric.solve({**values, "r": 0.9 * 0.3048})["v_min"], rel=1e-14
-    )
+    in_metres = metric.solve({**values, "r": 0.9 * 0.3048})["v_min"]
+    assert p.solve(values)["v_min"] == pytest.approx(in_metres, rel=1e-14)
 
 
 def test_symbols_are_positive_where_their_range_is(problem_with):
-    p = problem_with(
-        lambda g: {"d": sqrt(g.r**2) + sqrt(g.x**2)},
-        {"r": "m", "x": "m"},
-        [Answer("d", "expression", "m", "")],
-    )
+    solve = lambda g: {"d": sqrt(g.r**2) + sqrt(g.x**2)}
+    p = problem_with(solve, {"r": "m", "x": "m"}, [Answer("d", "expression", "m", "")])
     r, x = sympy.Symbol("r", positive=True), sympy.Symbol("x", real=True)
     assert p.formulas()["d"] == r + abs(x)
 
@@ -85,10 +76,7 @@ def test_components_that_vanish_are_dropped(problem_with):
         nothing = sin(g.theta) ** 2 + cos(g.theta) ** 2 - 1
         return {"a": ground.vector(g.r, g.r * nothing, 0), "b": g.r * nothing}
 
-    answers = [
-        Answer("a", "vector_expression", "m", ""),
-        Answer("b", "expression", "m", ""),
-    ]
+    answers = [Answer("a", "vector_expression", "m", ""), Answer("b", "expression", "m", "")]
     p = problem_with(solve, {"r": "m", "theta": "rad"}, answers)
     found = p.formulas()
     assert list(found["a"]) == [p.sympy_symbols()["r"], 0, 0]

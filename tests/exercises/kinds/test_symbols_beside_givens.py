@@ -111,17 +111,13 @@ def test_answers_are_apart_if_half_of_their_real_points_are():
 
 def at_thirty(falling, same):
     """The sine of 30 degrees is a half, so that the book's numbers do not tell one from another."""
+    length = Given("L", 2.0, "m", "length", (1.0, 3.0))
+    slope = Given("beta", 30, "deg", "slope", (20, 70))
     return falling(
-        lambda g: {"h": g.L * sin(g.beta)},
-        lambda g: {"no_half": {"h": g.L / 2}},
-        givens={
-            "L": Given("L", 2.0, "m", "length", (1.0, 3.0)),
-            "beta": Given("beta", 30, "deg", "slope", (20, 70)),
-        },
-        symbols={},
-        answers=(replace(HEIGHT, kind="number"),),
-        same_in_book=frozenset(same),
-    )
+        lambda g: {"h": g.L * sin(g.beta)}, lambda g: {"no_half": {"h": g.L / 2}},
+        givens={"L": length, "beta": slope}, symbols={},
+        answers=(replace(HEIGHT, kind="number"),), same_in_book=frozenset(same),
+    )  # fmt: skip
 
 
 def test_a_mistake_may_be_exempt_at_the_numbers_of_the_book(falling):

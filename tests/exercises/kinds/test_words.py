@@ -10,17 +10,8 @@ from exercises.catalogue.checks import check
 from exercises.catalogue.following import earlier_answers
 from exercises.catalogue.variants import at_points, draw, objection
 from newton_euler import where
-from tests.exercises.kinds.thrown import (
-    DOF,
-    SENSE,
-    SLIPS,
-    SPEED,
-    THROWN,
-    ball,
-    mistakes,
-    sense,
-    solve,
-)
+from tests.exercises.kinds import thrown
+from tests.exercises.kinds.thrown import DOF, SENSE, SPEED, THROWN, ball, mistakes, sense, solve
 
 # -- what the code may return
 
@@ -111,11 +102,8 @@ def test_a_word_may_follow_from_a_number(made):
     """Who has the speed wrong has the sense right that goes with it."""
     answers = (replace(SPEED, weight=1.0), replace(SENSE, follow_through=0.5))
 
-    def ordered(g):
-        found = solve(g)
-        return {"v": found["v"], "sense": found["sense"]}
-
-    p = made(ordered, wrong=mistakes, answers=answers, givens=THROWN, mistakes=SLIPS)
+    ordered = lambda g: dict(reversed(solve(g).items()))
+    p = made(ordered, wrong=mistakes, answers=answers, givens=THROWN, mistakes=thrown.SLIPS)
     p.code.follows = {"sense": lambda g, v: sense(v)}
     assert not [f for f in check(p, 1) if "follow" in f]
     p.code.follows = {"sense": lambda g, v: "rests"}

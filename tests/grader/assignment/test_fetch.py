@@ -16,22 +16,15 @@ def test_a_student_fetches_under_the_name_under_which_nbgrader_submits(monkeypat
 
 def fetch(course, exchange, student, home, *options):
     home.mkdir(exist_ok=True)
+    config = (course.path / "student/nbgrader_config.py").read_text()
+    here = "os.path.dirname(os.path.abspath(__file__))"
     (home / "nbgrader_config.py").write_text(
-        (course.path / "student/nbgrader_config.py")
-        .read_text()
-        .replace("os.path.dirname(os.path.abspath(__file__))", repr(str(course.path / "student")))
+        config.replace(here, repr(str(course.path / "student")))
         + "\nimport importlib.util\n\nassert not any(map(importlib.util.find_spec, "
         "('grader', 'exercises')))\n"
     )
-    return nbgrader(
-        "fetch_assignment",
-        "ch04",
-        f"--Exchange.root={exchange}",
-        f"--student={student}",
-        *options,
-        cwd=home,
-        PYTHONPATH="",
-    )
+    given = f"--Exchange.root={exchange}", f"--student={student}", *options
+    return nbgrader("fetch_assignment", "ch04", *given, cwd=home, PYTHONPATH="")
 
 
 def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_path):
@@ -64,16 +57,8 @@ def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_pa
     assert "ch04 has no copy for 'zoe'. Ask the instructor to put you on the roster" in out
     plain = tmp_path / "plain"
     plain.mkdir()
-    ran(
-        nbgrader(
-            "fetch_assignment",
-            "ch04",
-            f"--Exchange.root={exchange}",
-            "--course=mechanics",
-            cwd=plain,
-            USER="ada",
-        )
-    )
+    given = f"--Exchange.root={exchange}", "--course=mechanics"
+    ran(nbgrader("fetch_assignment", "ch04", *given, cwd=plain, USER="ada"))
     text = (plain / "ch04/ch04.ipynb").read_text()
     assert "This copy has the numbers of the book" in text
     assert not list((plain / "ch04").glob(".personal*"))

@@ -10,7 +10,7 @@ from grader.assignment import copy_to_exchange, make_personal_copies, problems_o
 from grader.assignment import notebook as nb
 from grader.assignment.fetch import personal_name
 from grader.course import CourseError
-from tests.grader.courses import command, ran, read, released_sheet
+from tests.grader.courses import append_config, command, ran, read, released_sheet
 from tests.grader.keys import secrets_in
 
 STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
@@ -53,16 +53,11 @@ def test_a_late_joiner_gets_a_copy_and_nobody_elses_changes(ungraded, tmp_path):
     before = ungraded.personal_path("ch04", "ada").read_text()
     outbound = tmp_path / "exchange/mechanics/outbound/ch04"
     outbound.mkdir(parents=True)
-    config = ungraded.path / "nbgrader_config.py"
-    config.write_text(config.read_text() + f"\nc.Exchange.root = {str(tmp_path / 'exchange')!r}\n")
+    append_config(ungraded, f"c.Exchange.root = {str(tmp_path / 'exchange')!r}")
     ungraded.enrol(["zoe"])
     ran(command("personal", "ch04", "--course", ungraded.path, "--student", "zoe", "--exchange"))
-    assert (
-        outbound.parent
-        / ".personal/ch04"
-        / personal_name("mechanics", "ch04", "zoe")
-        / "ch04.ipynb"
-    ).exists()
+    place = outbound.parent / ".personal/ch04" / personal_name("mechanics", "ch04", "zoe")
+    assert (place / "ch04.ipynb").exists()
     assert ungraded.personal_path("ch04", "ada").read_text() == before
 
 
@@ -73,17 +68,12 @@ def test_personal_copies_are_the_same_when_made_again(ungraded):
 
 
 def test_an_empty_roster_is_reported(ungraded):
-    from grader.assignment.personal import make_personal_copies
-
     with ungraded.gradebook() as book:
         for s in ungraded.roster():
             book.remove_student(s)
     with pytest.raises(CourseError, match=r"nobody is on the roster; add students with"):
         make_personal_copies(ungraded, "ch04")
-    with pytest.raises(
-        CourseError,
-        match=r"zoe: not on the roster; add the student first: nbgrader db student add zoe",
-    ):
+    with pytest.raises(CourseError, match=r"zoe: not on the roster; .*nbgrader db student add zoe"):
         make_personal_copies(ungraded, "ch04", ["zoe"])
 
 
@@ -101,9 +91,8 @@ def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monke
     copy_to_exchange(course, "ch04", outbound, paths)
     said = (tmp_path / "said").read_text()
     own = personal_name(course.name, "ch04", "nobody")
-    assert said.startswith(
-        f"--modify user:{pwd.getpwnam('nobody').pw_uid}:rX,group::---,other::---"
-    )
+    user = pwd.getpwnam("nobody").pw_uid
+    assert said.startswith(f"--modify user:{user}:rX,group::---,other::---")
     assert said.count(own) == 2
     assert len(said.splitlines()) == 1
     folder = outbound.parent / ".personal/ch04"

@@ -1,9 +1,11 @@
 """nbgrader's Validate says one true sentence for each state of an answer cell, and nothing else."""
 
 import json
+import re
 
 import pytest
 
+from grader.assignment.cells import code_cell
 from tests.grader.courses import nbgrader
 
 pytestmark = pytest.mark.integration
@@ -28,34 +30,15 @@ STATES = {
 
 def notebook(answer):
     def cell(name, text, **nbgrader):
-        own = {
-            "schema_version": 3,
-            "task": False,
-            "cell_type": "code",
-            "grade_id": name,
-            **nbgrader,
-        }
-        metadata = {"nbgrader": own} if nbgrader else {}
-        return {
-            "cell_type": "code",
-            "id": name,
-            "metadata": metadata,
-            "source": text,
-            "outputs": [],
-            "execution_count": None,
-        }
+        return code_cell(name, text, {}, {"grade_id": name, **nbgrader} if nbgrader else None)
 
     cells = [
         cell("givens", GIVENS),
         cell("answer", answer, grade=True, solution=True, locked=False, points=2),
         cell("receipt", RECEIPT, grade=True, solution=False, locked=True, points=0),
     ]
-    return {
-        "nbformat": 4,
-        "nbformat_minor": 5,
-        "metadata": {"kernelspec": {"name": "python3", "display_name": "Python 3"}},
-        "cells": cells,
-    }
+    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3"}}
+    return {"nbformat": 4, "nbformat_minor": 5, "metadata": kernel, "cells": cells}
 
 
 @pytest.mark.parametrize("state", STATES)
@@ -67,9 +50,7 @@ def test_validate_says_a_true_sentence(tmp_path, state):
         assert "Success! Your notebook passes all the tests." in said
         assert "cannot be converted" not in said
     else:
-        error = (
-            said.partition("The error was:")[2].partition("[ValidateApp")[0].partition("[IPK")[0]
-        )
+        (error,) = re.findall(r"(?s)The error was:(.*?)(?=\[ValidateApp|\[IPK|$)", said)
         assert " ".join(error.split()) == sentence
         assert "..." not in error  # nbgrader cuts lines that are too long for it
     assert "Traceback" not in said

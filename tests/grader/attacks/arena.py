@@ -17,9 +17,9 @@ import uuid
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from grader.assignment import build_assignment, master_notebook
+from grader.assignment import build_assignment
 from grader.course import Course
-from tests.grader.attacks.attack import Scene, _put, right_texts
+from tests.grader.attacks.attack import Scene, put, right_texts
 from tests.grader.attacks.tables import answers, folders, machine, metadata, receipts, texts
 from tests.grader.courses import change_source, copy_of, environment, points
 from tests.grader.instructors_cells import ESSAY, SQUARE, TEST
@@ -123,8 +123,8 @@ def prepare(course, folder, names, honest=None):
     arena.host = _Host(arena.mark)
     for student in honest or honest_students():
         scene = arena.scene(student)
-        notebook = json.loads(json.dumps(master_notebook(arena.course, "ch04", student)))
-        _put(notebook, {**right_texts(arena.course, student), "square": SQUARED})
+        notebook = scene.sheet()
+        put(notebook, {**right_texts(arena.course, student), "square": SQUARED})
         scene.hand_in(notebook)
     for name in names:
         ATTACKS[name].make(arena.scene(STUDENTS[name]))
@@ -148,7 +148,8 @@ def run(arena, route, ordinary=False, sandbox=True, before="", students="*", tim
     if ordinary:
         command = as_ordinary_user(command)
         if command[0] == "setpriv":  # the other way keeps who owns the files
-            _give_away(arena.outside.parent)
+            folder = str(arena.outside.parent)
+            subprocess.run(["chown", "-hR", "54321:54321", folder], check=True)
     done = subprocess.run(
         command,
         env=environment(HOME=str(arena.outside / "home"), SOME_SECRET_TOKEN=TOKEN),
@@ -159,10 +160,6 @@ def run(arena, route, ordinary=False, sandbox=True, before="", students="*", tim
     arena.said = (done.stdout + done.stderr).decode(errors="surrogateescape")
     arena.jobs = [float(line) for line in log.read_text().split()]
     return arena
-
-
-def _give_away(folder):
-    subprocess.run(["chown", "-hR", "54321:54321", str(folder)], check=True)
 
 
 def scores(arena):
@@ -207,11 +204,8 @@ def left_behind(mark):
                   "/proc/sysvipc/sem"):  # fmt: skip
         if os.path.exists(table):
             text = Path(table).read_text(errors="replace")
-            found += [
-                f"{table}: {line}"
-                for line in text.splitlines()
-                if mark in line and "host-" not in line
-            ]
+            lines = [x for x in text.splitlines() if mark in x and "host-" not in x]
+            found += [f"{table}: {line}" for line in lines]
             found += [f"{table}: {k}" for k in re.findall(r"(?m)^ +(50\d{5}) ", text)
                       if 0x4D2000 <= int(k) < 0x4D2040]  # fmt: skip
     return found

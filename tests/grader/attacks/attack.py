@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from grader.assignment import master_notebook
-from tests.grader.courses import REPOSITORY, read, released_sheet
+from tests.grader.courses import REPOSITORY, released_sheet
 
 
 @dataclass(frozen=True)
@@ -73,12 +73,10 @@ def code(text, **flags):
     $HONEST stand for themselves.
     """
 
-    def make(scene):
-        notebook = scene.sheet()
+    def change(notebook, scene):
         cell_of(notebook, "answer-4-1")["source"] = filled(text, scene)
-        scene.hand_in(notebook)
 
-    return Attack(make, **flags)
+    return edited(change, **flags)
 
 
 def lie(text, **flags):
@@ -88,7 +86,7 @@ def lie(text, **flags):
         "answer-4-1": f"{text}\nspeed = acc_mag = Lie()",
         "answer-4-16": f"{text}\nalpha_CD = v_D = a_D = Lie()",
     }
-    return edited(lambda notebook, scene: _put(notebook, both), **flags)
+    return edited(lambda notebook, scene: put(notebook, both), **flags)
 
 
 def edited(change, **flags):
@@ -115,19 +113,16 @@ def added(text, cell_type="code", **flags):
 
 
 def filled(text, scene):
-    for name, value in (
-        ("$COURSE", scene.course.path),
-        ("$OUTSIDE", scene.outside),
-        ("$MARK", scene.mark),
-        ("$PORT", scene.port),
-        ("$REPOSITORY", REPOSITORY),
-        ("$HONEST", scene.honest),
-    ):
+    values = {
+        "$COURSE": scene.course.path, "$OUTSIDE": scene.outside, "$MARK": scene.mark,
+        "$PORT": scene.port, "$REPOSITORY": REPOSITORY, "$HONEST": scene.honest,
+    }  # fmt: skip
+    for name, value in values.items():
         text = text.replace(name, str(value))
     return textwrap.dedent(text)
 
 
-def _put(notebook, texts):
+def put(notebook, texts):
     for cell_id, text in texts.items():
         cell_of(notebook, cell_id)["source"] = text
 
@@ -145,7 +140,3 @@ def right_texts(course, student):
         )
         for p in problems
     }
-
-
-def handed_in_by(path):
-    return read(path)

@@ -200,10 +200,9 @@ def _keys_not_written(course, path):
     return {n for n in numbers if n not in handed_in}
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["texts: a text of HTML", "texts: an essay of HTML", "metadata: a picture in many places"],
-)
+@pytest.mark.parametrize("name", [
+    "texts: a text of HTML", "texts: an essay of HTML", "metadata: a picture in many places",
+])  # fmt: skip
 def test_nothing_runs_on_the_page_on_which_a_person_grades(arena, name):
     path = arena.course.path / "autograded" / a.STUDENTS[name] / "ch04/ch04.ipynb"
     config = arena.course.config()

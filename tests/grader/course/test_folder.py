@@ -7,26 +7,21 @@ import pytest
 
 from grader.course import Course, CourseError
 from grader.grading import grade
-from tests.grader.courses import command, points
+from tests.grader.courses import REPOSITORY, append_config, command, points
 
+DAMAGED = "is damaged: expected one line of 64 hexadecimal digits"
 BAD_SECRETS = {
-    "not hexadecimal": (
-        "not hexadecimal",
-        "is damaged: expected one line of 64 hexadecimal digits",
-    ),
-    "empty": ("", "is damaged: expected one line of 64 hexadecimal digits"),
-    "short": ("ab" * 31, "is damaged: expected one line of 64 hexadecimal digits"),
+    "not hexadecimal": ("not hexadecimal", DAMAGED),
+    "empty": ("", DAMAGED),
+    "short": ("ab" * 31, DAMAGED),
     "another": ("ab" * 32, "is not the secret that the course was made with"),
 }
 
 
 def test_a_course_without_its_secret_says_what_to_do(fresh):
     (fresh.path / ".course_secret").unlink()
-    with pytest.raises(
-        CourseError,
-        match=r"is missing; without it no student's numbers can be derived. Restore it from a "
-        r"backup",
-    ):
+    words = "is missing; without it no student's numbers can be derived. Restore it from a backup"
+    with pytest.raises(CourseError, match=words):
         grade(Course(fresh.path), "ch04")
 
 
@@ -54,8 +49,6 @@ def test_the_configuration_of_a_course_names_no_place(course):
         text = (course.path / name).read_text()
         assert str(course.path) not in text
         assert "/course/" not in text
-    from tests.grader.courses import REPOSITORY
-
     assert str(REPOSITORY) not in (course.path / "nbgrader_config.py").read_text()
 
 
@@ -97,15 +90,12 @@ def test_a_locked_gradebook_is_reported_in_a_sentence_and_nothing_is_lost(fresh)
     assert points(fresh) == before
 
 
-@pytest.mark.parametrize(
-    ("code", "words"),
-    [
-        ("SQLITE_READONLY_DIRECTORY", "cannot be written; give yourself write permission"),
-        ("SQLITE_FULL", "the disk is full; make room"),
-        ("SQLITE_CANTOPEN", "cannot be opened"),
-        ("SQLITE_ERROR", "nbgrader db upgrade"),
-    ],
-)
+@pytest.mark.parametrize(("code", "words"), [
+    ("SQLITE_READONLY_DIRECTORY", "cannot be written; give yourself write permission"),
+    ("SQLITE_FULL", "the disk is full; make room"),
+    ("SQLITE_CANTOPEN", "cannot be opened"),
+    ("SQLITE_ERROR", "nbgrader db upgrade"),
+])  # fmt: skip
 def test_an_error_of_the_database_comes_with_what_to_do(fresh, code, words):
     from sqlalchemy.exc import OperationalError
 
@@ -122,7 +112,6 @@ def test_a_file_that_is_no_gradebook_is_refused(fresh):
 
 
 def test_an_error_in_the_instructors_configuration_names_the_line(fresh):
-    with open(fresh.path / "nbgrader_config.py", "a") as f:
-        f.write("\nc.Exchange.root = (\n")
+    append_config(fresh, "c.Exchange.root = (")
     with pytest.raises(CourseError, match=r"nbgrader_config.py, line \d+ does not run"):
         fresh.config()

@@ -1,7 +1,8 @@
 """Work from a zip archive, as learning platforms give it: what fits whom, and what is left out."""
 
-import io
+import json
 import stat
+import sys
 import zipfile
 
 import pytest
@@ -17,14 +18,12 @@ pytestmark = pytest.mark.integration
 @pytest.fixture
 def named(ungraded):
     """The course of the demo, its students with names as a registrar has them."""
-    ungraded.enrol(
-        [
-            {"id": "ada", "first_name": "Ada", "last_name": "Lovelace", "lms_user_id": "4711"},
-            {"id": "ben", "first_name": "Ben", "last_name": "Müller-Lüdenscheidt"},
-            {"id": "cleo", "first_name": "Cléo", "last_name": "de Mérode"},
-            {"id": "dan", "email": "daniel.g@uni.edu"},
-        ]
-    )
+    ungraded.enrol([
+        {"id": "ada", "first_name": "Ada", "last_name": "Lovelace", "lms_user_id": "4711"},
+        {"id": "ben", "first_name": "Ben", "last_name": "Müller-Lüdenscheidt"},
+        {"id": "cleo", "first_name": "Cléo", "last_name": "de Mérode"},
+        {"id": "dan", "email": "daniel.g@uni.edu"},
+    ])  # fmt: skip
     return ungraded
 
 
@@ -60,19 +59,11 @@ def test_names_of_the_platforms_are_recognised(named, tmp_path, platform):
 
 
 def test_what_was_taken_in_is_graded(named, tmp_path):
-    import json
-
     files = {f"{s}_1_ch04.ipynb": json.dumps(work(named, s)) for s in ("ada", "ben")}
     path = archive(tmp_path / "w.zip", files)
     out = ran(command("take-in", "ch04", path, "--course", named.path))
     assert "2 taken in, 0 kept as they were, 0 left out" in out
     assert {r.student: r.points for r in grade(named, "ch04")} == {"ada": 11, "ben": 11}
-
-
-def link(name, target):
-    info = zipfile.ZipInfo(name)
-    info.external_attr = (stat.S_IFLNK | 0o777) << 16
-    return info, target
 
 
 REFUSED = {
@@ -102,9 +93,10 @@ def test_what_leads_elsewhere_or_fits_nobody_is_left_out_and_said(named, tmp_pat
 
 
 def test_a_link_in_an_archive_is_left_out(named, tmp_path):
-    with zipfile.ZipFile(tmp_path / "w.zip", "w") as z:
-        z.writestr(*link("ada.ipynb", "../../../.course_secret"))
-    found = take_in(named, "ch04", tmp_path / "w.zip")
+    info = zipfile.ZipInfo("ada.ipynb")
+    info.external_attr = (stat.S_IFLNK | 0o777) << 16
+    path = archive(tmp_path / "w.zip", {info: "../../../.course_secret"})
+    found = take_in(named, "ch04", path)
     assert found.refused == [("ada.ipynb", "a link or a special file")]
     assert not named.submissions("ch04")
 
@@ -135,20 +127,14 @@ def test_work_that_is_there_is_kept_unless_it_is_to_be_replaced(named, tmp_path)
 
 
 def test_a_bomb_costs_only_itself(named, tmp_path, monkeypatch):
-    from grader.course import take_in as module
-
-    monkeypatch.setattr(__import__("sys").modules["grader.course.take_in"], "MAX_BYTES", 1000)
-    assert module
-    data = io.BytesIO()
-    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as z:
-        z.writestr("ada.ipynb", b"[" * 100_000)
-        z.writestr("ben.ipynb", b"{}")
-    raw = bytearray(data.getvalue())
-    for place in (raw.find(b"PK\1\2") + 24,):  # the size that the directory tells: a lie
-        raw[place : place + 4] = (5).to_bytes(4, "little")
-    (tmp_path / "w.zip").write_bytes(raw)
+    monkeypatch.setattr(sys.modules["grader.course.take_in"], "MAX_BYTES", 1000)
+    path = archive(tmp_path / "w.zip", {"ada.ipynb": b"[" * 100_000, "ben.ipynb": b"{}"})
+    raw = bytearray(path.read_bytes())
+    place = raw.find(b"PK\1\2") + 24  # the size that the directory tells: a lie
+    raw[place : place + 4] = (5).to_bytes(4, "little")
+    path.write_bytes(raw)
     try:
-        found = take_in(named, "ch04", tmp_path / "w.zip")
+        found = take_in(named, "ch04", path)
     except CourseError:
         return  # zipfile itself noticed
     assert set(found.taken) <= {"ben", "ada"}

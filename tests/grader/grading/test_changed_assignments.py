@@ -2,13 +2,11 @@
 
 import json
 
-import pytest
-
 from exercises.catalogue import problem
 from grader.assignment import make_personal_copies
 from grader.assignment.numbers import numbers_path
 from grader.grading import grade
-from tests.grader.courses import change_source, nbgrader, points, ran, read, submit
+from tests.grader.courses import change_source, late_policy, nbgrader, points, ran, read, submit
 from tests.grader.submissions import work
 
 
@@ -25,13 +23,20 @@ def parts(result, number):
     return {p.key: (p.points, p.out_of) for p in result.scores[number].parts}
 
 
+def graded(course, change=None, **cells):
+    """dan's result once the instructor has changed the cells of the source notebook."""
+    if change:
+        change_source(course, change)
+    submit(course, "dan", work(course, "dan", **cells))
+    (result,) = grade(course, "ch04", ["dan"])
+    return result
+
+
 def test_points_in_the_notebook_are_the_truth_and_parts_share_them(ungraded):
     def nine(cells):
         answer(cells, "4/16")["metadata"]["nbgrader"]["points"] = 9
 
-    change_source(ungraded, nine)
-    submit(ungraded, "dan", work(ungraded, "dan"))
-    (result,) = grade(ungraded, "ch04", ["dan"])
+    result = graded(ungraded, nine)
     assert parts(result, "4/16") == dict.fromkeys(("alpha_CD", "v_D", "a_D"), (3.0, 3.0))
     assert (result.points, result.out_of) == (17, 17)
     assert points(ungraded)["dan"]["answer-4-16"][0] == 9
@@ -41,9 +46,7 @@ def test_an_instructor_sets_the_weights_of_parts_in_the_notebook(ungraded):
     def weigh(cells):
         answer(cells, "4/16")["metadata"]["newton_euler"]["weights"] = {"a_D": 4}
 
-    change_source(ungraded, weigh)
-    submit(ungraded, "dan", work(ungraded, "dan", p4_16="alpha_CD = v_D = [1, 2, 3]"))
-    (result,) = grade(ungraded, "ch04", ["dan"])
+    result = graded(ungraded, weigh, p4_16="alpha_CD = v_D = [1, 2, 3]")
     assert [out_of for _, out_of in parts(result, "4/16").values()] == [0.5, 0.5, 2.0]
 
 
@@ -51,9 +54,7 @@ def test_a_weight_that_cannot_be_used_is_reported_and_grades_nobody(ungraded):
     def weigh(cells):
         answer(cells, "4/16")["metadata"]["newton_euler"]["weights"] = {"a_E": 4}
 
-    change_source(ungraded, weigh)
-    submit(ungraded, "dan", work(ungraded, "dan"))
-    (result,) = grade(ungraded, "ch04", ["dan"])
+    result = graded(ungraded, weigh)
     assert "there is a weight for a_E in 4/16, which is not asked for" in result.problem
 
 
@@ -61,9 +62,7 @@ def test_a_deleted_problem_is_not_asked_for(ungraded):
     def delete(cells):
         cells[:] = [c for c in cells if role(c)[1] != "4/16"]
 
-    change_source(ungraded, delete)
-    submit(ungraded, "dan", work(ungraded, "dan"))
-    (result,) = grade(ungraded, "ch04", ["dan"])
+    result = graded(ungraded, delete)
     assert "4/16" not in result.scores
     assert (result.points, result.out_of) == (8, 8)
 
@@ -74,15 +73,12 @@ def test_problems_in_another_order_and_own_cells_between_them_are_graded(ungrade
         for c in cells[2:]:
             by_problem.setdefault(role(c)[1], []).append(c)
         hint = {"cell_type": "markdown", "id": "hint", "metadata": {}, "source": "A hint."}
-        cells[2:] = [c for group in reversed(by_problem.values()) for c in (*group, dict(hint))][
-            :-1
-        ]
+        groups = reversed(by_problem.values())
+        cells[2:] = [c for group in groups for c in (*group, dict(hint))][:-1]
         for n, c in enumerate(cells):
             c["id"] = f"hint-{n}" if c["id"] == "hint" else c["id"]
 
-    change_source(ungraded, turn_round)
-    submit(ungraded, "dan", work(ungraded, "dan"))
-    (result,) = grade(ungraded, "ch04", ["dan"])
+    result = graded(ungraded, turn_round)
     assert list(result.scores) == ["4/31", "4/16", "4/10", "4/2", "4/1"]
     assert (result.points, result.out_of) == (11, 11)
 
@@ -100,9 +96,7 @@ def test_an_instructors_words_in_a_statement_reach_every_student(ungraded):
     assert "The arm of our lab" in own["statement", "4/16"]
     assert f"omega = {values['omega']:g} " in own["givens", "4/16"] + " "
     assert "c = 4.5" in own["givens", "4/16"]
-    submit(ungraded, "dan", work(ungraded, "dan", p4_1="speed = c"))
-    (result,) = grade(ungraded, "ch04", ["dan"])
-    assert result.points == 9
+    assert graded(ungraded, p4_1="speed = c").points == 9
 
 
 def test_numbers_in_hand_are_graded_though_a_range_was_narrowed(ungraded, monkeypatch):
@@ -129,36 +123,6 @@ def test_numbers_of_a_course_that_did_not_keep_them_are_read_from_the_copies(ung
     )  # fmt: skip
     assert grade(ungraded, "ch04", ["dan"])[0].points == 11
     assert json.loads(numbers_path(ungraded, "ch04", "dan").read_text()) == kept
-
-
-def forget():
-    """Drop what was computed from the exercises, as a new process has nothing of it."""
-    from exercises.catalogue import variants
-    from grader.scoring import numbers
-
-    for module in (variants, numbers):
-        for f in vars(module).values():
-            if hasattr(f, "cache_clear"):
-                f.cache_clear()
-
-
-def test_a_corrected_key_regrades_and_runs_nothing(fresh, monkeypatch):
-    from grader.grading import one
-
-    grade(fresh, "ch04", ["ada", "ben"])
-    monkeypatch.setattr(one, "execute", lambda *_: pytest.fail("it was run again"))
-    monkeypatch.setattr(one, "score_state", lambda: "after a correction")
-    p = problem("4/16")
-    corrected = p.code.solve
-    monkeypatch.setattr(p.code, "solve", lambda g: {**corrected(g), "v_D": 2 * corrected(g)["v_D"]})
-    forget()
-    results = {r.student: r for r in grade(fresh, "ch04", ["ada", "ben"])}
-    assert results["ada"].points == 10
-    assert parts(results["ada"], "4/16")["v_D"][0] == 0
-    notebook = read(fresh.path / "autograded/ada/ch04/ch04.ipynb")
-    receipt = next(c for c in notebook["cells"] if role(c) == ("receipt", "4/16"))
-    assert "not right" in "".join(receipt["outputs"][0]["data"]["text/plain"])
-    forget()
 
 
 def test_cells_that_a_student_added_run_in_their_place(fresh):
@@ -214,17 +178,7 @@ def test_a_late_policy_and_a_due_date_that_come_later_are_applied(fresh):
     from datetime import timedelta
 
     grade(fresh, "ch04")
-    config = fresh.path / "nbgrader_config.py"
-    (fresh.path / "my_policy.py").write_text(
-        "from nbgrader.plugins import LateSubmissionPlugin\n\n\n"
-        "class Halved(LateSubmissionPlugin):\n"
-        "    def late_submission_penalty(self, student_id, score, total_seconds_late):\n"
-        "        return score / 2\n"
-    )
-    config.write_text(
-        config.read_text() + "\nimport sys\nsys.path.insert(0, c.CourseDirectory.root)\n"
-        "c.AssignLatePenalties.plugin_class = 'my_policy.Halved'\n"
-    )
+    late_policy(fresh, "score / 2")
     with fresh.gradebook() as book:
         when = book.find_submission("ch04", "ada").timestamp
         book.find_assignment("ch04").duedate = when - timedelta(days=1)
@@ -251,12 +205,9 @@ def test_a_resubmission_with_equal_points_has_its_own_time_and_comment(fresh):
 
 def test_nbgrader_can_release_the_feedback_after_grade(fresh, tmp_path):
     grade(fresh, "ch04")
-    for command in ("generate_feedback", "release_feedback"):
-        more = (
-            [] if command == "generate_feedback" else [f"--Exchange.root={tmp_path / 'exchange'}"]
-        )
-        if more:
-            (tmp_path / "exchange" / fresh.name / "feedback").mkdir(parents=True)
-        ran(nbgrader(command, "ch04", *more, cwd=fresh.path))
-    pages = list((tmp_path / "exchange" / fresh.name / "feedback").glob("*.html"))
-    assert len(pages) == len(fresh.submissions("ch04"))
+    pages = tmp_path / "exchange" / fresh.name / "feedback"
+    pages.mkdir(parents=True)
+    ran(nbgrader("generate_feedback", "ch04", cwd=fresh.path))
+    exchange = f"--Exchange.root={tmp_path / 'exchange'}"
+    ran(nbgrader("release_feedback", "ch04", exchange, cwd=fresh.path))
+    assert len(list(pages.glob("*.html"))) == len(fresh.submissions("ch04"))

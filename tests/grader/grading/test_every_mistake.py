@@ -76,9 +76,7 @@ def test_each_mistake_of_a_chapter_is_graded_and_named(chapter, tmp_path):
                     named += p.mistakes[name] in told or follows
                     if told and p.mistakes[name] not in told and not follows:
                         wrong.append(where)
-    print(
-        f"{chapter}: {made} wrong answers of {len(changed)} mistakes, {100 * named / made:.1f} % named"
-    )
+    print(f"{chapter}: {made} wrong answers, {100 * named / made:.1f} % named")
     assert made > 30
     assert wrong == []
     assert named >= 0.95 * made

@@ -10,7 +10,15 @@ import nbformat
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import change_source, copy_of, gradebook_rows, nbgrader, ran, submit
+from tests.grader.courses import (
+    change_source,
+    copy_of,
+    gradebook_rows,
+    late_policy,
+    nbgrader,
+    ran,
+    submit,
+)
 from tests.grader.instructors_cells import with_texts
 from tests.grader.submissions import work
 
@@ -52,19 +60,8 @@ def other_due_date(course, rng):
         book.db.commit()
 
 
-def late_policy(course, rng):
-    path, config = course.path / "my_policy.py", course.path / "nbgrader_config.py"
-    if not path.exists():
-        config.write_text(
-            config.read_text() + "\nimport sys\nsys.path.insert(0, c.CourseDirectory.root)\n"
-            "c.AssignLatePenalties.plugin_class = 'my_policy.Policy'\n"
-        )
-    path.write_text(
-        "from nbgrader.plugins import LateSubmissionPlugin\n\n\n"
-        "class Policy(LateSubmissionPlugin):\n"
-        "    def late_submission_penalty(self, student_id, score, total_seconds_late):\n"
-        f"        return {rng.choice(['None', 'score / 4', '2.0', '-1', '1e9'])}\n"
-    )
+def other_policy(course, rng):
+    late_policy(course, rng.choice(["None", "score / 4", "2.0", "-1", "1e9"]))
 
 
 def other_points(course, rng):
@@ -86,7 +83,7 @@ def graded_once(course, rng):
     grade(course, "ch04", force=rng.random() < 0.3)
 
 
-CHANGES = (resubmit, resubmit, by_hand, other_due_date, late_policy, other_points, forgotten,
+CHANGES = (resubmit, resubmit, by_hand, other_due_date, other_policy, other_points, forgotten,
            graded_once, graded_once)  # fmt: skip
 
 

@@ -6,7 +6,7 @@ import nbformat
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import gradebook_rows, nbgrader, points, ran, read, submit
+from tests.grader.courses import forget, gradebook_rows, nbgrader, points, ran, read, submit
 from tests.grader.instructors_cells import OWN, with_texts
 from tests.grader.submissions import work
 
@@ -17,13 +17,10 @@ def autograded(course):
 
 def given(course, student="dan"):
     """{cell: (automatic points, needs a person)} of the instructor's cells."""
+    names = {c["metadata"]["nbgrader"]["grade_id"] for c in OWN[1:7]}
     with course.gradebook() as book:
-        notebook = book.find_submission("ch04", student).notebooks[0]
-        return {
-            g.name: (g.auto_score, g.needs_manual_grade)
-            for g in notebook.grades
-            if g.name in {c["metadata"]["nbgrader"]["grade_id"] for c in OWN[1:7]}
-        }
+        grades = book.find_submission("ch04", student).notebooks[0].grades
+        return {g.name: (g.auto_score, g.needs_manual_grade) for g in grades if g.name in names}
 
 
 RIGHT = "def square(x):\n    return x * TWO * x / 2"  # uses the instructor's locked cell
@@ -56,8 +53,7 @@ def test_instructors_cells_are_graded_by_nbgraders_rules_in_both_routes(mixed, h
     assert result.waiting == sum(w for _, w in expected.values())
     assert result.out_of == 11 + 15
     ours = gradebook_rows(mixed), autograded(mixed)
-    with mixed.gradebook() as book:
-        book.remove_submission("ch04", "dan")
+    forget(mixed, "dan")
     ran(nbgrader("autograde", "ch04", cwd=mixed.path))
     theirs = gradebook_rows(mixed), autograded(mixed)
     assert ours == theirs

@@ -11,7 +11,7 @@ import pytest
 from grader.course import CourseError
 from grader.grading import grade
 from grader.grading.lock import alone
-from tests.grader.courses import command, environment, gradebook_rows, nbgrader, ran
+from tests.grader.courses import command, environment, forget, gradebook_rows, nbgrader, ran
 
 ROUTES = {
     "grade": (sys.executable, "-m", "grader", "grade", "ch04", "--course", "."),
@@ -19,19 +19,12 @@ ROUTES = {
 }
 
 
-def forgotten(course):
-    """The course as it is before anybody was graded."""
-    with course.gradebook() as book:
-        for student in course.roster():
-            book.remove_submission("ch04", student)
-
-
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize(
     "moment", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(1, 6))]
 )
 def test_a_killed_run_is_completed_by_the_next(fresh, course, route, moment):
-    forgotten(fresh)
+    forget(fresh)
     process = subprocess.Popen(
         ROUTES[route], cwd=fresh.path, env=environment(), stdout=-3, stderr=-3
     )

@@ -32,10 +32,8 @@ def other_exercise(monkeypatch, **changed):
     """The exercise 4/16 as it would be if its files were changed so."""
     new, find, state = replace(problem("4/16"), **changed), reading.problem, one.problem_state
     monkeypatch.setattr(one, "problem_state", lambda i: "changed" if i == "4/16" else state(i))
-    for place in (
-        "grader.assignment.sheet.find_problem",
-        "grader.assignment.notebook.find_problem",
-    ):
+    for room in ("sheet", "notebook"):
+        place = f"grader.assignment.{room}.find_problem"
         monkeypatch.setattr(place, lambda i: new if i == "4/16" else find(i))
 
 

@@ -72,8 +72,7 @@ def test_the_page_has_landmarks_headers_of_tables_focus_and_alternative_texts(pa
         assert page.all(tag), tag
     assert len(page.all("main")) == len(page.all("h1")) == 1
     assert page.all("html") == [{"lang": "en"}]
-    for table in ("th",):
-        assert all(a.get("scope") in ("row", "col") for a in page.all(table))
+    assert all(a.get("scope") in ("row", "col") for a in page.all("th"))
     assert page.all("img")
     assert all(len(a["alt"]) > 20 for a in page.all("img"))
     ids = {a["id"] for _, a in page.elements if "id" in a}
@@ -144,22 +143,17 @@ def cell(kind, grade_id, source, **metadata):
 
 
 def test_questions_of_the_instructors_own_have_sections_and_no_test_is_shown():
-    notebook = from_dict(
-        {
-            "cells": [
-                cell("markdown", "essay", "my *view* <script>x</script>", grade=True,
-                     solution=True, score=2, points=5, manual_comment="good **work**"),
-                cell("code", "sort_it", "def f(): ...", grade=False, solution=True),
-                cell("code", "test_sort", "assert f() == 'the key'", grade=True, solution=False,
-                     score=0, points=1),
-                cell("markdown", "draw", "draw it", grade=False, solution=False, task=True,
-                     score=None, points=3),
-                {"cell_type": "markdown", "metadata": {}, "source": "a text"},
-            ],
-            "metadata": {},
-        }
-    )  # fmt: skip
-    _, resources = Sections().preprocess(notebook, {})
+    cells = [
+        cell("markdown", "essay", "my *view* <script>x</script>", grade=True, solution=True,
+             score=2, points=5, manual_comment="good **work**"),
+        cell("code", "sort_it", "def f(): ...", grade=False, solution=True),
+        cell("code", "test_sort", "assert f() == 'the key'", grade=True, solution=False, score=0,
+             points=1),
+        cell("markdown", "draw", "draw it", grade=False, solution=False, task=True, score=None,
+             points=3),
+        {"cell_type": "markdown", "metadata": {}, "source": "a text"},
+    ]  # fmt: skip
+    _, resources = Sections().preprocess(from_dict({"cells": cells, "metadata": {}}), {})
     sections = {s.name: s for s in resources["newton_euler"]["sections"]}
     assert list(sections) == ["essay", "sort_it", "test_sort", "draw"]
     assert "<em>view</em>" in sections["essay"].text

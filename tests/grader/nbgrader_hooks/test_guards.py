@@ -10,7 +10,18 @@ import shutil
 
 import pytest
 
-from tests.grader.courses import copy_of, nbgrader, points, ran, submit, total
+from tests.grader.attacks.attack import Scene
+from tests.grader.attacks.tables import folders
+from tests.grader.courses import (
+    append_config,
+    copy_of,
+    forget,
+    nbgrader,
+    points,
+    ran,
+    submit,
+    total,
+)
 from tests.grader.submissions import work
 
 pytestmark = pytest.mark.integration
@@ -26,12 +37,7 @@ def telltale(fresh, tmp_path):
 
 
 def appended(text):
-    def change(course, tmp_path):
-        with open(course.path / "nbgrader_config.py", "a") as f:
-            f.write(f"\n{text}\n")
-        return {}
-
-    return change
+    return lambda course, tmp_path: append_config(course, text) or {}
 
 
 def without_a_package(course, tmp_path):
@@ -92,8 +98,7 @@ def test_the_other_steps_refuse_too(fresh, step):
 
 def test_a_course_in_a_folder_with_spaces_and_accents_is_graded_by_nbgrader(course, tmp_path):
     moved = copy_of(course, tmp_path / "Méca 2026")
-    with moved.gradebook() as book:
-        book.remove_submission("ch04", "ada")
+    forget(moved, "ada")
     ran(nbgrader("autograde", "ch04", "--student=ada", cwd=moved.path, PYTHONPATH=""))
     assert total(points(moved)["ada"]) == 11
 
@@ -101,53 +106,31 @@ def test_a_course_in_a_folder_with_spaces_and_accents_is_graded_by_nbgrader(cour
 # -- links and special files
 
 
-def link_to_a_neighbour(course, folder):
-    (folder / "ch04.ipynb").symlink_to(course.path / "submitted/ada/ch04/ch04.ipynb")
+# nbformat would take 7 GB for the values
+HOSTILE = {
+    f"h{n}": folders.ATTACKS[name]
+    for n, name in enumerate((
+        "a link to the secret", "a pipe", "a link without end", "bytes", "more than is read",
+        "twenty million values",
+    ))
+}  # fmt: skip
 
 
-def pipe(course, folder):
-    os.mkfifo(folder / "ch04.ipynb")
-
-
-def endless(course, folder):
-    (folder / "ch04.ipynb").symlink_to("/dev/zero")
-
-
-def not_text(course, folder):
-    (folder / "ch04.ipynb").write_bytes(b"\xff\xfe\x00")
-
-
-def huge(course, folder):
-    with open(folder / "ch04.ipynb", "wb") as f:
-        f.truncate(65 * 2**20)
-
-
-def brackets(course, folder):
-    (folder / "ch04.ipynb").write_text("[" + "[]," * 20_000_000 + "[]]")
-
-
-HOSTILE = [link_to_a_neighbour, pipe, endless, not_text, huge, brackets]
-
-
-def test_a_notebook_that_is_no_regular_file_is_its_students_trouble_alone(fresh):
+def test_a_notebook_that_is_no_regular_file_is_its_students_trouble_alone(fresh, tmp_path):
     for student in ("ben", "cleo", "dan", "mallory"):
         shutil.rmtree(fresh.path / "submitted" / student)
-    fresh.enrol(how.__name__ for how in HOSTILE)
-    for how in HOSTILE:
-        folder = fresh.path / "submitted" / how.__name__ / "ch04"
-        folder.mkdir(parents=True)
-        how(fresh, folder)
-    with fresh.gradebook() as book:
-        book.remove_submission("ch04", "eve")
-    # nbformat would take 7 GB for the brackets
+    fresh.enrol(HOSTILE)
+    for student, attack in HOSTILE.items():
+        attack.make(Scene(fresh, student, tmp_path, "mark", 0))
+    forget(fresh, "eve")
     code, out = nbgrader(
         "autograde", "ch04", "--force", cwd=fresh.path, timeout=60, memory=3 * 2**30
     )
     assert code == 1, out
     graded = points(fresh)
-    for how in HOSTILE:
-        assert f"error processing assignment 'ch04' for student '{how.__name__}'" in out
-        assert sum(p or 0 for p, _, _ in graded.get(how.__name__, {}).values()) == 0
+    for student in HOSTILE:
+        assert f"error processing assignment 'ch04' for student '{student}'" in out
+        assert total(graded.get(student, {})) == 0
     assert (total(graded["ada"]), total(graded["eve"])) == (11, 9)
 
 

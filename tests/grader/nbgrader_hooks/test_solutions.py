@@ -5,7 +5,7 @@ from datetime import UTC, datetime, timedelta
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import nbgrader, ran
+from tests.grader.courses import append_config, nbgrader, ran
 
 
 def page(course, student="ben"):
@@ -36,8 +36,7 @@ def test_worked_solutions_are_shown_when_the_instructor_allows_it(
     grade(fresh, "ch04", ["ada", "ben"])
     due(fresh, days, extension)
     if setting:
-        config = fresh.path / "nbgrader_config.py"
-        config.write_text(config.read_text() + f"\nc.WorkedSolutions.solutions = {setting!r}\n")
+        append_config(fresh, f"c.WorkedSolutions.solutions = {setting!r}")
     text = page(fresh)
     assert ("Worked solution" in text) == shown
     from exercises.catalogue import problem

@@ -13,7 +13,7 @@ from grader.practice.build import page_of
 from grader.practice.quantities import quantities, wrong_numbers
 from grader.practice.twins import sets_of_numbers
 from newton_euler import asin
-from tests.grader.courses import grader
+from tests.grader.courses import grader, ran
 
 
 def members(path):
@@ -55,11 +55,8 @@ def test_a_problem_in_symbols_tells_no_formula():
 
 
 def test_the_file_tells_no_more_than_the_help_that_is_chosen(tmp_path):
-    for help, has in (
-        ("check", (False, False)),
-        ("hints", (True, False)),
-        ("solution", (True, True)),
-    ):
+    shown = {"check": (False, False), "hints": (True, False), "solution": (True, True)}
+    for help, has in shown.items():
         write_practice(tmp_path / help, select(["4/16"]), 2, help)
         page = json.loads(members(tmp_path / help)["4-16.json"])
         steps = [q for q in page["quantities"] if q["step"]]
@@ -91,24 +88,17 @@ def test_the_numbers_of_all_students_of_a_course_are_read(course):
 
 def test_the_command_writes_a_file_and_says_how_it_is_opened(tmp_path, course):
     path = tmp_path / "ch04.practice"
-    code, said = grader(
-        "practice", "4/16", "4/2", "-o", path, "--variants", 2, "--course", course.path
-    )
-    assert code == 0, said
+    options = "-o", path, "--variants", 2, "--course", course.path
+    said = ran(grader("practice", "4/16", "4/2", *options))
     assert "2 problems, 2 sets of numbers each" in said
     assert 'practice("ch04.practice")["4/16"]' in said
 
 
 def test_the_measured_shares_are_printed_by_one_command():
-    code, said = grader("diagnose", "4/16", "2/18", "--practice", "--draws", 2)
-    assert code == 0, said
+    said = ran(grader("diagnose", "4/16", "2/18", "--practice", "--draws", 2))
     for row in ("listed mistakes", "slips in steps"):
-        assert next(x for x in said.splitlines() if row in x).split()[-4:] == [
-            "100.0",
-            "0.0",
-            "0.0",
-            "0.0",
-        ]
+        (line,) = [x for x in said.splitlines() if row in x]
+        assert line.split()[-4:] == ["100.0", "0.0", "0.0", "0.0"]
 
 
 def test_a_problem_that_lists_no_steps_has_the_terms_of_its_answers(monkeypatch):

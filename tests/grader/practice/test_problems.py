@@ -47,19 +47,16 @@ def test_answers_by_the_engine_are_right_for_other_numbers(practice_file):
         assert set(p.check(**right).verdicts.values()) == {"right"}
 
 
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ([0, 0, 0], "leaves out omega x omega_rel"),
-        ([0, 0.27, 0], "the other way round"),
-        ([0.27, 0, 0], "its size is right, its direction is not"),
-        ([0, -0.2635, 0], "check each number and term in it"),
-        ([0, -0.3, 0], "one or two digits only: three are needed"),
-        ([1.9, 0.3, 0.1], "not right"),
-        ("fast", "expected a vector"),
-        (3.0, "expected a vector"),
-    ],
-)
+@pytest.mark.parametrize(("given", "words"), [
+    ([0, 0, 0], "leaves out omega x omega_rel"),
+    ([0, 0.27, 0], "the other way round"),
+    ([0.27, 0, 0], "its size is right, its direction is not"),
+    ([0, -0.2635, 0], "check each number and term in it"),
+    ([0, -0.3, 0], "one or two digits only: three are needed"),
+    ([1.9, 0.3, 0.1], "not right"),
+    ("fast", "expected a vector"),
+    (3.0, "expected a vector"),
+])  # fmt: skip
 def test_a_wrong_answer_is_told_what_is_wrong_with_it(elbow, given, words):
     checked = elbow.check(alpha_CD=given)
     assert checked.verdicts["alpha_CD"] in ("wrong", "unreadable")
@@ -138,15 +135,12 @@ def test_an_instructor_decides_how_much_help_there_is(hints_file, checks_file):
         p.check_step(omega_CD=[0, 0, 0])
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda p: p.check(alpha=1), "no answer 'alpha'; it has alpha_CD, v_D, a_D"),
-        (lambda p: p.check(v_r=[1, 2, 3]), "v_r is checked by p.check_step"),
-        (lambda p: p.check_step(v_D=[1, 2, 3]), "v_D is checked by p.check"),
-        (lambda p: p.check(), "write a value for an answer: alpha_CD"),
-    ],
-)
+@pytest.mark.parametrize(("call", "message"), [
+    (lambda p: p.check(alpha=1), "no answer 'alpha'; it has alpha_CD, v_D, a_D"),
+    (lambda p: p.check(v_r=[1, 2, 3]), "v_r is checked by p.check_step"),
+    (lambda p: p.check_step(v_D=[1, 2, 3]), "v_D is checked by p.check"),
+    (lambda p: p.check(), "write a value for an answer: alpha_CD"),
+])  # fmt: skip
 def test_a_name_that_is_not_asked_for_is_refused_with_those_that_are(elbow, call, message):
     with pytest.raises(AnswerError, match=message):
         call(elbow)

@@ -55,13 +55,11 @@ def graded_course(path, students=20):
         scores = {}
         for problem, key in PARTS:
             right = rng.random() < n / students and key != "a_D"
-            scores.setdefault(problem, []).append(
-                {
-                    "key": key, "points": float(right), "out_of": 1.0,
-                    "verdict": "right" if right else "wrong", "message": "=not right",
-                    "diagnosis": None if right or n % 2 else MISTAKE,
-                }
-            )  # fmt: skip
+            scores.setdefault(problem, []).append({
+                "key": key, "points": float(right), "out_of": 1.0,
+                "verdict": "right" if right else "wrong", "message": "=not right",
+                "diagnosis": None if right or n % 2 else MISTAKE,
+            })  # fmt: skip
         target = course.record_path("ch04", f"s{n:02}")
         target.parent.mkdir(parents=True, exist_ok=True)
         record = {"scores": [{"problem": p, "parts": x, "note": ""} for p, x in scores.items()]}

@@ -9,6 +9,7 @@ import sympy
 from exercises.catalogue import problems
 from newton_euler.algebra.vectors import Vector
 from tests.grader.courses import command, ran, submit
+from tests.grader.submissions import work
 
 
 @pytest.fixture(scope="module")
@@ -49,8 +50,6 @@ def test_explain_prints_the_terms():
 
 
 def test_grade_prints_tables_with_whatever_students_wrote(fresh):
-    from tests.grader.nbgrader_hooks.test_preprocessors import work
-
     submit(fresh, "dan", work(fresh, "dan", p4_1="raise ValueError('[/red] [/] [bold')"))
     out = ran(command("grade", "ch04", "--course", fresh.path, "--verbose"))
     assert "dan" in out

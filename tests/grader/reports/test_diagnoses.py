@@ -14,16 +14,13 @@ from tests.grader.courses import command, ran
 def test_the_shares_are_printed_with_their_sum():
     out = ran(command("diagnose", "4/16", "4/2", "--draws", 2))
     lines = [line.split() for line in out.splitlines() if line.strip()]
-    assert [line[0] for line in lines if line[0] in ("4/16", "4/2", "all")] == [
-        "4/16",
-        "4/2",
-        "all",
-    ]
-    made = {line[0]: int(line[1]) for line in lines if line[0] in ("4/16", "4/2", "all")}
-    assert made["all"] == made["4/16"] + made["4/2"] > 10
-    total = next(line for line in lines if line[0] == "all")
-    assert sum(map(float, total[2:])) == pytest.approx(100, abs=0.3)
-    assert float(total[2]) > 90
+    rows = {line[0]: line[1:] for line in lines if line[0] in ("4/16", "4/2", "all")}
+    assert list(rows) == ["4/16", "4/2", "all"]
+    one, two, every = (int(made) for made, *_ in rows.values())
+    assert every == one + two > 10
+    named, *others = map(float, rows["all"][1:])
+    assert named + sum(others) == pytest.approx(100, abs=0.3)
+    assert named > 90
 
 
 def test_a_mistake_told_as_another_is_misnamed_and_one_taken_for_right_fails(monkeypatch):

@@ -76,9 +76,8 @@ def descendants(of=None):
     parents = {}
     for entry in Path("/proc").glob("[0-9]*"):
         try:
-            parents[int(entry.name)] = int(
-                (entry / "stat").read_text().rpartition(")")[2].split()[1]
-            )
+            text = (entry / "stat").read_text()
+            parents[int(entry.name)] = int(text.rpartition(")")[2].split()[1])
         except OSError:
             continue
     found, level = set(), {of or os.getpid()}
@@ -109,13 +108,9 @@ def elsewhere(jobs, sandbox=True, ordinary=False, before="", between="", seconds
     ``between`` are Python that runs there before the harvester starts and after its first job.
     """
     script = CHILD.format(
-        repository=str(REPOSITORY),
-        jobs=jobs,
-        sandbox=sandbox,
-        before=before,
-        between=between,
+        repository=str(REPOSITORY), jobs=jobs, sandbox=sandbox, before=before, between=between,
         seconds=seconds,
-    )
+    )  # fmt: skip
     command = [sys.executable, "-c", script]
     done = subprocess.run(
         as_ordinary_user(command) if ordinary else command,

@@ -11,7 +11,15 @@ from pathlib import Path
 import pytest
 
 from tests.grader.courses import REPOSITORY
-from tests.grader.sandbox.jobs import caged, descendants, elsewhere, job, still_serves, wait_until
+from tests.grader.sandbox.jobs import (
+    answer,
+    caged,
+    descendants,
+    elsewhere,
+    job,
+    still_serves,
+    wait_until,
+)
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
 
@@ -22,43 +30,41 @@ REACH = {
     "the repository": f"x = os.path.exists({str(REPOSITORY / 'grader')!r}) or "
     f"os.path.exists({str(REPOSITORY / 'exercises')!r})",
     "the exercises": "import exercises; x = 1",
-    "the catalogue of files": "x = sum('p16.yaml' in f for _, _, f in os.walk('/')) + ('exercises' in "
-    f"os.listdir({str(REPOSITORY)!r}))",
-    "the home of the instructor": f"x = len(set(os.listdir({str(Path.home())!r})) - {{'.pyenv', '.local', 'miniconda3', "
-    f"'.venv'}})",
+    "the catalogue of files": "x = sum('p16.yaml' in f for _, _, f in os.walk('/')) + "
+    f"('exercises' in os.listdir({str(REPOSITORY)!r}))",
+    "the home of the instructor": f"x = len(set(os.listdir({str(Path.home())!r})) - "
+    "{'.pyenv', '.local', 'miniconda3', '.venv'})",
     "proc": "x = os.path.exists('/proc/1') or os.path.exists('/proc/self')",
     "sys": "x = os.path.exists('/sys/kernel')",
-    "the network": "import socket; socket.create_connection(('127.0.0.1', 22), 1); x = 1",
-    "any network but lo": "import socket; x = len(socket.if_nameindex()) > 1",
-    "unix sockets by path": "import socket; s = socket.socket(socket.AF_UNIX); s.connect('/var/run/docker.sock'); "
-    "x = 1",
+    "the network": "socket.create_connection(('127.0.0.1', 22), 1); x = 1",
+    "any network but lo": "x = len(socket.if_nameindex()) > 1",
+    "unix sockets by path": "socket.socket(socket.AF_UNIX).connect('/var/run/docker.sock'); x = 1",
     "its parents": "x = os.getppid() > 1",  # 1 is the first process of its own namespace
-    "other processes": "n = 0\nfor pid in range(2, 3000):\n    try:\n        os.kill(pid, 0); n += pid != os.getpid()\n    "
-    "except OSError: pass\nx = n",
+    "other processes": "x = sum(works(os.kill, n, 0) for n in range(2, 3000) if n != os.getpid())",
     "root": "x = os.getuid() == 0 or os.geteuid() == 0",
-    "capabilities": "import ctypes\nd = (ctypes.c_uint32 * 6)()\nctypes.CDLL(None).capget((ctypes.c_uint32 "
-    "* 2)(0x20080522, 0), d)\nx = sum(d)",
-    "writing beside its folder": "n = 0\nfor p in ('/', '/usr/lib', '/lib', os.path.dirname(os.__file__), '/dev', "
-    "'/etc'):\n"
-    "    try:\n        open(p + '/probe', 'w'); n += 1\n    except OSError: pass\nx = n",
-    "a writable engine": "import ctypes, newton_euler\nplace = os.path.dirname(newton_euler.__file__)\n"
-    "ctypes.CDLL(None).mount(None, place.encode(), None, ctypes.c_ulong(32 | 4096), "
-    "None)\nopen(place + '/probe', 'w'); x = 1",
-    "user namespaces": "import ctypes; x = ctypes.CDLL(None).unshare(0x10000000) == 0",
-    "the first process": "import ctypes; x = ctypes.CDLL(None).ptrace(16, 1, 0, 0) == 0",
-    "a new mount": "import ctypes; x = ctypes.CDLL(None).mount(b'none', b'/tmp', b'tmpfs', "
-    "ctypes.c_ulong(0), None) == 0",
-    "privileges of other programs": "import ctypes; x = ctypes.CDLL(None).prctl(39, 0, 0, 0, 0) != 1",
+    "capabilities": "d = (ctypes.c_uint32 * 6)()\n"
+    "libc.capget((ctypes.c_uint32 * 2)(0x20080522, 0), d)\nx = sum(d)",
+    "writing beside its folder": "x = sum(works(open, p + '/probe', 'w') for p in "
+    "('/', '/usr/lib', '/lib', os.path.dirname(os.__file__), '/dev', '/etc'))",
+    "a writable engine": "import newton_euler\nplace = os.path.dirname(newton_euler.__file__)\n"
+    "libc.mount(None, place.encode(), None, ctypes.c_ulong(32 | 4096), None)\n"
+    "open(place + '/probe', 'w'); x = 1",
+    "user namespaces": "x = libc.unshare(0x10000000) == 0",
+    "the first process": "x = libc.ptrace(16, 1, 0, 0) == 0",
+    "a new mount": "x = libc.mount(b'none', b'/tmp', b'tmpfs', ctypes.c_ulong(0), None) == 0",
+    "privileges of other programs": "x = libc.prctl(39, 0, 0, 0, 0) != 1",
     "the environment": "x = sum('SECRET' in k or 'TOKEN' in k for k in os.environ)",
     # one is the pipe for receipts
-    "open files": "x = len([fd for fd in range(3, 256) if is_open(fd)]) - 1",
-    "what was written before": "x = os.path.exists('/tmp/left-behind'); open('/tmp/left-behind', 'w').close()",
+    "open files": "x = sum(works(os.fstat, fd) for fd in range(3, 256)) - 1",
+    "what was written before": "x = os.path.exists('/tmp/left-behind')\n"
+    "open('/tmp/left-behind', 'w').close()",
 }
 SETUP = """
-import os
-def is_open(fd):
+import ctypes, os, socket
+libc = ctypes.CDLL(None)
+def works(f, *args):
     try:
-        os.fstat(fd)
+        f(*args)
     except OSError:
         return False
     return True
@@ -86,21 +92,13 @@ def test_student_code_does_not_reach(reached, what):
 
 
 def test_a_worked_example_can_be_imported(harvester):
-    reply = caged(
-        harvester,
-        "from newton_euler.chapters.examples.ch10 import rotor_moment; x = "
-        "rotor_moment(1000.0, 0.5, 20.0, 100.0)",
-    )
-    assert reply["receipts"]["0/1"]["answers"] == {"x": 2000.0}
+    text = "from newton_euler.chapters.examples.ch10 import rotor_moment\n"
+    assert answer(harvester, text + "x = rotor_moment(1000.0, 0.5, 20.0, 100.0)") == 2000.0
 
 
 def test_neither_the_course_nor_other_submissions_are_there(harvester, course):
-    reply = caged(
-        harvester,
-        f"import os; x = os.path.exists({str(course.path)!r}) + "
-        f"os.path.exists({str(course.path.parent)!r})",
-    )
-    assert reply["receipts"]["0/1"]["answers"] == {"x": 0.0}
+    places = str(course.path), str(course.path.parent)
+    assert answer(harvester, f"import os; x = sum(map(os.path.exists, {places}))") == 0.0
 
 
 def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
@@ -108,11 +106,10 @@ def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     import os
     x = 0
     for folder, _, files in os.walk("/"):
-        x += sum(f in ("p16.yaml", ".course_secret", "p16.py") for f in files) + folder.endswith("share/nbgrader/exchange")
+        x += sum(f in ("p16.yaml", ".course_secret", "p16.py") for f in files)
+        x += folder.endswith("share/nbgrader/exchange")
     """
-    assert caged(harvester, cell, seconds=40, cell_seconds=30)["receipts"]["0/1"]["answers"] == {
-        "x": 0.0
-    }
+    assert answer(harvester, cell, seconds=40, cell_seconds=30) == 0.0
 
 
 # -- what a submission may do to itself and to nobody else
@@ -195,22 +192,13 @@ def test_the_worker_survives_and_leaves_nothing_running(harvester, what):
 
 def test_a_deadline_of_the_cell_is_reported_and_the_next_cell_still_counts(harvester):
     reply = caged(harvester, "while True: pass", "x = 2", seconds=10, cell_seconds=0.5)
-    assert (
-        "TimeLimit" in reply["receipts"]["0/1"]["error"]
-        or "ran longer than 0.5 s" in reply["receipts"]["0/1"]["error"]
-    )
+    assert "ran longer than 0.5 s" in reply["receipts"]["0/1"]["error"]
     assert reply["receipts"]["0/2"]["answers"] == {"x": 2.0}
 
 
 def test_a_deadline_of_the_notebook_keeps_what_was_read_before(harvester):
-    reply = caged(
-        harvester,
-        "x = 1",
-        ENDINGS["endless loop that catches everything"],
-        "x = 3",
-        seconds=2,
-        cell_seconds=0.5,
-    )
+    endless = ENDINGS["endless loop that catches everything"]
+    reply = caged(harvester, "x = 1", endless, "x = 3", seconds=2, cell_seconds=0.5)
     assert reply["receipts"]["0/1"]["answers"] == {"x": 1.0}
     assert "0/3" not in reply["receipts"]
     assert reply["ended"] == "stopped after 2 s"
@@ -222,18 +210,13 @@ def test_answers_given_before_the_process_ended_are_kept(harvester):
 
 
 def test_a_forged_receipt_is_only_data_for_the_problem_it_names(harvester):
-    forged = (
-        json.dumps({"id": "0/2", "answers": {"x": 1}, "points": 100, "sandbox": "x"})
-        + "\n"
-        + json.dumps({"id": "9/9", "answers": {}})
-        + "\n"
+    lines = (
+        {"id": "0/2", "answers": {"x": 1}, "points": 100, "sandbox": "x"},
+        {"id": "9/9", "answers": {}},
     )
-    reply = caged(
-        harvester,
-        "import os\nfor fd in range(3, 64):\n    try: os.write(fd, "
-        f"{forged.encode()!r})\n    except OSError: pass\nx = 5",
-        "x = 7",
-    )
+    forged = "".join(json.dumps(line) + "\n" for line in lines).encode()
+    forge = f"for fd in range(3, 64): works(os.write, fd, {forged!r})\nx = 5"
+    reply = caged(harvester, forge, "x = 7", setup=SETUP)
     assert set(reply["receipts"]) == {"0/1", "0/2"}
     assert reply["receipts"]["0/1"]["answers"] == {"x": 5.0}
     assert set(reply["receipts"]["0/2"]) == {"id", "answers", "faults", "error"}
@@ -243,7 +226,7 @@ def test_a_forged_receipt_is_only_data_for_the_problem_it_names(harvester):
 
 
 def test_without_privileges_the_cage_is_as_tight():
-    jobs = [job(c, setup="import os\n" + SETUP) for c in REACH.values()]
+    jobs = [job(c, setup=SETUP) for c in REACH.values()]
     for what, reply in zip(REACH, elsewhere(jobs, ordinary=True), strict=True):
         if isinstance(reply, str):
             pytest.skip(reply)
@@ -258,21 +241,18 @@ def test_without_privileges_the_worker_survives_too():
     # no fork bomb where this user is root outside, to whom the kernel grants as many processes as
     # he likes
     names = [
-        "kills everybody",
-        "kills its group",
-        "stops its group",
-        "signals pid 1",
-        "no death with its parent",
-        "daemon",
-        "stops itself",
-        "endless in C",
-        "floods the receipts",
+        "kills everybody", "kills its group", "stops its group", "signals pid 1",
+        "no death with its parent", "daemon", "stops itself", "endless in C", "floods the receipts",
         "memory in pieces",
-    ]
+    ]  # fmt: skip
+    survives(names, ordinary=True)
+
+
+def survives(names, **options):
+    """After each of these cells the worker, elsewhere, serves on; nothing stays behind."""
     before = descendants()
-    replies = elsewhere(
-        [job(x, setup="import os") for n in names for x in (ENDINGS[n], "x = 42")], ordinary=True
-    )
+    jobs = [job(x, setup="import os") for n in names for x in (ENDINGS[n], "x = 42")]
+    replies = elsewhere(jobs, **options)
     assert [r["receipts"]["0/1"]["answers"] for r in replies[1::2]] == [{"x": 42.0}] * len(names)
     assert wait_until(lambda: descendants() <= before)
 
@@ -323,20 +303,10 @@ def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
         "daemon", "fork bomb", "no death with its parent", "kills everybody", "stops itself",
         "floods the receipts", "endless loop that catches everything",
     ]  # fmt: skip
-    before = descendants()
-    replies = elsewhere(
-        [job(x, setup="import os") for n in names for x in (ENDINGS[n], "x = 42")], sandbox=False
-    )
-    assert [r["receipts"]["0/1"]["answers"] for r in replies[1::2]] == [{"x": 42.0}] * len(names)
-    assert wait_until(lambda: descendants() <= before)
+    survives(names, sandbox=False)
     time.sleep(0.1)
-    left = [
-        p
-        for p in Path("/proc").glob("[0-9]*/status")
-        if "Uid:\t10" in p.read_text(errors="replace")
-        and "python" in p.read_text(errors="replace")[:40]
-    ]
-    assert not left
+    found = [p.read_text(errors="replace") for p in Path("/proc").glob("[0-9]*/status")]
+    assert not [text for text in found if "Uid:\t10" in text and "python" in text[:40]]
 
 
 def test_a_place_that_is_shown_is_never_the_whole_of_usr_or_a_home():

@@ -13,6 +13,7 @@ from grader.sandbox import Harvester, HarvestError
 from grader.sandbox import harvester as harvester_module
 from grader.sandbox.worker import Worker
 from tests.grader.sandbox.jobs import (
+    answer,
     caged,
     descendants,
     job,
@@ -48,14 +49,8 @@ def test_a_worker_that_cannot_start_is_an_error_that_says_what_to_check(monkeypa
     script = tmp_path / "broken.py"
     script.write_text("import sys; sys.exit('no such module')")
     monkeypatch.setattr("grader.sandbox.worker._SCRIPT", script)
-    with (
-        Harvester(1) as one,
-        pytest.raises(
-            HarvestError,
-            match=r"the process that runs student code is gone .*Check that newton_euler is "
-            r"installed",
-        ),
-    ):
+    words = "the process that runs student code is gone .*Check that newton_euler is installed"
+    with Harvester(1) as one, pytest.raises(HarvestError, match=words):
         one.run(job("x = 1"))
 
 
@@ -65,12 +60,11 @@ def test_a_fork_bomb_beside_leaves_another_worker_its_processes():
         bomb = pool.submit(two.run, job(ENDINGS["fork bomb"]), 3, 2)
         time.sleep(1.5)
         threads = (
-            "import threading\nts = [threading.Thread(target=int) for _ in range(20)]\nfor t "
-            "in ts: t.start()\nfor t in ts: t.join()\nx = 1"
+            "import threading\nts = [threading.Thread(target=int) for _ in range(20)]\n"
+            "for t in ts: t.start()\nfor t in ts: t.join()\nx = 1"
         )
-        other = two.run(job(threads), 10, 5)
+        assert answer(two, threads) == 1.0
         bomb.result()
-    assert other["receipts"]["0/1"]["answers"] == {"x": 1.0}, other
 
 
 def test_a_worker_that_is_busy_delays_no_other():

@@ -52,24 +52,18 @@ with Harvester(1) as h:
 PROCESSES = 2 + 8  # worker, first; and what three forks in a row make of one
 
 
-def alive(pids):
-    return {p for p in pids if Path(f"/proc/{p}").exists() and "Z" not in state(p)}
-
-
-def state(pid):
+def is_alive(pid):
     try:
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
-        return "Z"
+        return False
 
 
 @pytest.mark.parametrize("killed", ["grader", "worker"])
 def test_no_sleeper_outlives_a_killed(killed):
+    command = [sys.executable, "-c", GRADER]
     grader = subprocess.Popen(
-        [sys.executable, "-c", GRADER],
-        env=environment(),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
+        command, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
     )
     try:
         if grader.stdout.readline() != b"namespaces\n":
@@ -78,7 +72,7 @@ def test_no_sleeper_outlives_a_killed(killed):
         started = descendants(grader.pid)
         worker = min(started)
         os.kill(grader.pid if killed == "grader" else worker, signal.SIGKILL)
-        assert wait_until(lambda: not alive(started)), alive(started)
+        assert wait_until(lambda: not any(map(is_alive, started)))
     finally:
         grader.kill()
         grader.wait()
@@ -119,19 +113,17 @@ def test_children_that_share_what_they_hold_are_not_counted_twice(harvester):
     assert answer(harvester, text, seconds=30, cell_seconds=20) == 1.0
 
 
-EMPTY_FILES = """
-x = 0
-try:
-    while True:
-        open(f"/tmp/{x}", "w").close()
-        x += 1
-except OSError:
-    pass
-"""
-
-
 def test_the_number_of_files_is_limited(harvester):
-    assert 10_000 < answer(harvester, EMPTY_FILES) < 20_000
+    text = """
+    x = 0
+    try:
+        while True:
+            open(f"/tmp/{x}", "w").close()
+            x += 1
+    except OSError:
+        pass
+    """
+    assert 10_000 < answer(harvester, text) < 20_000
 
 
 HOG = """

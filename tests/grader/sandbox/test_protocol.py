@@ -53,14 +53,9 @@ def test_givens_may_come_again_and_hold_from_there(harvester):
 def test_the_first_error_since_the_givens_is_reported_with_the_answers(harvester):
     givens, answer, harvest = problem("0/1", "x = 3")
     cells = [
-        own("first", "before"),
-        givens,
-        own("second"),
-        answer,
-        own("third"),
-        harvest,
+        own("first", "before"), givens, own("second"), answer, own("third"), harvest,
         *problem("0/2", "x = 4"),
-    ]
+    ]  # fmt: skip
     reply = run_caged(harvester, cells)
     assert reply["receipts"]["0/1"]["error"] == "NameError, line 1: name 'second' is not defined"
     assert reply["receipts"]["0/1"]["answers"] == {"x": 3.0}
@@ -142,12 +137,6 @@ def test_the_text_of_a_test_is_nowhere_while_the_cells_run(harvester):
         reply = run_caged(harvester, cells)
         assert reply["tests"]["test-0"] == {"error": None, "value": "other"}
         assert reply["receipts"]["0/2"]["answers"] == {"x": 0.0}, reply
-
-
-def test_nothing_of_a_test_comes_back_in_a_receipt(harvester):
-    told = "import os\nfor fd in range(3, 90):\n    try: os.write(fd, b'hidden-words')\n    except OSError: pass"
-    reply = run_caged(harvester, a_notebook_with([told, told]))
-    assert "hidden-words" not in str(reply["receipts"]) + str(reply["errors"])
 
 
 FORGED = """

@@ -19,7 +19,10 @@ def receipt(rng, p, key):
     answers = {a: _answer(rng, p, tree) for a, tree in key.items()}
     faults = {rng.choice(list(key)): anything(rng, 2)} if rng.random() < 0.1 else {}
     error = anything(rng, 2) if rng.random() < 0.1 else None
-    return {"id": p.id, "answers": answers, "faults": faults, "error": error}
+    found = {"id": p.id, "answers": answers, "faults": faults, "error": error}
+    if rng.random() < 0.05:
+        found[rng.choice(("answers", "faults"))] = anything(rng, 3)
+    return found
 
 
 def _answer(rng, p, right):

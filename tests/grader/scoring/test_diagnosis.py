@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problem
-from exercises.catalogue.variants import SEPARATION, distance, draw, evaluate, flat
+from exercises.catalogue.variants import SEPARATION, draw, evaluate, flat
 from exercises.catalogue.wording import term_text
 from grader.scoring import score_receipt
 from grader.scoring.numbers import Numbers
@@ -43,28 +43,19 @@ def numbers_of(p, given):
     """Key and mistakes as arrays (components, points), to see which mistakes give the same."""
     right, wrong = evaluate(p, Numbers(p, given).sample)
 
-    def rows(answer):
-        return (
-            np.stack(np.broadcast_arrays(*map(np.asarray, answer)))
-            .astype(float)
-            .reshape(len(answer), -1)
-        )
+    def rows(answers):
+        stacked = {k: np.stack(np.broadcast_arrays(*v)) for k, v in answers.items()}
+        return {k: v.astype(float).reshape(len(v), -1) for k, v in stacked.items()}
 
-    return {k: rows(v) for k, v in right.items()}, {
-        m: {k: rows(v) for k, v in w.items()} for m, w in wrong.items()
-    }
+    return rows(right), {m: rows(w) for m, w in wrong.items()}
 
 
 def twins(wrong, name, key, tolerance):
     """Other listed mistakes that give the same numbers, within what a student may round."""
     mine = wrong[name][key]
-    return [
-        m
-        for m, w in wrong.items()
-        if m != name
-        and key in w
-        and np.linalg.norm(w[key] - mine) <= 2 * tolerance * np.linalg.norm(mine)
-    ]
+    near = 2 * tolerance * np.linalg.norm(mine)
+    others = {m: w[key] for m, w in wrong.items() if m != name and key in w}
+    return [m for m, x in others.items() if np.linalg.norm(x - mine) <= near]
 
 
 CASES = [(p, data) for p in CH04 for data in DATA]
@@ -80,12 +71,8 @@ def test_every_listed_mistake_earns_nothing_and_is_told_by_its_own_text_if_no_ot
     for name, key, tree in listed(p, given):
         part = part_of(p, given, key, tree)
         assert (part.points, part.verdict) == (0, "wrong"), (name, key)
-        same = twins(
-            wrong,
-            name,
-            key,
-            tolerance.FORMULA_RTOL if p.answer(key).kind.is_formula else tolerance.RTOL,
-        )
+        is_formula = p.answer(key).kind.is_formula
+        same = twins(wrong, name, key, tolerance.FORMULA_RTOL if is_formula else tolerance.RTOL)
         if not same:
             assert texts(part)[0] == p.mistakes[name], (name, key)
             assert {c.group for c in part.causes[1:]} <= {"term"}, (name, key)
@@ -118,19 +105,9 @@ def test_a_right_answer_never_gets_a_diagnosis_also_when_rounded(p, data):
             k: [float(f"{x:.3g}") for x in v] if isinstance(v, list) else float(f"{v:.3g}")
             for k, v in right.items()
         }
-        assert all(
-            part.diagnosis is None and part.points
-            for part in score_receipt(p, given, {"answers": rounded}).parts
-        )
-
-
-@pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
-def test_every_listed_mistake_is_well_away_from_the_key(p, data):
-    right, wrong = numbers_of(p, values(p, data))
-    for name, answers in wrong.items():
-        for key, w in answers.items():
-            gaps = [distance(tuple(w[:, n]), tuple(right[key][:, n])) for n in range(w.shape[1])]
-            assert np.median(gaps) >= SEPARATION, (name, key)
+        for part in score_receipt(p, given, {"answers": rounded}).parts:
+            assert part.diagnosis is None
+            assert part.points
 
 
 def vectors(kind="vector"):
@@ -162,13 +139,9 @@ def test_a_term_left_out_or_turned_is_told_from_the_ledger_or_a_listed_mistake(p
             continue  # this term is too small to be missed
         part = told(p, a, given, numbers)
         assert part.points == 0
-        others = [
-            n
-            for n, w in candidates.items()
-            if n != (name, factor)
-            and math.dist(w, numbers) <= 2 * tolerance.RTOL * math.hypot(*numbers)
-        ]
-        assert part.diagnosis or others, (name, factor)
+        near = 2 * tolerance.RTOL * math.hypot(*numbers)
+        alike = [n for n, w in candidates.items() if math.dist(w, numbers) <= near]
+        assert part.diagnosis or len(alike) > 1, (name, factor)
 
 
 @pytest.mark.parametrize(
@@ -202,19 +175,9 @@ def test_angles_and_rates_used_in_degrees_are_told(number):
             g = p.base(given)
             wrong = p.in_units(p.code.solve(g.but(**{name: g.stated(name)})))
             for a in p.answers:
-                part = part_of(
-                    p,
-                    given,
-                    a.key,
-                    trees(
-                        p,
-                        {
-                            a.key: list(flat(wrong[a.key]))
-                            if a.kind.name == "vector"
-                            else wrong[a.key]
-                        },
-                    )[a.key],
-                )
+                x = wrong[a.key]
+                made = trees(p, {a.key: list(flat(x)) if a.kind.name == "vector" else x})
+                part = part_of(p, given, a.key, made[a.key])
                 if not part.points:
                     found += part.diagnosis is not None
     if any(q.unit.startswith(("deg", "rev")) for q in p.givens.values()):
@@ -241,16 +204,12 @@ def test_the_components_in_another_frame_and_a_transposed_rotation_are_told():
 
 def test_nonsense_is_not_explained():
     rng = np.random.default_rng(4)
-    explained = 0
     for p, a in vectors():
         given = values(p, "variant")
         size = math.hypot(*map(float, flat(p.solve(given)[a.key])))
         for _ in range(5):
-            explained += (
-                told(p, a, given, tuple(map(float, size * rng.uniform(-1, 1, 3)))).diagnosis
-                is not None
-            )
-    assert explained == 0
+            numbers = tuple(map(float, size * rng.uniform(-1, 1, 3)))
+            assert told(p, a, given, numbers).diagnosis is None
 
 
 def test_a_diagnosis_never_holds_a_number_of_the_key():
@@ -271,10 +230,8 @@ def test_terms_are_named_in_the_words_of_the_problem():
     assert term_text("A", turning) == "the turning of A"
     assert term_text("about y", turning) == "the turning about y"
     assert term_text("arm", growing) == "the growth of the turning of the arm"
-    assert (
-        term_text("arm x rod", growing)
-        == "the cross product of the turning of the arm and the turning of the rod"
-    )
+    both = "the cross product of the turning of the arm and the turning of the rod"
+    assert term_text("arm x rod", growing) == both
     assert term_text("u''", equation("curvilinear acceleration")) == "the term u''"
 
 
@@ -305,25 +262,20 @@ def test_a_cause_that_the_right_parts_contradict_is_named_in_this_part(number, k
     assert p.mistakes[other] in texts(part_of(p, given, key, turned[key]))
 
 
-def test_a_term_left_out_of_one_part_is_told_beside_a_part_that_has_it():
+PANEL = lambda v: v.components(v.frame.tree[2])
+
+
+@pytest.mark.parametrize(("key", "change", "words"), [
+    ("a_A", lambda a: flat(a.without("relative")), "leaves out the acceleration relative to the m"),
+    ("v_A", PANEL, "axes of the panel"),
+])  # fmt: skip
+def test_a_slip_in_one_part_is_told_beside_parts_that_are_right(key, change, words):
     p = problem("4/28")
     given = values(p, "variant")
     right = p.solve(given)
-    answers = trees(p, right)
-    answers["a_A"] = [float(x) for x in flat(right["a_A"].without("relative"))]
+    answers = {**trees(p, right), key: [float(x) for x in change(right[key])]}
     parts = {x.key: x for x in score_receipt(p, given, {"answers": answers}).parts}
-    assert parts["a_A"].diagnosis.startswith("leaves out the acceleration relative to the moving")
-
-
-def test_axes_confused_in_one_part_are_told_beside_a_part_that_has_the_right_ones():
-    p = problem("4/28")
-    given = values(p, "variant")
-    right = p.solve(given)
-    answers = trees(p, right)
-    panel = right["v_A"].frame.tree[2]
-    answers["v_A"] = [float(x) for x in right["v_A"].components(panel)]
-    parts = {x.key: x for x in score_receipt(p, given, {"answers": answers}).parts}
-    assert "axes of the panel" in parts["v_A"].diagnosis
+    assert words in parts[key].diagnosis
 
 
 def test_of_equal_causes_the_one_that_explains_the_other_parts_is_told():

@@ -14,46 +14,33 @@ OMEGA, NU, D, TILT = "omega", "nu", "d", "tilt"
 SPEED = ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", TILT]], 2]], 0.5]  # 4/2
 
 
-@pytest.mark.parametrize(
-    "tree",
-    [
-        SPEED,
-        [
-            "sqrt",
-            [
-                "+",
-                ["*", NU, NU],
-                ["*", OMEGA, OMEGA, D, D, ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]],
-            ],
-        ],
-        ["*", NU, ["sqrt", ["+", 1.0, ["^", ["/", ["*", OMEGA, D, ["sin", TILT]], NU], 2.0]]]],
-        ["*", ["/", "pi", 3.1416], SPEED],
-        ["Abs", ["*", -1, SPEED]],
-        ["exp", ["log", SPEED]],
-        ["+", SPEED, ["*", 1e-6, OMEGA, D]],
-    ],
-)
+OF_COSINE = ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]
+IN_DEGREES = ["sin", ["*", "pi", ["/", TILT, 180]]]
+
+
+@pytest.mark.parametrize("tree", [
+    SPEED,
+    ["sqrt", ["+", ["*", NU, NU], ["*", OMEGA, OMEGA, D, D, OF_COSINE]]],
+    ["*", NU, ["sqrt", ["+", 1.0, ["^", ["/", ["*", OMEGA, D, ["sin", TILT]], NU], 2.0]]]],
+    ["*", ["/", "pi", 3.1416], SPEED],
+    ["Abs", ["*", -1, SPEED]],
+    ["exp", ["log", SPEED]],
+    ["+", SPEED, ["*", 1e-6, OMEGA, D]],
+])  # fmt: skip
 def test_equivalent_formulas_are_right(tree):
     assert judged(problem("4/2"), {"speed": tree})["speed"].verdict == "right"
 
 
-@pytest.mark.parametrize(
-    "tree",
-    [
-        ["*", 1.0002, SPEED],
-        ["+", SPEED, ["*", 3e-4, OMEGA, D]],
-        ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, TILT], 2]], 0.5],  # sin x = x for small x
-        [
-            "^",
-            ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", ["*", "pi", ["/", TILT, 180]]]], 2]],
-            0.5,
-        ],
-        ["+", NU, ["*", OMEGA, D, ["sin", TILT]]],
-        1.234,
-        NU,
-        "pi",
-    ],
-)
+@pytest.mark.parametrize("tree", [
+    ["*", 1.0002, SPEED],
+    ["+", SPEED, ["*", 3e-4, OMEGA, D]],
+    ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, TILT], 2]], 0.5],  # sin x = x for small x
+    ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, IN_DEGREES], 2]], 0.5],
+    ["+", NU, ["*", OMEGA, D, ["sin", TILT]]],
+    1.234,
+    NU,
+    "pi",
+])  # fmt: skip
 def test_nearly_equal_formulas_are_wrong(tree):
     assert judged(problem("4/2"), {"speed": tree})["speed"].verdict == "wrong"
 

@@ -19,18 +19,20 @@ def rows(points):
     return np.array(points).T
 
 
+def components(x, like):
+    return [np.broadcast_to(np.asarray(y, float), like[0].shape) for y in flat(x)]
+
+
 @pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)
 def test_the_traced_numbers_are_those_of_the_problems_code(p):
     values = draw(p, b"tests of numbers")
     found = Numbers(p, values)
     for key, x in p.solve(found.sample).items():
-        parts = [
-            np.broadcast_to(np.asarray(y, float), rows(found.key[key])[0].shape) for y in flat(x)
-        ]
+        parts = components(x, rows(found.key[key]))
         assert np.allclose(rows(found.key[key]), parts, rtol=1e-12, atol=1e-12)
     for key, cause, x in wrong_models(p, found.sample):
         same = [y for c, y in found.wrong(key) if c == cause]
-        parts = [np.broadcast_to(np.asarray(y, float), rows(same[0])[0].shape) for y in flat(x)]
+        parts = components(x, rows(same[0]))
         size = np.abs(parts).max()
         assert any(np.allclose(rows(y), parts, rtol=1e-9, atol=1e-9 * size) for y in same)
 
@@ -63,10 +65,8 @@ def test_numbers_that_the_sheet_does_not_have_are_named():
 
 
 def test_numbers_that_the_problem_no_longer_gives_are_left_alone():
-    values = draw(problem("4/16"), b"any")
-    assert (
-        Numbers(problem("4/16"), {**values, "gone": 1}).key == Numbers(problem("4/16"), values).key
-    )
+    p, values = problem("4/16"), draw(problem("4/16"), b"any")
+    assert Numbers(p, {**values, "gone": 1}).key == Numbers(p, values).key
 
 
 def test_the_books_numbers_are_not_told_to_whom_they_are_given():

@@ -1,5 +1,6 @@
 """Random receipts: they earn nothing unless they are right, raise nothing, and none takes long."""
 
+import json
 import math
 import random
 import time
@@ -10,9 +11,9 @@ import pytest
 from exercises.catalogue import problems
 from exercises.catalogue.variants import draw, evaluate, symbol_values
 from grader.scoring import score_receipt
-from newton_euler.answers.receipts import record
 from newton_euler.answers.trees import evaluate as tree_value
 
+from .answered import right_trees
 from .random_receipts import receipt
 
 CH04 = problems("ch04")
@@ -20,13 +21,7 @@ VALUES = {p.id: draw(p, b"random receipts") for p in CH04}
 LONGEST = 0.05  # seconds of the scorer's own time for one receipt
 
 
-def right_trees(p):
-    forms = {a.key: a.form for a in p.answers}
-    units = {n: s.unit for n, s in p.symbols.items()}
-    return record(forms, units, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))[0]
-
-
-KEYS = {p.id: right_trees(p) for p in CH04}
+KEYS = {p.id: right_trees(p, VALUES[p.id]) for p in CH04}
 
 
 def is_right(p, key, tree):
@@ -64,6 +59,7 @@ def try_receipts(seed, count):
             longest = max(longest, min([seconds, *(took(p, given)[0] for _ in range(9))]))
         assert [part.key for part in score.parts] == [a.key for a in p.answers]
         assert all(part.message.isprintable() for part in score.parts)
+        assert json.loads(score.json())["points"] == score.points
         for part in score.parts:
             if part.points:
                 assert is_right(p, part.key, given["answers"][part.key]), (p.id, given)

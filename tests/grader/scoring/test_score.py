@@ -3,56 +3,26 @@
 import json
 import math
 
-import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from exercises.catalogue import problem
-from exercises.catalogue.variants import evaluate
-from grader.scoring.numbers import numbers_of
 from grader.scoring.score import Score, score_receipt
-from newton_euler.answers.forms import Form
-from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.tolerance import RTOL
-from tests.grader.scoring.answered import CH04, VALUES, judged, key, trees
+from tests.grader.scoring.answered import CH04, VALUES, judged, key
 
 
 @pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)
 def test_the_engines_answer_earns_every_point_without_a_diagnosis(p):
     result = score_receipt(p, VALUES[p.id], {"answers": key(p)})
     assert result.points == result.out_of == len(p.answers)
-    assert [(part.verdict, part.diagnosis) for part in result.parts] == [("right", None)] * len(
-        p.answers
-    )
-
-
-@pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)
-def test_the_answers_to_the_books_numbers_earn_nothing_where_the_numbers_differ(p):
-    book = trees(p, p.solve({**p.sympy_symbols(), **p.book_values}))
-    right, _ = evaluate(p, numbers_of(p, VALUES[p.id]).sample)
-    books, _ = evaluate(p, numbers_of(p, p.book_values).sample)
-    result = judged(p, book)
-    for a in p.answers:
-        gap = math.hypot(
-            *(np.max(np.abs(x - y)) for x, y in zip(right[a.key], books[a.key], strict=True))
-        )
-        if gap > 0.01 * math.hypot(*(np.max(np.abs(x)) for x in right[a.key])):
-            assert result[a.key].points == 0
+    assert {(part.verdict, part.diagnosis) for part in result.parts} == {("right", None)}
 
 
 def test_no_receipt_at_all_is_blank_and_costs_only_the_points():
-    for receipt in (
-        None,
-        {},
-        {"answers": {}},
-        {"answers": None},
-        {"answers": []},
-        "text",
-        3,
-        [],
-        {"faults": "x"},
-    ):
+    empty = ({"answers": x} for x in ({}, None, []))
+    for receipt in (None, {}, *empty, "text", 3, [], {"faults": "x"}):
         result = score_receipt(problem("4/16"), VALUES["4/16"], receipt)
         assert [(p.verdict, p.points, p.out_of) for p in result.parts] == [("blank", 0, 1)] * 3
 
@@ -76,24 +46,18 @@ def test_components_in_two_frames_are_those_of_one_vector():
 
 def test_a_fault_makes_its_part_unreadable_and_leaves_the_others():
     p = problem("4/16")
-    answers = key(p)
-    result = score_receipt(
-        p, VALUES["4/16"], {"answers": answers, "faults": {"v_D": "expected a vector"}}
-    )
+    receipt = {"answers": key(p), "faults": {"v_D": "expected a vector"}}
+    result = score_receipt(p, VALUES["4/16"], receipt)
     assert [part.verdict for part in result.parts] == ["right", "unreadable", "right"]
     assert result.points == 2
 
 
 def test_an_error_in_the_cell_is_told_once_for_the_problem():
+    error = "ZeroDivisionError, line 3: float division by zero"
     result = score_receipt(
-        problem("4/1"),
-        VALUES["4/1"],
-        {"error": "ZeroDivisionError, line 3: float division by zero"},
-        note="a copy was graded",
+        problem("4/1"), VALUES["4/1"], {"error": error}, note="a copy was graded"
     )
-    assert result.note == (
-        "a copy was graded; the cell stopped with ZeroDivisionError, line 3: float division by zero"
-    )
+    assert result.note == f"a copy was graded; the cell stopped with {error}"
 
 
 def test_a_score_survives_json():
@@ -176,103 +140,7 @@ def test_junk_earns_nothing_and_every_part_is_judged(name):
             )
 
 
-LEAF = st.one_of(
-    st.none(),
-    st.booleans(),
-    st.integers(),
-    st.floats(),
-    st.text(max_size=5),
-    st.sampled_from(
-        [
-            "omega",
-            "nu",
-            "d",
-            "tilt",
-            "pi",
-            "+",
-            "*",
-            "^",
-            "/",
-            "sin",
-            "Abs",
-            "atan2",
-            "exp",
-            "log",
-            "sqrt",
-        ]
-    ),
-)
-TREE = st.recursive(
-    LEAF,
-    lambda inner: (
-        st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner, max_size=2)
-    ),
-    max_leaves=25,
-)
-OPERATION = st.recursive(
-    st.floats() | st.integers(-9, 9) | st.sampled_from(["omega", "nu", "d", "tilt", "pi"]),
-    lambda inner: (
-        st.tuples(
-            st.sampled_from(
-                [
-                    "+",
-                    "*",
-                    "^",
-                    "/",
-                    "sin",
-                    "acos",
-                    "exp",
-                    "log",
-                    "sqrt",
-                    "atan2",
-                    "Abs",
-                    "tan",
-                    "cosh",
-                ]
-            ),
-            inner,
-            inner,
-        ).map(list)
-        | st.tuples(
-            st.sampled_from(["sin", "acos", "exp", "log", "sqrt", "Abs", "tan", "cosh"]), inner
-        ).map(list)
-    ),
-    max_leaves=30,
-)
-CALM = settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
-
-
-@CALM
-@given(TREE, TREE)
-def test_score_never_raises_on_anything_that_json_can_hold(tree, other):
-    for receipt in (
-        tree,
-        {"answers": tree, "faults": other, "error": other},
-        {"answers": {"speed": tree, "acc_mag": other}, "faults": {"acc_mag": tree}},
-    ):
-        result = score_receipt(problem("4/2"), VALUES["4/2"], receipt)
-        assert [part.key for part in result.parts] == ["speed", "acc_mag"]
-        assert result.points == 0
-        assert json.loads(result.json())["points"] == 0
-
-
-@CALM
-@given(OPERATION)
-def test_score_never_raises_on_formulas_and_gives_points_only_to_right_ones(tree):
-    part = judged(problem("4/2"), {"speed": tree})["speed"]
-    assert part.points == (part.verdict == "right")
-    if part.points:  # then it is right: at other points as well
-        sample = {
-            "omega": np.array([1.23]),
-            "nu": np.array([0.77]),
-            "d": np.array([1.31]),
-            "tilt": np.array([0.41]),
-        }
-        (found,) = KINDS["expression"].readings(tree, Form.read("expression, m/s"), sample, [1000])
-        assert found[0] == pytest.approx(evaluate(problem("4/2"), sample)[0]["speed"][0], rel=1e-3)
-
-
-@CALM
+@settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
 @given(st.lists(st.floats() | st.integers(), min_size=3, max_size=3))
 def test_numbers_earn_points_only_within_the_tolerance(numbers):
     p = problem("4/16")
@@ -295,9 +163,8 @@ def test_messages_hold_no_key_and_nothing_unprintable():
     p = problem("4/16")
     numbers = {f"{abs(x):.4g}" for v in key(p).values() for x in v}
     wrong = {k: [2.0 * x + 1 for x in v] for k, v in key(p).items()}
-    for part in score_receipt(
-        p, VALUES["4/16"], {"answers": wrong, "error": "\x1b[31m\ud800 [/red]"}
-    ).parts:
+    receipt = {"answers": wrong, "error": "\x1b[31m\ud800 [/red]"}
+    for part in score_receipt(p, VALUES["4/16"], receipt).parts:
         assert not any(n in part.message for n in numbers if len(n) > 2)
     assert score_receipt(p, VALUES["4/16"], {"error": "\x1b[31m\ud800"}).note.isprintable()
 

@@ -9,16 +9,14 @@ import pytest
 from exercises.catalogue import problem
 from exercises.catalogue.variants import draw
 from grader.scoring import ScoreError, score_receipt
-from newton_euler.answers.receipts import record
+from tests.grader.scoring.answered import right_trees
 
 ELBOW = problem("4/16")  # alpha_CD, v_D, a_D
 VALUES = draw(ELBOW, b"tests of sheet")
 
 
 def key(p=ELBOW, values=VALUES):
-    forms = {a.key: a.form for a in p.answers}
-    units = {n: s.unit for n, s in p.symbols.items()}
-    return record(forms, units, p.solve({**p.sympy_symbols(), **values}))[0]
+    return right_trees(p, values)
 
 
 def earned(answers, p=ELBOW, values=VALUES, **sheet):

@@ -16,7 +16,7 @@ from grader.scoring.numbers import numbers_of
 from newton_euler.algebra.units import unit
 from newton_euler.answers.causes import AS_SCALARS, BOOK, DIRECTION, NEAR
 from newton_euler.answers.tolerance import NOISE
-from tests.grader.scoring.test_wrong_answers import right_answers
+from tests.grader.scoring.answered import right_trees
 
 ALL = select(["all"])
 NUMERIC = [
@@ -172,7 +172,7 @@ def formulas_of(right):
 def test_slips_in_formulas_are_named():
     found = Counter()
     for p in SYMBOLIC:
-        right = right_answers(p, {})
+        right = right_trees(p, {})
         for a in p.answers:
             if a.kind.name != "vector_expression":
                 continue

@@ -11,8 +11,8 @@ from exercises.catalogue import problems
 from exercises.catalogue.variants import draw, evaluate
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
-from newton_euler.answers.receipts import record
 from newton_euler.answers.tolerance import NOISE
+from tests.grader.scoring.answered import from_points, right_trees
 
 DRAWS = 50
 NUMERIC = [p for p in problems("ch04") if not p.symbolic]
@@ -53,12 +53,6 @@ def perturbed(kind, right):
             yield "swapped", swapped
 
 
-def right_answers(p, values):
-    forms = {a.key: a.form for a in p.answers}
-    units = {n: s.unit for n, s in p.symbols.items()}
-    return record(forms, units, p.solve({**p.sympy_symbols(), **values}))[0]
-
-
 def passed(p, values, right):
     """The perturbations that earn points."""
     missed = []
@@ -77,18 +71,13 @@ def test_no_perturbed_number_or_vector_passes(p):
     for n in range(DRAWS):
         values = draw(p, f"wrong answers {n}".encode())
         right = evaluate(p, values)[0]
-        numbers = {a.key: [float(x) for x in right[a.key]] for a in p.answers}
-        one = {
-            a.key: x if a.kind.name == "vector" else x[0]
-            for a, x in zip(p.answers, numbers.values(), strict=True)
-        }
-        assert passed(p, values, one) == []
+        assert passed(p, values, {a.key: from_points(a, [right[a.key]]) for a in p.answers}) == []
     assert any(COUNTED[p.id, name] for name in ("0.6 % too much", "turned"))
 
 
 @pytest.mark.parametrize("p", SYMBOLIC, ids=lambda p: p.id)
 def test_no_perturbed_formula_passes(p):
-    assert passed(p, {}, right_answers(p, {})) == []
+    assert passed(p, {}, right_trees(p, {})) == []
 
 
 @pytest.mark.parametrize("p", NUMERIC, ids=lambda p: p.id)
@@ -97,17 +86,12 @@ def test_the_books_answers_are_told_and_earn_nothing(p):
     for n in range(DRAWS):
         values = draw(p, f"wrong answers {n}".encode())
         own = numbers_of(p, values).key
-        answers = {a.key: _tree(a, book[a.key]) for a in p.answers}
-        for a, part in zip(
-            p.answers, score_receipt(p, values, {"answers": answers}).parts, strict=True
-        ):
+        answers = {a.key: from_points(a, book[a.key]) for a in p.answers}
+        score = score_receipt(p, values, {"answers": answers})
+        for a, part in zip(p.answers, score.parts, strict=True):
             if not a.kind.is_right(book[a.key], own[a.key], a.atol):
                 assert part.points == 0
                 assert "the answer for the book's numbers; yours are others" in part.message
-
-
-def _tree(a, points):
-    return list(points[0]) if a.kind.name == "vector" else points[0][0]
 
 
 @pytest.mark.parametrize(

@@ -3,36 +3,8 @@
 :data:`~tests.honesty.cases.FAMILIES` lists them by name.
 """
 
-from tests.honesty.families import (
-    batches,
-    chaotic,
-    closed_solutions,
-    events,
-    forced,
-    kinked,
-    long_runs,
-    mechanics,
-    scales,
-    singular,
-    smooth,
-    stiff,
-    tiny,
-    units_of_measure,
-)
+from importlib import import_module
+from pkgutil import iter_modules
 
-__all__ = [
-    "batches",
-    "chaotic",
-    "closed_solutions",
-    "events",
-    "forced",
-    "kinked",
-    "long_runs",
-    "mechanics",
-    "scales",
-    "singular",
-    "smooth",
-    "stiff",
-    "tiny",
-    "units_of_measure",
-]
+for module in iter_modules(__path__, f"{__name__}."):
+    import_module(module.name)

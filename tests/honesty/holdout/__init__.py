@@ -6,30 +6,8 @@ out why it fails has used it up: let a new one take its place here, and move the
 :mod:`tests.honesty.families`.
 """
 
-from tests.honesty.holdout import (
-    chains,
-    chemistry,
-    classroom,
-    clocks,
-    control,
-    ends,
-    equilibria,
-    impacts,
-    many,
-    space,
-    written_styles,
-)
+from importlib import import_module
+from pkgutil import iter_modules
 
-__all__ = [
-    "chains",
-    "chemistry",
-    "classroom",
-    "clocks",
-    "control",
-    "ends",
-    "equilibria",
-    "impacts",
-    "many",
-    "space",
-    "written_styles",
-]
+for module in iter_modules(__path__, f"{__name__}."):
+    import_module(module.name)

@@ -106,10 +106,12 @@ def epidemic(rng):
 
     season = lambda s, p, t: p.b0 * (p.one + p.a * cos(p.n * t))
     states = "S", "E", "I", "R"
-    model = Model(
-        "epidemic", {**numbers, "beta": season}, states, lambda s, p, t: flow(s, p, p.beta)
+    by_law, by_hand = (
+        lambda s, p, t: flow(s, p, p.beta),
+        lambda s, p, t: flow(s, p, season(s, p, t)),
     )
-    written = Model("epidemic", numbers, states, lambda s, p, t: flow(s, p, season(s, p, t)))
+    model = Model("epidemic", {**numbers, "beta": season}, states, by_law)
+    written = Model("epidemic", numbers, states, by_hand)
     T, *start = rng.values((50.0, 400.0), 1.0, 0.0, Log(1e-8, 1e-4), 0.0)
     return Case(model, T, tuple(start), written_out=written)
 

@@ -2,11 +2,11 @@
 
 import math
 
-import newton_euler
 from newton_euler import Event, Model, acos, asin, atan2, cos, sin, sqrt, tan, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
 from tests.honesty.cases import Branches, Case, Log, held_out
+from tests.honesty.models import brought
 
 
 @held_out("kinked", "sticking")
@@ -282,8 +282,7 @@ def fall_with_a_terminal_speed(rng):
     parameters = rng.parameters(g=9.81, c=Log(1e-4, 1.0))
     scale = math.sqrt(1 / (9.81 * parameters["c"]))
     rates = lambda s, p, t: (s.v, p.c * s.v * s.v - p.g)
-    brought = lambda s, p, t: solution(newton_euler, s, p, t)
-    model = Model("fall", parameters, ("h", "v"), rates, exact=brought)
+    model = Model("fall", parameters, ("h", "v"), rates, exact=brought(solution))
     T = scale * rng.choice(rng.values(Log(1e-3, 10.0), Log(10.0, 3000.0)))
     start = rng.uniform(10.0, 1000.0), rng.choice((0.0, -0.5 * 9.81 * scale))
     return Case(model, T, start, exact=solution)

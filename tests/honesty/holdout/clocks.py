@@ -2,16 +2,11 @@
 
 import math
 
-import newton_euler
 from newton_euler import Model, cos, sin, sqrt
 from newton_euler.motion import second_order
 from tests.honesty import models
 from tests.honesty.cases import Case, Log, held_out
-
-
-def _brought(solution):
-    """A solution ``(m, s, p, t)`` by the functions of a module m, as a model brings it."""
-    return lambda s, p, t: solution(newton_euler, s, p, t)
+from tests.honesty.models import brought
 
 
 @held_out("forced", "late")
@@ -57,7 +52,7 @@ def nearly_critical_damping(rng):
         return x, e * (s.dx * c - (p.c * s.dx + p.w * p.w * s.x) * k)
 
     a = lambda s, p, t: (-2 * p.c * s.dx - p.w * p.w * s.x,)
-    model = second_order("nearly critical", parameters, ("x",), a, exact=_brought(solution))
+    model = second_order("nearly critical", parameters, ("x",), a, exact=brought(solution))
     T, v = rng.values((0.5, 8.0), (-1.0, 1.0))
     return Case(model, T / w, (1.0, v), exact=solution)
 
@@ -73,7 +68,7 @@ def shot_with_hardly_any_drag(rng):
 
     rates = lambda s, p, t: (s.u, s.v, -p.c * s.u, -p.g - p.c * s.v)
     parameters, states = rng.parameters(g=9.81, c=Log(1e-12, 1.0)), ("x", "y", "u", "v")
-    model = Model("shot with drag", parameters, states, rates, exact=_brought(solution))
+    model = Model("shot with drag", parameters, states, rates, exact=brought(solution))
     T, *start = rng.values((0.5, 10.0), 0.0, 0.0, (5.0, 50.0), (5.0, 50.0))
     return Case(model, T, tuple(start), exact=solution)
 
@@ -91,7 +86,7 @@ def beat_by_a_difference(rng):
         return x, s.dx * c - p.w * s.x * k + b * (p.w * k - p.q * m.sin(p.q * t))
 
     a = lambda s, p, t: (p.F * cos(p.q * t) - p.w * p.w * s.x,)
-    model = second_order("beat", parameters, ("x",), a, exact=_brought(solution))
+    model = second_order("beat", parameters, ("x",), a, exact=brought(solution))
     return Case(model, rng.decades(3.0, 300.0) / w, (0.0, 0.0), exact=solution)
 
 
@@ -113,7 +108,7 @@ def foucault(rng):
         return X, Y, dx * C + dy * S + p.n * Y, dy * C - dx * S - p.n * X
 
     a = lambda s, p, t: (-p.w2 * s.x + 2 * p.n * s.dy, -p.w2 * s.y - 2 * p.n * s.dx)
-    model = second_order("Foucault", parameters, ("x", "y"), a, exact=_brought(solution))
+    model = second_order("Foucault", parameters, ("x", "y"), a, exact=brought(solution))
     T, x = rng.values(Log(1e2, 1e6), (0.5, 3.0))
     return Case(model, T, (x, 0.0, 0.0, 0.0), exact=solution)
 
@@ -130,7 +125,7 @@ def relativistic_rocket(rng):
         return s.x + p.c * p.c / p.a * (g - g0), q
 
     rates = lambda s, p, t: (s.q / sqrt(1 + (s.q / p.c) ** 2), p.a + 0 * s.q)
-    model = Model("ship", parameters, ("x", "q"), rates, exact=_brought(solution))
+    model = Model("ship", parameters, ("x", "q"), rates, exact=brought(solution))
     return Case(model, rng.decades(1.0, 1e8), (0.0, 0.0), exact=solution)
 
 
@@ -148,7 +143,7 @@ def drift_in_crossed_fields(rng):
 
     rates = lambda s, p, t: (s.u, s.v, p.wc * s.v, -p.wc * (s.u - p.drift))
     states = "x", "y", "u", "v"
-    model = Model("crossed fields", parameters, states, rates, exact=_brought(solution))
+    model = Model("crossed fields", parameters, states, rates, exact=brought(solution))
     T = 2 * math.pi / parameters["wc"] * rng.decades(10.0, 1e6)
     start = 0.0, 0.0, rng.choice((0.0, 1e5)), rng.choice((0.0, 1e6))
     return Case(model, T, start, exact=solution)
@@ -168,7 +163,7 @@ def symmetric_body_for_long(rng):
         n = (p.C - p.A) / p.A * s.z
         return -n * s.y, n * s.x, 0 * s.z, s.z
 
-    model = Model("plate", parameters, ("x", "y", "z", "phi"), rates, exact=_brought(solution))
+    model = Model("plate", parameters, ("x", "y", "z", "phi"), rates, exact=brought(solution))
     spin, T, wobble = rng.values(Log(0.1, 100.0), Log(10.0, 1e6), Log(1e-6, 1.0))
     start = spin * wobble, 0.0, spin, 0.0
     return Case(model, 2 * math.pi / spin * T, start, exact=solution)

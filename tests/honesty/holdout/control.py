@@ -52,9 +52,8 @@ def thermostat(rng):
 @held_out("kinked")
 def pid_with_a_limit(rng):
     """A PID whose output saturates and whose integrator stops meanwhile, by nested where."""
-    parameters = rng.parameters(
-        kp=(2.0, 8.0), ki=(0.5, 3.0), kd=(0.5, 2.0), U=(0.8, 2.0), goal=(0.5, 4.0), c=0.2
-    )
+    parameters = rng.parameters(kp=(2.0, 8.0), ki=(0.5, 3.0), kd=(0.5, 2.0))
+    parameters |= rng.parameters(U=(0.8, 2.0), goal=(0.5, 4.0), c=0.2)
     asked = lambda s, p: p.kp * (p.goal - s.x) + p.ki * s.i - p.kd * s.v
 
     def rates(s, p, t):

@@ -97,10 +97,8 @@ def collapsing_bubble(rng):
 def braking_by_a_root(rng):
     """A sledge whose drag goes with the root of its speed, clamped by where at rest."""
     c, v = rng.values(Log(0.1, 10.0), Log(0.5, 20.0))
-    rates = lambda s, p, t: (
-        s.v,
-        where(s.v > 0, -p.c * sqrt(where(s.v > 0, s.v, 0.0)), 0.0),
-    )
+    drag = lambda s, p: where(s.v > 0, -p.c * sqrt(where(s.v > 0, s.v, 0.0)), 0.0)
+    rates = lambda s, p, t: (s.v, drag(s, p))
 
     def exact(mp, s, p, t):
         u = mp.sqrt(s.v)

@@ -2,10 +2,10 @@
 
 import math
 
-import newton_euler
 from newton_euler import Model, cos, exp, sin, sqrt
 from newton_euler.motion import second_order
 from tests.honesty.cases import Case, Log, held_out
+from tests.honesty.models import brought
 
 
 @held_out("near-singular", "equilibrium")
@@ -81,7 +81,7 @@ def exact_resonance(rng):
         return x, s.dx * c - p.w * s.x * k + p.F * (k / p.w + t * c) / 2
 
     parameters = rng.parameters(w=Log(0.1, 10.0), F=Log(1e-6, 10.0))
-    given = {"exact": lambda s, p, t: solution(newton_euler, s, p, t)}
+    given = {"exact": brought(solution)}
     a = lambda s, p, t: (p.F * cos(p.w * t) - p.w * p.w * s.x,)
     model = second_order("resonance", parameters, ("x",), a, **rng.choice(({}, given)))
     T = 2 * math.pi / parameters["w"] * rng.decades(3.0, 200.0)
@@ -135,7 +135,7 @@ def onset_of_an_oscillation(rng):
         c, k = m.cos(p.w * t), m.sin(p.w * t)
         return grow * (s.x * c - s.y * k), grow * (s.x * k + s.y * c)
 
-    given = {"exact": lambda s, p, t: solution(newton_euler, s, p, t)}
+    given = {"exact": brought(solution)}
     model = Model("onset", parameters, ("x", "y"), rates, **rng.choice(({}, given)))
     T, x = rng.values((3.0, 30.0), Log(1e-8, 1e-2))
     return Case(model, T / parameters["a"], (x, 0.0), exact=solution)

@@ -203,9 +203,8 @@ def figure_eight(rng):
     x, y, u, v = 0.97000436, -0.24308753, 0.93240737, 0.86473146
     start = (x + off, -x, 0.0, y, -y, 0.0, u / 2, u / 2, -u, v / 2, v / 2, -v)
     states = "x1", "x2", "x3", "y1", "y2", "y3"
-    return Case(
-        second_order("eight", {"G": 1.0}, states, accelerations), rng.uniform(2.0, 13.0), start
-    )
+    model = second_order("eight", {"G": 1.0}, states, accelerations)
+    return Case(model, rng.uniform(2.0, 13.0), start)
 
 
 @held_out("forced", "law")
@@ -237,19 +236,15 @@ def slingshot(rng):
     V = math.sqrt(GM_SUN / R)
     speed, ahead, T = rng.values((6e3, 1e4), (1e10, 3e10), (0.8, 2.5))
     start = (R - ahead, ahead * V / speed + miss, R, 0.0, speed, 0.0, 0.0, V)
-    states, parameters = (
-        ("x", "y", "X", "Y", "u", "v", "U", "V"),
-        {"GM": GM_SUN, "GJ": 1.26686534e17},
-    )
+    states, parameters = tuple("xyXYuvUV"), {"GM": GM_SUN, "GJ": 1.26686534e17}
     return Case(Model("slingshot", parameters, states, rates), ahead / speed * T, start)
 
 
 @held_out("mechanics")
 def gyrostat(rng):
     """A satellite with a wheel that spins up: quaternion, rates, momentum of the wheel."""
-    parameters = rng.parameters(
-        A=(80.0, 120.0), B=(130.0, 180.0), C=(190.0, 240.0), M=Log(1e-3, 1e-1)
-    )
+    moments = {"A": (80.0, 120.0), "B": (130.0, 180.0), "C": (190.0, 240.0)}
+    parameters = rng.parameters(**moments, M=Log(1e-3, 1e-1))
 
     def rates(s, p, t):
         w1, w2, w3 = s.w1, s.w2, s.w3

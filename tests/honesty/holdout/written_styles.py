@@ -11,14 +11,6 @@ def _sign(x):
     return where(x > 0, 1.0, where(x < 0, -1.0, 0.0))
 
 
-def _smaller(a, b):
-    return where(a < b, a, b)
-
-
-def _larger(a, b):
-    return where(a > b, a, b)
-
-
 @held_out("kinked")
 def engine_by_a_table(rng):
     """A car whose torque is a table of five points in the speed, interpolated by nested where."""
@@ -70,7 +62,7 @@ def drag_with_a_crisis(rng):
     """A sphere whose drag stops growing above some speed, by the smaller of two."""
 
     def rates(s, p, t):
-        drag = _smaller(p.c * s.v * s.v, p.most) * _sign(s.v)
+        drag = where(p.c * s.v * s.v < p.most, p.c * s.v * s.v, p.most) * _sign(s.v)
         return s.v, -p.g - drag
 
     def pieces(s, p, t, b):
@@ -166,7 +158,7 @@ def ball_by_hertz(rng):
     def fall(s, p, d):
         return s.v, p.k * ((d + p.d0) ** 1.5 - p.d0**1.5) * (1 - p.a * s.v) - p.g
 
-    rates = lambda s, p, t: fall(s, p, _larger(-s.h, 0.0))
+    rates = lambda s, p, t: fall(s, p, where(-s.h > 0.0, -s.h, 0.0))
     pieces = lambda s, p, t, b: fall(s, p, -s.h * (1 - b[0]) / 2)
     parameters = rng.parameters(g=9.81, k=Log(1e3, 1e5), a=(0.0, 0.3), d0=1e-3)
     h, T = rng.values((0.2, 1.0), (1.3, 4.0))
@@ -240,12 +232,8 @@ def pulses_by_where(rng):
         push = (b[0] - b[1] - b[2] + b[3]) / 2 * p.F
         return s.dx, push - p.k * s.x - p.c * s.dx
 
-    switches = (
-        lambda s, p, t: t - p.t1,
-        lambda s, p, t: t - p.t1 - p.w,
-        lambda s, p, t: t - p.t2,
-        lambda s, p, t: t - p.t2 - p.w,
-    )
+    first = lambda s, p, t: t - p.t1, lambda s, p, t: t - p.t1 - p.w
+    switches = *first, lambda s, p, t: t - p.t2, lambda s, p, t: t - p.t2 - p.w
     edges = [parameters[n] + k * parameters["w"] for n in ("t1", "t2") for k in (0, 1)]
     knots = tuple(x + d * parameters["w"] for x in edges for d in (-0.3, 0.3))
     model = second_order("two pushes", parameters, ("x",), accelerations)

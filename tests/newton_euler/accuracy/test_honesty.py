@@ -196,16 +196,10 @@ def test_hundred_per_cent_are_all():
 
 def test_the_table_has_seconds_for_one_problem_and_ratios_for_several():
     one = [answer(), answer("slow", cost=2e-2, error=5e-6)]
-    assert table(one).splitlines()[1].split() == [
-        *("mine", "1", "100", "100", "2", "1.0", "ms"),
-    ]
     several = [*one, answer(problem="b", absent=FAILED, estimate=None)]
-    assert table(several).splitlines()[1].split() == [
-        *("mine", "2", "100", "100", "2", "1", "1", "x"),
-    ]
-    assert table(several).splitlines()[2].split() == [
-        *("slow", "1", "0.0", "0.0", "0.04", "20", "x"),
-    ]
+    assert table(one).splitlines()[1].split() == ["mine", "1", "100", "100", "2", "1.0", "ms"]
+    assert table(several).splitlines()[1].split() == ["mine", "2", "100", "100", "2", "1", "1", "x"]
+    assert table(several).splitlines()[2].split() == ["slow", "1", "0.0", "0.0", "0.04", "20", "x"]
 
 
 def test_the_csv_has_a_line_for_every_run(tmp_path):
@@ -213,16 +207,7 @@ def test_the_csv_has_a_line_for_every_run(tmp_path):
     with open(tmp_path / "a.csv", newline="", encoding="utf-8") as file:
         head, first, second = csv.reader(file)
     assert tuple(head) == COLUMNS
-    assert dict(zip(head, first, strict=True)) == {
-        "method": "mine",
-        "problem": "a",
-        "asked": "1e-06",
-        "cost": "0.001",
-        "error": "1e-07",
-        "estimate": "2e-07",
-        "absent": "",
-        "words": "",
-    }
+    assert first == ["mine", "a", "1e-06", "0.001", "1e-07", "2e-07", "", ""]
     assert dict(zip(head, second, strict=True))["absent"] == REFUSED
 
 

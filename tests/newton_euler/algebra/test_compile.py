@@ -109,14 +109,8 @@ def chain(q, dq, L):
     ground = Frame("ground")
     frame = ground
     for n, axis in enumerate(["z", "x", (1, 2, 2)]):
-        frame = frame.rotate(
-            f"link {n}",
-            axis,
-            angle=q * (n + 1),
-            rate=dq,
-            acceleration=dq / 2,
-            origin=frame.point("O", L, 0, 0),
-        )
+        motion = {"angle": q * (n + 1), "rate": dq, "acceleration": dq / 2}
+        frame = frame.rotate(f"link {n}", axis, **motion, origin=frame.point("O", L, 0, 0))
     return frame.point("P", 0, moving(L, rate=dq), L / 2).acceleration(ground)
 
 
@@ -313,12 +307,8 @@ def test_the_explanation_shows_the_lines():
 def test_dicts_tuples_vectors_and_nests_of_them_come_back(backend):
     def f(x):
         ground = Frame("ground")
-        return {
-            "v": ground.vector(x, 0, 2 * x),
-            "pair": (x, [x * x, {"deep": 3}]),
-            "n": 1,
-            "none": (),
-        }
+        pair = (x, [x * x, {"deep": 3}])
+        return {"v": ground.vector(x, 0, 2 * x), "pair": pair, "n": 1, "none": ()}
 
     g = compiled(f, backend=backend)
     assert g(2.0) == {"v": (2.0, 0, 4.0), "pair": (2.0, (4.0, {"deep": 3})), "n": 1, "none": ()}
@@ -453,7 +443,7 @@ def test_a_formula_without_arguments_or_without_results():
         (lambda f: f(1.0, yy=3.0), "f takes x, y; missing: y; unknown: yy"),
     ],
 )
-def test_wrong_arguments_are_told_by_name(call, message):
+def test_wrong_arguments_are_reported_by_name(call, message):
     def f(x, y):
         return x + y
 
@@ -501,11 +491,8 @@ def of_argument(f, *others):
     ],
 )
 def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
-    with pytest.raises(
-        TypeError,
-        match=r"must not branch on them .*, and takes sin, cos, sqrt \.\.\. from newton_euler, not "
-        r"from math or numpy",
-    ):
+    advice = r"takes sin, cos, sqrt \.\.\. from newton_euler, not from math or numpy"
+    with pytest.raises(TypeError, match=rf"must not branch on them .*, and {advice}"):
         compiled(branching)
 
 
@@ -551,11 +538,8 @@ def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypa
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
     monkeypatch.setattr("newton_euler.algebra.compile.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
     x = np.array([1.0, 2.0])
-    with pytest.raises(
-        ImportError,
-        match=r"backend='heyoka' needs heyoka: pip install 'newton-euler\[fast\]', or use "
-        r"backend='auto'",
-    ):
+    advice = r"pip install 'newton-euler\[fast\]', or use backend='auto'"
+    with pytest.raises(ImportError, match=rf"backend='heyoka' needs heyoka: {advice}"):
         compiled(lambda x: x + 1, backend="heyoka")(x)
     assert compiled(lambda x: x + 1, backend="auto")(x).tolist() == [2.0, 3.0]
 

@@ -64,17 +64,6 @@ def test_regular_systems_give_the_solution_they_were_made_from(kind, count):
     assert s.report() == "The equations determine every unknown, and each of them is needed"
 
 
-@every_kind
-def test_solve_linear_and_solve_rates_agree(kind):
-    rows, right, _ = regular(kind, 3)
-    conditions = system(rows, right)
-    assert close(
-        tuple(solve_linear(conditions, NAMES[:3])),
-        solve_rates(lambda *u: tuple(conditions(*u).values()), 3),
-        1e-12,
-    )
-
-
 @settings(max_examples=60, deadline=None)
 @given(st.integers(1, 6), st.integers(0, 10**6))
 def test_numbers_agree_with_lapack(count, seed):
@@ -225,7 +214,7 @@ def test_equations_of_different_units_prove_their_units():
 # -- reports
 
 
-def test_a_statically_indeterminate_beam_tells_what_it_knows():
+def test_a_statically_indeterminate_beam_reports_what_it_knows():
     """Pins at both ends: the forces along the beam are open, their sum is not."""
     ground = Frame("ground")
 
@@ -267,9 +256,8 @@ def test_a_third_moment_equation_says_nothing_new(kind):
 @every_kind
 def test_contradictions_are_named(kind):
     one, two, five = numbers(kind, 1, 2, 5)
-    with pytest.raises(
-        LinearError, match=r"contradict each other: 'about B' .* if 'force' and 'about A' hold"
-    ) as caught:
+    message = "contradict each other: 'about B' .* if 'force' and 'about A' hold"
+    with pytest.raises(LinearError, match=message) as caught:
         solve_linear(
             lambda A, B, C: {
                 "other": C - one,
@@ -279,14 +267,12 @@ def test_contradictions_are_named(kind):
             }
         )
     assert caught.value.equations == ("force", "about A", "about B")
-    with pytest.raises(
-        LinearError, match=r"'late' cannot hold|'late' is off by 2|'late' does not hold"
-    ):
+    with pytest.raises(LinearError, match=r"'late' (is off by 2|does not hold)"):
         solve_linear(lambda A: {"force": A - one, "late": 0 * A + two})
     assert issubclass(LinearError, FrameError)
 
 
-def test_symbols_contradict_each_other_too_and_no_made_up_number_is_told():
+def test_symbols_contradict_each_other_too_and_no_made_up_number_is_reported():
     g = sympy.Symbol("g")
     with pytest.raises(LinearError, match="'q' does not hold if 'p' holds"):
         solve_linear(lambda A: {"p": A - g, "q": 2 * A - g})
@@ -324,11 +310,8 @@ def test_arrays_without_a_common_pivot_are_solved_instant_by_instant():
     s = solve_linear(mixed(x))
     for n, value in enumerate(map(float, x)):
         assert close((s.a[n], s.b[n]), tuple(solve_linear(mixed(value))), 1e-14)
-    with pytest.raises(
-        LinearError,
-        match="the equations determine a at some instants and not at others; solve these instants "
-        "apart",
-    ):
+    message = "determine a at some instants and not at others; solve these instants apart"
+    with pytest.raises(LinearError, match=message):
         solve_linear(lambda a, b: {"p": x * a - 1.0 * x, "q": b - 2.0})
 
 
@@ -405,21 +388,15 @@ def test_solve_rates_finds_one_two_and_three_rates_also_from_agreeing_surplus_co
 @every_kind
 def test_solve_rates_says_that_conditions_contradict_each_other(kind):
     one, two = numbers(kind, 1, 2)
-    with pytest.raises(
-        FrameError,
-        match=r"contradict each other: with the rates that fit best, one of them is 0\.5 instead "
-        r"of 0",
-    ):
+    message = r"contradict each other: with the rates that fit best, one of them is 0\.5 instead"
+    with pytest.raises(FrameError, match=message):
         solve_rates(lambda w: (w - first(one), w - first(two)), 1)
 
 
 @every_kind
 def test_solve_rates_says_that_rates_are_left_open(kind):
     one = numbers(kind, 1)
-    with pytest.raises(
-        FrameError,
-        match="1 conditions contain the rates, but 2 rates are unknown: 1 more are needed",
-    ):
+    with pytest.raises(FrameError, match=r"1 conditions .*, but 2 rates are unknown: 1 more are"):
         solve_rates(lambda w, u: one * w + u - one, 2)
     with pytest.raises(FrameError, match="the conditions do not determine the rates"):
         solve_rates(lambda w, u: (one * w + u - one, 2 * w * one + 2 * u - one), 2)

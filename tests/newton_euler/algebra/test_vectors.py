@@ -119,7 +119,7 @@ def test_to_array_has_shape_3_or_3_by_n():
         (lambda a: a.explain(), "was not computed as a named sum"),
     ],
 )
-def test_mistakes_with_vectors_are_told_in_words(wrong, message):
+def test_mistakes_with_vectors_are_refused_in_words(wrong, message):
     with pytest.raises(FrameError, match=message):
         wrong(ground.vector(1.0, 2.0, 3.0))
 

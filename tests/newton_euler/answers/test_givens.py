@@ -60,7 +60,7 @@ def test_in_order_there_is_no_warning(shell):
     assert run(shell, "givens 4/12", "givens 4/16", ANSWER, "receipt 4/16") == ""
 
 
-def test_numbers_of_another_problem_are_told_with_both_values(shell):
+def test_numbers_of_another_problem_are_reported_with_both_values(shell):
     cells = "givens 4/16", ANSWER, "givens 4/12", "2 v_A = omega", "receipt 4/12"
     assert run(shell, *cells) == ""
     assert run(shell, ANSWER, "receipt 4/16") == STALE
@@ -78,7 +78,7 @@ def test_a_number_converted_in_the_answer_cell_is_no_fault(shell):
     assert run(shell, "givens 4/16", answer, "receipt 4/16") == ""
 
 
-def test_a_number_converted_a_second_time_by_the_same_cell_is_told(shell):
+def test_a_number_converted_a_second_time_by_the_same_cell_is_reported(shell):
     answer = "1 beta = beta / 57.3\na_D = omega * beta"
     warning = run(shell, "givens 4/16", answer, answer, "receipt 4/16")
     assert warning.startswith("a_D was computed when beta was 0.52")
@@ -89,7 +89,7 @@ def test_a_number_converted_in_a_cell_that_the_student_added_is_no_fault(shell):
     assert run(shell, *cells) == ""
 
 
-def test_an_answer_of_another_problem_under_the_name_of_a_given_number_is_told(shell):
+def test_an_answer_of_another_problem_under_the_name_of_a_given_number_is_reported(shell):
     run(shell, "3 expect('4/13', omega='number, rad/s')", "givens 4/16", ANSWER, "receipt 4/16")
     warning = run(shell, "4 omega = 1.75", ANSWER, "receipt 4/16")
     assert warning.startswith("a_D was computed when omega was 1.75; 4/16 gives 0.6")

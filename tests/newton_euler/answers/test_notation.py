@@ -11,31 +11,14 @@ from matplotlib.figure import Figure
 from newton_euler.answers.notation import formula, is_word, number_symbol, symbol, unit_symbol
 
 NAMES = {
-    "omega": r"\omega",
-    "lam": r"\lambda",
-    "omega_1": r"\omega_1",
-    "beta_A": r"\beta_A",
-    "F_theta": r"F_{\theta}",
-    "l_OA": "l_{OA}",
-    "v_Ay": "v_{Ay}",
-    "v_rel": r"v_{\text{rel}}",
-    "v0": "v_0",
-    "xA": "x_A",
-    "Ax": "A_x",
-    "AB": "AB",
-    "atA": "a_{t,A}",
-    "b_dot": r"\dot{b}",
-    "omega_2_dot": r"\dot{\omega}_2",
-    "rddot": r"\ddot{r}",
-    "Hdot_O": r"\dot{H}_O",
-    "ddx": r"\ddot{x}",
-    "da1": r"\dot{a}_1",
-    "theta_rate": r"\dot{\theta}",
-    "tan_gamma": r"\tan \gamma",
-    "a_mag": "|a|",
-    "right_handed": r"\text{right handed}",
+    "omega": r"\omega", "lam": r"\lambda", "omega_1": r"\omega_1", "beta_A": r"\beta_A",
+    "F_theta": r"F_{\theta}", "l_OA": "l_{OA}", "v_Ay": "v_{Ay}", "v_rel": r"v_{\text{rel}}",
+    "v0": "v_0", "xA": "x_A", "Ax": "A_x", "AB": "AB", "atA": "a_{t,A}", "b_dot": r"\dot{b}",
+    "omega_2_dot": r"\dot{\omega}_2", "rddot": r"\ddot{r}", "Hdot_O": r"\dot{H}_O",
+    "ddx": r"\ddot{x}", "da1": r"\dot{a}_1", "theta_rate": r"\dot{\theta}",
+    "tan_gamma": r"\tan \gamma", "a_mag": "|a|", "right_handed": r"\text{right handed}",
     "alpha_CD_of_arm_x_rod": r"\alpha_{CD,\text{arm} \times \text{rod}}",
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -53,7 +36,7 @@ def test_vectors_are_bold_and_their_indices_are_not():
     [("lead", True), ("speed_rate", True), ("acc_mag", True), ("tilt", True), ("beta", False),
      ("b_dot", False), ("lam", False), ("AB", False)],
 )  # fmt: skip
-def test_words_are_told_from_symbols(name, word):
+def test_words_are_distinguished_from_symbols(name, word):
     assert is_word(name) is word
 
 

@@ -8,6 +8,8 @@ from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.trees import TreeError
 
+NINE = tuple(map(float, range(1, 10)))
+
 
 def verdict(kind, tree, right, atol=1e-6):
     """The verdict on a tree for an answer whose key is ``right``."""
@@ -45,48 +47,30 @@ def test_the_limits_themselves_are_right():
 
 
 @pytest.mark.parametrize(
-    ("tree", "expected"),
+    ("kind", "right", "tree", "expected"),
     [
-        (0, "right"),
-        (0.9e-6, "right"),
-        (-0.9e-6, "right"),
-        (1.1e-6, "wrong"),
-        (1, "wrong"),
-        (1e-300, "right"),
+        *(("number", (0.0,), x, "right") for x in (0, 0.9e-6, -0.9e-6, 1e-300)),
+        *(("number", (0.0,), x, "wrong") for x in (1.1e-6, 1)),
+        ("vector", (1000.0, 0.0, 0.0), [1000.0, 4.9, 0], "right"),  # measured by the whole vector
+        ("vector", (1000.0, 0.0, 0.0), [1000.0, 5.1, 0], "wrong"),
+        ("vector", (1.0, 1e-12, -1e-17), [1.0, 0, 0], "right"),  # components of round-off
+        ("interval", (0.1, 100.0), [0.1004, 100.4], "right"),  # each bound by itself
+        ("interval", (0.1, 100.0), [0.4, 100.0], "wrong"),
+        ("number", (math.inf,), 1e308, "wrong"),
+        ("matrix", NINE, [1, 2, 3, 4, 5, 6, 7, 8, 9], "right"),
+        ("matrix", NINE, [1, 4, 7, 2, 5, 8, 3, 6, 9], "wrong"),
+        ("matrix", NINE, [1, 2, 3], "unreadable"),
+        ("matrix", NINE, [[1, 2, 3], [4, 5, 6], [7, 8, 9]], "unreadable"),
     ],
 )
-def test_a_key_of_zero_is_compared_with_its_absolute_tolerance(tree, expected):
-    assert verdict("number", tree, (0.0,)) == expected
+def test_zeros_bounds_and_matrices(kind, right, tree, expected):
+    assert verdict(kind, tree, right) == expected
 
 
-def test_the_absolute_tolerance_of_a_problem_is_used():
+def test_the_absolute_tolerance_of_a_problem_is_used_where_the_key_is_zero():
     assert verdict("number", 0.09, (0.0,), atol=0.1) == "right"
     assert verdict("number", 0.11, (0.0,), atol=0.1) == "wrong"
-    # not where the key is not zero
     assert verdict("number", 5.09, (5.0,), atol=0.1) == "wrong"
-
-
-def test_a_zero_component_of_a_vector_is_measured_by_the_whole_vector():
-    assert verdict("vector", [1000.0, 4.9, 0], (1000.0, 0.0, 0.0)) == "right"
-    assert verdict("vector", [1000.0, 5.1, 0], (1000.0, 0.0, 0.0)) == "wrong"
-
-
-def test_each_bound_of_an_interval_counts_by_itself():
-    assert verdict("interval", [0.1004, 100.4], (0.1, 100.0)) == "right"
-    assert verdict("interval", [0.4, 100.0], (0.1, 100.0)) == "wrong"
-
-
-@pytest.mark.parametrize(
-    ("tree", "expected"),
-    [
-        ([1, 2, 3, 4, 5, 6, 7, 8, 9], "right"),
-        ([1, 4, 7, 2, 5, 8, 3, 6, 9], "wrong"),
-        ([1, 2, 3], "unreadable"),
-        ([[1, 2, 3], [4, 5, 6], [7, 8, 9]], "unreadable"),
-    ],
-)
-def test_matrices_have_one_way_to_be_right(tree, expected):
-    assert verdict("matrix", tree, tuple(map(float, range(1, 10)))) == expected
 
 
 @pytest.mark.parametrize("n", [0, 1])
@@ -100,14 +84,6 @@ def test_a_small_component_may_be_off_by_half_of_itself_and_no_more(n, share, ex
     tree = [*key, 0]
     tree[n] *= share
     assert verdict("vector", tree, (*key, 0.0)) == expected
-
-
-def test_a_component_of_round_off_is_zero():
-    assert verdict("vector", [1.0, 0, 0], (1.0, 1e-12, -1e-17)) == "right"
-
-
-def test_a_key_that_is_infinite_is_met_by_nothing():
-    assert verdict("number", 1e308, (math.inf,)) == "wrong"
 
 
 X = (0.4, 0.7, 1.1, 1.9)
@@ -136,8 +112,7 @@ def test_each_component_of_a_formula_counts_by_itself(given, expected):
 
 
 def test_a_component_of_a_formula_that_is_small_beside_another_is_seen():
-    right = tuple((1000.0 * x, x) for x in X)
-    wrong = tuple((1000.0 * x, 1.0001 * x) for x in X)
+    right, wrong = (tuple((1000.0 * x, f * x) for x in X) for f in (1.0, 1.0001))
     assert not KINDS["vector_expression"].is_right(wrong, right, 1e-6)
 
 

@@ -19,21 +19,10 @@ from newton_euler.answers.trees import evaluate
 from tests.newton_euler.answers.one_answer import SYMBOLS, ground, one, r, theta
 
 NUMBERS = [
-    2.5,
-    np.float64(2.5),
-    np.float32(2.5),
-    np.array(2.5),
-    np.array([2.5]),
-    [2.5],
-    (2.5,),
-    mpmath.mpf("2.5"),
-    sympy.Rational(5, 2),
-    sympy.Float(2.5),
-    Fraction(5, 2),
-    Decimal("2.5"),
-    sympy.sqrt(sympy.Rational(25, 4)),
-    sympy.Matrix([2.5]),
-]
+    2.5, np.float64(2.5), np.float32(2.5), np.array(2.5), np.array([2.5]), [2.5], (2.5,),
+    mpmath.mpf("2.5"), sympy.Rational(5, 2), sympy.Float(2.5), Fraction(5, 2), Decimal("2.5"),
+    sympy.sqrt(sympy.Rational(25, 4)), sympy.Matrix([2.5]),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -56,19 +45,12 @@ def test_whole_numbers_are_numbers_and_counts(value):
 
 
 VECTORS = [
-    [1, -2.5, 0],
-    (1, -2.5, 0),
-    np.array([1, -2.5, 0]),
-    np.array([[1], [-2.5], [0]]),
-    sympy.Matrix([1, -2.5, 0]),
-    sympy.ImmutableMatrix([[1, -2.5, 0]]),
-    ground.vector(1, -2.5, 0),
-    mpmath.matrix([1, -2.5, 0]),
+    [1, -2.5, 0], (1, -2.5, 0), (x for x in (1, -2.5, 0)),
+    np.array([1, -2.5, 0]), np.array([[1], [-2.5], [0]]), mpmath.matrix([1, -2.5, 0]),
+    sympy.Matrix([1, -2.5, 0]), sympy.ImmutableMatrix([[1, -2.5, 0]]), sympy.Array([1, -2.5, 0]),
     [np.float32(1), sympy.Rational(-5, 2), mpmath.mpf(0)],
-    ground.i - 2.5 * ground.j,
-    (x for x in (1, -2.5, 0)),
-    sympy.Array([1, -2.5, 0]),
-]
+    ground.vector(1, -2.5, 0), ground.i - 2.5 * ground.j,
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("value", VECTORS, ids=lambda v: type(v).__name__)
@@ -124,20 +106,14 @@ def test_pint_quantities_are_converted_to_the_unit_asked_for():
 # -- what cannot be read: expected, got, what to do
 
 WRONG = [
-    (
-        "vector, mm/s",
-        [1, 2],
-        r"expected a vector, three numbers as in .*, in mm/s; got 2 numbers: \[1, 2\]",
-    ),
+    ("vector, mm/s", [1, 2],
+     r"expected a vector, three numbers as in .*, in mm/s; got 2 numbers: \[1, 2\]"),
     ("vector, mm/s", 3.0, "expected a vector.*got 1 number: 3.0"),
     ("vector, mm/s", "[1, 2, 3]", "got the text .*write it without quotation marks"),
     ("vector, mm/s", {"x": 1, "y": 2, "z": 3}, "got a dict, which has no order"),
     ("vector, mm/s", {1, 2, 3}, "got a set, which has no order"),
-    (
-        "vector, mm/s",
-        [1, float("nan"), 0],
-        "got nan, which comes from a division by zero or the root of a negative number",
-    ),
+    ("vector, mm/s", [1, float("nan"), 0],
+     "got nan, which comes from a division by zero or the root of a negative number"),
     ("number, m", float("inf"), "got inf, which comes from a division by zero"),
     ("number, m", np.float64("nan"), "got nan"),
     ("number, m", sympy.nan, "got nan"),
@@ -162,47 +138,35 @@ WRONG = [
     ("choice: stable | unstable", 1, "expected one of 'stable', 'unstable'; got '1'"),
     ("choice: stable | unstable", ["stable"], "expected one of"),
     ("choice: stable | unstable", np.array([1, 2]), "expected one of"),
-    (
-        "expression, m",
-        sympy.Symbol("q") * r,
-        "it contains 'q', but the symbols of the problem are r, omega, theta",
-    ),
+    ("expression, m", sympy.Symbol("q") * r,
+     "it contains 'q', but the symbols of the problem are r, omega, theta"),
     ("expression, m", "r*omega", "write it without quotation marks"),
     ("expression, m", r > 1, "expected a formula"),
     ("expression, m", sympy.Eq(r, 1), "expected a formula"),
     ("expression, m", sympy.Function("f")(theta), "f is not among the functions"),
-    (
-        "expression, m",
-        sympy.Derivative(sympy.Function("f")(theta), theta),
-        "not among the functions",
-    ),
-    (
-        "expression, m",
-        sympy.Piecewise((r, sympy.Contains(r, sympy.Integers)), (0, True)),
-        "the condition .* is not read",
-    ),
+    ("expression, m", sympy.Derivative(sympy.Function("f")(theta), theta),
+     "not among the functions"),
+    ("expression, m", sympy.Piecewise((r, sympy.Contains(r, sympy.Integers)), (0, True)),
+     "the condition .* is not read"),
     ("vector, m", b"abc", "got the text b'abc'; write it without quotation marks"),
     ("number, m", np.True_, "expected one number, in m; got"),
     ("number, m", lambda: 1.0, "which is a function: call it"),
     ("expression, m", sympy.Eq(theta, r), "an equation; give the side that is asked for"),
-    (
-        "number, mm",
-        5 * units.mm,
-        "it contains the unit millimeter; give the number alone, which is in mm",
-    ),
+    ("number, mm", 5 * units.mm,
+     "it contains the unit millimeter; give the number alone, which is in mm"),
     ("vector, m", np.ma.array([1, 2, 3], mask=[0, 1, 0]), "some of its numbers are masked"),
     ("vector, m", ReferenceFrame("N").x, r"a vector of SymPy, N.x; write v.to_matrix\(N\)"),
     ("vector, m", CoordSys3D("C").i, r"a vector of SymPy, C.i; write v.to_matrix\(N\)"),
     ("vector, m", sympy.FiniteSet(1, 2, 3), "got a FiniteSet, which has no order; write it as in"),
     ("expression, m", [r, r], "expected a formula in the problem's symbols, in m; got 2"),
     ("vector_expression, m", r, "expected a vector of three formulas"),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(
     ("form", "value", "said"), WRONG, ids=[f"{f} from {type(v).__name__}" for f, v, _ in WRONG]
 )
-def test_what_cannot_be_read_is_told_with_what_was_expected_and_what_came(form, value, said):
+def test_what_cannot_be_read_is_reported_with_what_was_expected_and_what_came(form, value, said):
     with pytest.raises(AnswerError, match=said):
         one(form, value, SYMBOLS)
 
@@ -252,7 +216,7 @@ def test_a_vector_is_read_in_the_frames_between_too():
     assert len(one("vector, m", deep.i)) == 4
 
 
-def test_frames_of_one_name_are_told_apart():
+def test_frames_of_one_name_are_distinguished():
     inner = ground.rotate("ground", "z", angle=math.pi / 2, rate=1.0)
     assert list(one("vector, m", 2.0 * inner.i)) == ["ground", "ground'"]
 

@@ -90,124 +90,86 @@ def test_far_from_the_origin_the_moments_about_G_keep_their_digits():
 
 def test_varying_density_against_mpmath():
     """A plate under a parabola, density 1 + x y, and the same as a body of 3 kg."""
+    density = lambda x, y, z=0: 1 + x * y
 
-    def mp_moment(f):
-        return mp.quad(lambda x: mp.quad(lambda y: (1 + x * y) * f(x, y), [0, x * x / 2]), [0, 2])
+    def moment(f):
+        weighed = lambda x, y: density(x, y) * f(x, y)
+        return mp.quad(lambda x: mp.quad(lambda y: weighed(x, y), [0, x * x / 2]), [0, 2])
 
     with mp.workdps(20):
-        m, mx, xy, yy = (
-            mp_moment(f)
-            for f in (lambda x, y: 1, lambda x, y: x, lambda x, y: x * y, lambda x, y: y * y)
+        m, mx, xy, yy = map(
+            moment, (lambda x, y: 1, lambda x, y: x, lambda x, y: x * y, lambda x, y: y * y)
         )
-    shape = {
-        "limits": [(0.0, 2.0), (0.0, lambda x: x * x / 2)],
-        "density": lambda x, y, z: 1 + x * y,
-    }
-    body = integrated(lambda x, y: (x, y, 0), *shape["limits"], frame=F, density=shape["density"])
+    body, heavier = (
+        integrated(
+            lambda x, y: (x, y, 0), (0.0, 2.0), (0.0, lambda x: x * x / 2),
+            frame=F, density=density, mass=mass,
+        )
+        for mass in (None, 3.0)
+    )  # fmt: skip
     assert close(body.mass, m, 1e-12)
     assert close(body.centre.position(F).x, mx / m, 1e-12)
     assert close(body.about(F).products[0], xy, 1e-11)
     assert close(body.about(F).moments[0], yy, 1e-11)
-    heavier = integrated(
-        lambda x, y: (x, y, 0), *shape["limits"], frame=F, density=shape["density"], mass=3.0
-    )
     assert close(heavier.about(F).moments[0], 3 * yy / m, 1e-11)
 
 
-def test_eqn_5_13_and_7_10_in_symbols():
-    m, r, h, a, b = sympy.symbols("m r h a b", positive=True)
-    alpha = sympy.Symbol("alpha", positive=True)
-    turn = (0, 2 * sympy.pi)
-    cases = {
-        "arc": (
-            lambda t: (r * cos(t), r * sin(t), 0),
-            [(-alpha, alpha)],
-            B.arc(r, alpha, F, "z", "x", mass=m),
-        ),
-        "half ring": (
-            lambda t: (r * cos(t), r * sin(t), 0),
-            [(0, sympy.pi)],
-            B.half_ring(r, F, "z", "y", mass=m),
-        ),
-        "shell": (
-            lambda t, u: spherical(r, t, u),
-            [(0, sympy.pi / 2), turn],
-            B.hemispherical_shell(r, F, "z", mass=m),
-        ),
-        "cone": (
-            lambda z, s, t: (s * cos(t), s * sin(t), z),
-            [(0, h), (0, lambda z: r * z / h), turn],
-            B.cone(r, h, F, "z", mass=m),
-        ),
-        "open cone": (
-            lambda z, t: (r * z / h * cos(t), r * z / h * sin(t), z),
-            [(0, h), turn],
-            B.conical_shell(r, h, F, "z", mass=m),
-        ),
-        "triangle": (
-            lambda x, y: (x, y, 0),
-            [(0, b), (0, lambda x: h * (1 - x / b))],
-            B.simplex(F.point("O", 0, 0, 0), F.point("B", b, 0, 0), F.point("H", 0, h, 0), mass=m),
-        ),
-    }
-    for name, (position, limits, known) in cases.items():
-        body = integrated(position, *limits, frame=F, mass=m, exact=True)
-        pairs = [
-            *zip(body.about(F).moments, known.about(F).moments, strict=True),
-            *zip(body.about(F).products, known.about(F).products, strict=True),
-        ]
-        pairs += zip(body.centre.position(F), known.centre.position(F), strict=True)
-        assert all(sympy.simplify(x - y) == 0 for x, y in pairs), name
-        assert body.error == 0
-    parabola = integrated(
-        lambda x, y: (x, y, 0), (0, a), (0, lambda x: b * x**2 / a**2), frame=F, mass=m, exact=True
+m, r, h, a, b, alpha = sympy.symbols("m r h a b alpha", positive=True)
+TURN = (0, 2 * sympy.pi)
+CORNERS = (F.point(n, x, y, 0) for n, x, y in (("O", 0, 0), ("B", b, 0), ("H", 0, h)))
+FORMULAS = {
+    "arc": (lambda t: (r * cos(t), r * sin(t), 0), [(-alpha, alpha)], B.arc(r, alpha, F, "z", "x", mass=m)),
+    "half ring": (lambda t: (r * cos(t), r * sin(t), 0), [(0, sympy.pi)], B.half_ring(r, F, "z", "y", mass=m)),
+    "shell": (lambda t, u: spherical(r, t, u), [(0, sympy.pi / 2), TURN], B.hemispherical_shell(r, F, "z", mass=m)),
+    "cone": (
+        lambda z, s, t: (s * cos(t), s * sin(t), z), [(0, h), (0, lambda z: r * z / h), TURN], B.cone(r, h, F, "z", mass=m)),
+    "open cone": (
+        lambda z, t: (r * z / h * cos(t), r * z / h * sin(t), z), [(0, h), TURN], B.conical_shell(r, h, F, "z", mass=m)),
+    "triangle": (lambda x, y: (x, y, 0), [(0, b), (0, lambda x: h * (1 - x / b))], B.simplex(*CORNERS, mass=m)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_eqn_5_13_and_7_10_in_symbols(name):
+    position, limits, known = FORMULAS[name]
+    body = integrated(position, *limits, frame=F, mass=m, exact=True)
+    found, expected = (
+        (*x.about(F).moments, *x.about(F).products, *x.centre.position(F)) for x in (body, known)
     )
-    assert parabola.content == a * b / 3
-    assert parabola.centre.position(F).components() == (3 * a / 4, 3 * b / 10, 0)
-    assert parabola.about(F).matrix[0][:2] == (m * b**2 / 7, -m * a * b / 4)
+    assert all(sympy.simplify(x - y) == 0 for x, y in zip(found, expected, strict=True))
+    assert body.error == 0
+
+
+def test_eqn_5_13_of_the_area_under_a_parabola():
+    below = (0, a), (0, lambda x: b * x**2 / a**2)
+    body = integrated(lambda x, y: (x, y, 0), *below, frame=F, mass=m, exact=True)
+    assert body.content == a * b / 3
+    assert body.centre.position(F).components() == (3 * a / 4, 3 * b / 10, 0)
+    assert body.about(F).matrix[0][:2] == (m * b**2 / 7, -m * a * b / 4)
 
 
 def test_what_does_not_converge_is_refused_in_words():
-    with pytest.raises(
-        MassError, match="not finite: the formula or the density grows without bound"
-    ):
-        integrated(lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=lambda x, y, z: 1 / x)
     jump = lambda u, v: (u, v, 0), (0.0, 1.0), (0.0, 1.0)
     quarter = {"frame": F, "density": lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0)}
-    with pytest.raises(
-        MassError,
-        match=r"did not converge: after \d+ subdivisions .* 1e-10 was asked for. Split the body",
-    ):
+    words = r"did not converge: after \d+ subdivisions .* 1e-10 was asked for. Split the body"
+    with pytest.raises(MassError, match=words):
         integrated(*jump, **quarter)
     assert abs(integrated(*jump, **quarter, rtol=1e-3).mass - 0.7 * math.pi / 4) < 2e-3
 
 
-def test_what_is_no_body_is_refused_in_words():
-    x = sympy.Symbol("x")
-    for match, make in {
-        r"needs mass=... or density=...": lambda: integrated(
-            lambda u: (u, 0, 0), (0.0, 1.0), frame=F
-        ),
-        r"a curve has one parameter, .* limits for 0": lambda: integrated(
-            lambda: (0, 0, 0), frame=F, mass=1.0
-        ),
-        r"no extent": lambda: integrated(lambda u: (u, 0, 0), (1.0, 1.0), frame=F, mass=1.0),
-        r"has no finite value at some of its points": lambda: integrated(
-            lambda u: (sqrt(u), 0, 0), (-1.0, 1.0), frame=F, mass=1.0
-        ),
-        r"the mass of body comes out as -(1.0|0.99999)": lambda: integrated(
-            lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=-1.0
-        ),
-        r"fold back on themselves": lambda: integrated(
-            lambda u: (u**2, 0, 0), (-1, 1), frame=F, mass=1, exact=True
-        ),
-        r"SymPy finds no formula": lambda: integrated(
-            lambda u: (u, 0, 0),
-            (0, x),
-            frame=F,
-            density=lambda x, y, z: sympy.sin(sympy.sin(x)) + 2,
-            exact=True,
-        ),
-    }.items():
-        with pytest.raises(MassError, match=match):
-            make()
+line, unit = lambda u: (u, 0, 0), (0.0, 1.0)
+
+
+@pytest.mark.parametrize(("words", "position", "limits", "given"), [
+    ("not finite: the formula or the density grows without bound", line, [unit], {"density": lambda x, y, z: 1 / x}),
+    (r"needs mass=... or density=...", line, [unit], {}),
+    (r"a curve has one parameter, .* limits for 0", lambda: (0, 0, 0), [], {"mass": 1.0}),
+    (r"no extent", line, [(1.0, 1.0)], {"mass": 1.0}),
+    (r"has no finite value at some of its points", lambda u: (sqrt(u), 0, 0), [(-1.0, 1.0)], {"mass": 1.0}),
+    (r"the mass of body comes out as -(1.0|0.99999)", line, [unit], {"density": -1.0}),
+    (r"fold back on themselves", lambda u: (u**2, 0, 0), [(-1, 1)], {"mass": 1, "exact": True}),
+    (r"SymPy finds no formula", line, [(0, h)], {"density": lambda x, y, z: sympy.sin(sympy.sin(x)) + 2, "exact": True}),
+])  # fmt: skip
+def test_what_is_no_body_is_refused_in_words(words, position, limits, given):
+    with pytest.raises(MassError, match=words):
+        integrated(position, *limits, frame=F, **given)

@@ -15,18 +15,17 @@ from newton_euler.bodies import MassError, integrated
 MASS, LENGTH = Dimension(1, 0, 0), Dimension(0, 1, 0)
 
 
-def summary(body):
-    """Mass, place of the centre, moments and products about the origin, as one tuple."""
+def summary(position, *limits, **matter):
+    """Mass, place of the centre, moments and products about the origin of the body of these points,
+    as one tuple.
+    """
+    body = integrated(position, *limits, frame=Frame("O"), **matter)
     about = body.about(body.frame)
     return (body.mass, *body.centre.position(body.frame), *about.moments, *about.products)
 
 
 def half_disk(R, m):
-    return summary(
-        integrated(
-            lambda r, a: (r * cos(a), r * sin(a), 0), (0, R), (0, pi(R)), frame=Frame("O"), mass=m
-        )
-    )
+    return summary(lambda r, a: (r * cos(a), r * sin(a), 0), (0, R), (0, pi(R)), mass=m)
 
 
 def half_disk_by_hand(R, m):
@@ -36,15 +35,8 @@ def half_disk_by_hand(R, m):
 
 def plate(b, h, rho):
     """The right triangle with legs b and h, of a density that grows along x."""
-    return summary(
-        integrated(
-            lambda x, y: (x, y, 0),
-            (0, b),
-            (0, lambda x: h * (1 - x / b)),
-            frame=Frame("O"),
-            density=lambda x, y, z: rho * (1 + x / b),
-        )
-    )
+    legs = (0, b), (0, lambda x: h * (1 - x / b))
+    return summary(lambda x, y: (x, y, 0), *legs, density=lambda x, y, z: rho * (1 + x / b))
 
 
 def plate_by_hand(b, h, rho):
@@ -57,24 +49,12 @@ def plate_by_hand(b, h, rho):
 
 def wire(R):
     """A quarter of a circle of mass 1 per length."""
-    return summary(
-        integrated(
-            lambda a: (R * cos(a), R * sin(a), 0), (0, pi(R) / 2), frame=Frame("O"), density=1.0
-        )
-    )
+    return summary(lambda a: (R * cos(a), R * sin(a), 0), (0, pi(R) / 2), density=1.0)
 
 
 def cone(R, h, m):
-    return summary(
-        integrated(
-            lambda z, r, a: (r * cos(a), r * sin(a), z),
-            (0, h),
-            (0, lambda z: R * z / h),
-            (0, 2 * pi(R)),
-            frame=Frame("O"),
-            mass=m,
-        )
-    )
+    limits = (0, h), (0, lambda z: R * z / h), (0, 2 * pi(R))
+    return summary(lambda z, r, a: (r * cos(a), r * sin(a), z), *limits, mass=m)
 
 
 def cone_by_hand(R, h, m):
@@ -127,18 +107,11 @@ def test_dimensions(case):
 
 
 def test_thirty_digits_of_a_dome_all_round():
-    def top(R):
-        dome = integrated(
-            lambda t, p: (R * sin(t) * cos(p), R * sin(t) * sin(p), R * cos(t)),
-            (0, pi(R) / 2),
-            (0, 2 * pi(R)),
-            frame=Frame("O"),
-            density=1,
-        )
-        return dome.centre.position(dome.frame).z
-
     with mpmath.mp.workdps(30):
-        assert abs(top(mpmath.mpf(2)) - 1) < mpmath.mpf(10) ** -27
+        R = mpmath.mpf(2)
+        dome = lambda t, p: (R * sin(t) * cos(p), R * sin(t) * sin(p), R * cos(t))
+        _, _, _, z, *_ = summary(dome, (0, pi(R) / 2), (0, 2 * pi(R)), density=1)
+        assert abs(z - 1) < mpmath.mpf(10) ** -27
 
 
 def test_unlike_dimensions_do_not_make_a_body():
@@ -162,12 +135,8 @@ def test_a_wire_of_every_kind():
 
 
 def test_a_body_that_does_not_settle_or_moves_is_refused():
+    kinked, ends = lambda x, y, z: sqrt(abs(x - 0.3)) + 1, np.array([1.0, 2.0])
     with pytest.raises(MassError, match=r"does not settle.*Divide it where they are not"):
-        integrated(
-            lambda x: (x, 0, 0),
-            (0, np.array([1.0, 2.0])),
-            frame=Frame("O"),
-            density=lambda x, y, z: sqrt(abs(x - 0.3)) + 1,
-        )
+        summary(lambda x: (x, 0, 0), (0, ends), density=kinked)
     with pytest.raises(MassError, match="the points of body move"):
         wire(moving(2.0, rate=1.0))

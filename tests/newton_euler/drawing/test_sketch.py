@@ -185,15 +185,8 @@ def everything(s):
 
 @pytest.mark.parametrize(
     "view",
-    [
-        {},
-        {"plane": "xy"},
-        {"plane": "zx"},
-        {"azimuth": 0, "elevation": 0},
-        {"elevation": 90},
-        {"up": "y"},
-    ],
-)
+    [{}, {"plane": "xy"}, {"plane": "zx"}, {"azimuth": 0, "elevation": 0}, {"elevation": 90}, {"up": "y"}],
+)  # fmt: skip
 def test_every_primitive_is_drawn_from_every_side(view):
     s = sketch(**view)
     everything(s)
@@ -267,10 +260,7 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.rod(O, Frame("moon").point("M", 0, 0, 0)), "share no frame"),
         (lambda s: s.ground(O, normal=(0, 0, 0)), "points nowhere"),
         (lambda s: s.turn(O, ground.point("A", 1, 0, 0), "w"), "write B - A"),
-        (
-            lambda s: s.vector(O, ground.i, "v", kind="speed"),
-            "of the kind velocity, acceleration, rate, force, plain; got 'speed'",
-        ),
+        (lambda s: s.vector(O, ground.i, "v", kind="speed"), "of the kind velocity, acceleration, rate, force, plain; got 'speed'"),
         (lambda s: s.line(O, O, style="wavy"), "solid, dashed, dotted, centre; got 'wavy'"),
         (lambda s: s.disk(O, ground.k, -1), "positive number of metres; got -1"),
         (lambda s: s.sphere(O, "big"), "positive number of metres; got 'big'"),
@@ -280,24 +270,15 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
         (lambda s: s.path([O, O], on=-1), "a place is a Point, a Vector or three numbers"),
         (lambda s: s.cable(O), "between two stops or more, places or pulleys; got 1"),
-        (
-            lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)),
-            "lies within the radius 0.5",
-        ),
-        (
-            lambda s: s.cable(O, (1, 0, 0), turns=[1]),
-            "for each of the 0 pulleys on the way 1 or -1",
-        ),
-        (
-            lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]),
-            "say how it goes round each, as in turns=",
-        ),
+        (lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)), "lies within the radius 0.5"),
+        (lambda s: s.cable(O, (1, 0, 0), turns=[1]), "for each of the 0 pulleys on the way 1 or -1"),
+        (lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]), "say how it goes round each, as in turns="),
         (lambda s: Sketch(s.ax, s.ax), "from its ground, a Frame"),
         (lambda s: Sketch(ground, ground), "on a matplotlib Axes"),
         (lambda s: Sketch(s.ax, ground, plane="xx"), "two axes, as in plane='xz'"),
         (lambda s: Sketch(s.ax, ground, up="-z"), "up is 'x', 'y' or 'z'"),
     ],
-)
+)  # fmt: skip
 def test_a_mistake_is_an_error_at_once(draw, words):
     with pytest.raises(FrameError) as caught:
         draw(sketch())

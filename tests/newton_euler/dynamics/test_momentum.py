@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, compiled, moving
 from newton_euler.algebra.linear import solve_linear
+from newton_euler.bodies.body import Body
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import rod, sphere
 from newton_euler.dynamics.force_systems import ForceSystem
@@ -150,36 +151,24 @@ def test_the_reference_term_matters_except_in_the_three_cases_of_the_book():
     for name, point in points.items():
         reference = resultant_moment(body, ground, point).terms["reference"]
         assert (reference.norm() > 1) == (name in ("body", "any"))
-    G, toward = (
-        body.centre,
-        ground.point("on the line of a_G", *(moving(0.0, 0.0, 2 * x) for x in (1.0, 2.0, 3.0))),
-    )
-    shifted = ground.point("G", *(moving(x, 0.1, 0.2) for x in (0.5, 1.0, 1.5)))
-    ball = sphere(1.0, shifted, mass=2.0)
-    along = resultant_moment(ball, ground, toward).terms["reference"]  # d parallel to a_B
+    B = ground.point("on the line of a_G", *(moving(0.0, 0.0, 2 * x) for x in (1.0, 2.0, 3.0)))
+    ball = sphere(1.0, ground.point("G", *(moving(x, 0.1, 0.2) for x in (0.5, 1.0, 1.5))), mass=2.0)
+    along = resultant_moment(ball, ground, B).terms["reference"]  # d parallel to a_B
     assert along.norm() < 1e-12
-    assert G is not shifted
 
 
 @every_kind
 def test_eqn_8_1_to_8_3_places_and_rates_relative_to_b(kind):
     ground, _, body, points, _ = free_body(kind)
     B, G = points["any"], body.centre
-    for part in body.parts:
-        P = part.centre
+    seen = lambda P: (P.velocity(ground), P.acceleration(ground))
+    for P in (part.centre for part in body.parts):
         d, d_G, rho = (v.expressed_in(ground) for v in (P - B, G - B, P - G))
         assert close(d, d_G + rho, tolerance(kind))
-        assert close(
-            (P - B).rate(ground).components(ground),
-            (P.velocity(ground).expressed_in(ground) - B.velocity(ground)),
-            10 * tolerance(kind),
-        )
-        second = (P - B).rate(ground).rate(ground)
-        assert close(
-            second.components(ground),
-            P.acceleration(ground).expressed_in(ground) - B.acceleration(ground),
-            10 * tolerance(kind),
-        )
+        rates = (P - B).rate(ground), (P - B).rate(ground).rate(ground)
+        for rate_, of_P, of_B in zip(rates, seen(P), seen(B), strict=True):
+            known = of_P.expressed_in(ground) - of_B
+            assert close(rate_.components(ground), known, 10 * tolerance(kind))
 
 
 @every_kind
@@ -203,13 +192,10 @@ def test_eqn_8_21_newton_euler_equations_vanish_for_the_forces_of_the_motion(kin
 def test_moments_about_two_points_differ_by_the_force_at_the_one(values):
     """M_B - M_C = CB x F for any motion: (8.20) and (8.9) together, whatever the two points do."""
     ground, _, body, points, _ = free_body("float")
-    x = [moving(*values[n : n + 3]) for n in (0, 3, 6)]
-    B, C = ground.point("B", *x), points["any"]
+    B, C = ground.point("B", *(moving(*values[n : n + 3]) for n in (0, 3, 6))), points["any"]
     F = resultant_force(body.mass, body.centre.acceleration(ground)).expressed_in(ground)
-    difference = resultant_moment(body, ground, B).expressed_in(ground) - resultant_moment(
-        body, ground, C
-    )
-    assert close(difference, (C - B).expressed_in(ground).cross(F), 1e-9)
+    M_B, M_C = (resultant_moment(body, ground, P).expressed_in(ground) for P in (B, C))
+    assert close(M_B - M_C, (C - B).expressed_in(ground).cross(F), 1e-9)
 
 
 def test_momentum_and_moments_have_their_units_and_can_be_compiled():
@@ -237,52 +223,34 @@ def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
     """(8.9) about G, about the moving end A, and about the fixed corner O: one answer; the moment
     about A needs d x m a_A.
     """
-    W, g, L = numbers(kind, 8, "32.2", 4)
-    c, s_ = (numbers(kind, "4/5", "3/5")) if kind != "array" else (0.8, 0.6)
-    ground = Frame("ground")
-    O = ground.point("O", 0, 0, 0)
+    W, g, L, c, s = numbers(kind, 8, "32.2", 4, "4/5", "3/5")
+    if kind == "array":
+        c, s = 0.8, 0.6
+    ground, m = Frame("ground"), W / g
 
-    def laws(about):
-        def conditions(F_A, F_B, alpha):
-            """The angle from the vertical grows by theta'' = alpha: A = (0, L cos), B = (L sin, 0)
-            from rest.
-            """
-            A = ground.point("A", 0, moving(L * c, 0, -L * s_ * alpha), 0)
-            B = ground.point("B", moving(L * s_, 0, L * c * alpha), 0, 0)
-            G = ground.point(
-                "G",
-                moving(L * s_ / 2, 0, L * c / 2 * alpha),
-                moving(L * c / 2, 0, -L * s_ / 2 * alpha),
-                0,
-            )
-            frame = ground.rotate("rod", "z", acceleration=alpha, origin=G)
-            bar = box_like_rod(L, frame, W / g, c, s_)
-            forces = {
-                "weight": (ground.vector(0, -W, 0), G),
-                "A": (ground.vector(F_A, 0, 0), A),
-                "B": (ground.vector(0, F_B, 0), B),
-            }
-            return equations_of_motion(bar, forces, ground, {"G": None, "A": A, "O": O}[about])
+    def conditions(about, F_A, F_B, alpha):
+        """The angle from the vertical grows by theta'' = alpha: A = (0, L cos), B = (L sin, 0)
+        from rest.
+        """
+        y, x = moving(L * c, 0, -L * s * alpha), moving(L * s, 0, L * c * alpha)
+        A, B, O = ground.point("A", 0, y, 0), ground.point("B", x, 0, 0), ground.point("O", 0, 0, 0)
+        G = ground.point("G", x / 2, y / 2, 0)
+        frame, k = ground.rotate("rod", "z", acceleration=alpha, origin=G), m * L * L / 12
+        matrix = (k * c * c, k * s * s, k), (-k * s * c, 0, 0)  # of a thin rod along (s, -c)
+        bar = Body("rod", m, frame, Inertia(frame, *matrix, tolerance=None))
+        loads = (
+            (ground.vector(0, -W, 0), G),
+            (ground.vector(F_A, 0, 0), A),
+            (ground.vector(0, F_B, 0), B),
+        )
+        return equations_of_motion(bar, list(loads), ground, {"G": None, "A": A, "O": O}[about])
 
-        return solve_linear(conditions)
-
-    expected_alpha = 3 * g * s_ / (2 * L)
+    known = 3 * g * s / (2 * L)
     for about in ("G", "A", "O"):
-        s = laws(about)
-        assert close(s.alpha, expected_alpha, 10 * tolerance(kind))
-        assert close(s.F_A, W / g * L * c / 2 * expected_alpha, 10 * tolerance(kind))
-        assert close(s.F_B, W - W / g * L * s_ / 2 * expected_alpha, 10 * tolerance(kind))
-
-
-def box_like_rod(L, frame, m, c, s):
-    """A thin rod along (sin, -cos) of the frame, by its matrix about G."""
-    from newton_euler.bodies.body import Body
-
-    k = m * L * L / 12
-    G = frame.point("G", 0, 0, 0)
-    return Body(
-        "rod", m, G, Inertia(G, (k * c * c, k * s * s, k), (-k * s * c, 0, 0), tolerance=None)
-    )
+        found = solve_linear(lambda F_A, F_B, alpha, P=about: conditions(P, F_A, F_B, alpha))
+        assert close(found.alpha, known, 10 * tolerance(kind))
+        assert close(found.F_A, m * L * c / 2 * known, 10 * tolerance(kind))
+        assert close(found.F_B, W - m * L * s / 2 * known, 10 * tolerance(kind))
 
 
 def test_two_bars_hinged_together_are_solved_as_one_system():
@@ -337,12 +305,12 @@ def test_a_symbol_with_an_index_stands_in_braces_before_the_index_that_says_of_w
 
 def test_explanations_name_the_equation_and_its_terms():
     ground, _, body, points, _ = free_body("float")
-    text = str(resultant_moment(body, ground, points["any"]).explain("N m"))
+    M = resultant_moment(body, ground, points["any"])
+    text = str(M.explain("N m"))
     assert text.startswith(
         "moment of body about E, seen from ground, by way of body, equation (8.9), components "
         "in body"
     )
     assert "reference  d x m a_B" in text
     assert r"\tag{8.10}" in resultant_moment(body, ground).explain().latex
-    wrong = resultant_moment(body, ground, points["any"]).without("reference")
-    assert wrong.norm() != resultant_moment(body, ground, points["any"]).norm()
+    assert M.without("reference").norm() != M.norm()

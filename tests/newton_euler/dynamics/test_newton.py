@@ -6,7 +6,6 @@ differentiated by the product rule and projected on the local unit vectors: no f
 spherical or relative motion.
 """
 
-import importlib.util
 import math
 
 import mpmath as mp
@@ -42,6 +41,7 @@ from newton_euler.dynamics.newton import (
     relative_acceleration,
     resultant_force,
 )
+from newton_euler.kinematics import along
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
@@ -72,9 +72,7 @@ def coordinates(kind):
 
 def by_rectangular(m, t, xyz):
     """m times the second rates of the rectangular coordinates ``xyz(t)``."""
-    return tuple(
-        m * at(lambda time, n=n: xyz(time)[n] + 0 * time, t).acceleration for n in range(3)
-    )
+    return tuple(m * x.acceleration for x in along(lambda t: [c + 0 * t for c in xyz(t)], t))
 
 
 @every_kind
@@ -87,12 +85,14 @@ def test_eqn_6_1_force_is_mass_times_acceleration_both_ways(kind):
 
 
 @every_kind
-def test_eqns_6_2_to_6_4_plane_rectangular_components(kind):
-    m, t, x, y, _ = coordinates(kind)
+def test_eqns_6_2_to_6_4_and_6_7_rectangular_components_in_the_plane_and_in_space(kind):
+    m, t, x, y, z = coordinates(kind)
     ground = Frame("ground")
-    F = resultant_force(m, ground.point("P", at(x, t), at(y, t), 0).acceleration(ground))
-    assert close(F, (2 * m, -2 * numbers(kind, "-0.4") * m, 0), small(kind))
-    assert close(F, by_rectangular(m, t, lambda t: (x(t), y(t), 0)), small(kind))
+    for third in (lambda t: 0 * t, z):
+        xyz = lambda t, third=third: (x(t), y(t), third(t))
+        F = resultant_force(m, ground.point("P", *along(xyz, t)).acceleration(ground))
+        assert close(F.components()[:2], (2 * m, -2 * numbers(kind, "-0.4") * m), small(kind))
+        assert close(F, by_rectangular(m, t, xyz), small(kind))
 
 
 @every_kind
@@ -103,27 +103,16 @@ def test_eqn_6_5_tangential_and_normal_components(kind):
     m, t, u, w, _ = coordinates(kind)
     v = at(lambda t: sqrt(u(t) ** 2 + w(t) ** 2), t)
     theta = at(lambda t: atan2(w(t), u(t)), t)
-    ground = Frame("ground")
-    velocity, acceleration = (
-        ground.vector(u(t), w(t), 0),
-        ground.vector(at(u, t).rate, at(w, t).rate, 0),
-    )
-    motion = frenet(velocity, acceleration)
+    velocity = Frame("ground").vector(at(u, t), at(w, t), 0)
+    a = velocity.rate(velocity.frame)
+    motion = frenet(velocity, a)
     F = resultant_force(m, motion.acceleration)
     F_t, F_n = m * v.rate, m * v.value * theta.rate
     assert close((F.x, F.y), (F_t, F_n), small(kind))
-    assert close(F, m * acceleration, small(kind))
+    assert close(F, m * a, small(kind))
     assert close((F.terms["tangential"].x, F.terms["normal"].y), (F_t, F_n), small(kind))
     assert close(path_force(m, v.value, v.rate, motion.flexure), (F_t, F_n), small(kind))
     assert close(path_rates(m, F_t, F_n, v.value), (v.rate, theta.rate), small(kind))
-
-
-@every_kind
-def test_eqn_6_7_rectangular_components_in_space(kind):
-    m, t, x, y, z = coordinates(kind)
-    ground = Frame("ground")
-    F = resultant_force(m, ground.point("P", at(x, t), at(y, t), at(z, t)).acceleration(ground))
-    assert close(F, by_rectangular(m, t, lambda t: (x(t), y(t), z(t))), small(kind))
 
 
 SYSTEMS = {
@@ -197,60 +186,40 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
     assert text.startswith("polar force of P in ground, equation (6.6)")
     assert "coriolis  m (2 r' theta' e_theta)" in text
     disk = ground.rotate("disk", "z", rate=2.0)
-    seen = relative_acceleration(
-        1.0, disk.point("Q", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0 * disk.i
-    )
-    assert "equation (6.10)" in str(seen.explain())
-    assert r"\tag{6.10}" in seen.explain().latex
+    Q = disk.point("Q", moving(3.0, rate=1.0), 0, 0)
+    seen = relative_acceleration(1.0, Q, ground, spring=-5.0 * disk.i).explain()
+    assert "equation (6.10)" in str(seen)
+    assert r"\tag{6.10}" in seen.latex
     # MathJax refuses a second index of a symbol without braces
-    assert r"{\mathbf{a}_2}_{\text{spring}}" in seen.explain().latex
-    assert "(6.10)" in str(
-        resultant_force(2.0, disk.point("Q", 3.0, 0, 0).acceleration(ground)).explain()
-    )
-    assert "(6.1)" in str(
-        reaction(2.0, ground.vector(0, 0, 1.0), weight=-19.62 * ground.k).explain()
-    )
+    assert r"{\mathbf{a}_2}_{\text{spring}}" in seen.latex
+    assert "(6.10)" in str(resultant_force(2.0, Q.acceleration(ground)).explain())
+    R = reaction(2.0, ground.vector(0, 0, 1.0), weight=-19.62 * ground.k)
+    assert "(6.1)" in str(R.explain())
     assert list(acceleration_by(2.0, weight=ground.k, wind=ground.i).without("wind")) == [0, 0, 0.5]
 
 
 @given(st.floats(0.1, 100), st.lists(st.floats(-10, 10), min_size=9, max_size=9))
 def test_any_force_comes_back_from_the_accelerations_that_it_makes(m, x):
-    """r = 2 + x, elevation within 60 degrees of the equator: forces to second rates to forces
+    """r = 12 + x, elevation within 60 degrees of the equator: forces to second rates to forces
     again.
     """
     ground = Frame("ground")
-    q = (12.0 + x[0], x[1]), (x[2], x[3]), (0.1 * x[4], x[5])
-    F = tuple(x[6:])
-    P = spherical(ground, "P", *(moving(a, rate=b) for a, b in q))
-    second = coordinate_accelerations(m, P, push=F)
-    again = spherical(
-        ground,
-        "P",
-        *(moving(a, rate=b, acceleration=c) for (a, b), c in zip(q, second, strict=True)),
-    )
-    scale = (
-        10
-        + m * (abs(x[1]) + 22 * max(abs(v) for v in (1, *x[1:6:2])) ** 2)
-        + sum(map(abs, second)) * m
-    )
-    assert close(tuple(resultant_force(m, again.acceleration(ground))), F, 1e-13 * 22 * scale)
+    q, rates, F = (12.0 + x[0], x[2], 0.1 * x[4]), x[1:6:2], tuple(x[6:])
+    second = coordinate_accelerations(m, spherical(ground, "P", *map(moving, q, rates)), push=F)
+    a = spherical(ground, "P", *map(moving, q, rates, second)).acceleration(ground)
+    speed = 22 * max(1, *map(abs, rates)) ** 2
+    scale = 10 + m * (abs(rates[0]) + speed + sum(map(abs, second)))
+    assert close(tuple(resultant_force(m, a)), F, 1e-13 * 22 * scale)
 
 
 @given(st.floats(0.1, 10), st.floats(-3, 3), st.floats(-5, 5), st.floats(-5, 5), st.floats(-20, 20))
 def test_an_inertial_frame_at_constant_velocity_sees_the_same_force(m, angle, u, w, a):
     """6.6: a frame that translates uniformly in an inertial frame is inertial too."""
     ground = Frame("ground")
-    train = ground.translate(
-        "train", ground.point("O", moving(0.0, rate=u), moving(0.0, rate=w), 0)
-    )
-    P = train.point(
-        "P", moving(math.cos(angle), acceleration=a), moving(math.sin(angle), rate=w), 0
-    )
-    assert close(
-        resultant_force(m, P.acceleration(ground)).components(train),
-        resultant_force(m, P.acceleration(train)).components(train),
-        1e-12,
-    )
+    train = ground.translate("train", ground.point("O", moving(0.0, u), moving(0.0, w), 0))
+    P = train.point("P", moving(math.cos(angle), acceleration=a), moving(math.sin(angle), w), 0)
+    one, other = (resultant_force(m, P.acceleration(f)).components(train) for f in (ground, train))
+    assert close(one, other, 1e-12)
 
 
 @pytest.mark.parametrize(
@@ -272,30 +241,21 @@ def test_a_symbolic_mass_is_taken_as_it_is():
     assert resultant_force(m, Frame("ground").vector(0, 0, 2)).z == 2 * m
 
 
-def test_singular_coordinates_are_refused_in_words():
-    ground = Frame("ground")
-    with pytest.raises(
-        SingularError, match=r"P is where one of its coordinates moves nothing.*turn the axes"
-    ):
-        coordinate_accelerations(
-            1.0, polar(ground, "P", moving(0.0, rate=1.0), moving(0.0, rate=1.0)), push=(1.0, 1.0)
-        )
-    with pytest.raises(SingularError, match="moves nothing"):
-        coordinate_accelerations(
-            1.0,
-            spherical(ground, "P", moving(np.array([1.0, 0.0])), moving(0.0), moving(0.0)),
-            push=(1.0, 1.0, 0.0),
-        )
-    with pytest.raises(SingularError, match="at rest the velocity has no direction"):
-        path_rates(1.0, 1.0, 1.0, 0.0)
+def at_the_pole(ground):
+    return spherical(ground, "P", moving(np.array([1.0, 0.0])), moving(0.0), moving(0.0))
 
 
-def test_what_is_no_force_is_refused_in_words():
-    ground = Frame("ground")
-    with pytest.raises(FrameError, match="no force is given; name each of them"):
-        acceleration_by(1.0)
-    with pytest.raises(FrameError, match="the force push has 4 components"):
-        coordinate_accelerations(1.0, polar(ground, "P", 1.0, 0.0), push=(1, 2, 3, 4))
+@pytest.mark.parametrize(("ask", "error", "words"), [
+    (lambda f: coordinate_accelerations(1.0, polar(f, "P", moving(0.0, 1.0), moving(0.0, 1.0)), push=(1.0, 1.0)),
+     SingularError, r"P is where one of its coordinates moves nothing.*turn the axes"),
+    (lambda f: coordinate_accelerations(1.0, at_the_pole(f), push=(1.0, 1.0, 0.0)), SingularError, "moves nothing"),
+    (lambda f: path_rates(1.0, 1.0, 1.0, 0.0), SingularError, "at rest the velocity has no direction"),
+    (lambda f: acceleration_by(1.0), FrameError, "no force is given; name each of them"),
+    (lambda f: coordinate_accelerations(1.0, polar(f, "P", 1.0, 0.0), push=(1, 2, 3, 4)), FrameError, "the force push has 4 components"),
+])  # fmt: skip
+def test_singular_coordinates_and_what_is_no_force_are_refused_in_words(ask, error, words):
+    with pytest.raises(error, match=words):
+        ask(Frame("ground"))
 
 
 def test_units_of_forces_and_accelerations():
@@ -314,10 +274,8 @@ def test_units_of_forces_and_accelerations():
 
 def _polar_force(m, r, dr, ddr, theta, dtheta, ddtheta):
     ground = Frame("ground")
-    return resultant_force(
-        m,
-        polar(ground, "P", moving(r, dr, ddr), moving(theta, dtheta, ddtheta)).acceleration(ground),
-    )
+    P = polar(ground, "P", moving(r, dr, ddr), moving(theta, dtheta, ddtheta))
+    return resultant_force(m, P.acceleration(ground))
 
 
 def test_forces_compile():
@@ -325,12 +283,8 @@ def test_forces_compile():
     assert close(compiled(_polar_force)(*x), _polar_force(*x), 1e-15)
 
 
-@pytest.mark.skipif(
-    importlib.util.find_spec("symengine") is None, reason="symengine is not installed"
-)
 def test_forces_of_symengine_expressions():
-    import symengine
-
+    symengine = pytest.importorskip("symengine")
     m, r, dr, dtheta = symengine.symbols("m r dr dtheta")
     F = _polar_force(m, r, dr, 0, 0, dtheta, 0)
     assert symengine.expand(F.x + m * r * dtheta**2) == 0

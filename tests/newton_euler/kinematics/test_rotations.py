@@ -422,6 +422,13 @@ def test_thirty_digits_stay_thirty_digits():
         assert close(axis, (mp.mpf(2) / 3, -mp.mpf(1) / 3, mp.mpf(2) / 3), mp.mpf(10) ** -28)
 
 
+def test_tiny_angles_keep_their_axis():
+    for angle in (1e-30, 1e-200, 1e-300):
+        axis, found = axis_angle(rotation_matrix((0.0, 0.6, -0.8), angle))
+        assert close(axis, (0, 0.6, -0.8), 2 * EPS)
+        assert abs(found - angle) <= 4 * EPS * angle
+
+
 @pytest.mark.parametrize("axis", [v for v in itertools.product((-1, 0, 1), repeat=3) if any(v)])
 def test_at_pi_the_first_component_of_the_axis_is_positive(axis):
     """Whatever round-off does to the matrix."""

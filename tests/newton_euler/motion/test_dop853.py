@@ -167,25 +167,18 @@ def test_the_scales_are_the_largest_sizes_of_all_steps():
 # -- what they cost, and what lies in them
 
 
-def test_every_call_of_the_right_hand_side_is_counted():
+def test_every_call_of_the_right_hand_side_is_counted_and_a_step_is_interpolated_once():
     one = run()
     one.step()
-    assert one.calls == one.counted
     one.state_at(1.0)
-    assert one.calls == one.counted
-    one.interpolate(2, np.array([one.step_times[2]]))
-    assert one.calls == one.counted
-
-
-def test_a_step_is_interpolated_once():
-    one = run()
-    one.step()
     times = np.array(one.step_times[2:4])
-    found, calls = one.interpolate(2, times), one.counted
+    found = one.interpolate(2, times)
+    counted = one.counted
+    assert one.calls == counted
     assert one.interpolate(2, times).tolist() == found.tolist()
-    assert one.counted == calls
+    assert one.counted == counted
     one.interpolate(3, times)
-    assert one.counted > calls
+    assert one.calls == one.counted > counted
     assert one.interpolate(2, times).tolist() == found.tolist()
 
 

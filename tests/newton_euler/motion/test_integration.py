@@ -74,6 +74,12 @@ def test_progress_is_reported():
     assert len(parts) > 3
 
 
+def test_an_array_in_the_start_is_many_motions():
+    x = np.linspace(-1.0, 1.0, 7)
+    found = integrate(oscillator(), 2.0, (x, 0.0), samples=[0.0, 1.0, 2.0]).states["x"]
+    assert found == pytest.approx(np.outer(x, np.cos([0.0, 2.0, 4.0])), abs=1e-14)
+
+
 # -- refusals
 
 

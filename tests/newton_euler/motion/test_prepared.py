@@ -23,16 +23,14 @@ def test_only_models_are_prepared(model):
 
 
 def test_numbers_are_arguments_but_for_what_is_left_out_and_for_laws():
-    law = lambda s, p, t: 2.0 * p.k
-    system = PreparedModel(SPRING.changed(c=ZERO))
-    assert (system.free, system.p, system.many) == (("k",), (4.0,), False)
-    assert system.rates(0.0, (1.0, 3.0)) == (3.0, -4.0)
-    system = PreparedModel(SPRING.changed(c=law))
-    assert (system.free, system.p) == (("k",), (4.0,))
-    assert system.rates(0.0, (1.0, 3.0)) == (3.0, -12.0)
-    system = PreparedModel(SPRING.changed(c=1))
-    assert (system.free, system.p) == (("k", "c"), (4.0, 1.0))
-    assert system.rates(0.0, (1.0, 3.0)) == (3.0, -5.0)
+    for c, free, values, rate in (
+        (ZERO, ("k",), (4.0,), -4.0),
+        (lambda s, p, t: 2.0 * p.k, ("k",), (4.0,), -12.0),
+        (1, ("k", "c"), (4.0, 1.0), -5.0),
+    ):
+        system = PreparedModel(SPRING.changed(c=c))
+        assert (system.free, system.p, system.many) == (free, values, False)
+        assert system.rates(0.0, (1.0, 3.0)) == (3.0, rate)
     assert PreparedModel(SPRING.changed(k=np.ones(3))).many
 
 

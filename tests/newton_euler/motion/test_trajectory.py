@@ -42,15 +42,13 @@ def trajectory(one, *more, tolerance=1e-9, method=DOP853):
 # -- events
 
 
+NOTHING = lambda s, p, t: None
+
+
 @pytest.mark.parametrize(
     ("options", "ends"),
-    [
-        ({}, False),
-        ({"terminal": True}, True),
-        ({"then": lambda s, p, t: None}, True),
-        ({"terminal": True, "then": lambda s, p, t: None}, True),
-    ],
-)
+    [({}, False), ({"terminal": True}, True), ({"then": NOTHING}, True), ({"terminal": True, "then": NOTHING}, True)],
+)  # fmt: skip
 def test_either_a_terminal_event_or_one_with_then_ends_the_segment(options, ends):
     event = Event(lambda s, p, t: s.x - 3.0, name="there", **options)
     assert event.ends is ends
@@ -277,12 +275,12 @@ def test_a_fixed_step_does_not_stop_at_pulses():
     assert fixed.segments[0].stepper.stops == ()
 
 
-def test_samples_are_those_of_the_run_unless_there_are_events():
-    assert trajectory(run(samples=7)).samples == 7
-    assert trajectory(run(samples=7), None, False, 5).samples == 5
-    assert trajectory(run(samples=7, progress=lambda x: None)).samples is None
-    event = Event(lambda s, p, t: s.x)
-    assert trajectory(run(samples=7, events=(event,))).samples is None
+@pytest.mark.parametrize(
+    ("options", "own", "found"),
+    [({}, None, 7), ({}, 5, 5), ({"progress": print}, None, None), ({"events": (Event(lambda s, p, t: s.x),)}, None, None)],
+)  # fmt: skip
+def test_samples_are_those_of_the_run_unless_there_are_events(options, own, found):
+    assert trajectory(run(t1=1.0, samples=7, **options), None, False, own).samples == found
 
 
 # -- the distance of two runs

@@ -277,12 +277,6 @@ def piece(left, right, c):
     return one
 
 
-def test_a_piece_is_halved_in_the_middle():
-    right, left = Piece(2.0, 6.0).halves()
-    assert (left.left, left.right, right.left, right.right) == (2.0, 4.0, 4.0, 6.0)
-    assert left.state == right.state == "new"
-
-
 def test_places_and_slopes_of_a_piece_are_in_time():
     one = piece(2.0, 6.0, POLYNOMIALS[0])
     assert [one.time(x) for x in (-1, -0.5, 1)] == [2.0, 3.0, 6.0]

@@ -1,5 +1,7 @@
 """Mass points in motion against bodies whose forces and energies are known in closed form."""
 
+from functools import partial
+
 from mpmath import mp, mpf
 
 from exercises.catalogue.proofs import (
@@ -17,10 +19,9 @@ from exercises.catalogue.proofs import (
     scaled,
     times,
 )
+from tests.exercises.catalogue.proofs.near import near as to_digits
 
-
-def near(found, expected):
-    return all(abs(a - b) < mpf(10) ** -20 for a, b in zip(found, expected, strict=True))
+near = partial(to_digits, tolerance="1e-20")
 
 
 def spinning_rod(t):

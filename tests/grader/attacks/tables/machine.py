@@ -78,14 +78,12 @@ RESOURCES = {
                 time.sleep(1000)
         time.sleep(1000)
     """),
-    "the disk": code(
-        """
+    # without a cage its files stay, within the limit of each
+    "the disk": code("""
         n = 0
         while True:
             open(f'/tmp/$MARK-{n}', 'wb').write(bytes(2**22)); n += 1
-    """,
-        caged=True,
-    ),  # without one its files stay, within the limit of each
+    """, caged=True),
     "open files": code("x = []\nwhile True: x.append(open('/dev/null'))"),
     "output": code("while True: print('x' * 10**6)"),
     "the pipe of receipts": code("""
@@ -110,17 +108,14 @@ RESOURCES = {
             except OSError: pass
         while True: pass
     """),
-    "shared memory": code(
-        """
+    "shared memory": code("""
         import ctypes, os
         libc = ctypes.CDLL(None)
         for key in range(0x4d2000, 0x4d2040):
             libc.shmget(key, 2**20, 0o1666), libc.msgget(key, 0o1666), libc.semget(key, 1, 0o1666)
         try: open("/dev/shm/$MARK", "wb").write(bytes(2**20))
         except OSError: pass
-    """,
-        caged=True,
-    ),
+    """, caged=True),
     "a keyring": code("""
         import ctypes
         call = ctypes.CDLL(None).syscall
@@ -146,7 +141,7 @@ RESOURCES = {
         libc.chroot(b"/tmp"), libc.pivot_root(b"/tmp", b"/tmp")
         open("/usr/lib/$MARK", "w")
     """),
-}
+}  # fmt: skip
 
 ELSEWHERE = {
     "the network": code("""

@@ -1,6 +1,7 @@
 """Receipts that are forged, doubled, oversized, nested, malformed; the work and numbers of others."""
 
-from tests.grader.attacks.attack import _put, code, edited, handed_in_by, right_texts
+from tests.grader.attacks.attack import code, edited, put, right_texts
+from tests.grader.courses import read
 
 
 def forged(*lines, **flags):
@@ -66,21 +67,19 @@ FORGED = {
 
 def neighbours_notebook(notebook, scene):
     """The numbers of another: what is copied of the instructor's question is right for all."""
-    theirs = handed_in_by(scene.honest)
-    _put(theirs, {"square": ""})
+    theirs = read(scene.honest)
+    put(theirs, {"square": ""})
     return theirs
 
 
-def neighbours_answers_in_own_sheet(notebook, scene):
-    theirs = {c["id"]: c["source"] for c in handed_in_by(scene.honest)["cells"]}
-    _put(notebook, {i: theirs[i] for i in ("answer-4-1", "answer-4-16")})
+def neighbours(*roles):
+    """Cells of these roles, of both problems, as a neighbour has them."""
 
+    def change(notebook, scene):
+        theirs = {c["id"]: c["source"] for c in read(scene.honest)["cells"]}
+        put(notebook, {i: theirs[i] for i in theirs if i.startswith(roles)})
 
-def neighbours_numbers_and_answers(notebook, scene):
-    theirs = {c["id"]: c["source"] for c in handed_in_by(scene.honest)["cells"]}
-    for name in ("4-1", "4-16"):
-        _put(notebook, {f"givens-{name}": theirs[f"givens-{name}"],
-                        f"answer-{name}": theirs[f"answer-{name}"]})  # fmt: skip
+    return edited(change)
 
 
 def answers_of_the_book(notebook, scene):
@@ -90,22 +89,22 @@ def answers_of_the_book(notebook, scene):
     for number in ("4/1", "4/16"):
         p = problem(number)
         text = sample.cell_text(p, sample.right_answers(p, p.book_values))
-        _put(notebook, {f"answer-{number.replace('/', '-')}": text})
+        put(notebook, {f"answer-{number.replace('/', '-')}": text})
 
 
 def answers_of_nobody(notebook, scene):
-    _put(notebook, right_texts(scene.course, "somebody else"))
+    put(notebook, right_texts(scene.course, "somebody else"))
 
 
 def answers_under_the_wrong_problem(notebook, scene):
     own = right_texts(scene.course, scene.student)
-    _put(notebook, {"answer-4-1": own["answer-4-16"], "answer-4-16": own["answer-4-1"]})
+    put(notebook, {"answer-4-1": own["answer-4-16"], "answer-4-16": own["answer-4-1"]})
 
 
 REPLAYED = {
     "a neighbour's notebook": edited(neighbours_notebook),
-    "a neighbour's answers": edited(neighbours_answers_in_own_sheet),
-    "a neighbour's numbers and answers": edited(neighbours_numbers_and_answers),
+    "a neighbour's answers": neighbours("answer-"),
+    "a neighbour's numbers and answers": neighbours("answer-", "givens-"),
     "the answers for the book's numbers": edited(
         answers_of_the_book, said="this is the answer for the book's numbers"
     ),

@@ -150,17 +150,13 @@ def test_an_abstract_socket_of_the_machine_is_not_there(harvester):
     with socket.socket(socket.AF_UNIX) as listening:
         listening.bind("\0newton-euler-test")
         listening.listen()
-        said = answer(
-            harvester,
-            "import socket; socket.socket(socket.AF_UNIX).connect('\\0newton-euler-test'); x = 1",
-        )
-        assert "ConnectionRefusedError" in said
+        text = "import socket; socket.socket(socket.AF_UNIX).connect('\\0newton-euler-test'); x = 1"
+        assert "ConnectionRefusedError" in answer(harvester, text)
 
 
 def test_a_submission_has_a_session_of_its_own(harvester):
-    assert (
-        answer(harvester, "import os; x = os.getsid(0) == os.getpid() == os.getpgrp() and 1") == 1
-    )
+    text = "import os; x = os.getsid(0) == os.getpid() == os.getpgrp() and 1"
+    assert answer(harvester, text) == 1
 
 
 CALLS = {  # what a submission tries, to which the answer is False

@@ -80,9 +80,7 @@ def test_these_cells_work_in_ipython_itself(tmp_path, monkeypatch):
         shell.user_ns.pop("x", None)
         result = shell.run_cell(text, silent=True)
         if not result.success or shell.user_ns.get("x") != 42:
-            failed[what] = (
-                result.error_in_exec or result.error_before_exec or shell.user_ns.get("x")
-            )
+            failed[what] = result.error_in_exec or result.error_before_exec
     assert failed == {}
 
 

@@ -28,7 +28,7 @@ def test_two_notebooks_do_not_lose_each_others_tries(tmp_path):
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"format": 9, "problems": {}}', "{}"])
-def test_a_damaged_file_is_kept_aside_and_told(tmp_path, text):
+def test_a_damaged_file_is_kept_aside_and_reported(tmp_path, text):
     path = tmp_path / "p.json"
     path.write_text(text)
     kept = Progress(path)
@@ -54,17 +54,11 @@ def test_mastery_needs_enough_right_at_first_go():
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("content", "words"),
-    [
-        (None, "there is no practice file"),
-        (b"", "is not a practice file"),
-        (b"text", "is not a practice"),
-    ],
-)
-def test_a_file_that_is_no_practice_file_is_told(tmp_path, content, words):
+@pytest.mark.parametrize("content", [None, b"", b"text"])
+def test_a_file_that_is_no_practice_file_is_refused(tmp_path, content):
     path = tmp_path / "x.practice"
     if content is not None:
         path.write_bytes(content)
+    words = "there is no practice file" if content is None else "is not a practice file"
     with pytest.raises(PracticeFileError, match=words):
         practice(path)

@@ -45,7 +45,7 @@ def test_a_slider_draws_the_picture_anew_in_its_place(shown):
     assert len(pictures) == 3
 
 
-def test_an_error_in_draw_is_told_in_place_of_the_picture(shown):
+def test_an_error_in_draw_is_shown_in_place_of_the_picture(shown):
     pytest.importorskip("ipywidgets")
 
     def fails(ax, a):

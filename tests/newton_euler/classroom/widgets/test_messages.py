@@ -6,7 +6,7 @@ from newton_euler import Frame
 from newton_euler.classroom.widgets.messages import error_message
 
 
-def test_a_refusal_is_told_in_lines_and_its_absence_is_an_error():
+def test_a_refusal_is_shown_in_lines_and_its_absence_is_an_error():
     ground = Frame("ground")
     told = error_message(lambda: ground.i.rate(), width=60)
     assert told.startswith("FrameError: a vector changes differently")
