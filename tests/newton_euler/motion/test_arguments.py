@@ -117,7 +117,7 @@ STARTS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("start", STARTS, ids=str)
+@pytest.mark.parametrize("start", STARTS, ids=lambda start: type(start).__name__)
 def test_a_start_is_a_tuple_of_floats_in_the_order_of_the_states(start):
     found = start_state(SPRING, start)
     assert found == (1.0, 2.0)
