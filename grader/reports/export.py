@@ -15,7 +15,7 @@ def export(course: Course, assignment: str, form: str, path: str | Path) -> int:
     rows = FORMATS[form](course, assignment, found, maximum)
     # with a byte-order mark Canvas and Moodle take UTF-8 too, and a spreadsheet needs it
     with open(path, "w", newline="", encoding="utf-8-sig" if form == "parts" else "utf-8") as f:
-        csv.writer(f).writerows(rows)
+        csv.writer(f).writerows(map(_cell, row) for row in rows)
     return sum(line.waiting for line in found)
 
 
@@ -30,13 +30,9 @@ def _parts(course, assignment, found, maximum):
         person = people.get(e.student)
         names = (person.last_name, person.first_name) if person else ("", "")
         yield (
-            e.student, *map(_safe, names), e.problem, e.key, _number(e.points), _number(e.out_of),
-            e.verdict, _safe(e.message), _safe(e.diagnosis or ""),
+            e.student, *names, e.problem, e.key, e.points, e.out_of, e.verdict, e.message,
+            e.diagnosis or "",
         )  # fmt: skip
-
-
-def _safe(text):
-    return f"'{text}" if text.startswith(_FORMULA) else text
 
 
 def _canvas(course, assignment, found, maximum):
@@ -44,10 +40,10 @@ def _canvas(course, assignment, found, maximum):
     maximum. The assignment must have the same name there, or becomes a new one.
     """
     yield ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment)
-    yield ("    Points Possible", "", "", "", "", _number(maximum))
+    yield ("    Points Possible", "", "", "", "", maximum)
     for line in found:
         name = ", ".join(filter(None, (line.last_name, line.first_name))) or line.id
-        yield (name, line.lms_user_id, "", line.id, "", _number(line.points))
+        yield (name, line.lms_user_id, "", line.id, "", line.points)
 
 
 def _moodle(course, assignment, found, maximum):
@@ -57,7 +53,7 @@ def _moodle(course, assignment, found, maximum):
     yield ("First name", "Last name", "ID number", "Username", "Email address", assignment)
     for line in found:
         names = (line.first_name, line.last_name)
-        yield (*names, line.id, line.id, line.email, _number(line.points))
+        yield (*names, line.id, line.id, line.email, line.points)
 
 
 def _gradescope(course, assignment, found, maximum):
@@ -68,10 +64,13 @@ def _gradescope(course, assignment, found, maximum):
     )  # fmt: skip
     for line in found:
         names = (line.first_name, line.last_name)
-        yield (*names, line.id, line.email, "", _number(line.points), _number(maximum))
+        yield (*names, line.id, line.email, "", line.points, maximum)
 
 
-def _number(x):
+def _cell(x):
+    """A cell of the file: a number, or a text that no spreadsheet takes for a formula."""
+    if isinstance(x, str):
+        return f"'{x}" if x.startswith(_FORMULA) else x
     return "" if x is None else f"{x:.10g}"
 
 

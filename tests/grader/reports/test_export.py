@@ -44,6 +44,17 @@ def exported(fresh, form, tmp_path):
     return rows_of(path), path.read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("form", [form for form in FORMATS if form != "parts"])
+def test_no_name_or_id_is_a_formula_of_a_spreadsheet_for_a_platform(fresh, form, tmp_path):
+    hostile = {"first_name": "@SUM(1)", "last_name": "+1+cmd", "email": "-2@uni.edu"}
+    fresh.enrol([{"id": "ada", **hostile, "lms_user_id": "=4711"}])
+    path = tmp_path / f"{form}.csv"
+    ran(command("export", "ch04", "--course", fresh.path, "--format", form, "--to", path))
+    cells = [cell for row in rows_of(path, "utf-8-sig") for cell in row]
+    assert not [cell for cell in cells if cell.startswith(("=", "+", "-", "@", "\t", "\r"))]
+    assert any("+1+cmd" in cell for cell in cells)
+
+
 def test_canvas_imports_the_points_under_its_own_ids(fresh, tmp_path):
     rows, text = exported(fresh, "canvas", tmp_path)
     assert rows[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "ch04"]
