@@ -28,6 +28,10 @@ STATES = {
 }
 
 
+# a trace that ipykernel 7 logs now and then, when it is ended while it flushes its output
+AT_THE_END_OF_A_KERNEL = r'(?s)Traceback [^\n]*\n  File "[^"\n]*zmqstream.py".*?ZMQError: [^\n]*'
+
+
 def notebook(answer):
     def cell(name, text, **nbgrader):
         return code_cell(name, text, {}, {"grade_id": name, **nbgrader} if nbgrader else None)
@@ -53,4 +57,4 @@ def test_validate_says_a_true_sentence(tmp_path, state):
         (error,) = re.findall(r"(?s)The error was:(.*?)(?=\[ValidateApp|\[IPK|$)", said)
         assert " ".join(error.split()) == sentence
         assert "..." not in error  # nbgrader cuts lines that are too long for it
-    assert "Traceback" not in said
+    assert "Traceback" not in re.sub(AT_THE_END_OF_A_KERNEL, "", said)
