@@ -103,6 +103,7 @@ class _Drawing:
         return [getattr(p, self.cost) for p in points], [max(p.error, self.floor) for p in points]
 
     def methods(self, points, order):
+        """Draw a line of marks for each method, in ``order`` first, so that colours stay."""
         for n, method in enumerate(dict.fromkeys([*order, *(p.method for p in points)])):
             own = [p for p in points if p.method == method]
             if own:
@@ -119,6 +120,7 @@ class _Drawing:
                 label = "_again"  # one entry of the legend is enough
 
     def fronts(self, found):
+        """Draw the front of each family: the least cost at which an error is reached."""
         for n, (family, best) in enumerate(found.items()):
             x, y = self.places(best)
             dashes = DASHES[n % len(DASHES)]
@@ -128,6 +130,7 @@ class _Drawing:
             self.ax.plot(x, y, "o", ls="none", label=label, **rings)
 
     def below_the_floor(self, points):
+        """Write the error at the points that lie below what the axis shows."""
         for x, p in zip(self.places(points)[0], points, strict=True):
             if p.error < self.floor:
                 text = f"{p.error:.0e}" if p.error else "0"

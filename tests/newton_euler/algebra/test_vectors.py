@@ -252,7 +252,16 @@ def test_every_kind_of_component_can_be_shown(kind):
 
 
 def test_traced_components_can_be_shown():
-    compiled(lambda x: (str(ground.vector(x, 1.0, 0)), ground.vector(x, 1.0, 0).latex()) and x)
+    shown = []
+
+    def f(x):
+        v = ground.vector(x, 1.0, 0)
+        shown.extend([str(v), v.latex()])
+        return x
+
+    assert compiled(f)(3.0) == 3.0
+    assert "in ground" in shown[0]
+    assert r"\hat{\imath}" in shown[1]
 
 
 @pytest.mark.parametrize(
