@@ -141,9 +141,7 @@ def attraction3(r: Triple, g: Scalar, radius: Scalar) -> Triple:
 
 
 def centrifugal3(r: Triple, omega: Triple, radius: Scalar) -> Triple:
-    """The centrifugal acceleration -omega x (omega x rho), as a triple along ground axes, at the
-    triple ``r`` from the ground's origin.
-    """
+    """-omega x (omega x rho), as a triple along ground axes, at ``r`` from the ground's origin."""
     return cross3(cross3(omega, _from_centre(r, radius)), omega)
 
 
@@ -257,9 +255,7 @@ def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
 
 
 def launch_direction(azimuth: Scalar, elevation: Scalar) -> Triple:
-    """The direction of a shot (6.17) as a triple along ground axes; azimuth from east toward
-    north.
-    """
+    """The direction of a shot (6.17), along ground axes; azimuth from east toward north."""
     return cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)
 
 
@@ -309,9 +305,7 @@ def _along(frame, *vectors):
 
 
 def coriolis_series(v: Triple, g: Triple, w: Triple, factors: Iterable[tuple]) -> Triple:
-    """The sum of (-2 w x)^n (a v + b g) over the pairs (a, b) of ``factors``, n = 0, 1, ..., of
-    triples: by Horner's scheme.
-    """
+    """The sum over (a, b) in ``factors`` of (-2 w x)^n (a v + b g), triples: Horner's scheme."""
     *rest, total = (add3(scale3(a, v), scale3(b, g)) for a, b in factors)
     for term in reversed(rest):
         total = add3(term, cross3(scale3(-2, w), total))
@@ -319,9 +313,7 @@ def coriolis_series(v: Triple, g: Triple, w: Triple, factors: Iterable[tuple]) -
 
 
 def _integrals(t, m, order):
-    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: each factor -2 w x goes with one
-    integration.
-    """
+    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: one integration each."""
     powers = list(accumulate(range(1, m + order + 2), lambda power, k: power * t / k, initial=1))
     return list(pairwise(powers[m:]))
 

@@ -176,9 +176,7 @@ def _check_moments(I0, I):
 
 
 def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None) -> None:
-    """Raises :class:`GyroError` unless a body can have I0 and I, and one of its two rates about the
-    axis is given.
-    """
+    """Raises :class:`GyroError` unless I0 and I are possible and one rate is given."""
     _check_moments(I0, I)
     if (spin is None) == (omega_z is None):
         raise GyroError(
@@ -436,9 +434,7 @@ def nutation_stiffness(
 
 @dataclass(frozen=True)
 class FastSpin:
-    """The leading terms (10.34) for a fast spin, and their relative errors, positive where a term
-    is too large.
-    """
+    """The leading terms (10.34) for a fast spin, and their relative errors, signed."""
 
     slow: Scalar
     fast: Scalar

@@ -207,9 +207,7 @@ def _classify(theta_min, theta_max, at_min, at_max, scale, tolerance, pi):
 
 
 def _period(x, y):
-    """2 pi over the arithmetic-geometric mean of the square roots of F/((v - v1)(v2 - v)) 2/I0 at
-    both limits; infinite where one is 0.
-    """
+    """2 pi over the mean of sqrt(F/((v - v1)(v2 - v)) 2/I0) at both limits; inf where 0."""
     none = where(x > 0, where(y > 0, 1, 0), 0) == 0
     x, y = (sqrt(where(none, 1, value)) for value in (x, y))
     for _ in range(16):  # it converges quadratically: enough for hundreds of digits

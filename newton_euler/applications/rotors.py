@@ -175,9 +175,7 @@ def _on_axis(body, A, e, length, about):
 
 
 def _check_motion(body, A, e, length, ground):
-    """Raises :class:`RotorError` unless A rests and the body turns about the axis; expressions
-    pass.
-    """
+    """Raises :class:`RotorError` unless A rests and the body turns about the axis."""
     w, alpha = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground)
     for name, vector, scale in (
         ("its angular velocity", w.cross(e), w.norm()),
@@ -403,9 +401,7 @@ def balancing_masses(
 
 
 def _weight(name, U, A, e, z, given, at_radius):
-    """The weight of ``U`` (kg m), in the plane at ``z`` from A, at a given radius or of a given
-    mass.
-    """
+    """The weight of ``U`` (kg m) in the plane at ``z`` from A, at a given radius or mass."""
     length = scalar(U.norm())
     if is_zero(length):
         step = U * 0

@@ -101,9 +101,7 @@ class Body:
 
     @checked
     def check(self, tolerance: float = 1e-9) -> "Body":
-        """The body itself if its mass and inertia are possible; :class:`MassError` otherwise, see
-        :meth:`Inertia.check`.
-        """
+        """The body itself; :class:`MassError` if it is impossible, see :meth:`Inertia.check`."""
         self.inertia.check(tolerance)
         return self
 

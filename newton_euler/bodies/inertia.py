@@ -274,9 +274,7 @@ class Inertia(Scaled, NamedTerms):
 
     @property
     def terms(self) -> "Terms[Inertia]":  # type: ignore[override]
-        """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite body;
-        empty if it is no sum.
-        """
+        """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite."""
         return self._terms
 
     @checked
@@ -335,9 +333,7 @@ SECOND_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
 def from_second_moments(second: Sequence[Scalar]) -> tuple[tuple, tuple]:
-    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z,
-    z x over the mass.
-    """
+    """Moments (7.9) and products (7.10) from the integrals of x x, y y, z z, x y, y z, z x."""
     xx, yy, zz, *products = second
     return (yy + zz, zz + xx, xx + yy), tuple(products)
 
@@ -358,9 +354,7 @@ def _equal(a, b):
 
 
 def together(parts: Iterable, frame: Frame, name: str = "G") -> tuple[Scalar, Point]:
-    """Total mass and centre of parts that have a mass and a centre; the centre moves in ``frame``
-    as they do.
-    """
+    """Total mass and centre of parts; the centre moves in ``frame`` as they do."""
     mass, first = ZERO, ZERO3
     for part in parts:
         mass = mass + part.mass

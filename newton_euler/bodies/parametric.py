@@ -151,9 +151,7 @@ def _tangents(position, parameters):
 
 
 def _spanned(tangents):
-    """The vector whose length is the content: the tangent, or the cross product of two; of three
-    tangents the triple product.
-    """
+    """The vector whose length is the content: a tangent, a cross or a triple product."""
     if len(tangents) == 3:
         return dot3(tangents[0], cross3(tangents[1], tangents[2]))
     return tangents[0] if len(tangents) == 1 else cross3(*tangents)

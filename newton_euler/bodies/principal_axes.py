@@ -71,16 +71,12 @@ class Principal:
 
     @property
     def determined(self) -> tuple[bool, ...]:
-        """For each axis: True if its gap is at least 4 times the noise, so that the data determine
-        it within about 0.25 rad.
-        """
+        """By axis, True if its gap is 4 times the noise: it is known within about 0.25 rad."""
         return tuple(max_abs(turn) < 0.245 for turn in self.turns)  # atan(1/4) = 0.24498
 
     @checked
     def frame(self, name: str = "principal") -> Frame:
-        """A new frame along the principal axes, fixed in the frame of the inertia; for numbers, not
-        for expressions.
-        """
+        """A new frame along the principal axes, fixed in that of the inertia; numbers only."""
         axis, angle = axis_angle(self.rotation)
         return self.inertia.frame.rotate(name, axis, angle)
 
@@ -228,9 +224,7 @@ def _unit(v):
 
 
 def _by_sympy(rows):
-    """Exact moments and axes; None where the characteristic polynomial (7.20) has other roots than
-    fractions and square roots of them.
-    """
+    """Exact moments and axes; None unless the roots of (7.20) are fractions or their roots."""
     import sympy
 
     M = sympy.Matrix([[sympy.nsimplify(x, rational=True) for x in row] for row in rows])
@@ -261,9 +255,7 @@ def _of_expressions(rows):
 
 
 def _block(rows, u, v):
-    """One product I_uv is left: the larger moment along u turned by half of atan2(-2 I_uv, I_uu -
-    I_vv).
-    """
+    """One product I_uv is left: the larger moment at atan2(-2 I_uv, I_uu - I_vv)/2 from u."""
     mean, half, entry = (rows[u][u] + rows[v][v]) / 2, (rows[u][u] - rows[v][v]) / 2, rows[u][v]
     radius, angle = sqrt(half * half + entry * entry), atan2(entry, half) / 2
     out, axes = [rows[n][n] for n in range(3)], list(UNIT_AXES)

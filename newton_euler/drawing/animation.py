@@ -67,9 +67,7 @@ class Animation:
         return f"{text}: {self.alt}" if self.alt else text
 
     def _repr_mimebundle_(self, **_):
-        """What Jupyter shows: the page; where HTML cannot be shown (print), the first picture with
-        its alt text.
-        """
+        """What Jupyter shows: the page; or in print the first picture with its alt text."""
         first = base64.b64encode(self.pictures[0]).decode()
         about = {"alt": self.alt or repr(self), "width": self.size[0], "height": self.size[1]}
         data = {"text/html": self.html(), "image/png": first, "text/plain": repr(self)}

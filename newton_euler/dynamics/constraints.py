@@ -142,9 +142,7 @@ class _System:
         return [(name, _number(name, x)) for name, x in self.equations(list(map(float, q)))]
 
     def jacobian(self, q):
-        """Rows of equations, columns of coordinates; each column from one evaluation with numbers
-        that carry their derivative.
-        """
+        """The Jacobian, equations by coordinates; a column is one evaluation with derivatives."""
         import numpy as np
 
         columns = []
@@ -216,9 +214,7 @@ class _System:
         return q
 
     def rank(self, q, tolerance):
-        """The number of independent constraints, and by name how many equations of each lie in the
-        span of those before (Gram and Schmidt).
-        """
+        """The number of independent constraints, and by name of equations that depend on others."""
         import numpy as np
 
         basis, redundant = np.zeros((0, self.size)), {}

@@ -233,9 +233,7 @@ class Audit:
 
     @property
     def energy(self) -> Scalar:
-        """The change of E = T + V (11.30): U^n (11.31), zero for a conservative system (11.32),
-        (11.49).
-        """
+        """The change of E = T + V (11.30): U^n (11.31); zero if conservative (11.32), (11.49)."""
         return to_plain(scalar(self.kinetic) + value_of(summed(self.potentials)))
 
     @checked

@@ -194,9 +194,7 @@ def _check_principal(inertia, axes, law, instead):
 
 
 def _divided(inertia, c):
-    """I^-1 c; structural zeros of the matrix drop out, so that without products each component is
-    one division.
-    """
+    """I^-1 c; without products each component is one division, as structural zeros drop out."""
     if c is ZERO3:
         return c
     rows = [

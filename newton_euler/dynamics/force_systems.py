@@ -32,9 +32,7 @@ class ForceError(FrameError):
 
 @dataclass(frozen=True)
 class Force:
-    """A force at a point (of application, or any point of its line): ``vector`` in N, ``point`` a
-    Point.
-    """
+    """A force, ``vector`` in N, at the Point ``point`` of its line of action."""
 
     vector: Vector
     point: Point

@@ -110,9 +110,7 @@ def _about_fixed_point(body, observer, B, via):
 
 
 def _about_any_point(body, observer, B, via):
-    """The moment and its terms; in their sum DH_G/Dt + d x m a_G the motion of B cancels, so that
-    its rates need not be known.
-    """
+    """The moment and its terms; in the sum DH_G/Dt + d x m a_G the motion of B cancels."""
     own = angular_momentum(body, observer).expressed_in(via).rate(observer)
     a = body.centre.acceleration(observer)
 

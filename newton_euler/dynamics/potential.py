@@ -36,9 +36,7 @@ from .work import work_along
 
 
 class NoPotential(WorkError):
-    """A force field has no potential: its ``curl`` at the ``place`` is not zero, or its
-    ``circulation``, the work round a loop.
-    """
+    """A field without potential: ``curl`` at ``place``, or ``circulation`` round a loop, not 0."""
 
     def __init__(self, message, place=None, curl=None, circulation=None):
         super().__init__(message)

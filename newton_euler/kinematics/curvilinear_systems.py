@@ -88,9 +88,7 @@ def curvilinear(
 
 
 def tangents(position: Callable, q: Sequence[Scalar]) -> tuple:
-    """dr/dq_1, dr/dq_2, dr/dq_3, each a triple, of the position function at the coordinates ``q``;
-    moving if they are.
-    """
+    """dr/dq_1, dr/dq_2, dr/dq_3, triples, of the position at ``q``; moving if ``q`` is."""
     return tuple(tuple(_rate(x) for x in position(*_seeded(q, n))) for n in range(3))
 
 
@@ -144,9 +142,7 @@ def _velocity_terms(P, columns, names):
 
 
 def _acceleration_terms(P, position, columns, names):
-    """The terms of sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij, with subscripts for
-    partial derivatives of the position.
-    """
+    """The terms of sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij (partials of r)."""
     q = P.coordinates
     values = tuple(x.value for x in q)
     rows = zip(names, q, columns, strict=True)

@@ -48,9 +48,7 @@ Triple = Sequence[Scalar] | Vector
 
 
 class RotationError(NewtonEulerError, ValueError):
-    """A matrix that is no rotation, a quaternion or axis of length zero, or Euler rates where they
-    are singular.
-    """
+    """A matrix that is no rotation, a zero quaternion or axis, or singular Euler rates."""
 
 
 # -- matrices of three rows

@@ -58,9 +58,7 @@ class Rung(Portable):
 
     @checked_but("t")
     def bound(self, t: float) -> float:
-        """The bound of the error until ``t``, by what the model neglects: inf if it names nothing,
-        or something without a bound.
-        """
+        """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
             raise ModelError(
@@ -129,9 +127,7 @@ class Ladder:
         names: Sequence[str],
         *models: Model,
     ) -> "Ladder":
-        """The ladder of models that have the same states, and so the same start; what is observed
-        are the states of these ``names``.
-        """
+        """The ladder of models with the same states: these ``names`` are observed."""
         observed = observed_states(*names)
         return cls(name, of, t, tuple(Rung(model, start, observed) for model in models))
 
@@ -150,9 +146,7 @@ class Ladder:
 
     @checked
     def observe(self, rung: Rung, rtol: float) -> "ndarray":
-        """What is observed of a rung, an array (components, instants) over the time of the ladder,
-        from states with the relative error ``rtol``.
-        """
+        """What is observed of a rung, an array (components, instants), at this ``rtol``."""
         import numpy as np
 
         from ..motion.integration import integrate
@@ -182,9 +176,7 @@ class Ladder:
 
     @checked
     def distances(self, rung: Rung, accuracy: float = 0.0) -> "ndarray":
-        """How far what is observed of a rung is from that of the fullest one at each of the
-        instants, an array; the largest is the :meth:`error`.
-        """
+        """The distance from the fullest rung at each of the instants; the largest is the error."""
         import numpy as np
 
         if rung is self.fullest:
@@ -204,9 +196,7 @@ class Ladder:
         return np.where(np.isnan(far), math.inf, far)  # nan where an exact solution ends
 
     def _kept(self, accuracy, rungs, compute):
-        """The value computed before for these rungs with at least this accuracy, if what their
-        functions read is the same; otherwise it is computed now.
-        """
+        """The value computed with this accuracy or better, while what its functions read holds."""
         key = tuple(rungs)  # by identity: a rung of another ladder may have the same name
         known = self._found.get(key)
         if known is None or known[1] > accuracy or not known[2].hold():
@@ -221,9 +211,7 @@ class Ladder:
 
 @dataclass(frozen=True)
 class Evidence:
-    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if unknown),
-    and its ``error`` (None if not needed).
-    """
+    """The ``bound`` of a rung's error (inf if unknown), and its ``error`` (None if not needed)."""
 
     bound: float
     error: float | None

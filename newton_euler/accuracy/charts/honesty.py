@@ -45,9 +45,7 @@ def draw_honesty(answers, figure, title=""):
 
 @dataclass(frozen=True)
 class _Rows:
-    """The ``numbers`` of the rows by method, and within a row places and colours for the errors
-    ``asked`` for.
-    """
+    """Rows by method, and in a row places and colours for the errors ``asked`` for."""
 
     numbers: dict
     asked: list

@@ -15,9 +15,7 @@ WIDE = 18  # letters in a line of a name
 
 
 def draw_choices(chart, found, ax):
-    """Draw the choices of a map on ``ax``: each region with its name, a legend of the colours and
-    of the theoretical borders.
-    """
+    """Draw a map on ``ax``: regions with their names, a legend of colours and borders."""
     handles = [*_draw_cells(chart, found, ax), *_draw_borders(chart, found, ax)]
     for choice in chart.choices:
         _name_region(chart, found, choice, ax)

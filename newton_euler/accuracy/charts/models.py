@@ -72,17 +72,13 @@ def usual_tolerance(points):
 
 
 def choice(points, tolerance):
-    """The cheapest model within the tolerance, of models that cost the same the simplest; None if
-    there is none.
-    """
+    """The cheapest model within the tolerance, of equally cheap ones the simplest; or None."""
     within = sorted((p for p in points if p.error <= tolerance), key=lambda p: p.cost)
     return min(of_equal_cost(within), key=points.index) if within else None
 
 
 def beaten(points):
-    """The models that another one beats, each with the first that does: clearly cheaper, and no
-    less accurate.
-    """
+    """Models beaten by another, clearly cheaper and no less accurate: each with the first such."""
     found = []
     for p in points:
         by = [q for q in points if _beats(q, p)]

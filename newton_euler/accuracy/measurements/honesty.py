@@ -138,9 +138,7 @@ def _answer(name, reference, method, rtol):
 
 
 def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
-    """The same answers, their costs over that of the cheapest that kept its word on the same
-    problem with the same tolerance; of the cheapest of all if none did.
-    """
+    """The answers with costs over that of the cheapest, one that kept its word if any did."""
     least: dict = {}
     for a in answers:
         if not a.absent and a.cost > 0:  # a coarse clock may show nothing
@@ -151,9 +149,7 @@ def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
 
 
 def comparable(answers: Sequence[Answer]) -> tuple[Sequence[Answer], bool]:
-    """The answers with :func:`relative_costs` if they are of several problems, whose seconds cannot
-    be compared; and whether they are.
-    """
+    """The answers, with :func:`relative_costs` if of several problems; and whether they are."""
     several = len({a.problem for a in answers}) > 1
     return (relative_costs(answers) if several else answers), several
 

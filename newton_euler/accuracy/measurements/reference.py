@@ -91,9 +91,7 @@ def by_extrapolation(model, t, start, digits=30):
 
 
 def _step(rates, t, x, h, sizes):
-    """The state after a step h, and its error relative to the largest state: the last entries of
-    the extrapolation table.
-    """
+    """The state after a step h, and its error relative to the largest state."""
     first, table = rates(t, x), []
     for run in range(1, RUNS + 1):
         row = [_midpoint(rates, t, x, first, h, 2 * run)]

@@ -31,9 +31,7 @@ from ...scenes.spatial.free_body import free_body
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis of a map: its ``label`` with the unit, from ``low`` to ``high``, in powers of ten if
-    the ``scale`` is "log".
-    """
+    """An axis of a map, from ``low`` to ``high``: in powers of ten if the ``scale`` is "log"."""
 
     label: str
     low: float
@@ -52,9 +50,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Curve:
-    """A theoretical border: ``label``, and y as a function of an array of x (nan where there is
-    none); or x if the border is upright.
-    """
+    """A theoretical border: y as a function of an array of x (nan for none); or an upright x."""
 
     label: str
     y: Callable | None = None
@@ -118,9 +114,7 @@ def start_at(tilt):
 
 @cache
 def compile_time():
-    """The seconds that heyoka takes to compile a right-hand side of this kind; infinite if it is
-    not installed.
-    """
+    """The seconds that heyoka takes to compile such a right-hand side; inf without heyoka."""
     integrate(BODY, 1.0, start_at(0.1), 1e-9, "dop853")  # tracing does not count for any method
     if not installed():
         return math.inf
@@ -146,9 +140,7 @@ def _as_accurate_as_it_gets(t, start, rtol, method, samples):
 
 
 def _taylor_seconds(times, start):
-    """For each of the times the seconds of a Taylor series to round-off, with its compilation;
-    infinite where its error is above WANTED.
-    """
+    """By time, the seconds of a Taylor series with its compilation; inf where not to WANTED."""
     if not installed():
         return [math.inf] * len(times)
     end = times[-1]
@@ -160,9 +152,7 @@ def _taylor_seconds(times, start):
 
 
 def _dop853_seconds(t, start):
-    """The seconds of DOP853 with the first tolerance that leaves an error below WANTED; infinite if
-    none does.
-    """
+    """The seconds of DOP853 at the first tolerance that keeps the error below WANTED; or inf."""
     for rtol in (1e-10, 1e-12):
         motion = _as_accurate_as_it_gets(t, start, rtol, "dop853", DENSE)
         if errors_until([t], motion, start)[0] <= WANTED:
@@ -194,9 +184,7 @@ def _free_body(tilt, times):
 
 
 def _first_turnover(tilt):
-    """The quarter period ln(4 sqrt(2)/a)/GROWTH, after which a small tilt a, half growing and half
-    decaying, reaches a right angle.
-    """
+    """The quarter period after which a small tilt, half growing, reaches a right angle."""
     return np.log(4 * math.sqrt(2) / tilt) / GROWTH
 
 
@@ -229,9 +217,7 @@ def released_top(omega_z):
 
 
 def _smallest_rung(ladder_at):
-    """The column of a map: for one x, the first rung of ``ladder_at(x)`` whose error is within each
-    tolerance.
-    """
+    """The column of a map: the first rung of ``ladder_at(x)`` within each tolerance."""
 
     def column(x, tolerances):
         ladder = ladder_at(x)
@@ -273,9 +259,7 @@ FALL = Event(lambda s, p, t: s.q1**2 + s.q2**2 - math.sin(FALLEN / 2) ** 2, 1, t
 
 
 def falling_time(ratio):
-    """The seconds in which a top at ``ratio`` times the critical rate gets from a tilt of 1e-6 to
-    0.1 rad; infinite if not within 100 s.
-    """
+    """The seconds in which a top at ``ratio`` of the critical rate falls to 0.1 rad; or inf."""
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
     model = top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL)
     motion = integrate(model, LONGEST, start, 1e-9, events=FALL)

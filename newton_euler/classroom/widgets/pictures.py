@@ -39,9 +39,7 @@ def alt_text(alt: Any) -> str:
 
 
 def bundle(image, alt, size, png=None):
-    """(data, metadata) for IPython's display: the picture, a PNG or SVG, as HTML and in words, and
-    the PNG where there is one.
-    """
+    """(data, metadata) for display: the picture, PNG or SVG, as HTML, in words, and a PNG."""
     width, height = (round(side) for side in size)
     kind = "svg+xml" if image[:4] == b"<svg" or image[:5] == b"<?xml" else "png"
     tag = (

@@ -11,9 +11,7 @@ from .pictures import CSS_PIXELS, SHARP
 
 
 class Stage:
-    """A figure of this size in inches with ``panels`` (rows, columns), on which ``draw(ax,
-    **values)`` draws.
-    """
+    """A figure in inches with ``panels`` (rows, columns), on which ``draw(ax, **values)`` draws."""
 
     def __init__(self, draw: Any, size: Any, panels: Any):
         from matplotlib.figure import Figure

@@ -90,9 +90,7 @@ def _span(a, turn_a, b, turn_b):
 
 
 def _tangent_point(pulley, P, turn):
-    """The point of the pulley at which a cable from P arrives and goes on in the sense ``turn``;
-    for a cable that leaves towards P, give the opposite sense.
-    """
+    """Where a cable from P arrives in the sense ``turn``; in the opposite sense it leaves to P."""
     C, n, r = pulley.centre, pulley.normal, pulley.radius
     v = sub3(P, C)
     v = moved(v, -dot3(v, n), n)

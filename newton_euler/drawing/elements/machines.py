@@ -23,9 +23,7 @@ class Machines(Recorder):
     def gear(
         self, C: Place, normal: Direction, radius: float, cone_apex: Place | None = None
     ) -> None:
-        """Draw a gear wheel about C with the pitch ``radius``; with ``cone_apex`` also the lines of
-        its pitch cone.
-        """
+        """Draw a gear wheel of this pitch radius about C; with ``cone_apex`` its pitch cone."""
         C, normal, r = self._place(C), self._unit(normal), self._length(radius)
         apex = None if cone_apex is None else self._place(cone_apex)
         e1, e2 = perpendiculars(normal)

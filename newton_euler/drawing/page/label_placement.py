@@ -9,9 +9,7 @@ from .primitives import FONT, STYLES
 
 
 def place_labels(ax, canvas, renderer, before):
-    """The labels as texts on ``ax``. ``before``: their places in the previous picture of an
-    animation, which is updated.
-    """
+    """The labels as texts on ``ax``; ``before``, their last places in an animation, is updated."""
     _share_parser(renderer)
     left_bottom, right_top = (
         ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
@@ -77,9 +75,7 @@ def placing_order(notes):
 
 
 def _overlaps(lows, highs, low, high):
-    """How many of the boxes (lows, highs) overlap each box (low, high); each is given by two
-    corners, and a point is a box without size.
-    """
+    """How many boxes (lows, highs), or points, overlap each box (low, high), two corners each."""
     near = ((highs > low.min(axis=0)) & (lows < high.max(axis=0))).all(axis=1)  # most are not
     meets = (lows[near] < high[:, None]) & (highs[near] > low[:, None])
     return meets.all(axis=2).sum(axis=1)

@@ -93,9 +93,7 @@ def _by_planes(view, strokes, numbers, eps):
 
 
 def _topological(items, before):
-    """The items in topological order: each after those in ``before``, otherwise in the given order;
-    a cycle starts with its first.
-    """
+    """The items, each after those in ``before``, else as given; a cycle starts with its first."""
     waiting, out = list(range(len(items))), []
     while waiting:
         n = next((n for n in waiting if not before[n].intersection(waiting)), waiting[0])

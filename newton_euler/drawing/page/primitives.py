@@ -156,9 +156,7 @@ def _holes_in(view, stroke):
 
 
 class Canvas(View):
-    """A view with the strokes and the labels of one picture; ``pt`` is the length of a point of the
-    page in metres.
-    """
+    """A view with strokes and labels of one picture; ``pt``: the length of a point in metres."""
 
     def __init__(self, view, pt, extent, centre):
         super().__init__(view.right, view.up)
@@ -251,9 +249,7 @@ class Canvas(View):
             self.hatch(moved(P, half * k / 5, along), along)
 
     def hatch(self, P, along):
-        """Add a short hatching line at P of ground that runs along a unit vector in the page, on
-        its right.
-        """
+        """Add a short hatching line at P, on the right of a unit vector in the page."""
         n = cross3(self.eye, along)
         self.line((P, moved(P, -5 * self.pt, moved(n, 0.8, along))), "thin")
 

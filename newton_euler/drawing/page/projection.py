@@ -31,9 +31,7 @@ class View:
         return math.hypot(*self.project(v)) > 0.1 * norm3(v)
 
     def slant(self, v):
-        """A measure of how well a direction suits hatching: large if steep, and larger if it leans
-        to the right.
-        """
+        """How well a direction suits hatching: best if steep and leaning to the right."""
         x, y = self.project(v)
         angle = math.atan2(y, x)
         return abs(math.sin(angle)) + 0.2 * math.sin(2 * angle)
@@ -45,18 +43,14 @@ class View:
         return self.offset((0, 0, 0), -y / size, x / size) if size else self.up
 
     def tilted(self, axis):
-        """The axis; or, if a circle about it is seen nearly edge-on, a direction near it about
-        which a circle is seen as an ellipse.
-        """
+        """The axis; or a direction near it, if a circle about it is seen nearly edge-on."""
         d = self.depth(axis)
         if abs(d) >= 0.3:  # the circle's axes are as 3 to 10
             return axis
         return unit3(moved(axis, math.copysign(0.3, d if abs(d) > 1e-9 else 1), self.eye))
 
     def perpendiculars(self, axis):
-        """Two unit vectors that form a right-handed triple with ``axis``, the first towards the
-        eye.
-        """
+        """Two unit vectors, right-handed with ``axis``, the first towards the eye."""
         e1 = perpendicular_towards(axis, self.eye)
         return e1, cross3(axis, e1)
 
@@ -188,9 +182,7 @@ def _turns_left(a, b, c):
 
 
 def silhouette(view, apex, rim):
-    """The two places of the rim at which lines from the apex look tangent; none if the apex is
-    seen inside the rim.
-    """
+    """The places of the rim where lines from the apex look tangent; none if it is seen inside."""
     outline = convex_hull(view, [apex, *rim])
     if apex not in outline:
         return ()

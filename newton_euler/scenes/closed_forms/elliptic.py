@@ -53,9 +53,7 @@ def jacobi(u, m1):
 
 
 def _landen(u, k1, count):
-    """The functions by so many levels of arithmetic and geometric means, or by as many as the value
-    needs.
-    """
+    """The functions by ``count`` levels of means, or by as many as the value needs."""
     a, b, levels = 1, k1, []
     while True:
         levels.append((a, b))

@@ -171,9 +171,7 @@ def _in_space(s, p, t):
 
 
 def _along_path(s, p, lift):
-    """(v', gamma') by the forces along the path and the component of the lift in the vertical
-    plane.
-    """
+    """(v', gamma') by the forces along the path and the upright component of the lift."""
     return (p.thrust - p.drag) / p.m - p.g * sin(s.gamma), (lift / p.m - p.g * cos(s.gamma)) / s.v
 
 

@@ -37,9 +37,7 @@ def full(
     length: Scalar, g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE,
     radius: Scalar = EARTH_RADIUS,
 ) -> Model:  # fmt: skip
-    """The Model for swings of any size with all terms of (6.10): centrifugal acceleration and
-    gravity are those at the position of the bob. States x, y, dx, dy.
-    """
+    """The Model for any swing with all terms of (6.10), at the bob: states x, y, dx, dy."""
     return Model("Foucault's pendulum", locals(), STATES, _full)
 
 
@@ -81,9 +79,7 @@ def below(s, length):
 
 
 def held(r, v, G, length):
-    """The acceleration in plan of a body held at the distance ``length`` from the origin; without
-    the cord it would be G.
-    """
+    """The acceleration in plan of a bob on a cord of this length; without the cord it is G."""
     return add3(G, scale3(-(dot3(v, v) + dot3(G, r)) / length**2, r))[:2]
 
 

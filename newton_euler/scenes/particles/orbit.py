@@ -94,9 +94,7 @@ _INVARIANTS = {
 
 
 def _exact(s, p, t):
-    """The state at t by the eccentric anomaly E; traced, where no error can be raised, nan if the
-    orbit is no ellipse.
-    """
+    """The state at t by the eccentric anomaly; nan, when traced, if the orbit is no ellipse."""
     x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
     _check(x, y, v_x, v_y, mu, t)
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
@@ -145,9 +143,7 @@ def _check(x, y, v_x, v_y, mu, t):
 
 
 def _beta(x, y, v_x, v_y, mu, r):
-    """mu/a = 2 mu/r - v^2; where the two nearly cancel, with twice the digits, and what was rounded
-    in the root r and in 2 mu/r.
-    """
+    """mu/a = 2 mu/r - v^2; with twice the digits, and r's own rounding, where they cancel."""
     pull, square = 2 * mu / r, v_x * v_x + v_y * v_y
     short = doubled(lambda x, y, r: x * x + y * y - r * r, x, y, r) / (2 * r)
     rest = (doubled(lambda mu, pull, r: mu + mu - pull * r, mu, pull, r) - pull * short) / r
@@ -156,9 +152,7 @@ def _beta(x, y, v_x, v_y, mu, r):
 
 
 def _anomaly_near(M, e, rest):
-    """The eccentric anomaly to about a thousandth from M between -pi and pi, e, and 1 - e (F. L.
-    Markley, Celest. Mech. 63, 101, 1995).
-    """
+    """E to about a thousandth from M in [-pi, pi] (F. L. Markley, Celest. Mech. 63, 101, 1995)."""
     square = math.pi**2
     a = (3 * square + 1.6 * math.pi * (math.pi - abs(M)) / (1 + e)) / (square - 6)
     d = 3 * rest + a * e

@@ -64,9 +64,7 @@ def coriolis(
     g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
     drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model with the rotation to first order (6.24). The states vx, vy, vz are the velocity
-    without the rotation.
-    """
+    """The Model with the rotation to first order (6.24): vx, vy, vz are without the rotation."""
     given, neglects = locals(), (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR)
     return _model("Coriolis to first order", given, _turned, neglects, _turned_exact)
 
@@ -75,9 +73,7 @@ def plumb(
     g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
     drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model with the effective gravity of the origin, constant, and the Coriolis acceleration
-    (6.16); it has an exact solution.
-    """
+    """The Model with constant effective gravity and the Coriolis acceleration (6.16), exact."""
     given, neglects = locals(), (CENTRIFUGAL_CHANGE, CURVATURE, AIR)
     return _model("Coriolis and effective gravity", given, _uniform, neglects, _uniform_exact)
 
@@ -121,9 +117,7 @@ def ladder(
     radius: Scalar = EARTH_RADIUS, drag: Scalar = 1e-8,
     start: tuple[Scalar, ...] = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one projectile, in the order of their cost, six, or four if ``drag`` is 0: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the position until ``t``.
-    """
+    """The :class:`~newton_euler.scenes.ladders.Ladder`: six models, or four if ``drag`` is 0."""
     makers = flat, coriolis, plumb, *([flat_in_air] if drag else []), full
     makers += (full_in_air,) if drag else ()
     models = (make(g, latitude, rate, radius, drag) for make in makers)
@@ -170,9 +164,7 @@ def _flat_in_air(s, p, t):
 
 
 def _turned(s, p, t):
-    """The Coriolis acceleration of the flat shot, integrated once: by its displacement v t - g
-    t^2/2.
-    """
+    """The flat shot with the Coriolis acceleration integrated once, 2 omega x (v t - g t^2/2)."""
     way = sub3(scale3(t, _v(s)), scale3(t * t / 2, _down(p)))
     return *sub3(_v(s), scale3(2, cross3(_omega(p), way))), *_down(p)
 
@@ -265,9 +257,7 @@ def _reach(s, p, t):
 
 
 def _added(acceleration):
-    """The bound of the error by an acceleration of at most ``acceleration(p, d)`` at the distance
-    d from the origin.
-    """
+    """The bound of the error by at most ``acceleration(p, d)`` at the distance d."""
 
     def bound(s, p, t):
         start, added = _reach(s, p, t)

@@ -149,17 +149,13 @@ def _exact(s, p, t):
 
 
 def _bounds(s, p, t):
-    """At the start the speed and the centrifugal acceleration, and the factors that bound their
-    growth until t.
-    """
+    """Speed and centrifugal acceleration at the start, and what bounds their growth until t."""
     v, a = sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * p.omega * sqrt(s.x * s.x + s.y * s.y)
     return v, a, growth(p.omega, t)
 
 
 def _by_coriolis(s, p, t):
-    """The integral of the displacement, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x =
-    omega t.
-    """
+    """By the integral of the displacement: sinh(x) - x <= x (cosh(x) - 1)/3, x = omega t."""
     v, a, (_, _, of_acceleration) = _bounds(s, p, t)
     return 2 * sqrt(p.omega * p.omega) * of_acceleration * (v + a * t / 3)
 

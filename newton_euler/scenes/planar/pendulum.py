@@ -138,9 +138,7 @@ def _small_exact(s, p, t):
 
 
 def _by_sine(s, p, t):
-    """A swing of the amplitude A has |theta - sin(theta)| <= A^3/6 all the time, which pushes an
-    oscillator by at most n t A^3/6.
-    """
+    """At the amplitude A, |theta - sin(theta)| <= A^3/6 moves an oscillator by n t A^3/6."""
     n = sqrt(_square(p, p.I))
     high = sin(s.theta / 2) ** 2 + (s.omega / (2 * n)) ** 2  # sin^2(A/2)
     swings = where(high < 1, abs(s.theta) < 3.14, False)

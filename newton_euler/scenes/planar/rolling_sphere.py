@@ -89,9 +89,7 @@ def ladder(
 
 
 def inertia_ratio(like: Scalar, k: Scalar | None) -> Scalar:
-    """``k``, or if it is None that of a solid sphere, 2/5, exactly in the kind of number of
-    ``like``.
-    """
+    """``k``, or if it is None that of a solid sphere, 2/5 in the kind of number of ``like``."""
     return integer_like(2, like) / 5 if k is None else k
 
 

@@ -104,9 +104,7 @@ def _check(moments, w, t):
 
 
 def _gap(k, I, w):
-    """A number that is > 0 if the motion circles the first axis, < 0 if the third: from H^2 - 2 T
-    I_b, b the axis between.
-    """
+    """H^2 - 2 T I_b, b the axis between: > 0 if it circles the first axis, < 0 if the third."""
 
     def difference(Ia, Ib, Ic, wa, wc):
         return Ia * (Ia - Ib) * (wa * wa) - Ic * (Ib - Ic) * (wc * wc)

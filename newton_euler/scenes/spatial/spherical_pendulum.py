@@ -74,18 +74,14 @@ def small_swings(length: Scalar, g: Scalar) -> Model:
 
 
 def small_swings_with_friction(length: Scalar, g: Scalar, friction: Scalar) -> Model:
-    """The Model of small swings with friction, on an ellipse that shrinks; friction is below 2
-    sqrt(3 g/(2 length)), the critical damping.
-    """
+    """The Model of small swings with friction below the critical, 2 sqrt(3 g/(2 length))."""
     return Model(
         "bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,)
     )
 
 
 def any_swing(length: Scalar, g: Scalar) -> Model:
-    """The Model of any swing below the level of the joint, without friction: that of a bob on a
-    cord with the gravity 3 g/2.
-    """
+    """The Model of any swing below the joint without friction: a bob on a cord, in 3 g/2."""
     return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
 
 

@@ -33,9 +33,7 @@ TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
 def tilted(theta):
-    """The start of :func:`nonspinning_frame` without precession and nutation, at the angle
-    ``theta`` (rad) from the vertical.
-    """
+    """The start of :func:`nonspinning_frame` at rest at the angle ``theta`` (rad)."""
     return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
 
