@@ -88,10 +88,8 @@ def check(I: Any, tolerance: float, slack: float) -> None:
 
 
 def _check_integrals(I, tolerance, slack):
-    """The integrals J_xx of x^2 … must be at least zero, and bound the products.
-
-    I = tr(J) - J; J is that of some masses if its principal minors are at least zero. Each minor
-    is compared with its rounding: ``small`` for each factor, the others at most ``largest``.
+    """The principal minors of J, I = tr(J) - J, must be at least zero, but for rounding: ``small``
+    for each factor, the others at most ``largest``.
     """
     largest = max(map(max_abs, I.moments + I.products))
     small, largest = tolerance * largest + slack, max(slack, largest)

@@ -273,8 +273,8 @@ def hemisphere(
 ) -> Body:
     """A solid half sphere: 2 m r^2/5, 83 m r^2/320 twice.
 
-    middle : the centre of its flat face; ``axis`` points from there into the solid, and G lies
-        3 r/8 from there
+    middle : the centre of its flat face; ``axis`` points from there into the solid, and G lies 3
+        r/8 from there
     """
     name, m = _mass("hemisphere", matter, 2 * pi(radius) * radius**3 / 3, radius=radius)
     moments = 2 * m * radius**2 / 5, 83 * m * radius**2 / 320
@@ -434,10 +434,8 @@ def _placed(name, point, axis, m, moments, along=ZERO):
 
 
 def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
-    """A flat body symmetric about ``toward``.
-
-    polar : its moment about ``axis`` through ``middle``
-    flatness : (second moment along ``toward`` - that across it)/polar
+    """A flat body symmetric about ``toward``; ``polar``: its moment about ``axis`` through
+    ``middle``; ``flatness``: (second moment along ``toward`` - that across it)/polar.
     """
     n, _ = axis_index(axis)
     t, sign = axis_index(toward or AXES[(n + 1) % 3])

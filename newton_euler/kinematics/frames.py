@@ -2,9 +2,7 @@
 
 A frame is placed in its parent by a turn about one axis and by its origin. From these steps follow
 orientation, angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and
-acceleration (4.18), (4.29) of any point seen from any frame. Rates are computed along the chain of
-frames, each in the axes of its own frame, and no expression is differentiated, so that results are
-fast and formulas short.
+acceleration (4.18), (4.29) of any point seen from any frame, without differentiating expressions.
 """
 
 import os

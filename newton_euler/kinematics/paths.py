@@ -202,8 +202,7 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
     jerk : da/dt; only needed for the torsion
 
     Raises :class:`SingularError` at rest, and where v x a is below round-off (a straight path, an
-    inflection), so that e_n does not exist. Terms of ``v`` and ``a`` that cancel add to the
-    round-off.
+    inflection), to which terms of ``v`` and ``a`` that cancel add.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

@@ -1,8 +1,6 @@
 """Frames given by their axes, such as the unit vectors of a path or of a coordinate system.
 
-A :class:`Triad` is a :class:`~newton_euler.kinematics.frames.Frame` made from its three axes
-instead of a turn about one; vectors can be expressed in it as in any other frame. The functions
-below measure whether a direction is determined, or only round-off.
+The functions below measure whether a direction is determined, or only round-off.
 """
 
 from collections.abc import Callable, Sequence

@@ -1,11 +1,9 @@
-"""Ladders of models: the models of one scene from the coarsest to the fullest, and the choice of
-the cheapest one that is accurate enough.
+"""Ladders: the models of one scene from the coarsest to the fullest, and the cheapest that is
+accurate enough.
 
-The rungs of a ladder may have different states, but from the states of each the same quantity is
-*observed*, as the position of a shot or the angle of a top. The error of a rung is the largest
-distance, over the whole time, between its prediction and that of the fullest rung. Each model names
-what it leaves out, with a bound of the error where one is known. The error of a rung without a
-bound, or whose bound is too large, is measured.
+Rungs may have different states, but the same quantity is *observed*, as the position of a shot. The
+error of a rung is its largest distance, over the whole time, from the fullest. Each model names
+what it leaves out, with a bound of the error where one is known; else the error is measured.
 
 >>> from newton_euler.scenes import ladder
 >>> choice = smallest(ladder("projectile"), 1.0)  # metre
@@ -165,12 +163,9 @@ class Ladder:
 
     @checked
     def error(self, rung: Rung, accuracy: float = 0.0) -> float:
-        """The error of a rung against the fullest one: the largest distance of what is observed,
-        over the whole time, in the ladder's unit.
-
-        accuracy : of this error; the default is the best that can be reached
-        The error of a rung that cannot be integrated to the end, as angles through a singular
-        position, is infinite.
+        """The largest of :meth:`distances`, in the ladder's unit; infinite for a rung that cannot
+        be integrated to the end. ``accuracy`` : of this error; by default the best that can be
+        reached.
         """
         return float(self.distances(rung, accuracy).max())
 
@@ -247,13 +242,12 @@ class Choice:
 
 @checked
 def smallest(ladder: Ladder, tolerance: float) -> Choice:
-    """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit),
-    with the evidence: a :class:`Choice`.
+    """The cheapest rung whose error stays within ``tolerance``, in the ladder's unit: a
+    :class:`Choice`.
 
-    The rungs are tried from the cheapest on. A rung is accepted if the bound of what it neglects,
-    which costs nothing to compute, is small enough, or if its motion is near enough to that of the
-    fullest rung. The bound of the fullest rung itself, if it has one, is added to every error;
-    :class:`ModelError` if that is too large.
+    From the cheapest on, a rung is accepted if the bound of what it neglects is small enough, or
+    its motion near enough to that of the fullest. The bound of the fullest itself, if it has one,
+    is added; :class:`ModelError` if that is too large.
 
     >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))

@@ -75,10 +75,8 @@ def _shares(chart, found):
 
 
 def map_caption(chart, found, smoothed=0):
-    """What the map shows: the share of each choice, what is met along its lower and upper edges,
-    and what its islands are.
-
-    smoothed : cells that changed when they were measured again
+    """What the map shows: the share of each choice, what lies along its lower and upper edges, its
+    islands, and how many cells were ``smoothed``.
     """
     shares = "; ".join(f"{choice}: {_percent(share)}" for choice, share in _shares(chart, found))
     edges = {"lowest": found[0], "highest": found[-1]}

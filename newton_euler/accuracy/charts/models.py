@@ -33,11 +33,8 @@ class MeasuredModel(Measured):
 
 
 def measured_models(ladder, progress=lambda fraction, words: None):
-    """A :class:`MeasuredModel` for each rung of a :class:`~newton_euler.scenes.ladders.Ladder`: the
-    time of its motion, and its error.
-
-    The time is that of a prepared run (:func:`newton_euler.prepare`) to 1e-9; the error is in the
-    ladder's unit, that of the fullest rung 0.
+    """A :class:`MeasuredModel` for each rung of a ladder: the time of a prepared run to 1e-9, and
+    the error in the ladder's unit, that of the fullest rung 0.
     """
     points = []
     for n, rung in enumerate(ladder.rungs):
@@ -91,11 +88,9 @@ def _beats(q, p):
 
 
 def draw_models(points, ladder, figure, tolerance=None):
-    """The :func:`choice` within the tolerance, after drawing the errors of the rungs, in the
-    ladder's unit, against the times of their motions.
-
-    A bar goes from the median over the time to the largest error; a grey dash is the bound that the
-    model itself gives. The fullest rung, which the others are measured against, stands at an arrow.
+    """The :func:`choice` within the tolerance, after drawing the errors of the rungs against their
+    times. A bar goes from the median over the time to the largest error; a grey dash is the bound
+    that the model itself gives. The fullest rung stands at an arrow.
     """
     tolerance = tolerance or usual_tolerance(points)
     figure.set(layout_engine="constrained", size_inches=(11.0, 5.2))

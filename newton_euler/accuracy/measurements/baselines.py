@@ -1,8 +1,5 @@
-"""Textbook methods for the comparisons of :mod:`.comparisons`, the engine's methods for the same
-numbers, and their errors against 40 digits.
-
-Nothing else in the engine uses this module, since most of its methods are numerically poor on
-purpose.
+"""Textbook methods, numerically poor on purpose, the engine's methods for the same numbers, and
+their errors against 40 digits: what :mod:`.comparisons` compares.
 """
 
 import math

@@ -1,8 +1,6 @@
-"""Maps of parameter space, coloured by the method to use or the model that is accurate enough, with
-the theoretical borders drawn over them.
-
-Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, and
-:mod:`newton_euler.accuracy.charts.maps` draws them.
+"""Maps of parameter space: the method to use, or the model that is accurate enough, and theoretical
+borders. ``MAPS[name].measure()`` returns the choices, :mod:`newton_euler.accuracy.charts.maps`
+draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()
@@ -85,10 +83,7 @@ class Map:
     fails: bool = False
 
     def measure(self, resolution=None, progress=lambda fraction: None):
-        """The choices, an array of strings: a row for each y from the lowest, a column for each x.
-
-        resolution : cells along x and y
-        """
+        """The choices as an array: a row for each y from the lowest, a column for each x."""
         across, up = resolution or self.resolution
         columns = []
         for n, x in enumerate(self.x.centres(across).tolist()):

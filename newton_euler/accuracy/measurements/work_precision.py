@@ -78,11 +78,9 @@ def work_precision(
     longest: float = LONGEST,
     progress: Callable[[float, str], object] = lambda fraction, words: None,
 ) -> WorkPrecision:
-    """The :class:`WorkPrecision` of a scene: every method that it can use, measured at every
-    tolerance.
-
-    The cost is the time of one call of ``integrate`` after its model is prepared and its code
-    compiled. The error is that of the worst state at the end, relative to the largest size of this
+    """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
+    is the time of ``integrate`` after its model is prepared and its code compiled. The error is
+    that of the worst state at the end, relative to the largest size of this
     state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
 
     longest : a method whose run takes more seconds is not asked for more digits

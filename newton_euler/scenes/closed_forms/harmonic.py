@@ -1,6 +1,4 @@
-"""Motion under an acceleration that is constant, or proportional to the distance from a point,
-towards it or away; and Stumpff's series.
-"""
+"""Motion under a constant acceleration, or one proportional to a distance; Stumpff's series."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,9 +1,8 @@
 """The exact solution of the nutation of a symmetric top (10.24), by elliptic functions.
 
-With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1 and v2, between
-which v moves, and -zeta/mgr. The square roots of v - v1, v2 - v and zeta + mgr v change at rates
-that are products of the two others. A top that is pulled up is one that is pulled down, seen from
-below.
+With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1, v2 and
+-zeta/mgr. The roots of v - v1, v2 - v and zeta + mgr v change at rates that are products of the two
+others. A top that is pulled up is one that is pulled down, seen from below.
 """
 
 from ...algebra.scalars import cos, integer_like, sin, sqrt, where

@@ -50,11 +50,10 @@ def ladder(
     radius: Scalar = EARTH_RADIUS, start: tuple[Scalar, ...] = (1.5, 0.0, 0.0, 0.0),
     t: Scalar = 100.0,
 ) -> Ladder:  # fmt: skip
-    """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in plan, m.
+    """The four models, for the position in plan (m) from the ``start`` x, y, dx, dy; by default
+    those of the Panthéon.
 
-    start : x, y, dx, dy; the default length and latitude are those of the Panthéon.
-
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> for metres in (0.01, 0.005, 1e-4):
     ...     print(smallest(ladder(), metres).model.name)
     Foucault's pendulum, small swings, Earth at rest

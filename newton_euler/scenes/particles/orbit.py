@@ -1,15 +1,11 @@
 """Kepler's problem: a body under the attraction of a fixed centre, in the plane of its orbit; exact
 for ellipses.
 
-The exact solution takes the eccentric anomaly from Kepler's equation, and the state from its
-distance to that of the closest approach: written with 1 - e and 1 - cos(E), no digits cancel,
-however close the ellipse is to a parabola. Parabolas and hyperbolas have no closed form here; they
-are integrated.
+The exact solution is by the eccentric anomaly, written with 1 - e and 1 - cos(E): no digits cancel,
+however close the ellipse is to a parabola. Parabolas and hyperbolas are integrated.
 
-:func:`ladder` has three models of a satellite over the equator: the circle, Kepler's ellipse, and
-the ellipse that the Earth's bulge turns (5.5). In the plane of the equator the attraction of an
-oblate Earth is mu/r^2 + 3 mu J2 R^2/(2 r^4), still towards the centre, so that the angular momentum
-is constant. ``oblateness`` is J2 R^2, in m^2.
+Satellites over the equator: in the plane of the equator the attraction of an oblate Earth is mu/r^2
++ 3 mu J2 R^2/(2 r^4) towards the centre (5.5). ``oblateness`` is J2 R^2, in m^2.
 """
 
 import math
@@ -219,11 +215,10 @@ def ladder(
     mu: Scalar = EARTH_GM, oblateness: Scalar = EARTH_OBLATENESS,
     start: tuple[Scalar, ...] = (7e6, 0.0, 0.0, 7.6e3), t: Scalar = 30_000.0,
 ) -> Ladder:  # fmt: skip
-    """The three models, circle, ellipse and oblate Earth: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start``
-    x, y, v_x, v_y.
+    """The models circle, ellipse and oblate Earth, for the position from the ``start`` x, y, v_x,
+    v_y.
 
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]
     ['satellite, circle', 'satellite, ellipse', 'satellite, over an oblate Earth']
     """

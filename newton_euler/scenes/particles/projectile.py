@@ -7,7 +7,7 @@ projectile is above the ground. Air of uniform density decelerates it by ``drag`
 of its speed; drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the
 ground, 1e-8 at a height of 70 km.
 
->>> from newton_euler.scenes.ladders import smallest
+>>> from newton_euler import smallest
 >>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
 ...     print(smallest(ladder(), metres).model.name)
 projectile, flat
@@ -46,8 +46,7 @@ def flat(
     g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
     drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model of free fall with constant g on an Earth at rest. The other parameters only serve
-    the bounds of what it neglects.
+    """The Model of free fall; the parameters other than g serve the bounds of what it neglects.
 
     >>> flat(9.8).derivative((0.0, 0.0, 0.0, 1.0, 2.0, 3.0))
     (1.0, 2.0, 3.0, 0, 0, -9.8)

@@ -5,9 +5,6 @@ The station axes rotate with it: the axis of rotation is z, along which ``omega`
 book's station has omega < 0. A body let go moves on a straight line at constant speed in the
 inertial frame; seen from the station its path is a spiral, or a circle, but in general not the
 limacon that the book names.
-
-:func:`ladder` has three models of a body let go or thrown near the rim: in uniform gravity, in
-the rotating station, and with the air.
 """
 
 from dataclasses import replace
@@ -68,8 +65,7 @@ def ladder(
     omega: Scalar = -0.3, radius: Scalar = 100.0, air: Scalar = 0.002,
     start: tuple[Scalar, ...] = (98.5, 0.0, -2.0, 1.0), t: Scalar = 1.0,
 ) -> Ladder:  # fmt: skip
-    """The models of a throw near (radius, 0) at the rim, the coarsest first: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the position in m until t.
+    """The models of a throw near (radius, 0) at the rim: uniform gravity, the turning station, air.
 
     omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before
         the body reaches it.

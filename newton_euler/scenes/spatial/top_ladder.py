@@ -98,13 +98,12 @@ def ladder(
     theta: Scalar = 0.6, theta_rate: Scalar = 0.0, precession: Scalar = 0.34,
     asymmetry: Scalar = 1e-3, t: Scalar = 1.0,
 ) -> Ladder:  # fmt: skip
-    """The five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the
-    axis, a unit vector, so its errors are angles.
+    """The five models, for the direction of the axis, a unit vector, so that errors are angles.
 
     theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero
     A top that is too slow has no steady precession, and its ladder no such rung.
 
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> for angle in (0.01, 5e-4, 5e-5, 1e-7):
     ...     print(smallest(ladder(), angle).model.name)
     top, slow precession
