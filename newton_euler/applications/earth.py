@@ -220,8 +220,8 @@ def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
 
 @checked
 def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
-    """The resultant force, weight included, on a body that moves as seen from the ground (6.15): m
-    a + 2 m omega x v.
+    """The resultant force, weight included, on a body that moves as seen from the ground (6.15):
+    m a + 2 m omega x v.
 
     v, a : velocity and acceleration seen from the ground; terms ``relative``, ``coriolis``. Terms
         in omega^2 are left out: they belong to the effective gravity.

@@ -4,8 +4,8 @@ The sign convention of the products is that of :class:`newton_euler.bodies.inert
 any consistent ones; in SI kg, m, kg m^2.
 
     L = m v_G, F = dL/dt        body.momentum(ground), .rate(ground)             (5.2), (5.8), (7.5)
-    H_G = I omega               body.angular_momentum(ground)                    (7.12) H_B = d x m
-    dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
+    H_G = I omega               body.angular_momentum(ground)                    (7.12)
+    H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
 """
 
 from collections.abc import Iterable, Sequence

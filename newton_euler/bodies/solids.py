@@ -273,8 +273,8 @@ def hemisphere(
 ) -> Body:
     """A solid half sphere: 2 m r^2/5, 83 m r^2/320 twice.
 
-    middle : the centre of its flat face; ``axis`` points from there into the solid, and G lies 3
-        r/8 from there
+    middle : the centre of its flat face; ``axis`` points from there into the solid, and G lies
+        3 r/8 from there
     """
     name, m = _mass("hemisphere", matter, 2 * pi(radius) * radius**3 / 3, radius=radius)
     moments = 2 * m * radius**2 / 5, 83 * m * radius**2 / 320

@@ -64,8 +64,8 @@ class Freedom:
 def degrees_of_freedom(
     bodies: dict, constraints: dict | None = None, at: dict | None = None, tolerance: float = 1e-9
 ) -> Freedom:
-    """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
-    of coordinates less the rank of the Jacobian.
+    """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the
+    number of coordinates less the rank of the Jacobian.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
     constraints : name -> function that vanishes (5.28), of the bodies it names as its parameters,

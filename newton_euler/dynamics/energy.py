@@ -119,8 +119,8 @@ def plane_kinetic_energy(
 def gyroscope_energy(
     I0: Scalar, I: Scalar, theta: Scalar, nutation_rate: Scalar, precession: Scalar, spin: Scalar
 ) -> Amount:
-    """The kinetic energy of a symmetric body about its fixed point (11.53), (11.16): [I0 (theta'^2
-    + psi'^2 sin^2 theta) + I (phi' + psi' cos theta)^2]/2.
+    """The kinetic energy of a symmetric body about its fixed point (11.53), (11.16):
+    [I0 (theta'^2 + psi'^2 sin^2 theta) + I (phi' + psi' cos theta)^2]/2.
 
     Moments of inertia, angles and rates as in :mod:`newton_euler.applications.gyroscopes`; terms
     ``transverse`` and ``axial``

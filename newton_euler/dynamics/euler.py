@@ -52,8 +52,8 @@ def euler_moment(
 
 @checked
 def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
-    """The moment by Euler's equations (8.13), (8.14): M_x = I_xx alpha_x - (I_yy - I_zz) omega_y
-    omega_z and cyclic, in principal axes fixed in the body.
+    """The moment by Euler's equations (8.13), (8.14): M_x = I_xx alpha_x -
+    (I_yy - I_zz) omega_y omega_z and cyclic, in principal axes fixed in the body.
 
     Raises :class:`MassError` if the axes of the matrix are not principal: then the equations do not
     apply.

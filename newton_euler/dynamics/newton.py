@@ -83,8 +83,8 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
 
 @checked
 def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) -> tuple:
-    """The force components (F_t, F_n) along the path (6.5), in the plane or in space: m v' and m
-    v^2/rho, F_n positive toward the centre of curvature.
+    """The force components (F_t, F_n) along the path (6.5), in the plane or in space: m v' and
+    m v^2/rho, F_n positive toward the centre of curvature.
 
     flexure : 1/rho, zero on a straight path; where the turning rate theta' is known, it is theta'/v
 

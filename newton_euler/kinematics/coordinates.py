@@ -6,8 +6,8 @@ point in it:
 polar, cylindrical   (e_r, e_theta, k): turned about z by the azimuth theta, from x towards y; the
                      point is at (r, 0, z)
 spherical            (e_R, e_theta, e_phi): turned about z by theta, then up by the **elevation**
-                     phi above the x, y plane (not the polar angle from z); the point is at (R, 0,
-                     0)
+                     phi above the x, y plane (not the polar angle from z); the point is at
+                     (R, 0, 0)
 
 So the one formula for relative motion (4.18) gives all accelerations, with the terms of the book.
 Rectangular components (3.1)-(3.3): ``ground.point("P", x, y, z).acceleration(ground)``.
@@ -133,8 +133,8 @@ def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint
     """The point of the x, y plane with the polar coordinates ``r`` and ``theta`` (2.17), (2.18).
 
     r, theta : distance from the origin, angle in rad from x towards y; numbers or moving
-    Velocity and acceleration in ``ground`` are along e_r, e_theta; terms ``radial, transverse`` and
-    ``radial, centripetal, euler, coriolis``.
+    Velocity and acceleration in ``ground`` are along e_r, e_theta; terms ``radial, transverse``
+    and ``radial, centripetal, euler, coriolis``.
 
     >>> ground = Frame("ground")
     >>> B = polar(ground, "B", moving(20.0, rate=0.5), moving(0.5, rate=-0.075))
@@ -257,9 +257,9 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
 
     r, v, a : Vectors; components are taken along the frame of ``r``, in which v and a are seen
     Without ``v`` the results are plain numbers; with it moving ones, whose ``.rate`` and
-    ``.acceleration`` are r', r'', … (without ``a`` the second rates are None). theta is in (-pi,
-    pi]. Raises :class:`SingularError` at the origin, where theta and its rates do not exist, and
-    for vectors out of the plane.
+    ``.acceleration`` are r', r'', … (without ``a`` the second rates are None). theta is in
+    (-pi, pi]. Raises :class:`SingularError` at the origin, where theta and its rates do not exist,
+    and for vectors out of the plane.
 
     >>> G = Frame("ground")
     >>> polar_coordinates(G.vector(2.0, 0, 0), v=G.vector(0, 6.0, 0), a=G.vector(0, 0, 0))

@@ -14,10 +14,8 @@ SHARP = 2  # pixels of the picture for one CSS pixel, so that it is sharp on hig
 
 @checked
 def show_figure(figure: Any, alt: str) -> None:
-    """Show a matplotlib ``figure`` once, with ``alt``, which says what can be seen in it for those
-    who do not see it, in 8 words or more. The figure is closed.
-
-    It is shown as an HTML image; where there is no HTML (print), as a PNG.
+    """Show a matplotlib ``figure`` once, as an HTML image or in print as a PNG, and close it;
+    ``alt`` says in 8 words or more what can be seen in it.
     """
     if not hasattr(figure, "savefig"):
         raise ArgumentError(f"show_figure shows a matplotlib figure; got {figure!r}")

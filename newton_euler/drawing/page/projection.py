@@ -7,9 +7,7 @@ from ...algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
 
 
 class View:
-    """An orthographic projection: the unit vectors to the right, up, and towards the eye, as
-    components along the axes of the ground.
-    """
+    """An orthographic projection: unit vectors right, up and to the eye, along ground axes."""
 
     def __init__(self, right, up):
         self.right, self.up, self.eye = right, up, cross3(right, up)
@@ -154,9 +152,8 @@ def normal_of(corners):
 def convex_hull(view, points):
     """The points on the convex hull as seen on the page, counter-clockwise.
 
-    By Andrew's monotone chain (1979): of the points sorted from left to right, those at turns to
-    the right are removed, which leaves the lower half; backwards, the upper half. On a fine grid of
-    whole numbers, so that points above each other are that exactly, in the order and at the turns.
+    By Andrew's monotone chain (1979), on a fine grid of whole numbers, so that points above each
+    other are that exactly, in the order and at the turns.
     """
     if not points:
         return []

@@ -25,8 +25,8 @@ Place: TypeAlias = Point | Direction
 
 @dataclass(frozen=True)
 class Window:
-    """What several pictures share: the length of a point in metres, the middle of the page (on the
-    page), the middle of the scene (in space), and the places of labels, which each picture updates.
+    """What pictures share: the length of a point in metres, the middle of the page and of the scene
+    (in space), and the places of labels, which each picture updates.
     """
 
     pt: float
@@ -251,8 +251,8 @@ def share_window(sketches: Sequence[Recorder]) -> Window:
 
 
 def join_window(old: Recorder, window: Window, sketches: Sequence[Recorder]) -> Window:
-    """Give these sketches of one picture the window and the scale of arrows of ``old``, a sketch
-    that has shared them. Returns the window, or a wider one where they would leave it.
+    """Give these sketches the window and the scale of arrows of ``old``, which has shared them.
+    Returns the window, or a wider one where they would leave it.
     """
     for sketch in sketches:
         for kind, size in sketch._longest.items():
