@@ -57,10 +57,9 @@ def test_the_default_solver_loses_most_of_the_energy_of_a_free_body_in_2000_s():
     assert drift(y, "momentum") > 0.15
 
 
-@pytest.mark.parametrize(
-    ("method", "rtol", "more", "less"),
-    [("RK45", 1e-6, 1e-6, 1e-3), ("DOP853", 1e-6, 1e-7, 1e-3), ("DOP853", 1e-10, 1e-12, 1e-7)],
-)
+@pytest.mark.parametrize(("method", "rtol", "more", "less"), [
+    ("RK45", 1e-6, 1e-6, 1e-3), ("DOP853", 1e-6, 1e-7, 1e-3), ("DOP853", 1e-10, 1e-12, 1e-7),
+])  # fmt: skip
 def test_a_tighter_tolerance_only_slows_the_drift(method, rtol, more, less):
     y = solved(BODY, 300.0, START, method=method, rtol=rtol, atol=rtol).y
     assert more < drift(y, "energy") < less
