@@ -1,6 +1,6 @@
 """A/5: the component of a vector along a directed line."""
 
-from exercises.tools import Sketch, Step, minus, plus, rate, root, scaled, size
+from exercises.tools import Sketch, minus, plus, rate, root, scaled, size
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -19,9 +19,7 @@ def solve(g):
 
 def steps(g):
     _, _, A, B = points(g)
-    yield Step("AB", B - A, "1", "vector from A to B", "A")
-    yield Step("l", (B - A).norm(), "1", "distance of A and B", "A", "A.12")
-    yield Step("e", (B - A).direction(), "1", "unit vector along the line", "A", "A.1")
+    return {"AB": B - A, "l": (B - A).norm(), "e": (B - A).direction()}
 
 
 def along(g, PG):

@@ -1,6 +1,6 @@
 """A/10: the product rules, by moving components that the engine multiplies and differentiates."""
 
-from exercises.tools import Step, mp, rate
+from exercises.tools import mp, rate
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")
@@ -37,12 +37,7 @@ def solve(g):
 def steps(g):
     A, B = vectors(g)
     dA, dB = rates(g)
-    yield Step(
-        "from_u", g.u_dot * A, "1/s", "the part of the second from the change of u", "A", "A.19"
-    )
-    yield Step("from_A", g.u * dA, "1/s", "its part from the change of A", "A", "A.19")
-    yield Step("dAxB", dA.cross(B), "1/s", "the part of the last from the change of A", "A", "A.21")
-    yield Step("AxdB", A.cross(dB), "1/s", "its part from the change of B", "A", "A.21")
+    return {"from_u": g.u_dot * A, "from_A": g.u * dA, "dAxB": dA.cross(B), "AxdB": A.cross(dB)}
 
 
 def prove(g):

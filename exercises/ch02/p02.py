@@ -1,7 +1,7 @@
 """2/2: constant speed along a spiral."""
 
 from exercises.devices.plane_curve import at_constant_speed as proved_motion
-from exercises.tools import Sketch, Step, cross, mp, size
+from exercises.tools import Sketch, cross, mp, size
 from newton_euler import Frame, cos, moving, polar, sin
 from newton_euler.kinematics import flexure, speed_rate
 
@@ -34,18 +34,13 @@ def solve(g):
 def steps(g):
     theta_dot, theta_ddot = rates(g, g.theta)
     a = at_constant_speed(g, g.theta)[1]
-    yield Step("thetadot", theta_dot, "rad/s", r"$\dot\theta$, from the speed", "2.6", "2.17")
-    yield Step("thetaddot", theta_ddot, "rad/s^2", r"$\ddot\theta$, since the speed stays")
-    yield Step("a_r", a.x, "m/s^2", "radial component of the acceleration", "2.6", "2.18")
-    yield Step("a_theta", a.y, "m/s^2", "transverse component of the acceleration", "2.6", "2.18")
-    yield Step(
-        "rho",
-        1 / flexure(*motion(g, moving(g.theta, rate=g.one))),
-        "m",
-        "radius of curvature",
-        "2.3",
-        "2.12",
-    )
+    return {
+        "thetadot": theta_dot,
+        "thetaddot": theta_ddot,
+        "a_r": a.x,
+        "a_theta": a.y,
+        "rho": 1 / flexure(*motion(g, moving(g.theta, rate=g.one))),
+    }
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """2/4: grain that falls into a chute."""
 
-from exercises.tools import Sketch, Step, root
+from exercises.tools import Sketch, root
 from newton_euler import Frame, sqrt
 
 
@@ -19,8 +19,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("T", fall_time(g), "s", "time in which the grain falls to the mouth", "2.1")
-    yield Step("x_far", g.d + g.w, "ft", "horizontal distance of the far edge")
+    return {"T": fall_time(g), "x_far": g.d + g.w}
 
 
 def prove(g):

@@ -8,7 +8,7 @@ from exercises.devices.thrown_ball import (
     proved_angle,
     proved_path,
 )
-from exercises.tools import Step, mp, rate, root
+from exercises.tools import mp, rate, root
 from newton_euler import atan, sqrt
 
 draw = draw
@@ -27,9 +27,7 @@ def solve(g):
 def steps(g):
     u = best_slope(g)
     h, slope = at_wall(g, u)
-    yield Step("gam", atan(u), "rad", "angle of the throw for the highest hit", "2.2")
-    yield Step("upward", slope * forward(g, u), "m/s", "upward velocity at the wall", "2.2")
-    yield Step("h", h, "m", "height of the hit, which vanishes for the least speed", "2.2")
+    return {"gam": atan(u), "upward": slope * forward(g, u), "h": h}
 
 
 def prove(g):

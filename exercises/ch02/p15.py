@@ -1,6 +1,6 @@
 """2/15: the radius of curvature at the bottom of a loop, from the total acceleration."""
 
-from exercises.tools import Sketch, Step, mp, rate, root, second_rate, size
+from exercises.tools import Sketch, mp, rate, root, second_rate, size
 from newton_euler import Frame, cos, frenet, sin, sqrt
 
 
@@ -17,10 +17,7 @@ def solve(g):
 
 def steps(g):
     a = g.n * g.g
-    yield Step("a", a, "ft/s^2", "magnitude of the total acceleration")
-    yield Step("a_n", airplane(g, a).acceleration.y, "ft/s^2",
-               "normal component: what is left of the total beside the tangential one, v'", "2.3",
-               "2.14")  # fmt: skip
+    return {"a": a, "a_n": airplane(g, a).acceleration.y}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """2/23: a pin that moves on a straight line at constant speed, in polar coordinates."""
 
-from exercises.tools import Sketch, Step, mp, rate, second_rate
+from exercises.tools import Sketch, mp, rate, second_rate
 from newton_euler import Frame, sin
 from newton_euler.kinematics import cylindrical_frame, polar_coordinates
 
@@ -34,8 +34,7 @@ def solve(g):
 
 def steps(g):
     r, v = motion(g)
-    yield Step("r", r.x, "m", "the distance, h/sin theta", "2.6")
-    yield Step("v_A", v, "m/s", "velocity of A along $e_r$, $e_\\theta$", "2.6", "2.17")
+    return {"r": r.x, "v_A": v}
 
 
 def r_ddot(g, theta_dot):

@@ -1,7 +1,7 @@
 """2/25: the pin of a crank in a slotted arm, seen from the arm."""
 
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
-from exercises.tools import Step, minus, rate, rot, second_rate, terms, times
+from exercises.tools import minus, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving
 
 
@@ -30,8 +30,8 @@ def solve(g):
 def steps(g):
     ground, arm, P = arm_and_pin(g, turning(g)[1])
     omega = arm.angular_velocity(ground).expressed_in(arm)
-    yield Step("omega_arm", omega, "rad/s", "angular velocity of the arm", "2.8", "2.19")
-    yield Step("r_P", P.position(arm), "m", "position of P in the arm", "2.10", "2.23")
+    yield "omega_arm", omega
+    yield "r_P", P.position(arm)
     right = motion(ground, arm, P)
     yield from terms(right["v_P"], "v_P", "m/s", "2.10", "2.24")
     yield from terms(right["a_P"], "a_P", "m/s^2", "2.10", "2.25")

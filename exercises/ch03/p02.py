@@ -1,6 +1,6 @@
 """3/2: velocity and acceleration on a given path; a component of the velocity."""
 
-from exercises.tools import Sketch, Step, minus, mp, size
+from exercises.tools import Sketch, minus, mp, size
 from newton_euler import Frame
 from newton_euler.kinematics import along
 
@@ -30,10 +30,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("length", direction(g).norm(), "1", "length of the vector n", "3.1")
-    yield Step(
-        "product", solve(g)["v"].dot(direction(g)), "m/s", "scalar product of v and n", "3.1"
-    )
+    return {"length": direction(g).norm(), "product": solve(g)["v"].dot(direction(g))}
 
 
 def prove(g):

@@ -28,7 +28,7 @@ def solve(g):
 def steps(g):
     ground, rod, _ = roller_and_rod(g)
     v_O = rod.origin.velocity(ground).expressed_in(ground)
-    yield Step("v_O", v_O, "ft/s", "velocity of O, down the plane", "4.8")
+    yield "v_O", v_O
     yield from turning_of(rod, ground, ground, "rod", "the moving frame, fixed in the rod,")
     r = rod.vector(g.b, 0, 0).expressed_in(ground)
     means = "position of P from A, which is on the axis of turning and moves as O does"

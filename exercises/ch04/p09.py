@@ -44,11 +44,11 @@ def steps(g):
     ground, A, B, _ = rod(g)
     x, y = lower_end(g)
     rho = sqrt(g.L**2 - g.z_1**2)
-    yield Step("rho", rho, "in", "distance of the lower end B from the origin, from the length L")
-    yield Step("x", x, "in", "x of B, on the ellipse and at this distance")
-    yield Step("y", y, "in", "y of B, likewise")
+    yield "rho", rho
+    yield "x", x
+    yield "y", y
     v_A, v_B = (P.velocity(ground).expressed_in(ground) for P in (A, B))
-    yield Step("v_A", v_A, "in/s", "velocity of the upper end A, given")
+    yield "v_A", v_A
     means = r"velocity of B, along the ellipse; $\mathbf{v}_B - \mathbf{v}_A$ is square to the rod"
     yield Step("v_B", v_B, "in/s", means, "4.4", "4.11")
 

@@ -17,13 +17,13 @@ def solve(g):
 
 def steps(g):
     ground, parts = particles(g)
-    yield Step("m", sum(m for m, _ in parts), "kg", "mass of all four particles", "5.2")
+    yield "m", sum(m for m, _ in parts)
     for _, P in parts[1:]:
         yield Step(f"r_{P.name[-1]}", P.position(ground), "m", f"position of particle {P.name[-1]}",
                    "5.2")  # fmt: skip
     (m2, P2), (m3, P3), (m4, P4) = parts[1:]
     moment = m2 * P2.position(ground) + m3 * P3.position(ground) + m4 * P4.position(ground)
-    yield Step("Q", moment, "kg*m", "sum of mass times position", "5.2", "5.4")
+    yield "Q", moment
 
 
 def prove(g):

@@ -1,7 +1,7 @@
 """6/12: a car that leaves the road at a hump."""
 
 from exercises.devices.plane_curve import at_constant_speed
-from exercises.tools import Sketch, Step, mp, root
+from exercises.tools import Sketch, mp, root
 from newton_euler import Frame, moving, pi, sin, sqrt
 from newton_euler.dynamics import path_force
 from newton_euler.kinematics import frenet_along
@@ -40,9 +40,8 @@ follows = {"F_dip": force}
 
 def steps(g):
     rho = 1 / flexure(g, g.L / 4)
-    yield Step("rho", rho, "m", "radius of curvature at the hump and at the dip", "6.1")
     _, F_n = path_force(g.m, speed(g), 0, flexure(g, 3 * g.L / 4))
-    yield Step("F_n", F_n, "N", "resultant force at the dip, upward", "6.1", "6.5")
+    return {"rho": rho, "F_n": F_n}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """6/16: a particle in a tube that turns in a vertical plane."""
 
-from exercises.tools import DIGITS, Sketch, Step, mp, rate, second_rate
+from exercises.tools import DIGITS, Sketch, mp, rate, second_rate
 from newton_euler import Frame, cosh, moving, polar, sin, sinh
 from newton_euler.algebra import at
 from newton_euler.dynamics import reaction
@@ -45,10 +45,7 @@ def solve(g):
 
 def steps(g):
     r = at(lambda t: distance(g, t), g.t)
-    yield Step("r", r.value, "m", "distance of the particle from O", "6.1", "6.6")
-    yield Step("r_dot", r.rate, "m/s", "its rate", "6.1", "6.6")
-    yield Step("F_C", 2 * g.m * r.rate * g.omega, "N",
-               "mass times the Coriolis acceleration across the tube", "6.1", "6.6")  # fmt: skip
+    return {"r": r.value, "r_dot": r.rate, "F_C": 2 * g.m * r.rate * g.omega}
 
 
 def prove(g):

@@ -22,7 +22,7 @@ def solve(g):
 
 def steps(g):
     sheet = g.m / annulus(g.r1, g.r2, PLATE, "z", density=1).mass
-    yield Step("sigma", sheet, "kg/m^2", "mass per area, m/(pi*(r2^2 - r1^2))", "7.3")
+    yield "sigma", sheet
     for name, r, what in ("J_2", g.r2, "full disk of radius r2"), ("J_1", g.r1, "hole"):
         yield Step(name, disk(r, PLATE, "z", density=sheet).inertia.moment("z"), "kg*m^2",
                    f"moment about z of the {what}, pi*sigma*r^4/2", "7.3", "7.10")  # fmt: skip

@@ -1,6 +1,6 @@
 """7/18: the moments of inertia of a triangular plate."""
 
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import plate, simplex
 
@@ -28,12 +28,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("d", g.h / 3, "m", "height of the centre of mass above the base", "5.4", "5.13")
-    yield Step("I_b", about(g, -g.h / 3), "kg*m^2", "moment of inertia about the base, by strips "
-               "parallel to it", "7.3", "7.10")  # fmt: skip
-    yield Step("transfer", g.m * (g.h / 3) ** 2, "kg*m^2",
-               "what the moment about the parallel through G is smaller by, m*d^2",
-               "7.8", "7.26")  # fmt: skip
+    return {"d": g.h / 3, "I_b": about(g, -g.h / 3), "transfer": g.m * (g.h / 3) ** 2}
 
 
 # a plate: the moment about the normal is the sum of the two in it

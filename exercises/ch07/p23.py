@@ -41,8 +41,7 @@ def steps(g):
     for n, q in enumerate((g.q1, g.q2), 1):
         own, whole = about(q, one(g))
         if n == 1:
-            yield Step("own", own.moment("z"), "1", "moment about the cylinder's own axis, over "
-                       "m*r^2", "7.8")  # fmt: skip
+            yield "own", own.moment("z")
         yield Step(f"exact_{n}", whole.moment("z"), "1",
                    f"exact moment at the {('first', 'second')[n - 1]} ratio, over m*r^2: 1/2 + q^2",
                    "7.8", "7.26")  # fmt: skip

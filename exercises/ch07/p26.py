@@ -9,7 +9,7 @@ from exercises.devices.half_ring import (
     mean_over_half,
     with_half_disk,
 )
-from exercises.tools import Sketch, Step, mean
+from exercises.tools import Sketch, mean
 from exercises.tools import ring as points_of_ring
 from newton_euler import pi
 from newton_euler.bodies import ring
@@ -25,8 +25,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("I_diameter", full(g).inertia.moment("x"), "kg*m^2",
-               "moment about the diameter, of the ring as of the half ring", "7.3")  # fmt: skip
+    yield "I_diameter", full(g).inertia.moment("x")
     yield from half_steps(g, "x", "the parallel to the tangent through the centre of mass of the "
                           "half ring")  # fmt: skip
 

@@ -23,7 +23,7 @@ def solve(g):
 
 def steps(g):
     body = rod(g)
-    yield Step("d", body.centre.position(AXES), "mm", "centre of mass, from the origin", "5.4")
+    yield "d", body.centre.position(AXES)
     transfer = body.about(AXES).terms["transfer"].products
     for (u, v), own, moved in zip(PAIRS, body.inertia.products, transfer, strict=True):
         yield Step(f"own_{u}{v}", own, "kg*m^2", f"product for the axes through the centre of "

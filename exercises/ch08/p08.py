@@ -1,7 +1,7 @@
 """8/8: a cylinder on a slab that is suddenly accelerated, slipping and rolling."""
 
 from exercises.devices.rolling_cylinder import rolls, slips
-from exercises.tools import Sketch, Step, disk, plus, proofs, rot, second_rate, times, vanishing
+from exercises.tools import Sketch, disk, plus, proofs, rot, second_rate, times, vanishing
 from newton_euler import Frame
 
 
@@ -20,13 +20,11 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("f_min", no_slip(g).F / (g.one * g.g), "1",
-               "least coefficient of friction for which the cylinder rolls without slip, F/(m g)",
-               "8.6")  # fmt: skip
-    yield Step("a_Ga", with_slip(g, g.f_a).a, "ft/s^2",
-               "acceleration of the centre in case a, f_a g: it slips", "6.1", "6.4")  # fmt: skip
-    yield Step("a_Gb", no_slip(g).a, "ft/s^2",
-               "acceleration of the centre in case b, from a_G + r alpha = n g", "8.6")  # fmt: skip
+    return {
+        "f_min": no_slip(g).F / (g.one * g.g),
+        "a_Ga": with_slip(g, g.f_a).a,
+        "a_Gb": no_slip(g).a,
+    }
 
 
 def prove(g):

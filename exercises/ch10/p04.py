@@ -7,7 +7,7 @@ from exercises.devices.steady_precession import (
     needed_by_rates,
     two_rings,
 )
-from exercises.tools import Step, mp
+from exercises.tools import mp
 from newton_euler import Inertia, cos, sin, sqrt
 from newton_euler.applications.gyroscopes import fast_spin
 
@@ -28,13 +28,7 @@ def steps(g):
     I, K = Inertia(axes.origin, (g.I0, g.I0, g.Iz), frame=axes), ground.k.expressed_in(axes)
     A = -K.cross(I.times(K)).x
     B = g.phi_dot * K.cross(I.times(axes.k)).x
-    yield Step("A", A, "kg*m^2", r"in the moment $M = B\dot\psi - A\dot\psi^2$ for any rate of "
-               "precession, the factor of its square, with the sign changed",
-               "10.6", "10.32")  # fmt: skip
-    yield Step("B", B, "kg*m^2/s", "factor of the rate itself in that moment", "10.6", "10.32")
-    yield Step("s", sqrt(B * B - 4 * A * g.M), "kg*m^2/s",
-               r"root in $\dot\psi = (B \mp s)/(2A)$; for a fast spin it is "
-               r"$B - 2AM/B - 2A^2M^2/B^3 - \dots$", "10.6", "10.33")  # fmt: skip
+    return {"A": A, "B": B, "s": sqrt(B * B - 4 * A * g.M)}
 
 
 follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}

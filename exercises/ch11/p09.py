@@ -43,9 +43,9 @@ def solve(g):
 
 def steps(g):
     v_B, v_D, v_E = speeds(g)
-    yield Step("v_B", v_B, "ft/s", "speed at B, after the drop h", "11.12", "11.32")
-    yield Step("v_D", v_D, "ft/s", "speed at D, after the drop h - d", "11.12", "11.32")
-    yield Step("v_E", v_E, "ft/s", "speed at E, after the drop h - h_E", "11.12", "11.32")
+    yield "v_B", v_B
+    yield "v_D", v_D
+    yield "v_E", v_E
     for key, v in (("B", v_B), ("D", v_D)):
         means = f"force toward the centre of the loop that the rider needs at {key}, m v^2/r"
         needed = path_force(mass(g), v, 0, 2 / g.d)[1]
