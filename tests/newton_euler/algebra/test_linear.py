@@ -328,10 +328,9 @@ def test_names_come_from_the_arguments_or_are_given():
     }
 
 
-@pytest.mark.parametrize(
-    "conditions",
-    [lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0, lambda w: w**2 - 1],
-)
+@pytest.mark.parametrize("conditions", [
+    lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0, lambda w: w**2 - 1,
+])  # fmt: skip
 def test_what_is_not_linear_is_refused(conditions):
     for solve in (solve_linear, lambda f: solve_rates(f, 1)):
         with pytest.raises(ScalarError, match="must be linear in"):

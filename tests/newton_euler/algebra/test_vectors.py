@@ -104,21 +104,18 @@ def test_to_array_has_shape_3_or_3_by_n():
     assert rows.tolist() == [[1.0, 2.0], [0.0, 0.0], [5.0, 5.0]]
 
 
-@pytest.mark.parametrize(
-    ("wrong", "message"),
-    [
-        (lambda a: a * a, r"two vectors have two products: write a.dot\(b\) or a.cross\(b\)"),
-        (lambda a: a / a, "a vector cannot be divided by a vector"),
-        (lambda a: 1 / a, "nothing can be divided by a vector: 1"),
-        (lambda a: a + 1, "cannot add the vector .* and 1: both must be vectors"),
-        (lambda a: 1 + a, "cannot add the vector .* and 1: both must be vectors"),
-        (lambda a: a - "b", "cannot subtract the vector .* and 'b': both must be vectors"),
-        (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of .* and \(1, 2, 3\)"),
-        (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
-        (lambda a: np.zeros(3) + a, "both must be vectors"),
-        (lambda a: a.explain(), "was not computed as a named sum"),
-    ],
-)
+@pytest.mark.parametrize(("wrong", "message"), [
+    (lambda a: a * a, r"two vectors have two products: write a.dot\(b\) or a.cross\(b\)"),
+    (lambda a: a / a, "a vector cannot be divided by a vector"),
+    (lambda a: 1 / a, "nothing can be divided by a vector: 1"),
+    (lambda a: a + 1, "cannot add the vector .* and 1: both must be vectors"),
+    (lambda a: 1 + a, "cannot add the vector .* and 1: both must be vectors"),
+    (lambda a: a - "b", "cannot subtract the vector .* and 'b': both must be vectors"),
+    (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of .* and \(1, 2, 3\)"),
+    (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
+    (lambda a: np.zeros(3) + a, "both must be vectors"),
+    (lambda a: a.explain(), "was not computed as a named sum"),
+])  # fmt: skip
 def test_mistakes_with_vectors_are_refused_in_words(wrong, message):
     with pytest.raises(FrameError, match=message):
         wrong(ground.vector(1.0, 2.0, 3.0))

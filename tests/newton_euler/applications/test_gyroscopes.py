@@ -472,10 +472,9 @@ def test_eqn_10_35_and_10_36_free_precession_needs_no_moment(kind):
     assert close((both.slow, both.fast), (0, found.rate), 10 * tolerance(kind))
 
 
-@pytest.mark.parametrize(
-    ("I", "sense"),
-    [(0.999999, "direct"), (1.000001, "retrograde"), (0.1, "direct"), (1.9, "retrograde")],
-)
+@pytest.mark.parametrize(("I", "sense"), [
+    (0.999999, "direct"), (1.000001, "retrograde"), (0.1, "direct"), (1.9, "retrograde"),
+])  # fmt: skip
 def test_direct_or_retrograde_on_both_sides_of_equal_moments(I, sense):
     for theta in (0.4, 2.5):
         found = free_precession(1.0, I, theta, 10.0)

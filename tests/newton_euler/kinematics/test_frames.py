@@ -680,20 +680,17 @@ def robot(root="ground", arm="arm"):
     return ground, ground.rotate(arm, "z", 0.2, rate=1.0)
 
 
-@pytest.mark.parametrize(
-    "ask",
-    [
-        lambda a, b: a.i + b.j,
-        lambda a, b: a.i.rate(b),
-        lambda a, b: a.angular_velocity(b),
-        lambda a, b: a.rotation(b),
-        lambda a, b: a.point("P", 1, 0, 0).velocity(b),
-        lambda a, b: a.point("P", 1, 0, 0).position(b),
-        lambda a, b: a.point("P", 1, 0, 0).velocity(a.parent, via=b),
-        lambda a, b: a.point("P", 1, 0, 0) - b.point("Q", 0, 0, 0),
-        lambda a, b: a.vector(0, 0, 0).expressed_in(b),
-    ],
-)
+@pytest.mark.parametrize("ask", [
+    lambda a, b: a.i + b.j,
+    lambda a, b: a.i.rate(b),
+    lambda a, b: a.angular_velocity(b),
+    lambda a, b: a.rotation(b),
+    lambda a, b: a.point("P", 1, 0, 0).velocity(b),
+    lambda a, b: a.point("P", 1, 0, 0).position(b),
+    lambda a, b: a.point("P", 1, 0, 0).velocity(a.parent, via=b),
+    lambda a, b: a.point("P", 1, 0, 0) - b.point("Q", 0, 0, 0),
+    lambda a, b: a.vector(0, 0, 0).expressed_in(b),
+])  # fmt: skip
 def test_frames_without_a_common_ancestor_are_named_at_both_ends(ask):
     (_, arm), (_, bench) = robot(), robot("workshop", "bench")
     with pytest.raises(FrameError, match=r"share no frame.*Build both from one ground") as error:
@@ -703,14 +700,11 @@ def test_frames_without_a_common_ancestor_are_named_at_both_ends(ask):
     assert "workshop" in str(error.value)
 
 
-@pytest.mark.parametrize(
-    "ask",
-    [
-        lambda ground, arm: arm.angular_velocity(ground),
-        lambda ground, arm: arm.i + ground.i,
-        lambda ground, arm: ground.rotate("rod", "x", origin=arm.parent.point("A", 1, 0, 0)),
-    ],
-)
+@pytest.mark.parametrize("ask", [
+    lambda ground, arm: arm.angular_velocity(ground),
+    lambda ground, arm: arm.i + ground.i,
+    lambda ground, arm: ground.rotate("rod", "x", origin=arm.parent.point("A", 1, 0, 0)),
+])  # fmt: skip
 def test_the_error_names_two_trees_with_the_same_names(ask):
     (ground, _), (_, arm) = robot(), robot()
     with pytest.raises(
@@ -749,14 +743,11 @@ def test_what_is_not_geometry_is_refused_in_words(ask, words):
         ask(Frame("ground"))
 
 
-@pytest.mark.parametrize(
-    "make",
-    [
-        lambda f: f.point("P", "1", 2, 3),
-        lambda f: f.vector(None, 2, 3),
-        lambda f: f.vector(np.array(["1", "2"]), 0, 0),
-    ],
-)
+@pytest.mark.parametrize("make", [
+    lambda f: f.point("P", "1", 2, 3),
+    lambda f: f.vector(None, 2, 3),
+    lambda f: f.vector(np.array(["1", "2"]), 0, 0),
+])  # fmt: skip
 def test_text_in_place_of_a_number_is_refused(make):
     with pytest.raises(ScalarError, match="expected a number"):
         make(Frame("ground"))

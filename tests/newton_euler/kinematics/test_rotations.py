@@ -169,13 +169,10 @@ def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
 
 
 @every_kind
-@pytest.mark.parametrize(
-    ("order", "columns", "axis"),
-    [
-        ("IJ", ((0, 0, -1), (1, 0, 0), (0, -1, 0)), (1, 1, -1)),
-        ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1)),
-    ],
-)
+@pytest.mark.parametrize(("order", "columns", "axis"), [
+    ("IJ", ((0, 0, -1), (1, 0, 0), (0, -1, 0)), (1, 1, -1)),
+    ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1)),
+])  # fmt: skip
 def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, order, columns, axis):
     """First I then J: i = -K, j = I, k = -J; first J then I: i = J, j = K, k = I; each is one turn
     of 120 degrees.
@@ -713,11 +710,9 @@ def test_theta_from_the_arc_cosine_fails_where_euler_angles_does_not():
     assert abs(euler_angles(R)[1] - 1e-9) < 1e-24
 
 
-@pytest.mark.parametrize(
-    "theta",
-    [0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0])],
-    ids=["0", "pi", "exact pi", "one instant"],
-)
+@pytest.mark.parametrize("theta", [
+    0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0]),
+], ids=["0", "pi", "exact pi", "one instant"])  # fmt: skip
 def test_euler_rates_are_refused_at_the_poles(theta):
     with pytest.raises(
         RotationError, match=r"theta = .*axes of precession and spin coincide.*use quaternion_rate"
