@@ -28,10 +28,7 @@ def prove(g):
     as the other diagonal, P + G less twice G.
     """
     P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, 0]
-
-    def dot(a, b):
-        return (size(plus(a, b)) ** 2 - size(minus(a, b)) ** 2) / 4
-
+    dot = lambda a, b: (size(plus(a, b)) ** 2 - size(minus(a, b)) ** 2) / 4
     S = plus(P, G)
     D = minus(S, plus(G, G))
     return {

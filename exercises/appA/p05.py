@@ -35,9 +35,7 @@ def prove(g):
     """From the place on the line that is nearest to P to the one that is nearest to G."""
     P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, g.G_z]
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
-
-    def on_line(t):
-        return plus(scaled(1 - t, A), scaled(t, B))
+    on_line = lambda t: plus(scaled(1 - t, A), scaled(t, B))
 
     def nearest(C):
         return root(lambda t: rate(lambda u: size(minus(on_line(u), C)) ** 2, t), -100, 100)

@@ -44,15 +44,9 @@ def prove(g):
     """Differences over a short time, of other formulas: the dot product from the lengths of sum and
     difference, the cross product by determinants.
     """
-
-    def A(t):
-        return [g.a_1 + g.a_1_dot * t, g.a_2 + g.a_2_dot * t, g.a_3 + g.a_3_dot * t]
-
-    def B(t):
-        return [g.b_1 + g.b_1_dot * t, g.b_2 + g.b_2_dot * t, g.b_3 + g.b_3_dot * t]
-
-    def square(t, sign):
-        return sum((x + sign * y) ** 2 for x, y in zip(A(t), B(t), strict=True))
+    A = lambda t: [g.a_1 + g.a_1_dot * t, g.a_2 + g.a_2_dot * t, g.a_3 + g.a_3_dot * t]
+    B = lambda t: [g.b_1 + g.b_1_dot * t, g.b_2 + g.b_2_dot * t, g.b_3 + g.b_3_dot * t]
+    square = lambda t, sign: sum((x + sign * y) ** 2 for x, y in zip(A(t), B(t), strict=True))
 
     def volumes(t):
         unit = ((1, 0, 0), (0, 1, 0), (0, 0, 1))

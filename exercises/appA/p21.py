@@ -30,9 +30,7 @@ def steps(g):
 def prove(g):
     """(a) as a combination of B and C, (A.16); (b) and (c) as determinants."""
     A, B, C = [g.A_1, g.A_2, g.A_3], [g.B_1, g.B_2, g.B_3], [g.C_1, g.C_2, g.C_3]
-
-    def dot(v, w):
-        return sum(x * y for x, y in zip(v, w, strict=True))
+    dot = lambda v, w: sum(x * y for x, y in zip(v, w, strict=True))
 
     def volume(*rows):
         return mp.det(mp.matrix(rows))

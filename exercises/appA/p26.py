@@ -23,10 +23,7 @@ def steps(g):
 def prove(g):
     """By growing at the rate R per unit of s."""
     Q, R = [g.Q_x, g.Q_y, g.Q_z], [g.R_x, g.R_y, g.R_z]
-
-    def place(s):
-        return proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
-
+    place = lambda s: proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
     return {"r": place(g.s), "r_0": Q, "r_1": place(1)}
 
 

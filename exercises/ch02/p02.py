@@ -44,9 +44,7 @@ def steps(g):
 
 
 def prove(g):
-    def place(theta):
-        return [g.A * theta * mp.cos(theta), g.A * theta * mp.sin(theta), 0]
-
+    place = lambda theta: [g.A * theta * mp.cos(theta), g.A * theta * mp.sin(theta), 0]
     v, a = proved_motion(place, g.theta, g.v)
     along = sum(x * y for x, y in zip(v, a, strict=True)) / g.v
     across = size(cross(v, a)) / g.v
@@ -66,10 +64,7 @@ def mistakes(g):
 def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
-
-    def place(theta):
-        return (g.A * theta * cos(theta), g.A * theta * sin(theta), 0)
-
+    place = lambda theta: (g.A * theta * cos(theta), g.A * theta * sin(theta), 0)
     theta = 2.3  # on the first turn, where the letters have room
     O, P = (0, 0, 0), place(theta)
     s.axes(O, ground, length=3.2 * g.A, labels=["x", "y", ""])

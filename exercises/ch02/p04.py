@@ -24,10 +24,7 @@ def steps(g):
 
 def prove(g):
     """The speed at which the grain is at the height of the mouth when it is above an edge."""
-
-    def speed(edge):
-        return root(lambda v: g.h - g.g / 2 * (edge / v) ** 2, edge / 100, 100 * edge)
-
+    speed = lambda edge: root(lambda v: g.h - g.g / 2 * (edge / v) ** 2, edge / 100, 100 * edge)
     return {"v_0": [speed(g.d), speed(g.d + g.w)]}
 
 

@@ -35,10 +35,7 @@ def steps(g):
 def prove(g):
     """The time over the stretch is its length over the mean speed; then the place in time."""
     T = g.L / ((g.v_1 + g.v_2) / 2)
-
-    def gone(t):
-        return g.v_1 * t + (g.v_2 - g.v_1) / T * t**2 / 2
-
+    gone = lambda t: g.v_1 * t + (g.v_2 - g.v_1) / T * t**2 / 2
     when = root(lambda t: gone(t) - g.s, 0, T)
 
     def place(t):

@@ -34,12 +34,8 @@ def prove(g):
         u = mp.tan(theta / 2)
         return [g.d * (1 - u**2) / (1 + u**2), 2 * g.d * u / (1 + u**2), 0]
 
-    def first(t):
-        return P(g.theta + g.omega * t)
-
-    def second(t):
-        return P(g.theta + g.alpha * t**2 / 2)
-
+    first = lambda t: P(g.theta + g.omega * t)
+    second = lambda t: P(g.theta + g.alpha * t**2 / 2)
     v, a, v_too, a_too = rate(first), second_rate(first), rate(second), second_rate(second)
     answers = {"v_1": v[0], "a_1": a[0], "v_2": v_too[0], "a_2": a_too[0]}
     return answers | {"v_P": v, "a_P1": a, "a_P2": a_too}

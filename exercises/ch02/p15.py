@@ -52,10 +52,7 @@ def draw(g, ax):
     rho = solve(g)["rho"]
     s = Sketch(ax, ground, plane="xy")
     A, C = (0, 0, 0), (0, rho, 0)
-
-    def on_loop(angle):
-        return rho * sin(angle), rho * (1 - cos(angle)), 0
-
+    on_loop = lambda angle: (rho * sin(angle), rho * (1 - cos(angle)), 0)
     s.path([on_loop(n / 20) for n in range(-28, 29)], style="dashed")
     outline = [(-0.2, 0.09), (-0.16, 0.03), (0.12, 0.03), (0.19, 0), (0.12, -0.03), (-0.2, -0.03)]
     s.plate([(rho * x, rho * y, 0) for x, y in outline])

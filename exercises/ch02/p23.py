@@ -53,13 +53,8 @@ follows = {"r_ddot": r_ddot, "theta_ddot": theta_ddot}
 def prove(g):
     """The way of A along its line, as length and direction."""
     start = g.h / mp.tan(g.theta)
-
-    def r(t):
-        return mp.hypot(start + g.v * t, g.h)
-
-    def theta(t):
-        return mp.atan2(g.h, start + g.v * t)
-
+    r = lambda t: mp.hypot(start + g.v * t, g.h)
+    theta = lambda t: mp.atan2(g.h, start + g.v * t)
     return {
         "r_dot": rate(r),
         "theta_dot": rate(theta),

@@ -50,9 +50,7 @@ follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm(
 def prove(g):
     """The components by the way of P on the crank, the magnitudes by that on the arm."""
     P = crank(g)
-
-    def r(t):
-        return in_arm(g, P(t), t)[0]
+    r = lambda t: in_arm(g, P(t), t)[0]
 
     def in_slot(t):
         angle = g.theta + g.omega * t

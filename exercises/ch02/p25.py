@@ -61,13 +61,8 @@ def prove(g):
     it is.
     """
     P = crank(g)
-
-    def seen(t):
-        return in_arm(g, P(t), t)
-
-    def place(t):
-        return times(rot("z", g.omega * t), P(0))
-
+    seen = lambda t: in_arm(g, P(t), t)
+    place = lambda t: times(rot("z", g.omega * t), P(0))
     a_rel, a = second_rate(seen), in_arm(g, second_rate(P))
     return {
         "v_rel": rate(seen),

@@ -29,13 +29,8 @@ def steps(g):
 
 def prove(g):
     """The path in the ground, a spiral through O, along the slot as it lies at t = 0."""
-
-    def theta(t):
-        return g.omega * t + g.alpha * t**2 / 2
-
-    def place(t):
-        return [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
-
+    theta = lambda t: g.omega * t + g.alpha * t**2 / 2
+    place = lambda t: [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
     return {
         "a": second_rate(place),
         "v_polar": rate(place),

@@ -38,9 +38,7 @@ def prove(g):
     def up_to(t, f):
         return proofs.scaled(t, proofs.mean(lambda p: f(t * (p[0] + g.one / 2)), instants))
 
-    def velocity(t):
-        return up_to(t, lambda s: [g.a0 + g.a1 * s, g.b2 * s * s, g.c3 * s**3 - g.c0])
-
+    velocity = lambda t: up_to(t, lambda s: [g.a0 + g.a1 * s, g.b2 * s * s, g.c3 * s**3 - g.c0])
     return {"r": proofs.plus([g.x0, g.y0, g.z0], up_to(g.t, velocity)), "v": velocity(g.t)}
 
 

@@ -37,10 +37,7 @@ def prove(g):
     """A coordinate of degree n in time obeys t x' = n x (Euler), and so t^2 x'' = n (n - 1) x; the
     degree from doubling the time. The component from the triangle of v and n.
     """
-
-    def place(t):
-        return [g.cx * t**2, g.cy * t**3, -g.cz * t**4]
-
+    place = lambda t: [g.cx * t**2, g.cy * t**3, -g.cz * t**4]
     r, n = place(g.t1), [g.nx, g.ny, g.nz]
     degree = [mp.log(y / x, 2) for x, y in zip(r, place(2 * g.t1), strict=True)]
     v = [d * x / g.t1 for d, x in zip(degree, r, strict=True)]

@@ -32,9 +32,7 @@ def steps(g):
 
 def prove(g):
     """Along the tangent, and across it as the tangent turns with the path. No rates of q."""
-
-    def along(q):
-        return rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
+    along = lambda q: rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
 
     def tangent(q):
         d = along(q)

@@ -46,10 +46,7 @@ def times_from_rest(g, c, n):
     """
     right, scale = pi(g.one) / 2, c / sqrt(2 * n * g.A_1)
     at_half = asin(sqrt(2 * g.one) * sin(right / 4))
-
-    def time(end):
-        return scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
-
+    time = lambda end: scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
     return {"t_h": time(at_half), "t_1": time(0)}
 
 
@@ -94,10 +91,7 @@ def proved_times(g):
 def stretch_and_bend(a, p):
     """Sizes of the first and second derivative by theta of the helix as a path, and its rise."""
     h = p / (2 * mp.pi)
-
-    def place(s):
-        return [a * mp.cos(s), a * mp.sin(s), h * s]
-
+    place = lambda s: [a * mp.cos(s), a * mp.sin(s), h * s]
     return proofs.size(proofs.rate(place)), proofs.size(proofs.second_rate(place)), h
 
 

@@ -93,10 +93,7 @@ def prove(g):
     v_sph, a_sph = along(spherical_axes, raised(phi))
     v_cyl, a_cyl = along(cylindrical_axes, raised(lambda t: mp.asin(z(t) / g.R)))
     x, y = later(g.x, g.x_dot, g.x_ddot), later(g.y, g.y_dot, g.y_ddot)
-
-    def above(t):
-        return g.R * mp.sin(mp.acos(mp.hypot(x(t), y(t)) / g.R))
-
+    above = lambda t: g.R * mp.sin(mp.acos(mp.hypot(x(t), y(t)) / g.R))
     v_z, a_z = rate(above), second_rate(above)
     return {
         "v_sph": v_sph,

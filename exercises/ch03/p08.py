@@ -36,10 +36,7 @@ def steps(g):
 
 def prove(g):
     """The cylinder unrolled: the path in the plane, and how far the circle leaves its tangent."""
-
-    def unrolled(t):
-        return [g.nu * t, g.nu * t + g.a * t**2 / 2]
-
+    unrolled = lambda t: [g.nu * t, g.nu * t + g.a * t**2 / 2]
     in_plane = second_rate(unrolled, g.t)
     across = second_rate(lambda t: g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r), g.t)
     return {"speed": size(rate(unrolled, g.t)), "acc_mag": size([*in_plane, across])}

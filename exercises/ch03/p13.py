@@ -27,9 +27,7 @@ def prove(g):
         up = g.z0 * mp.sin(2 * mp.pi * g.n * t)
         return [g.r * mp.cos(g.omega * t), g.r * mp.sin(g.omega * t), up]
 
-    def a(t):
-        return proofs.size(proofs.second_rate(place, t))
-
+    a = lambda t: proofs.size(proofs.second_rate(place, t))
     period = 1 / g.n
     little = period / 50
     instant = proofs.root(

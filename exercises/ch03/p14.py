@@ -29,10 +29,7 @@ def steps(g):
 
 def prove(g):
     P = particle_in_time(g)
-
-    def r(t):
-        return mp.hypot(*P(t)[:2])
-
+    r = lambda t: mp.hypot(*P(t)[:2])
     v = rate(P)
     found = {"r": r(0), "r_dot": rate(r), "v_theta": v[1], "z_dot": v[2]}
     return {"speed": size(v), "acc_mag": size(second_rate(P))} | found

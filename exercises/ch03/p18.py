@@ -38,10 +38,7 @@ def steps(g):
 def prove(g):
     A = end_in_time(g.omega, lambda t: g.beta_0 + g.b_dot * t, lambda t: g.l_0 + g.l_2 * t**2)
     a, phi = local_acceleration(A, g.t1), elevation_in_time(A)
-
-    def R(t):
-        return size(A(t))
-
+    R = lambda t: size(A(t))
     return {
         "a": a,
         "acc_mag": size(a),

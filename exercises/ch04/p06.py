@@ -45,9 +45,7 @@ def prove(g):
             1 - gone * mp.sin(g.incline),
         ]
 
-    def A(t):
-        return [g.u * t * mp.cos(g.incline), 0, 1 - g.u * t * mp.sin(g.incline)]
-
+    A = lambda t: [g.u * t * mp.cos(g.incline), 0, 1 - g.u * t * mp.sin(g.incline)]
     return {"v_P": rate(P), "v_O": rate(A), "r": minus(P(0), A(0))}
 
 

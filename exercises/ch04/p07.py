@@ -43,8 +43,7 @@ def prove(g):
         theta = g.theta_0 + g.theta_A * mp.sin(g.n * t)
         return [g.L * mp.cos(theta), 0, g.L * mp.sin(theta)]
 
-    def tip(t):
-        return times(rot("z", g.omega * t), in_shaft(t))
+    tip = lambda t: times(rot("z", g.omega * t), in_shaft(t))
 
     def theta(t):
         x, _, z = in_shaft(t)

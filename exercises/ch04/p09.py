@@ -63,9 +63,7 @@ def prove(g):
         phi = mp.findroot(too_long, (mp.mpf(0), mp.pi / 2), solver="anderson", maxsteps=200)
         return [g.a * mp.cos(phi), g.b * mp.sin(phi), mp.mpf(0)]
 
-    def middle(t):
-        return scaled(mp.mpf(1) / 2, plus(lower(t), [0, 0, g.z_1 + g.z_dot * t]))
-
+    middle = lambda t: scaled(mp.mpf(1) / 2, plus(lower(t), [0, 0, g.z_1 + g.z_dot * t]))
     x, y, _ = lower(0)
     found = {"x": x, "y": y, "rho": mp.hypot(x, y), "v_B": rate(lower)}
     return {"v_mid": rate(middle)} | found

@@ -9,10 +9,7 @@ draw = figure
 
 def moments(g, radius=radius):
     """Volume and first moment, by thin disks at the height z."""
-
-    def disks(f):
-        return integral(lambda z: f(z) * (pi(g.one) * radius(g, z) ** 2), 0, g.h)
-
+    disks = lambda f: integral(lambda z: f(z) * (pi(g.one) * radius(g, z) ** 2), 0, g.h)
     return disks(lambda z: 1), disks(lambda z: z)
 
 

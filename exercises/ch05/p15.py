@@ -30,9 +30,7 @@ def prove(g):
     """On a knife edge square to each axis in turn, the weights have no moment."""
 
     def balance(*places):
-        def moment(edge):
-            return sum(m * (x - edge) for m, x in zip(masses(g), places, strict=True))
-
+        moment = lambda edge: sum(m * (x - edge) for m, x in zip(masses(g), places, strict=True))
         return root(moment, -max(places), 2 * max(places))
 
     d = [balance(0, g.a, g.a, g.a), balance(0, 0, g.b, g.b), balance(0, 0, 0, g.c)]

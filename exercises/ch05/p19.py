@@ -44,10 +44,7 @@ def mistakes(g):
 def draw(g, ax):
     space = Frame("space")
     s = Sketch(ax, space, azimuth=35, elevation=28)
-
-    def place(x, y):
-        return x, y, 0.5 * cos(0.8 * x) * sin(0.8 * y)
-
+    place = lambda x, y: (x, y, 0.5 * cos(0.8 * x) * sin(0.8 * y))
     ways = [n / 4 for n in range(-6, 7)]
     for a in ways[::4]:
         s.path([place(a, b) for b in ways])

@@ -53,9 +53,7 @@ follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
 
 def prove(g):
     """By the string's length inside the cone, the angle of its line, two angles of what hangs."""
-
-    def on_cone(r, turn):
-        return [r * mp.cos(turn), r * mp.sin(turn), r]
+    on_cone = lambda r, turn: [r * mp.cos(turn), r * mp.sin(turn), r]
 
     def below(r, turn, to_x, to_y):
         hanging = 3 - r * mp.sqrt(2)

@@ -25,9 +25,7 @@ def prove(g):
 
     def along(F):
         def surplus(a):
-            def place(t):
-                return a * t**2 / 2
-
+            place = lambda t: a * t**2 / 2
             return F * place(1) - g.m * rate(place, 1) ** 2 / 2
 
         return root(surplus, F / g.m / 10, 10 * F / g.m)

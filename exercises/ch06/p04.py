@@ -25,10 +25,7 @@ def steps(g):
 def prove(g):
     """Seen along j the particle circles at the radius A/omega: place, velocity, second rate."""
     radius = g.A / g.omega
-
-    def place(t):
-        return [radius * mp.sin(g.omega * t), g.B * t**3 / 3, radius * mp.cos(g.omega * t)]
-
+    place = lambda t: [radius * mp.sin(g.omega * t), g.B * t**3 / 3, radius * mp.cos(g.omega * t)]
     a = second_rate(place, g.t_1)
     return {"F": scaled(g.m, a), "a": a}
 

@@ -37,9 +37,7 @@ def prove(g):
     """Held: the cord is so strong that the energy is stationary there. Let go, theta = theta_0 -
     c t^2/2 at first, with the c that keeps the energy.
     """
-
-    def place(theta):
-        return [mp.sin(theta), -mp.cos(theta), 0]
+    place = lambda theta: [mp.sin(theta), -mp.cos(theta), 0]
 
     def slope(cord):
         def energy(theta):

@@ -8,10 +8,7 @@ from newton_euler.kinematics import frenet_along
 
 
 def road(g):
-    def path(x):
-        return x, g.b * sin(2 * pi(g.L) * x / g.L), 0
-
-    return path
+    return lambda x: (x, g.b * sin(2 * pi(g.L) * x / g.L), 0)
 
 
 def flexure(g, x):
@@ -70,10 +67,7 @@ def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     L, b = 1.0, 0.11  # the waves are drawn higher than they are
-
-    def height(x):
-        return b * sin(2 * pi(x) * x / L)
-
+    height = lambda x: b * sin(2 * pi(x) * x / L)
     xs = [L * n / 60 for n in range(-7, 86)]
     s.road([(x, height(x), 0) for x in xs])
     r = 0.018

@@ -39,13 +39,8 @@ def prove(g):
     of length is a wire, g is 1.
     """
     C = [mp.cos(g.alpha), 0, mp.sin(g.alpha)]
-
-    def with_AB(u):
-        return [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
-
-    def with_CD(u):
-        return minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])
-
+    with_AB = lambda u: [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
+    with_CD = lambda u: minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])
     height, second = rate(with_AB)[2], -rate(with_CD)[2]
     a = second_rate(lambda t: with_CD(second * t**2 / 2))
     return {

@@ -57,13 +57,8 @@ def prove(g):
         both = (n + 1) * (n + 2)
         r.append((g.omega**2 * r[n] - g.g * sine[n]) / both)
         sine.append(-(g.omega**2) * sine[n] / both)
-
-    def distance_at(t):
-        return mp.polyval(r[::-1], t)
-
-    def place(t):
-        return [distance_at(t) * mp.cos(g.omega * t), distance_at(t) * mp.sin(g.omega * t)]
-
+    distance_at = lambda t: mp.polyval(r[::-1], t)
+    place = lambda t: [distance_at(t) * mp.cos(g.omega * t), distance_at(t) * mp.sin(g.omega * t)]
     x, y = second_rate(place, g.t)
     theta = g.omega * g.t
     across = g.m * (-x * mp.sin(theta) + (y + g.g) * mp.cos(theta))

@@ -34,9 +34,7 @@ def prove(g):
     """
 
     def fallen(h):
-        def depth(t):
-            return g.g * t**2 / 2
-
+        depth = lambda t: g.g * t**2 / 2
         return rate(depth, place_of(lambda t: depth(t) - h, 0, 1 + h / g.g))
 
     v_B, v_C = fallen(g.h_B), fallen(g.h_C)
@@ -45,9 +43,7 @@ def prove(g):
         angle = v_B * t / g.rho_B
         return [g.rho_B * mp.sin(angle), -g.rho_B * mp.cos(angle), 0]
 
-    def in_flight(t):
-        return [v_C * t, -g.g * t**2 / 2, mpf(0)]
-
+    in_flight = lambda t: [v_C * t, -g.g * t**2 / 2, mpf(0)]
     a_B, v, a = second_rate(on_circle)[1], rate(in_flight), second_rate(in_flight)
     return {
         "F_B": g.m * (a_B + g.g),

@@ -44,10 +44,7 @@ def prove(g):
 
     points = [pressed(*point) for point in proofs.box(2, 2, 0)]
     G = proofs.mean(lambda p: p[1], points)
-
-    def moment(f):
-        return g.m * proofs.mean(lambda p: f(p[0], p[1]), points)
-
+    moment = lambda f: g.m * proofs.mean(lambda p: f(p[0], p[1]), points)
     return {
         "I_xx": moment(lambda x, y: (y - G) ** 2),
         "I_yy": moment(lambda x, y: x**2),
@@ -59,10 +56,7 @@ def prove(g):
 
 def mistakes(g):
     right, at_base = solve(g), about(g, -g.h / 3)
-
-    def with_xx(I_xx):
-        return {"I_xx": I_xx, "I_zz": I_xx + right["I_yy"]}
-
+    with_xx = lambda I_xx: {"I_xx": I_xx, "I_zz": I_xx + right["I_yy"]}
     I_yy = plate(g.b, g.h, PLATE, "z", mass=g.m).inertia.moment("y")
     return {
         "about_the_base": with_xx(at_base),

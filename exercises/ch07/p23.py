@@ -48,12 +48,8 @@ def steps(g):
 
 
 def prove(g):
-    def whole(q):
-        return mean(lambda p: (p[0] + q) ** 2 + p[1] ** 2, disk(mp.mpf(1)))
-
-    def error(q):
-        return 1 - q**2 / whole(q)
-
+    whole = lambda q: mean(lambda p: (p[0] + q) ** 2 + p[1] ** 2, disk(mp.mpf(1)))
+    error = lambda q: 1 - q**2 / whole(q)
     return {
         "trend": lambda: trend(error),
         "err_1": error(g.q1),
@@ -64,8 +60,7 @@ def prove(g):
 
 
 def mistakes(g):
-    def errors(error):
-        return {"err_1": error(g.q1), "err_2": error(g.q2)}
+    errors = lambda error: {"err_1": error(g.q1), "err_2": error(g.q2)}
 
     def of_approximation(q):
         exact = shortfall(q, one(g))

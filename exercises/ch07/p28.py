@@ -59,8 +59,7 @@ def prove(g):
 
 
 def mistakes(g):
-    def at_apex(body):
-        return body.inertia.moment("z") - body.about(CONE).moment("x")
+    at_apex = lambda body: body.inertia.moment("z") - body.about(CONE).moment("x")
 
     def wrong_centre(body):
         d = body.centre.position(CONE).z

@@ -35,10 +35,7 @@ def steps(g):
 def prove(g):
     """The squares of the distances from x', added up along the chain."""
     place, way, bends = path(g)
-
-    def total(f):
-        return proofs.integral(lambda s: f(place(s)), 0, way, bends)
-
+    total = lambda f: proofs.integral(lambda s: f(place(s)), 0, way, bends)
     d = proofs.scaled(1 / way, total(lambda p: p))
     square = total(lambda p: (p[1] - d[1]) ** 2 + (p[2] - d[2]) ** 2) / way
     return {"I_xp": 3 * g.m * square, "d": d}

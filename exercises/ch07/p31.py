@@ -37,9 +37,7 @@ def prove(g):
     A, B = [g.xA, g.yA, g.zA], [g.xB, g.yB, g.zB]
 
     def total(f):
-        def at(t):
-            return f(*(a + t * (b - a) for a, b in zip(A, B, strict=True)))
-
+        at = lambda t: f(*(a + t * (b - a) for a, b in zip(A, B, strict=True)))
         return proofs.integral(at, 0, 1)
 
     d = total(lambda *p: list(p))

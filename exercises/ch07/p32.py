@@ -27,9 +27,7 @@ def prove(g):
     m = g.W / g.g
 
     def total(f):
-        def moved(p):
-            return f(p[0] + g.a / 2, p[1] + g.b / 2, p[2] - g.c / 2)
-
+        moved = lambda p: f(p[0] + g.a / 2, p[1] + g.b / 2, p[2] - g.c / 2)
         return proofs.mean(moved, proofs.box(g.a, g.b, g.c, order=2))
 
     d = total(lambda *p: list(p))

@@ -77,10 +77,7 @@ def prove(g):
         return proofs.kinetic_energy(g.W / g.g, lambda t: moved(q, t), t) + g.W * height
 
     alpha = let_go(energy)
-
-    def motion(t):
-        return moved(lambda t: alpha * t**2 / 2, t)
-
+    motion = lambda t: moved(lambda t: alpha * t**2 / 2, t)
     F_x, F_y, _ = proofs.force_needed(g.W / g.g, motion)
     return {
         "alpha_AB": alpha,

@@ -56,9 +56,7 @@ def steps(g):
 
 def prove(g):
     """The explicit motion: the place of O is where the rod, of fixed length, ends on the axis."""
-
-    def B(t):
-        return [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
+    B = lambda t: [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
 
     def piston(t):
         x, y, _ = B(t)

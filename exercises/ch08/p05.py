@@ -52,10 +52,7 @@ def prove(g):
 
     def contact(a, share):
         """F_A, N_A and N_B for the unit of mass."""
-
-        def motion(t):
-            return [(u, plus([a * t**2 / 2, 0, 0], r)) for u, r in points]
-
+        motion = lambda t: [(u, plus([a * t**2 / 2, 0, 0], r)) for u, r in points]
         of_weight = -g.g * sum(u * r[0] for u, r in points)
         arm = B[1] + share * g.mu * B[0]
         N_B = (proofs.moment_needed(1, motion)[2] - of_weight) / arm

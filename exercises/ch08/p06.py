@@ -73,9 +73,7 @@ def prove(g):
     """At each place of G the speed at which the normal force of the rolling wheel vanishes; and the
     place at which the friction vanishes with it.
     """
-
-    def square(phi):
-        return vanishing(lambda u: contact(g, phi, u)[1], g.g * g.r, 2 * g.g * g.r)
+    square = lambda phi: vanishing(lambda u: contact(g, phi, u)[1], g.g * g.r, 2 * g.g * g.r)
 
     def friction(phi):
         F = contact(g, phi, square(phi))[0] / g.g

@@ -36,9 +36,7 @@ def prove(g):
 
     # alpha by a force at the contact of 1, from the moment that the mass points need
     by_one = vanishing(lambda alpha: proofs.moment_needed(1, motion(alpha))[2] - g.r, 0, 1 / g.r)
-
-    def turning(F):
-        return by_one * F
+    turning = lambda F: by_one * F
 
     def lag(F):
         """The acceleration of the contact behind that of the slab."""
@@ -49,9 +47,7 @@ def prove(g):
 
         return g.n * g.g - second_rate(contact)[0]
 
-    def friction(f):
-        return f * g.g if lag(f * g.g) > 0 else vanishing(lag, 0, f * g.g)
-
+    friction = lambda f: f * g.g if lag(f * g.g) > 0 else vanishing(lag, 0, f * g.g)
     F_a, F_b = friction(g.f_a), friction(g.f_b)
     f_min = vanishing(lambda f: lag(f * g.g), 0, 1)
     return {

@@ -30,9 +30,7 @@ def steps(g):
 
 def prove(g):
     """The energy at O is that of the height at P; let go there, the mass points roll back."""
-
-    def height(q):
-        return mp.sin(g.theta) * sum(u * r[0] for u, r in rolled(g.a, q))
+    height = lambda q: mp.sin(g.theta) * sum(u * r[0] for u, r in rolled(g.a, q))
 
     def energy(q, t):
         return kinetic_energy(g.m, lambda t: rolled(g.a, q(t)), t) + g.m * g.g * height(q(t))

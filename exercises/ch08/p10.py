@@ -31,10 +31,7 @@ def alpha(g, theta):
 
 def answers(g, alpha):
     """The answers, from the angular acceleration at any angle."""
-
-    def speed(theta):
-        return sqrt(2 * integral(alpha, 0, theta))
-
+    speed = lambda theta: sqrt(2 * integral(alpha, 0, theta))
     return {
         "theta_ddot": alpha(g.theta),
         "theta_dot": speed(g.theta),
@@ -72,9 +69,7 @@ def prove(g):
     omega = speed(g.theta)
 
     def power(alpha):
-        def motion(t):
-            return places(g.theta + omega * t + alpha * t**2 / 2, g.a * t**2 / 2)
-
+        motion = lambda t: places(g.theta + omega * t + alpha * t**2 / 2, g.a * t**2 / 2)
         return rate(lambda t: kinetic_energy(g.M, motion, t))
 
     return {

@@ -29,9 +29,7 @@ def steps(g):
 def prove(g):
     """Momenta of mass points, at the share u of the way from the vertex to the base, in time."""
     base = proofs.disk(g.r)
-
-    def orientation(t):
-        return proofs.times(proofs.rot("x", g.omega * t), proofs.rot("z", g.p * t))
+    orientation = lambda t: proofs.times(proofs.rot("x", g.omega * t), proofs.rot("z", g.p * t))
 
     def over_cone(f):
         def slice_at(place):

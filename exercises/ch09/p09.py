@@ -54,12 +54,8 @@ def prove(g):
 
         return proofs.mean(of, points)
 
-    def slope(beta):
-        return proofs.rate(lambda t: energy(beta + t, g.omega))
-
-    def curvature(omega):
-        return proofs.second_rate(lambda t: energy(t, omega))
-
+    slope = lambda beta: proofs.rate(lambda t: energy(beta + t, g.omega))
+    curvature = lambda omega: proofs.second_rate(lambda t: energy(t, omega))
     beta = proofs.root(slope, mp.mpf("0.01"), mp.pi / 2)
     quick = 10 * mp.sqrt(g.g / g.a)
     return {

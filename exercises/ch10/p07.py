@@ -53,9 +53,7 @@ def prove(g):
     def of_weights(*points):
         return sum(m * g.g * place[2] for m, place in points)
 
-    def block(b):
-        return g.m_A, [0, 0, -b]
-
+    block = lambda b: (g.m_A, [0, 0, -b])
     ahead = vanishing(lambda d: of_weights((g.m, [0, 0, d]), block(g.b_0)), 0, g.b_0)
     points = ring(g.k, order=2)
 

@@ -60,9 +60,7 @@ def prove(g):
     """
     m = g.W / g.g
     upright = [(share, [z, x, y]) for share, (x, y, z) in proofs.disk(g.r)]
-
-    def unrolled(t):
-        return g.R * g.Omega * t / g.r
+    unrolled = lambda t: g.R * g.Omega * t / g.r
 
     def disk_at(t):
         around, own = rot("z", g.Omega * t), rot([-1, 0, 0], unrolled(t))

@@ -48,10 +48,7 @@ def steps(g):
 def prove(g):
     """The length at which the mass points turn about a slanting axis without a moment."""
     flat = proofs.disk(g.r, order=2)
-
-    def points(b):
-        return [(u / 2, [x, y, z]) for u, (x, y, _) in flat for z in (-b / 2, b / 2)]
-
+    points = lambda b: [(u / 2, [x, y, z]) for u, (x, y, _) in flat for z in (-b / 2, b / 2)]
     b = neutral_length(points, g.r)
     I, I_flat = (
         2 * g.m * x for x in proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[0] ** 2], flat)

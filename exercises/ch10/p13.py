@@ -53,9 +53,7 @@ def prove(g):
         R = times(rot("z", g.Omega * t), rot("x", g.P * t))
         return [(u, times(R, p)) for u, p in points]
 
-    def spun(t):
-        return [(u, times(rot("x", g.P * t), p)) for u, p in points]
-
+    spun = lambda t: [(u, times(rot("x", g.P * t), p)) for u, p in points]
     of_weight = cross(minus(proofs.mean(lambda p: p, points), C), [0, 0, -g.W])
     return {
         "M_C": minus(of_weight, moment_needed(m, turned, about=C)),

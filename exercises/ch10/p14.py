@@ -106,9 +106,7 @@ def prove(g):
         return proofs.cross(arm, [0, 0, -g.m * g.g])
 
     def moment(theta, rate, acceleration, about=(0, 0, 0)):
-        def motion(t):
-            return body(theta + rate * t + acceleration * t**2 / 2, g.P * t)
-
+        motion = lambda t: body(theta + rate * t + acceleration * t**2 / 2, g.P * t)
         return proofs.moment_needed(g.m, motion, about)
 
     level, any_angle, unit = mp.pi / 2, mpf("0.7"), g.g / g.b

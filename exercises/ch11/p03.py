@@ -28,10 +28,7 @@ def work_to_B(g):
 def distance(g, U):
     """Along the second slope, on which the weight does the work -U."""
     ground, _, second, _, B = scene(g)
-
-    def energy(s):
-        return U + constant_force_work(-g.W * ground.j, B, second.point("P", s, 0, 0)).value
-
+    energy = lambda s: U + constant_force_work(-g.W * ground.j, B, second.point("P", s, 0, 0)).value
     return solve_linear(energy, "s").s
 
 

@@ -45,10 +45,7 @@ def prove(g):
 
 def mistakes(g):
     (x_A, x_B), right = stretches(g), work(g)
-
-    def with_spring(U):
-        return speed(g, summed({**right.terms, "spring": U}))
-
+    with_spring = lambda U: speed(g, summed({**right.terms, "spring": U}))
     return {
         "lengths_for_stretches": solve(g.but(l_0=0 * g.l_0)),
         "difference_squared": with_spring(spring_potential(g.k, x_A - x_B)),

@@ -53,18 +53,12 @@ def steps(g):
 
 def prove(g):
     """The forces of weight and spring, added up along the circle of B."""
-
-    def circle(theta):
-        return [g.b * mp.sin(theta), 0, g.b * mp.cos(theta)]
-
+    circle = lambda theta: [g.b * mp.sin(theta), 0, g.b * mp.cos(theta)]
     C = [0, 0, g.d]
     start, end = circle(g.theta_0), circle(g.theta_1)
     first, last = size(minus(start, C)), size(minus(end, C))
     spring = pull(g.k, first, C)
-
-    def force(place):
-        return plus([0, 0, -g.m * g.g], spring(place))
-
+    force = lambda place: plus([0, 0, -g.m * g.g], spring(place))
     v = speed_along(g.m, force, circle, g.theta_0, g.theta_1)
     return {"v": v, "h": start[2] - end[2], "l_0": first, "l_1": last, "x": last - first}
 

@@ -55,20 +55,14 @@ def steps(g):
 def prove(g):
     """The weight added up along some track that leads from A to B, round the loop and up to E."""
     m, r = g.W / g.g, g.d / 2
-
-    def weight(place):
-        return [0, 0, -g.W]
-
+    weight = lambda place: [0, 0, -g.W]
     v_B = speed_along(m, weight, lambda q: [g.h * q, 0, g.h * (1 - q) ** 2], 0, 1)
     v_D = speed_along(m, weight, circle(r), 0, mp.pi, v_B)
     v_E = speed_along(m, weight, lambda q: [g.h * q, 0, g.h_E * q * q * (3 - 2 * q)], 0, 1, v_B)
 
     def over_crest(rho):
         """The force of the track on a car of the rider's weight."""
-
-        def along(t):
-            return [rho * mp.sin(v_E * t / rho), 0, rho * mp.cos(v_E * t / rho)]
-
+        along = lambda t: [rho * mp.sin(v_E * t / rho), 0, rho * mp.cos(v_E * t / rho)]
         return force_needed(m, lambda t: [(1, along(t))])[2] + g.W
 
     return {

@@ -47,9 +47,7 @@ def candidate(g):
     F = field(g)
 
     def V(*place):
-        def along(s):
-            return sum(f * q for f, q in zip(F(*(s * q for q in place)), place, strict=True))
-
+        along = lambda s: sum(f * q for f, q in zip(F(*(s * q for q in place)), place, strict=True))
         return -integral(along, 0, 1)
 
     return V

@@ -90,8 +90,7 @@ def prove(g):
         a = -g.k * (r - g.l_0) / (m * r)
         return [*v, a * x, a * y]
 
-    def distance(state):
-        return mp.hypot(*state[:2])
+    distance = lambda state: mp.hypot(*state[:2])
 
     def outward(state):
         x, y, u, v = state

@@ -15,9 +15,7 @@ def rolling(g, body):
         C = ground.point("C", moving(0 * g.r, rate=g.u), 0, 0)
         return ground.rotate("wheel", "z", rate=omega, origin=C)
 
-    def slip(omega):
-        return wheel(omega).point("contact", 0, -g.r, 0).velocity(ground).x
-
+    slip = lambda omega: wheel(omega).point("contact", 0, -g.r, 0).velocity(ground).x
     return ground, P, body(g.r, wheel(*solve_rates(slip, 1)), "z", mass=g.m)
 
 

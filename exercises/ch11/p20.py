@@ -87,10 +87,7 @@ def prove(g):
     along = [(on_it, [x * one, 0, 0]) for x in (1, -1)]
     rest = [(g.M - 4 * round_it - 2 * on_it, [0, 0, 0])]
     points = [(m, plus([g.c - g.L, 0, 0], p)) for m, p in around + along + rest]
-
-    def turned(t):
-        return times(rot("z", Omega * t), rot("y", -up), rot("x", spin * t))
-
+    turned = lambda t: times(rot("z", Omega * t), rot("y", -up), rot("x", spin * t))
     omega = angular_velocity(turned)
     along_arm = [mp.sin(theta), 0, mp.cos(theta)]
     part = sum(x * e for x, e in zip(omega, along_arm, strict=True))

@@ -85,10 +85,7 @@ def mistakes(g):
     _, ground, contact, body, O = rolling(g)
     omega = body.frame.angular_velocity(ground).expressed_in(contact).x
     I_G, I_O = body.inertia.moment(contact.i), body.about(O).moment(contact.i)
-
-    def energy(I, rate=omega):
-        return {"T": I * rate**2 / 2}
-
+    energy = lambda I, rate=omega: {"T": I * rate**2 / 2}
     return {
         "omega_is_Omega": energy(I_O, g.Omega),
         "about_centre": energy(I_G),

@@ -68,9 +68,7 @@ def prove(g):
         R = g.R_0 + g.q * theta
         return [R * mp.cos(theta), R * mp.sin(theta), g.p * theta]
 
-    def force(r):
-        return proofs.scaled(-g.K * g.m / proofs.size(r) ** 3, r)
-
+    force = lambda r: proofs.scaled(-g.K * g.m / proofs.size(r) ** 3, r)
     start = proofs.root(lambda theta: place(theta)[2] - g.z_0, 0, 2 * g.z_0 / g.p)
     speed = proofs.speed_along(g.m, force, place, start, 0)
     ahead = proofs.rate(place)
