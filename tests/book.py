@@ -125,9 +125,7 @@ def sections():
 
 
 def numbers_in(name):
-    """The numbered equations that a test's name names, as {(chapter, number)}:
-    ``test_eqn_2_15_to_2_18_…``, ``test_eqn_11_41_46_…``.
-    """
+    """Numbered equations in the name ``test_eqn_2_15_to_2_18_…``, as {(chapter, number)}."""
     match = re.match(r"test_eqns?_((?:A|\d+)_\d+(?:_(?:and|to|A|\d+)(?=_|$))*)", name)
     if not match:
         return set()
@@ -158,9 +156,7 @@ def tests():
 
 
 def table():
-    """[(section, rooms, equations, files, missing)]: what of each section is tested where, and what
-    is not.
-    """
+    """[(section, rooms, equations, files, missing)]"""
     names = tests()
     of_equation = defaultdict(set)
     for name, file in names.items():

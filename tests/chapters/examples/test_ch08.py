@@ -45,9 +45,7 @@ def test_example_8_4_2_three_bars_about_their_principal_axis(kind):
 
 @every_kind
 def test_example_8_4_3_three_bars_about_their_mass_centre_where_the_book_errs(kind):
-    """With the whole mass 3 m in the parallel axis theorem; the book's (9, 1, 32)/36 comes from
-    taking m.
-    """
+    """With the mass 3 m in the parallel axis theorem; the book's (9, 1, 32)/36 takes m."""
     m, l, w, a = numbers(kind, 2, "3/2", "4/5", "-1/3")
     e, unit = bars_about_mass_centre(m, l, w, a), m * l * l / 12
     assert close(e.H, (3 * unit * w, unit * w, 10 * unit * w), small(kind))
@@ -71,9 +69,7 @@ def test_example_8_4_3_three_bars_about_their_mass_centre_where_the_book_errs(ki
 
 
 def test_example_8_4_by_points_of_mass():
-    """A hundred particles on each bar, their moments by d x m a in the motion of example 3: to the
-    error of the sum, 1/n^2.
-    """
+    """A hundred particles on each bar, to the error of the sum, 1/n^2."""
     m, l, w, a, n = 2.0, 1.5, 0.8, -1 / 3, 100
     s = (np.arange(n) + 0.5) / n
     zero = np.zeros(n)

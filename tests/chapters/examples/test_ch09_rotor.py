@@ -15,9 +15,7 @@ CENTRE, MOMENTS, PRODUCTS = ("0.02", "-0.03", "0.05"), ("0.4", "0.5", "0.3"), ("
 
 
 def general(kind):
-    """The scene, and what (9.9) is written in: m, centre, I_xz, I_yz, I_zz, a, b, psi, omega,
-    alpha, g.
-    """
+    """The scene; m, centre, I_xz, I_yz, I_zz, a, b, psi, omega, alpha, g of (9.9)."""
     m, g, a, b, psi, omega, alpha = numbers(kind, 3, "9.81", "0.25", "0.35", "0.8", "3.5", "-2.5")  # fmt: skip
     centre, moments, products = (numbers(kind, *v) for v in (CENTRE, MOMENTS, PRODUCTS))
     scene = unbalanced_rotor(m, centre, moments, products, a, b, psi, omega, alpha)

@@ -116,9 +116,7 @@ def test_eqn_11_25_the_slope_of_the_potential_is_the_force(kind):
 
 @every_kind
 def test_example_11_10_speed_at_a_distance_and_escape(kind):
-    """From r = 2, 3 m/s with K M = 14: at r = 4 v^2 = 9 - 7, and from 2 the escape speed is
-    sqrt(14).
-    """
+    """From r = 2, 3 m/s, K M = 14: at r = 4 v^2 = 9 - 7; from 2 the escape speed is sqrt(14)."""
     K, M, r = numbers(kind, "0.5", 28, 2)
     if kind != "array":
         assert close(speed_at_distance(2 * r, r, 3, K, M), sqrt(0 * r + 2), small(kind))

@@ -66,9 +66,7 @@ def test_example_11_15_the_vertical_plane_is_only_a_limit():
 
 @pytest.mark.parametrize("v0", [7.0, np.array([2.0, 5.0, 7.0])])
 def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
-    """Friction mu m g at the slip v + omega r: 1/7 m v0^2 becomes heat, and what stays is that of
-    rolling.
-    """
+    """At the slip v + omega r, 1/7 m v0^2 becomes heat; what stays is that of rolling."""
     m, mu, g, r = 2.0, 0.2, 10.0, 0.5
     begins = rolling_begins(v0, mu, g, r)
     ground = Frame("ground")

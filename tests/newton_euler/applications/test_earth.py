@@ -88,9 +88,7 @@ def test_eqns_6_11_and_6_13_force_of_the_ground(kind):
 
 @every_kind
 def test_eqn_6_12_acceleration_of_a_place_on_the_earth(kind):
-    """Against the printed components, and against the second rates of its coordinates among the
-    stars.
-    """
+    """Against the printed components, and the second rates of its coordinates."""
     ground, latitude, rate, radius, _ = site(kind)
     s, c = sin(latitude), cos(latitude)
     a = e.ground_acceleration(ground)
@@ -114,9 +112,7 @@ def test_eqn_6_14_the_rotation_neglected_and_the_error_of_it():
 
 
 def test_section_6_8_apparent_g_and_the_plumb_line():
-    """Measured 9.780 at the equator and 9.832 at the poles; half of the difference is rotation,
-    half the shape of the Earth, which is no sphere.
-    """
+    """Half of 9.832 - 9.780 between pole and equator is rotation, half the shape of the Earth."""
     stars = Frame("stars")
     g = e.EARTH_GM / e.EARTH_RADIUS**2
     latitude = np.linspace(-1.5, 1.5, 31)
@@ -184,9 +180,7 @@ def test_eqns_6_16_to_6_19_launch_and_rotation_along_ground_axes(kind):
 
 
 def by_exponential(t, r, v, g, omega):
-    """Position and velocity at t by the exponential of the matrix of (6.20) as a system of first
-    order; all mpf.
-    """
+    """Position and velocity at t by the exponential of the matrix of (6.20), in mpf."""
     A, g, omega = mp.zeros(7), tuple(g), tuple(omega)  # r, v, 1
     spin = ((0, -omega[2], omega[1]), (omega[2], 0, -omega[0]), (-omega[1], omega[0], 0))
     for n in range(3):
@@ -248,9 +242,7 @@ def test_eqns_6_22_to_6_24_integrals_to_first_order(kind):
 
 
 def test_eqn_6_24_is_right_to_the_first_order():
-    """Its error against the exponential falls by 4 where the rate is halved, and is (2 omega t)^2/6
-    of the way or less.
-    """
+    """Its error falls by 4 where the rate is halved, and is (2 omega t)^2/6 of the way or less."""
     t, error = mp.mpf(60), []
     for rate in ("0.0002", "0.0001"):
         launch, g, omega = shot(rate)

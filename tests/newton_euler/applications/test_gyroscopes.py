@@ -139,9 +139,7 @@ def test_eqn_10_23_and_10_27_moment_by_its_terms(kind):
 
 
 def spun(angles):
-    """The rates that (10.24) and (10.25) are written in: theta and its rates, psi', psi'', omega_z
-    and its rate (10.26).
-    """
+    """Of (10.24) and (10.25): theta and its rates, psi', psi'', omega_z and its rate (10.26)."""
     (_, dpsi, ddpsi), (theta, dtheta, ddtheta), (_, dphi, ddphi) = angles.values()
     wz, dwz = dphi + dpsi * cos(theta), ddphi + ddpsi * cos(theta) - dpsi * dtheta * sin(theta)
     return theta, dtheta, ddtheta, dpsi, ddpsi, wz, dwz
@@ -171,9 +169,7 @@ def test_eqn_10_24_10_25_10_26_moment_in_euler_angles_and_in_its_shortest_form(k
 
 
 def test_eqn_10_23_from_mass_points_in_explicit_motion():
-    """A body of revolution as far as its inertia goes: points on two rings. No inertia matrix, no
-    moving frame.
-    """
+    """Points on two rings: no inertia matrix, no moving frame."""
     rings = (2, ring(3, 1, 3)), (1, ring(-1, 2, 4))
     masses = [(mp.mpf(m), r) for m, places in rings for r in places]
     I = sum(m * (x * x + y * y) for m, (x, y, _) in masses)
@@ -302,9 +298,7 @@ def slow_root_to_60_digits(I0, I, theta, spin, mgr):
 
 @pytest.mark.parametrize("difference", [1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0, -1e-12, -1e-6])
 def test_eqn_10_33_does_not_cancel_where_the_printed_form_does(difference):
-    """ENGINES, section 4: relative error of the printed root 3e-10, 6e-7, 1e-3, 100 % at 1e-6,
-    1e-9, 1e-12, 1e-15.
-    """
+    """The printed root is off by 3e-10, 6e-7, 1e-3, 100 % at 1e-6, 1e-9, 1e-12, 1e-15."""
     I0, I, theta, spin, mgr = 1.0, 1.0 - difference, 1.0, 3.0, 2.0
     found = steady_precession(I0, I, theta, spin=spin, mgr=mgr)
     true = slow_root_to_60_digits(I0, I, theta, spin, mgr)
@@ -547,9 +541,7 @@ def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, prec
 
 
 def test_small_nutations_keep_their_digits():
-    """A top displaced by 1e-9 rad/s from steady precession: the roots of f in cos(theta) would be
-    good to 1e-8 only.
-    """
+    """Displaced by 1e-9 rad/s: the roots of f in cos(theta) would be good to 1e-8 only."""
     I0, I, mgr, theta, wz = 0.6, 0.25, 1.5, 0.9, 20.0
     found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
     rate = 1e-9
@@ -599,9 +591,7 @@ def test_the_sleeping_top_on_both_sides_of_its_threshold(part, stable):
 
 
 def test_the_sleeping_top_agrees_with_the_limits_of_nutation():
-    """ENGINES: a tilt rate of 1e-6 grows to .9 at .9 of the critical rate, stays small above: by
-    the limits, without a simulation.
-    """
+    """A tilt rate of 1e-6 grows to .9 at .9 of the critical rate, and stays small above."""
     I0, I, mgr = 0.25, 0.5, 1.0
     below, above = (
         nutation(I0, I, mgr, 0.0, 1e-6, 0.0, omega_z=2.0 * part).theta_max for part in (0.9, 1.1)

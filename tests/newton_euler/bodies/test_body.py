@@ -119,9 +119,7 @@ def test_eqn_5_4_centre_of_mass_of_particles(kind):
 
 @every_kind
 def test_eqn_5_5_to_5_8_internal_forces_cancel_and_G_moves_under_the_external_ones(kind):
-    """Three particles on springs under a field: the forces give the accelerations; those of G
-    follow from the external force alone.
-    """
+    """Three particles on springs under a field."""
     ground, cloud, moved = Frame("ground"), of_kind(kind, points(3, 3)), []
     stiffness, g = numbers(kind, "3.5", "9.8")
     total = outside = ground.vector(0, 0, 0)
@@ -175,9 +173,7 @@ def test_eqn_5_10_and_5_14_to_5_17_centre_in_the_body_frame_and_positions_from_i
 
 @every_kind
 def test_eqn_5_12_and_5_13_centre_of_a_continuum_is_that_of_its_cells(kind):
-    """A rod of n cells, each a particle: Richardson's extrapolation of their centre and moment
-    gives the rod's.
-    """
+    """Richardson's extrapolation of n particles gives the rod's centre and moment."""
     m, length = numbers(kind, 3, "1.6")
     frame = Frame("rod")
 
@@ -317,9 +313,7 @@ def test_moments_are_least_about_the_centre_of_mass():
 
 
 def test_going_far_away_and_back_loses_no_more_than_the_far_matrix_has():
-    """m d^2 = 1e6 is added and taken off: the entries of order 1 keep its round-off, 1e-10, and no
-    more.
-    """
+    """Of m d^2 = 1e6 the entries of order 1 keep the round-off, 1e-10, and no more."""
     body, _, whole = cloud_in("float")
     far = whole.inertia.about(body.point("far", 200.0, 200.0, 200.0))
     assert close(far.about(whole.centre).matrix, whole.inertia.matrix, 4 * EPS * max(far.moments))
@@ -374,9 +368,6 @@ def test_a_body_of_revolution_keeps_its_matrix_exactly_when_it_spins():
 
 
 def test_a_symmetric_body_in_a_frame_that_does_not_spin_with_it():
-    """H and its rate for a top, in the frame that precesses without spinning and in the body: the
-    same vectors.
-    """
     ground = Frame("ground")
     precessing = ground.rotate("p", "z", 0.3, rate=2.0).rotate("tilted", "x", 0.5, rate=0.4)
     body = precessing.rotate("top", "z", 0.9, rate=30.0, acceleration=4.0)

@@ -20,9 +20,7 @@ laws = settings(max_examples=80, deadline=None)
 
 
 def tilted(moments, axis, angle, noise=0.0, seed=0):
-    """The matrix of a body with these principal moments, turned by an angle about an axis, with
-    relative noise in its entries.
-    """
+    """The matrix with these principal moments, turned about an axis, with relative noise."""
     R = np.array(rotation_matrix(axis, angle))
     shake = np.random.default_rng(seed).uniform(-1, 1, (3, 3)) * noise * max(moments)
     I = R @ np.diag(moments) @ R.T + shake
@@ -62,9 +60,7 @@ def test_eqn_7_20_the_moments_are_the_roots_of_the_characteristic_equation(kind)
 
 
 def test_eqn_7_21_pairs_of_masses_opposite_an_axis():
-    """Equal particles opposite the axis k, at any heights: k is principal; three or more equal ones
-    around it make two moments equal.
-    """
+    """Opposite k, at any heights: k is principal; three or more make two moments equal."""
     frame, parts = Frame("body"), []
     for n, (m, r, z) in enumerate([(2.0, 0.5, 0.3), (1.0, 1.5, -0.8)]):
         for a in (n + k * math.pi / 2 for k in range(4)):
@@ -133,9 +129,7 @@ def test_thirty_digits():
 
 
 def test_equal_moments_are_not_turned_by_round_off():
-    """The naive way turns the axes by tens of degrees for a change of 1e-16; here the ones nearest
-    to the frame are taken.
-    """
+    """The axes nearest to the frame are taken."""
     naive, mine = [], []
     for seed in range(20):
         I, _ = tilted((2.0, 2.0, 3.0), (0.0, 0.0, 1.0), 0.3, 1e-16, seed)
@@ -172,9 +166,7 @@ def test_a_sphere_keeps_the_axes_of_the_frame():
 
 @pytest.mark.parametrize("gap", [1e-1, 1e-2, 3e-3])
 def test_the_report_tells_how_far_noise_turns_the_axes(gap):
-    """Three digits of data (0.1 %): the median turn over many tries is within the reported angle, 95 %
-    within three times it.
-    """
+    """At 0.1 % the median turn is within the reported angle, 95 % within three times it."""
     noise, true = 1e-3, (2.0, 2.0 + gap * 3, 3.0)
     turns = []
     for seed in range(200):

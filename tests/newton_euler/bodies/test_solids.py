@@ -30,9 +30,7 @@ TURN = (-math.pi, math.pi)
 
 
 def fan(radii, angles, length=None):
-    """Ring, disk, sector in the plane normal to x, toward y; a curve for one radius, thick along x
-    if a length is given.
-    """
+    """Ring, disk, sector normal to x, toward y; a curve for one radius, thick by a length."""
     limits = (
         [angles]
         + ([radii] if isinstance(radii, tuple) else [])
@@ -137,9 +135,7 @@ def integrals(points):
 
 @every_solid
 def test_appendix_B_by_quadrature(name):
-    """Content, centre and matrix about the point given, for a unit density; the cone's at its apex,
-    as in the book.
-    """
+    """Content, centre and matrix for a unit density; the cone's at its apex, as in the book."""
     given, sample = TABLE[name]
     frame = Frame("solid")
     body = make(name, frame, *given, density=1.0)
@@ -234,9 +230,7 @@ def test_half_figures_are_arcs_and_sectors_of_a_quarter_turn():
 
 
 def test_limits_of_the_table():
-    """A thin tube is a shell, a flat cylinder a disk, a whole arc a ring, a hollow sphere with no
-    hole solid.
-    """
+    """A thin tube is a shell, a flat cylinder a disk, a whole arc a ring."""
     F = Frame("F")
     cases = [
         (B.tube(1 - 1e-9, 1.0, L, F, mass=1.0), B.cylindrical_shell(1.0, L, F, mass=1.0)),
@@ -265,9 +259,7 @@ def test_two_half_disks_make_a_disk_and_two_hemispheres_a_sphere():
 @every_kind
 @pytest.mark.parametrize("corners", [2, 3, 4], ids=["rod", "triangle", "tetrahedron"])
 def test_simplex_between_points_anywhere(kind, corners):
-    """Against quadrature in barycentric coordinates: moments of a simplex are polynomials of degree
-    two, so Gauss is exact.
-    """
+    """Moments of a simplex are polynomials of degree two, so Gauss is exact."""
     places = [(0.5, -0.25, 1), (2, 0.5, 0.25), (-1, 1.5, 0.5), (0.25, 0.75, -2)][:corners]
     F = Frame("F")
     P = [F.point(f"P{n}", *numbers(kind, *r)) for n, r in enumerate(places)]

@@ -64,9 +64,7 @@ small = within(1e-12, 25)
 
 
 class Tumbling:
-    """Four mass points on a rigid frame that turns about two axes while its origin moves, at the
-    instant t: as points, and as a Body.
-    """
+    """Four mass points on a turning frame whose origin moves: as points, and as a Body."""
 
     def __init__(self, kind, t=None, fixed=False):
         self.a, self.b, self.v = numbers(kind, "0.7", "-1.2", 0 if fixed else 2)
@@ -109,9 +107,7 @@ class Tumbling:
         ]
 
     def loads(self):
-        """Resultant force and moment about G that the motion of the points needs, in ground
-        components.
-        """
+        """Resultant force and moment about G that the points need, in ground components."""
         G, vector = self.centre(), self.ground.vector
         force = moment = vector(0, 0, 0)
         for m, c in zip(self.masses, self.moved, strict=True):
@@ -388,9 +384,7 @@ def test_eqn_11_41_46_47_integrated_forces_and_moments_give_the_gain_of_kinetic_
 
 
 class Driven:
-    """A mass in a prescribed plane motion under its weight and a spring; what else drives it
-    follows from m a.
-    """
+    """A mass in a plane motion under weight and spring; what else drives it follows from m a."""
 
     def __init__(self, kind):
         self.m, self.g, self.K, self.end = numbers(kind, 2, "9.81", 20, "0.75")
@@ -469,9 +463,7 @@ def test_eqn_11_32_49_without_them_E_is_constant(kind):
 
 @every_kind
 def test_eqn_11_33_friction_becomes_internal_energy(kind):
-    """A block thrown along a level surface: v = v0 - mu g t until it stops; all its kinetic energy
-    becomes heat.
-    """
+    """A block thrown along a level surface: v = v0 - mu g t until it stops."""
     m, mu, g, v0 = numbers(kind, 2, "0.25", 10, 3)
     stop = v0 / (mu * g)
     v = lambda t: v0 - mu * g * t

@@ -70,9 +70,7 @@ def test_eqn_8_13_8_14_euler_s_equations(kind):
 
 @every_kind
 def test_eqn_8_12_solved_for_the_angular_acceleration(kind):
-    """Both directions: the moment of a motion gives its angular acceleration back, in principal
-    axes and others.
-    """
+    """The moment of a motion gives alpha back, in principal axes and others."""
     ground, brick = spinning_brick(kind)
     for body in (brick, free_body(kind)[2]):
         top = body.frame.tree[0] if body is not brick else ground
@@ -84,9 +82,7 @@ def test_eqn_8_12_solved_for_the_angular_acceleration(kind):
 
 @every_kind
 def test_a_symmetric_body_in_the_frame_that_precesses_without_spinning(kind):
-    """Omega != omega: the matrix stays the same in that frame, where the formulas have no spin
-    angle.
-    """
+    """Omega != omega: the formulas have no spin angle."""
     psi, theta, spin, rate, nutation = numbers(kind, "0.3", "1.1", 7, "0.9", "-0.4")
     ground = Frame("ground")
     frame = ground.rotate("precessing", "z", psi, rate).rotate("nodes", "x", theta, nutation)

@@ -18,9 +18,7 @@ small = within(1e-13, 26)
 
 
 def system(kind):
-    """Three forces and a couple, in the ground and in a frame that is turned and moved, with their
-    components in the ground as triples.
-    """
+    """Three forces and a couple, in the ground and in a frame that is turned and moved."""
     shop = Frame("ground")
     angle, x, y, z = numbers(kind, "0.3", 1, -2, "1/2")
     bench = shop.rotate("bench", "z", angle=angle, origin=shop.point("bench", x, y, z))

@@ -82,9 +82,7 @@ def test_eqn_5_24_gravity_from_mass_and_radius(kind):
 
 
 def test_eqn_5_24_gives_the_book_s_gravity_of_the_earth():
-    """By attraction alone g is 9.81 to 9.83 m/s^2 between the largest and the smallest radius:
-    within what the book tells.
-    """
+    """Between the largest and the smallest radius; the book has 9.79 to 9.83 m/s^2."""
     assert (
         9.79
         < gravity_at_surface(5.972e24, 6378.137e3)

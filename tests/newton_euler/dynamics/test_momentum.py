@@ -73,9 +73,7 @@ class Oracle:
         }[name]
 
     def summed(self, about, derivative, differences):
-        """The sum of d_i x m_i times the derivative of d_i (``differences``) or of the place of the
-        particle.
-        """
+        """The sum of d_i x m_i times the derivative of d_i (``differences``) or of the place."""
         B, t, total = self.reference(about), self.q[3], mp.matrix([0, 0, 0])
         for m, x in MASSES:
             P = self.place(x)
@@ -116,9 +114,7 @@ def test_eqn_7_6_relative_angular_momentum_about_any_point_is_that_of_its_partic
 def test_eqn_8_8_8_9_8_10_8_11_moment_of_motion_about_any_point_is_that_of_the_particles(
     kind, about
 ):
-    """M_B = sum of d_i x m_i a_i (8.8), by differentiating the places twice, against DH/Dt + d x m
-    a_B (8.9).
-    """
+    """M_B = sum of d_i x m_i a_i (8.8) against DH/Dt + d x m a_B (8.9)."""
     ground, carrier, body, points, q = free_body(kind)
     by_particles = expected(kind, q, about, second_rate, False)
     for via in (None, carrier, ground):
@@ -164,9 +160,7 @@ def test_eqn_8_1_to_8_3_places_and_rates_relative_to_b(kind):
 
 @every_kind
 def test_eqn_8_21_newton_euler_equations_vanish_for_the_forces_of_the_motion(kind):
-    """Each particle is carried by its own force m_i a_i: their system gives the motion of the body,
-    about any point.
-    """
+    """Each particle is carried by its own force m_i a_i."""
     ground, _, body, points, _ = free_body(kind)
     forces = ForceSystem(
         {p.name: (p.centre.acceleration(ground) * p.mass, p.centre) for p in body.parts}, ground
@@ -211,18 +205,14 @@ def test_momentum_and_moments_have_their_units_and_can_be_compiled():
 
 @every_kind
 def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
-    """(8.9) about G, about the moving end A, and about the fixed corner O: one answer; the moment
-    about A needs d x m a_A.
-    """
+    """About G, the moving end A, and the corner O; the moment about A needs d x m a_A."""
     W, g, L, c, s = numbers(kind, 8, "32.2", 4, "4/5", "3/5")
     if kind == "array":
         c, s = 0.8, 0.6
     ground, m = Frame("ground"), W / g
 
     def conditions(about, F_A, F_B, alpha):
-        """The angle from the vertical grows by theta'' = alpha: A = (0, L cos), B = (L sin, 0)
-        from rest.
-        """
+        """theta'' = alpha, theta from the vertical: A = (0, L cos), B = (L sin, 0) from rest."""
         y, x = moving(L * c, 0, -L * s * alpha), moving(L * s, 0, L * c * alpha)
         A, B, O = ground.point("A", 0, y, 0), ground.point("B", x, 0, 0), ground.point("O", 0, 0, 0)
         G = ground.point("G", x / 2, y / 2, 0)
@@ -245,9 +235,7 @@ def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
 
 
 def test_two_bars_hinged_together_are_solved_as_one_system():
-    """A double pendulum let go from rest, 2 rods: 6 unknowns against Lagrange's equations worked
-    out for this place.
-    """
+    """A double pendulum let go from rest, against Lagrange's equations."""
     m, L, g = 2.0, 1.5, 9.81
     ground = Frame("ground")
 

@@ -86,9 +86,7 @@ def test_eqns_6_2_to_6_4_and_6_7_rectangular_components_in_the_plane_and_in_spac
 
 @every_kind
 def test_eqn_6_5_tangential_and_normal_components(kind):
-    """Against the rates of speed and direction, differentiated from the velocity as functions of
-    time.
-    """
+    """Against the rates of speed and direction of the velocity."""
     m, t, u, w, _ = coordinates(kind)
     v = at(lambda t: sqrt(u(t) ** 2 + w(t) ** 2), t)
     theta = at(lambda t: atan2(w(t), u(t)), t)
@@ -143,9 +141,7 @@ def test_forces_along_curved_coordinates_may_come_as_components_or_as_vectors():
 
 @every_kind
 def test_eqn_6_10_force_by_way_of_a_moving_frame_and_what_is_seen_there(kind):
-    """Against the rectangular coordinates in the inertial frame as functions of time: origin, turn,
-    and relative motion all accelerate.
-    """
+    """Origin, turn, and relative motion all accelerate."""
     m, t, x, angle, y = coordinates(kind)
     ground = Frame("ground")
     disk = ground.rotate(
@@ -189,9 +185,7 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
 
 @given(st.floats(0.1, 100), st.lists(st.floats(-10, 10), min_size=9, max_size=9))
 def test_any_force_comes_back_from_the_accelerations_that_it_makes(m, x):
-    """r = 12 + x, elevation within 60 degrees of the equator: forces to second rates to forces
-    again.
-    """
+    """r = 12 + x, elevation within 60 degrees of the equator."""
     ground = Frame("ground")
     q, rates, F = (12.0 + x[0], x[2], 0.1 * x[4]), x[1:6:2], tuple(x[6:])
     second = coordinate_accelerations(m, spherical(ground, "P", *map(moving, q, rates)), push=F)

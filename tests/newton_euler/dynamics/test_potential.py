@@ -57,9 +57,7 @@ def exactly(V, kind, *place):
 
 
 def vortex(x, y, z):
-    """No curl, but a hole: it does not exist on the z axis, and does the work 2 pi in every turn
-    round it.
-    """
+    """No curl, but a hole on the z axis: the work 2 pi in every turn round it."""
     square = x * x + y * y
     return -y / square, x / square, 0
 

@@ -187,9 +187,7 @@ def test_eqn_11_9_power_of_the_resultant_is_the_rate_of_kinetic_energy(kind):
 
 
 def tumbling(kind):
-    """A body that turns about two axes while its origin moves; two of its points, and the arm
-    between them.
-    """
+    """A body that turns about two axes while its origin moves; two of its points, and an arm."""
     a, b, v, x = numbers(kind, "0.7", "-1.25", 3, "0.4")
     ground = Frame("ground")
     O = ground.point("O", moving(a, v), moving(b, -v), 0)
@@ -297,9 +295,7 @@ def test_an_amount_explains_itself():
 
 
 def test_a_force_with_a_jump_is_divided_there():
-    """Friction that turns its sign: adaptive quadrature finds it, the smooth rule for mpf refuses,
-    and breaks serves both.
-    """
+    """Friction that turns its sign: the rule for mpf refuses, adaptive quadrature does not."""
     turn = math.sqrt(0.1)
     force = lambda x: -1 if x < turn else 1
     U = lambda one, **breaks: work_integral(force, 0 * one, one, **breaks).value

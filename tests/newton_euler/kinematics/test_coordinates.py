@@ -187,9 +187,7 @@ def test_on_the_axis_the_way_back_is_refused_in_words(back):
 @pytest.mark.parametrize("distance", [1e-1, 1e-4, 1e-8, 1e-12])
 @every_system
 def test_near_the_axis_rates_are_large_and_right_to_the_last_digits(system, distance):
-    """A straight line that misses the axis by the distance: theta' = v/distance; against 30 digits
-    on the same numbers.
-    """
+    """A straight line that misses the axis: theta' = v/distance."""
     make, back, _ = SYSTEMS[system]
     x = distance, 0.3 * distance, 1.0
     ground = Frame("ground")
@@ -209,9 +207,7 @@ def test_near_the_axis_rates_are_large_and_right_to_the_last_digits(system, dist
 
 
 def test_naively_the_rates_near_the_pole_would_be_lost():
-    """phi from arcsin(z/R) and its rate by the chain rule lose half of the digits 1e-8 off the
-    pole; the engine keeps them.
-    """
+    """phi from arcsin(z/R), by the chain rule, loses half of the digits 1e-8 off the pole."""
     ground = Frame("ground")
     x, v = (1e-8, 0.0, 1.0), (1.0, 0.0, 0.0)
     _, _, phi = spherical_coordinates(ground.vector(*x), ground.vector(*v))

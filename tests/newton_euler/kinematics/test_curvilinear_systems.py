@@ -165,9 +165,7 @@ def test_near_the_axis_unit_vectors_are_right_to_the_last_digits(off):
 def test_near_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation_is(
     off, tolerance_
 ):
-    """The float nearest to pi/2 - off is off by up to 1e-16, which is 1e-16/off of its distance
-    from the pole.
-    """
+    """The float next to pi/2 - off is off by up to 1e-16/off of its distance."""
     ground = Frame("ground")
     P = curvilinear(ground, "P", in_space, 1.0, 0.5, math.pi / 2 - off)
     assert close(P.local.j.components(ground), (-math.sin(0.5), math.cos(0.5), 0), 4e-16)

@@ -49,9 +49,7 @@ def decimals(rng, count, largest=2.0):
 
 
 def random_tree(seed, count):
-    """Frames 1 … count, each hung into an earlier one (mostly the last), turning about any axis,
-    with a moving origin.
-    """
+    """Each hung into an earlier one (mostly the last), with any axis and a moving origin."""
     rng = random.Random(seed)
     return [
         {
@@ -88,9 +86,7 @@ def in_engine(tree, kind):
 
 
 class Explicit:
-    """The same tree as functions of time: orientation R(n, t) and origin X(n, t) of each frame in
-    the ground.
-    """
+    """The same tree: orientation R(n, t) and origin X(n, t) of each frame in the ground."""
 
     def __init__(self, tree, scale=1):
         self.tree, self.scale = tree, mpf(scale)
@@ -122,9 +118,7 @@ class Explicit:
         return lambda t: self.R(m, t).T * self.R(n, t)
 
     def seen(self, n, x, m):
-        """Position from the origin of frame m, in its components, of the point with coordinates x
-        in frame n.
-        """
+        """Position from the origin of frame m, in its components, of the point x of frame n."""
         return lambda t: (
             self.R(m, t).T * (self.X(n, t) + self.R(n, t) * self.column(x, t) - self.X(m, t))
         )
@@ -135,9 +129,7 @@ class Explicit:
 
 
 def agrees(kind, vector, frame, expected):
-    """``vector`` has, in ``frame``, the components that ``expected(scale)`` gives, at every instant
-    of its kind.
-    """
+    """``vector`` has the components ``expected(scale)`` at every instant of its kind."""
     small = 1e-24 if kind in ("mpmath", "sympy") else 1e-12
     for n, scale in enumerate(SCALES[kind]):
         with mp.workdps(DIGITS):
@@ -225,9 +217,7 @@ POINT = [[0.6, -1.2, 0.5], [0.4, 0.7, -0.9], [-1.1, 0.3, 0.8]]
 @pytest.mark.parametrize("kind", FAST_KINDS)
 @pytest.mark.parametrize("seed", range(4))
 def test_eqn_4_16_to_4_18_from_every_observer_by_way_of_every_frame(kind, seed):
-    """Also (4.28), (4.29): observers above, below, and in other branches; every ``via`` gives the
-    same total, and the terms sum to it.
-    """
+    """Observers above, below, and in other branches; every ``via`` gives the same total."""
     tree = random_tree(seed, 5)
     frames = in_engine(tree, kind)
     here = random.Random(seed).randrange(6)
@@ -249,9 +239,7 @@ def test_eqn_4_16_to_4_18_from_every_observer_by_way_of_every_frame(kind, seed):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_eqn_4_28_and_4_29_term_by_term(seed):
-    """Each term against its own definition: origin and relative motion differentiated, omega and
-    alpha from the matrices.
-    """
+    """Each term against its own definition."""
     tree = random_tree(seed + 20, 5)
     frames = in_engine(tree, "mpmath")
     P = frames[5].point("P", *(moving(*numbers("mpmath", *v)) for v in POINT))
@@ -395,9 +383,7 @@ def test_eqn_4_19_to_4_24_angular_velocity_and_acceleration_between_any_two_fram
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("kind", FAST_KINDS)
 def test_eqn_4_25_and_4_26_and_the_rule_for_n_frames(kind, count):
-    """alpha = sum of the relative ones and of all cross products of an inner with an outer rate,
-    each term with its name.
-    """
+    """The sum of the relative ones and of all products of an inner with an outer rate."""
     frames = in_engine(chain(count, count), kind)
     ground, last = frames[0], frames[-1]
     alpha = last.angular_acceleration(ground)
@@ -454,9 +440,7 @@ VALUES = (0.4, 1.2, 0.3, 4, 0.7, 2, 0.5)
 
 
 def inclined_disk(phi, omega, domega, p, dp, R, r):
-    """Frames as in the book: 2 in the shaft, 3 in the disk with j to A and k along OB; i3 = -i1 at
-    the instant.
-    """
+    """Frames as in the book: 2 in the shaft, 3 in the disk with j to A and k along OB."""
     ground = Frame("1")
     shaft = ground.rotate("2", "z", rate=omega, acceleration=domega)
     half_turn = shaft.rotate("half turn", "z", angle=pi(phi))
@@ -649,9 +633,7 @@ def test_solve_rates_takes_vectors_and_scalars_together_and_ignores_empty_compon
 
 
 def test_solve_rates_is_not_led_astray_by_rounding():
-    """A wheel turned by 90 degrees: components that should vanish are 1e-17, and must not count as
-    contradictions or as conditions.
-    """
+    """Components of 1e-17 are neither contradictions nor conditions."""
     ground = Frame("ground")
     turned = ground.rotate("turned", "z", angle=np.pi / 2).rotate("leaned", (1, 2, 3), angle=0.3)
 

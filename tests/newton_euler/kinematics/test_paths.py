@@ -79,9 +79,7 @@ def test_from_motion_and_from_path_the_same_triad_follows():
 
 
 def test_torsion_has_the_sign_of_the_book():
-    """A right-handed helix has a negative one; the usual definition, r' x r'' . r''' / |r' x
-    r''|^2, a positive one.
-    """
+    """Negative for a right-handed helix; the usual r' x r'' . r''' / |r' x r''|^2 is positive."""
     helix = lambda rise: lambda s: (3 * cos(s), 3 * sin(s), rise * s)
     for rise in (4, -4):
         here = frenet_along(helix(rise), 0.4, ground)
@@ -251,9 +249,7 @@ def test_eqn_2_4_2_5_2_14_velocity_along_the_tangent_and_its_rate(kind):
 @every_kind
 @pytest.mark.parametrize("sense", [1, -1])
 def test_eqn_2_6_to_2_11_the_triad_turns_with_the_direction_of_travel(kind, sense):
-    """theta(t), the angle of e_t: e_n is its normal on the concave side, for either sense of
-    turning, and e_t' = |theta'| e_n.
-    """
+    """theta(t) of e_t, for either sense of turning: e_t' = |theta'| e_n."""
     c, t = numbers(kind, "0.8", "0.6")
     theta, speed, small = lambda t: sense * c * t * t, lambda t: 2 + sin(t), tight(kind)
     v = ground.vector(*along(lambda s: (speed(s) * cos(theta(s)), speed(s) * sin(theta(s)), 0), t))
@@ -293,9 +289,7 @@ def by_arc_length(kind, f, t, speed):
 
 
 def axes_of(name):
-    """Components of e_t, e_n or e_b along the twisted_cubic cubic, as a function of time: from the
-    definitions, not from the engine.
-    """
+    """Components of e_t, e_n or e_b along the cubic as functions of time, by the definitions."""
 
     def evaluated(t):
         v, a = (1, 2 * t, 3 * t * t), (0, 2, 6 * t)
@@ -336,9 +330,7 @@ def test_eqn_3_4_to_3_8_the_triad_by_its_definitions(kind):
 
 @every_kind
 def test_eqn_3_9_to_3_11_torsion_and_the_frenet_formulas(kind):
-    """Both by differentiating the definitions along the path and by the turning of the engine's
-    triad.
-    """
+    """By the definitions along the path, and by the turning of the engine's triad."""
     t = numbers(kind, "0.6")
     here = frenet_along(twisted_cubic, t, ground)
     f, tau = here.flexure, here.torsion

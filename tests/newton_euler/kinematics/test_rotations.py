@@ -148,9 +148,7 @@ def test_eqn_4_7_direction_cosines_take_ground_components_to_body_components(kin
 
 @every_kind
 def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
-    """A r = r for r along the axis, and |A - 1| = 0, for three successive rotations about different
-    axes.
-    """
+    """A r = r along the axis, and |A - 1| = 0, for three rotations about different axes."""
     ground, body, _, _ = spinning(kind)
     A = [[number(x) for x in row] for row in direction_cosines(body, ground)]
     axis, angle = axis_angle(transpose(A))
@@ -169,9 +167,7 @@ def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
     ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1)),
 ])  # fmt: skip
 def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, order, columns, axis):
-    """First I then J: i = -K, j = I, k = -J; first J then I: i = J, j = K, k = I; each is one turn
-    of 120 degrees.
-    """
+    """Each order is one turn of 120 degrees."""
     tiny, one = small(kind), numbers(kind, 1)
     quarter = pi(one) / 2 + 0 * one
     R = in_sequence(*(rotation_matrix({"I": I, "J": J}[name], quarter) for name in order))
@@ -182,9 +178,7 @@ def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, ord
 
 
 def test_section_4_2_the_arm_forward_up_and_back_has_turned_the_palm():
-    """x forward, y left, z up; the arm points right, its palm forward. Net: 90 degrees about the
-    arm, the palm now up.
-    """
+    """x forward, y left, z up; the arm points right, its palm forward."""
     quarter = math.pi / 2
     forward, up, back = (rotation_matrix(axis, quarter) for axis in (K, (0, -1, 0), I))
     arm, palm = (0, -1, 0), (1, 0, 0)
@@ -256,9 +250,7 @@ def test_eqn_4_10_small_displacements_of_two_points_of_a_body(kind):
 
 @every_kind
 def test_eqn_4_11_velocity_of_a_point_of_a_moving_body(kind):
-    """v_A = v_B + omega x r against the product rule on r_B(t) + R(t) r; with B fixed, v_A = omega
-    x r_A.
-    """
+    """v_B + omega x r against the product rule on r_B(t) + R(t) r; also with B fixed."""
     v_B, r = numbers(kind, 2, 3, "-1"), numbers(kind, 1, "-0.5", "0.25")
     for v_origin in (v_B, None):
         ground, body, matrix, t = spinning(kind, v_origin)
@@ -274,9 +266,7 @@ def test_eqn_4_11_velocity_of_a_point_of_a_moving_body(kind):
 
 @every_kind
 def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind):
-    """alpha = D omega/Dt against the antisymmetric part of d(R' R^T)/dt, and against the rate of
-    the vector omega.
-    """
+    """Against the antisymmetric part of d(R' R^T)/dt."""
     ground, body, matrix, t = spinning(kind)
     value, rate, second = with_rates(matrix, t)
     one, two = product(second, transpose(value)), product(rate, transpose(rate))
@@ -289,9 +279,7 @@ def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind)
 
 
 def rolling_cone(h, r, nu):
-    """The cone of 4.5 at the instant its line of contact is along I: (ground, cone, P the highest
-    point of the base, rate of the line of contact).
-    """
+    """Line of contact along I: ground, cone, P highest on the base, rate of the line."""
     ground = Frame("ground")
 
     def placed(line_rate, spin):
@@ -362,9 +350,7 @@ def test_axis_and_angle_of_exact_numbers_are_exact():
 
 
 def true_matrix(axis, angle):
-    """The rotation matrix in 60 digits by the exponential series of the antisymmetric matrix of
-    axis x: it shares no formula with the engine.
-    """
+    """In 60 digits by the exponential series: it shares no formula with the engine."""
     x, y, z = axis
     with mp.workdps(60):
         spin = mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * (
@@ -379,9 +365,7 @@ AXES = [(1, 2, 3), (-2, 1, 0.5), (0.1, -3, 0.2), (1e-3, 1, -1), (0, 0, 1), (3, -
 @pytest.mark.parametrize("distance", [1, 1e-1, 1e-3, 1e-6, 1e-8, 1e-10, 1e-13, 4e-15])
 @pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
 def test_axis_and_angle_are_accurate_to_round_off_near_0_and_pi(end, distance):
-    """Against 60 digits: angle within 4 round-offs of itself, axis within 4 of its length 1, from a
-    matrix rounded to floats.
-    """
+    """Angle within 4 round-offs of itself, axis within 4 of 1, from a rounded matrix."""
     for axis in AXES:
         with mp.workdps(60):
             angle = end * mp.pi + (-1) ** end * mp.mpf(distance)
@@ -394,9 +378,7 @@ def test_axis_and_angle_are_accurate_to_round_off_near_0_and_pi(end, distance):
 
 
 def test_the_arc_cosine_and_the_skew_part_fail_where_axis_angle_does_not():
-    """The naive ways: the arc cosine loses an angle of 1e-9 rad altogether, the skew part the axis
-    near pi.
-    """
+    """The arc cosine loses an angle of 1e-9 rad, the skew part the axis near pi."""
     R = rotation_matrix((1.0, 2.0, 2.0), 1e-9)
     naive = math.acos(min(1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2))
     assert abs(naive - 1e-9) > 0.9e-9
@@ -439,9 +421,7 @@ def test_without_rotation_the_z_axis_stands_for_the_axis():
 
 
 def test_arrays_are_read_instant_by_instant():
-    """Angles from 0 to 2 pi in one array: every one of the four ways to the quaternion, both signs,
-    and no angle at all.
-    """
+    """All four ways to the quaternion, both signs, and no angle at all."""
     rng = np.random.default_rng(1)
     angle = np.concatenate([[0.0, math.pi, 1e-9, math.pi - 1e-9], rng.uniform(0, 2 * math.pi, 200)])
     axis = rng.normal(size=(3, angle.size))
@@ -686,9 +666,7 @@ def test_at_the_poles_psi_has_all_and_phi_is_zero(end, sign):
 @pytest.mark.parametrize("theta", [1e-3, 1e-6, 1e-9, 1e-12])
 @pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
 def test_near_the_poles_theta_and_the_sum_of_the_angles_stay_accurate(theta, end):
-    """Against 60 digits: theta within 4 round-offs of itself, psi + phi (psi - phi near pi) within
-    8 round-offs of 1 rad.
-    """
+    """Theta within 4 round-offs of itself, psi +- phi within 8 of 1 rad."""
     for psi, phi in [(0.3, 0.4), (-1.0, 2.5), (1.7, 0.1)]:
         with mp.workdps(60):
             true = end * mp.pi + (-1) ** end * mp.mpf(theta)

@@ -167,9 +167,7 @@ slopes, airs = st.floats(0.05, 1.4), st.floats(1e-4, 0.1)
 
 @given(slopes, airs, st.floats(0.0, 1.0), st.floats(0.0, 30.0))
 def test_a_sphere_in_air_keeps_what_power_against_the_air_leaves(slope, air, k, v):
-    """With a = g sin(slope)/(1 + k) and b = air/(1 + k): d(v^2)/dx = 2 a - 2 b v^2, so (v^2 - a/b)
-    e^(2 b x) stays.
-    """
+    """(v^2 - a/b) e^(2 b x) stays, a = g sin(slope)/(1 + k), b = air/(1 + k)."""
     a, b = 9.81 * math.sin(slope) / (1 + k), air / (1 + k)
     end = integrate(rolling_in_air(slope, 9.81, air, k), 2.5, (0.0, v), 1e-11).end
     assert (end["v"] ** 2 - a / b) * math.exp(2 * b * end["x"]) == pytest.approx(

@@ -167,9 +167,7 @@ def test_an_angle_is_counted_through_all_turns_by_a_phase_within_pi_of_it(turned
 
 
 def random_body(rng):
-    """Moments, rates and a time, of which a third begin near the separatrix and some have equal
-    moments.
-    """
+    """A third begin near the separatrix, and some have equal moments."""
     I, w = [rng.uniform(0.5, 3) for _ in range(3)], [rng.gauss(0, 1) for _ in range(3)]
     kind = rng.randrange(6)
     if kind == 0:
@@ -368,9 +366,7 @@ def test_energy_is_kept_over_a_million_nutations():
 
 
 def by_bisection(t, x, y, v_x, v_y):
-    """Kepler's orbit about mu = 1 by the elements of the ellipse, its equation solved between
-    bounds, in 40 digits.
-    """
+    """Kepler's orbit about mu = 1, its equation solved between bounds in 40 digits."""
     with mpmath.workdps(40):
         x, y, v_x, v_y = map(mpmath.mpf, (x, y, v_x, v_y))
         r, along, swept = mpmath.hypot(x, y), x * v_x + y * v_y, x * v_y - y * v_x

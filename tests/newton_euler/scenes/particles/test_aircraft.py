@@ -18,9 +18,7 @@ FORCES = ("1200", "9.81", "3000", "1000", "14000", "0.35")
 
 @every_kind
 def test_section_6_12_flight_in_space_in_rectangular_components(kind):
-    """m times the rate of the velocity, by the product rule on its rectangular components, is the
-    sum of the forces as vectors.
-    """
+    """m times the rate of the velocity is the sum of the forces as vectors."""
     m, g, T, D, L, bank = numbers(kind, *FORCES)
     v, chi, gamma, x, y, h = numbers(kind, *STATE)
     rates = flight(m, g, T, D, L, bank).derivative((v, chi, gamma, x, y, h))
@@ -52,9 +50,7 @@ def test_section_6_3_flight_in_a_vertical_plane(kind):
 
 @every_kind
 def test_section_6_12_forces_from_the_motion(kind):
-    """Motion by the printed equations, forces back by five frames; the accelerations are those of
-    the book along frame 4.
-    """
+    """Motion by the printed equations, forces back by five frames."""
     m, g, T, D, L, bank = numbers(kind, *FORCES)
     state = numbers(kind, *STATE)
     rates = flight(m, g, T, D, L, bank).derivative(state)

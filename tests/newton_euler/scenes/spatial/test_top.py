@@ -26,9 +26,7 @@ from tests.kinds import close, every_kind, numbers, small
 
 
 def lagrange():
-    """Lagrange's equations of the symmetric body: the generalised forces of psi, theta, phi, as
-    expressions of the motion.
-    """
+    """The generalised forces of psi, theta, phi of the symmetric body."""
     t = sympy.Symbol("t")
     I0, I = sympy.symbols("I0 I", positive=True)
     q = [sympy.Function(n)(t) for n in ("psi", "theta", "phi")]
