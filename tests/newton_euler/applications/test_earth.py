@@ -255,7 +255,7 @@ def test_eqn_6_24_is_right_to_the_first_order():
 
 
 @every_kind
-def test_eqn_6_25_coordinates(kind):
+def test_eqns_6_25_and_6_28_coordinates(kind):
     """The book's three lines, written out."""
     v0, theta, phi, latitude, g, w = angles(kind)
     t = numbers(kind, 12)
@@ -267,7 +267,7 @@ def test_eqn_6_25_coordinates(kind):
 
 
 @every_kind
-def test_eqns_6_26_and_6_27_flight_time_and_range(kind):
+def test_eqns_6_26_6_27_and_6_29_flight_time_and_range(kind):
     v0, theta, phi, latitude, g, w = given = angles(kind)
     t = e.flight_time(*given)
     lift = 2 * v0 * w * cos(theta) * cos(phi) * cos(latitude)
@@ -275,17 +275,6 @@ def test_eqns_6_26_and_6_27_flight_time_and_range(kind):
     x, y, z = e.projectile(t, *given)
     assert close(z, 0, small(kind, 1e4))
     assert close(e.shot_range(*given), sqrt(x * x + y * y), small(kind, 1e4))
-
-
-@every_kind
-def test_eqns_6_28_and_6_29_shot_to_the_east_on_the_equator(kind):
-    v0, _, phi, _, g, w = angles(kind)
-    t, zero = numbers(kind, 12, 0)
-    vx, vz = v0 * cos(phi), v0 * sin(phi)
-    wanted = g * w * t**3 / 3 - w * vz * t**2 + vx * t, 0, w * vx * t**2 - g * t**2 / 2 + vz * t
-    assert close(e.projectile(t, v0, zero, phi, zero, g, w), wanted, small(kind, 1e4))
-    flight = e.flight_time(v0, zero, phi, zero, g, w)
-    assert close(flight, 2 * vz / (g - 2 * w * vx), small(kind))
 
 
 def test_eqns_6_30_and_6_31_are_the_first_order_of_the_range():

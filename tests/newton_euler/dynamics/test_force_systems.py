@@ -75,15 +75,6 @@ def test_eqn_8_20_a_force_moves_with_the_couple_of_its_moment(kind):
 
 
 @every_kind
-def test_all_forces_may_be_moved_to_one_point(kind):
-    shop, bench, s = system(kind)
-    there = s.at(bench)
-    assert len(there.parts) == 2
-    for about in (shop.origin, s.parts[2].point):
-        assert close(there.moment(about), s.moment(about), 10 * small(kind))
-
-
-@every_kind
 def test_the_wrench_is_equivalent_and_its_couple_is_along_its_force(kind):
     shop, bench, s = system(kind)
     w = s.wrench(bench)
