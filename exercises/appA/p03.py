@@ -1,6 +1,6 @@
 """A/3: the sum of two vectors and its direction, in a plane."""
 
-from exercises.tools import Sketch, Step, integral, minus, mp, size
+from exercises.tools import Sketch, integral, minus, mp, size
 from newton_euler import Frame, radians
 
 AXES = Frame("axes")
@@ -22,9 +22,7 @@ def solve(g):
 
 def steps(g):
     R = solve(g)["R"]
-    yield Step("size", R.norm(), "1", "magnitude of R", "A", "A.12")
-    cosine = R.direction().dot(AXES.i)
-    yield Step("c", cosine, "1", "cosine of theta, the dot product of unit vectors", "A", "A.2")
+    return {"size": R.norm(), "c": R.direction().dot(AXES.i)}
 
 
 follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}

@@ -2,7 +2,7 @@
 numbers, and may compare them.
 """
 
-from exercises.tools import Sketch, Step, mp
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
 
 
@@ -24,7 +24,7 @@ def solve(g):
 
 def steps(g):
     _, _, B, G = vectors(g)
-    yield Step("B_x_G", B.cross(G), "1", "the cross product B x G", "A")
+    return {"B_x_G": B.cross(G)}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """A/19: the unit vector at right angles to two vectors."""
 
-from exercises.tools import Sketch, Step, minus, mp, scaled, size
+from exercises.tools import Sketch, minus, mp, scaled, size
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -18,8 +18,7 @@ def solve(g):
 
 def steps(g):
     P, G = vectors(g)
-    yield Step("PxG", P.cross(G), "1", "the cross product P x G", "A", "A.13")
-    yield Step("size", P.cross(G).norm(), "1", "its magnitude", "A", "A.12")
+    return {"PxG": P.cross(G), "size": P.cross(G).norm()}
 
 
 def prove(g):

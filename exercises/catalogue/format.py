@@ -27,7 +27,7 @@ def read_problem(entry: Any, path: Path) -> Problem:
     """The problem that a file such as ``p16.yaml`` describes."""
     needed, optional = (
         ("id", "title", "section", "text", "answers"),
-        ("figure", "givens", "symbols", "frame", "mistakes", "struck", "checked"),
+        ("figure", "givens", "symbols", "frame", "steps", "mistakes", "struck", "checked"),
     )
     _check_keys(entry, "a problem", needed, optional)
     _check_place(entry["id"], path)
@@ -46,6 +46,7 @@ def read_problem(entry: Any, path: Path) -> Problem:
         answers=answers,
         mistakes=_mistakes(_named(entry, "mistakes")),
         struck=_texts(entry, "struck"),
+        steps={key: _step(key, s) for key, s in _named(entry, "steps").items()},
         checked=_checked(_named(entry, "checked"), [a.key for a in answers]),
         same_in_book=frozenset(_same_in_book(_named(entry, "mistakes"))),
     )
@@ -117,6 +118,11 @@ def _answer(a):
         )
     numbers = float(atol), float(weight), float(follow)
     return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), *numbers, _latex(key, a))
+
+
+def _step(key, s):
+    _check_keys(s, f"the step {key}", ("means",), ("unit", "section", "equation"))
+    return {name: _text(s, name) for name in s} | {"unit": _unit(key, s)}
 
 
 def _mistakes(named):

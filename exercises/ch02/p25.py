@@ -1,7 +1,7 @@
 """2/25: the pin of a crank in a slotted arm, seen from the arm."""
 
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
-from exercises.tools import Step, minus, rate, rot, second_rate, terms, times
+from exercises.tools import minus, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving
 
 
@@ -30,8 +30,8 @@ def solve(g):
 def steps(g):
     ground, arm, P = arm_and_pin(g, turning(g)[1])
     omega = arm.angular_velocity(ground).expressed_in(arm)
-    yield Step("omega_arm", omega, "rad/s", "angular velocity of the arm", "2.8", "2.19")
-    yield Step("r_P", P.position(arm), "m", "position of P in the arm", "2.10", "2.23")
+    yield "omega_arm", omega
+    yield "r_P", P.position(arm)
     right = motion(ground, arm, P)
     yield from terms(right["v_P"], "v_P", "m/s", "2.10", "2.24")
     yield from terms(right["a_P"], "a_P", "m/s^2", "2.10", "2.25")
@@ -61,13 +61,8 @@ def prove(g):
     it is.
     """
     P = crank(g)
-
-    def seen(t):
-        return in_arm(g, P(t), t)
-
-    def place(t):
-        return times(rot("z", g.omega * t), P(0))
-
+    seen = lambda t: in_arm(g, P(t), t)
+    place = lambda t: times(rot("z", g.omega * t), P(0))
     a_rel, a = second_rate(seen), in_arm(g, second_rate(P))
     return {
         "v_rel": rate(seen),

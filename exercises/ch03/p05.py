@@ -1,7 +1,7 @@
 """3/5: acceleration of constant magnitude on a helix, uniformly and from rest."""
 
 from exercises.devices.helix import figure, on_helix
-from exercises.tools import Step, mp, proofs
+from exercises.tools import mp, proofs
 from newton_euler import asin, integral, moving, pi, sin, sqrt
 from newton_euler.kinematics import frenet
 
@@ -46,10 +46,7 @@ def times_from_rest(g, c, n):
     """
     right, scale = pi(g.one) / 2, c / sqrt(2 * n * g.A_1)
     at_half = asin(sqrt(2 * g.one) * sin(right / 4))
-
-    def time(end):
-        return scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
-
+    time = lambda end: scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
     return {"t_h": time(at_half), "t_1": time(0)}
 
 
@@ -62,15 +59,7 @@ follows = {"z_uniform": lambda g, theta_uniform: rise(g.p) * theta_uniform}
 
 def steps(g):
     c, n = of_symbols(g)
-    yield Step(
-        "c", c, "m", r"length of path for one radian: the speed is $c\dot\theta$", "3.5", "3.22"
-    )
-    yield Step("n", n, "m", r"normal acceleration at 1 rad/s: in general it is $n\dot\theta^2$",
-               "3.5", "3.23")  # fmt: skip
-    yield Step("w", 2 * n * g.theta / c, "1", r"argument of the sine in $\dot\theta^2 = (A/n)"
-               r"\sin w$, from $(c\ddot\theta)^2 + (n\dot\theta^2)^2 = A^2$", "3.5")  # fmt: skip
-    yield Step("c_1", of_numbers(g)[0], "m", "length of path for one radian, with the numbers a_1 "
-               "and p_1", "3.5", "3.22")  # fmt: skip
+    return {"c": c, "n": n, "w": 2 * n * g.theta / c, "c_1": of_numbers(g)[0]}
 
 
 def prove(g):
@@ -102,10 +91,7 @@ def proved_times(g):
 def stretch_and_bend(a, p):
     """Sizes of the first and second derivative by theta of the helix as a path, and its rise."""
     h = p / (2 * mp.pi)
-
-    def place(s):
-        return [a * mp.cos(s), a * mp.sin(s), h * s]
-
+    place = lambda s: [a * mp.cos(s), a * mp.sin(s), h * s]
     return proofs.size(proofs.rate(place)), proofs.size(proofs.second_rate(place)), h
 
 

@@ -65,13 +65,8 @@ def prove(g):
     round_x = g.omega * (a - b) / (a + b)
     # like two gears in outer mesh, C turns against A, each about its axis away from the apex
     spin = -(g.omega - round_x) * a / c
-
-    def C(t):
-        return times(rot("x", round_x * t), rot("z", tilt), rot("x", spin * t))
-
-    def on(axis_angle):
-        return [mp.cos(axis_angle), mp.sin(axis_angle), 0]
-
+    C = lambda t: times(rot("x", round_x * t), rot("z", tilt), rot("x", spin * t))
+    on = lambda axis_angle: [mp.cos(axis_angle), mp.sin(axis_angle), 0]
     return {
         "omega_C": angular_velocity(C),
         "v_A": rate(lambda t: times(rot("x", g.omega * t), on(g.beta_A))),

@@ -36,9 +36,7 @@ def prove(g):
         beta = g.beta_1 + g.omega_2 * t + g.omega_2_dot * t**2 / 2
         return times(rot("z", beta), [g.L, 0, 0])
 
-    def C(t):
-        return times(rot("y", g.omega_1 * t), seen(t))
-
+    C = lambda t: times(rot("y", g.omega_1 * t), seen(t))
     found = {"r": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
     return {"v_C": rate(C), "a_C": second_rate(C)} | found
 

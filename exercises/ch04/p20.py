@@ -43,9 +43,7 @@ def prove(g):
             g.h * mp.sin(theta) + across * mp.cos(theta),
         ]
 
-    def bracket(t):
-        return times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
-
+    bracket = lambda t: times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
     found = {
         "omega_bracket": proofs.angular_velocity(bracket),
         "alpha_bracket": proofs.angular_acceleration(bracket),

@@ -1,6 +1,6 @@
 """4/31: speed and distance from the axis of a point of a turning cylinder."""
 
-from exercises.tools import Sketch, Step, rate, rot, size, times
+from exercises.tools import Sketch, rate, rot, size, times
 from newton_euler import Frame, sqrt
 
 
@@ -14,14 +14,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step(
-        "omega",
-        g.n,
-        "rad/s",
-        r"angular speed, 2 pi for each revolution; the speed of P is $\omega r$",
-        "4.4",
-        "4.11",
-    )
+    return {"omega": g.n}
 
 
 follows = {"r": lambda g, speed: speed / g.n}

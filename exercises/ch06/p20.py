@@ -1,7 +1,7 @@
 """6/20: the sideways force on a car that drives south on the turning Earth."""
 
 from exercises.devices.turning_earth import RADIUS, from_above, ground_axes
-from exercises.tools import Step, mp, second_rate
+from exercises.tools import mp, second_rate
 from newton_euler import Frame, pi
 from newton_euler.applications import earth_rate, force_near_earth
 
@@ -20,9 +20,7 @@ def solve(g):
 
 def steps(g):
     Omega = earth_rate(ground_axes(g))
-    yield Step("Omega", Omega, "rad/s", "angular velocity of the earth", "6.10", "6.18")
-    yield Step("a_C", force(g).terms["coriolis"] / g.M, "m/s^2",
-               "Coriolis acceleration of the car", "6.9", "6.15")  # fmt: skip
+    return {"Omega": Omega, "a_C": force(g).terms["coriolis"] / g.M}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """8/10: a car door that swings shut as the car starts."""
 
-from exercises.tools import Sketch, Step, box, kinetic_energy, mean, mp, rate, vanishing
+from exercises.tools import Sketch, box, kinetic_energy, mean, mp, rate, vanishing
 from newton_euler import Frame, integral, moving, pi, solve_linear, sqrt
 from newton_euler.bodies import rod
 from newton_euler.dynamics import resultant_moment
@@ -31,10 +31,7 @@ def alpha(g, theta):
 
 def answers(g, alpha):
     """The answers, from the angular acceleration at any angle."""
-
-    def speed(theta):
-        return sqrt(2 * integral(alpha, 0, theta))
-
+    speed = lambda theta: sqrt(2 * integral(alpha, 0, theta))
     return {
         "theta_ddot": alpha(g.theta),
         "theta_dot": speed(g.theta),
@@ -49,14 +46,11 @@ def solve(g):
 def steps(g):
     _, hinge, body = door(g, g.theta, 0)
     terms = moment(g, g.theta, alpha(g, g.theta)).terms
-    yield Step("I_O", body.about(hinge).moments[2], "kg*m^2", "moment of inertia about the hinge",
-               "8.5")  # fmt: skip
-    yield Step("M_ref", terms["reference"].z, "N*m",
-               "term d x m a of the acceleration of the hinge, counterclockwise seen from above",
-               "8.1", "8.9")  # fmt: skip
-    yield Step("square", 2 * integral(lambda theta: alpha(g, theta), 0, g.theta), "rad^2/s^2",
-               "square of the angular speed, twice the integral of the angular acceleration",
-               "2.1")  # fmt: skip
+    return {
+        "I_O": body.about(hinge).moments[2],
+        "M_ref": terms["reference"].z,
+        "square": 2 * integral(lambda theta: alpha(g, theta), 0, g.theta),
+    }
 
 
 def prove(g):
@@ -75,9 +69,7 @@ def prove(g):
     omega = speed(g.theta)
 
     def power(alpha):
-        def motion(t):
-            return places(g.theta + omega * t + alpha * t**2 / 2, g.a * t**2 / 2)
-
+        motion = lambda t: places(g.theta + omega * t + alpha * t**2 / 2, g.a * t**2 / 2)
         return rate(lambda t: kinetic_energy(g.M, motion, t))
 
     return {

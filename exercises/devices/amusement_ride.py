@@ -63,10 +63,7 @@ def proved_steps(g, *names):
         "z": lambda place: place[2],
         "phi": elevation,
     }.items():
-
-        def f(t, of=of):
-            return of(P(t))
-
+        f = lambda t, of=of: of(P(t))
         found |= {name: f(0), f"{name}_dot": rate(f), f"{name}_ddot": second_rate(f)}
     found |= {"sin_phi": P(0)[2] / size(P(0)), "cos_phi": found["r"] / size(P(0))}
     return {name: found[name] for name in names}

@@ -75,9 +75,7 @@ def by_energy(g, points, *places):
     """
 
     def energy(q, t):
-        def motion(t):
-            return [(share, times(rot("z", q(t)), r)) for share, r in points]
-
+        motion = lambda t: [(share, times(rot("z", q(t)), r)) for share, r in points]
         height = sum(share * r[1] for share, r in motion(t))
         return kinetic_energy(g.W / g.g, motion, t) + g.W * height
 
@@ -86,9 +84,7 @@ def by_energy(g, points, *places):
     def moves(r):
         return lambda t: times(rot("z", alpha * t**2 / 2), r)
 
-    def motion(t):
-        return [(share, moves(r)(t)) for share, r in points]
-
+    motion = lambda t: [(share, moves(r)(t)) for share, r in points]
     F_x, F_y, _ = force_needed(g.W / g.g, motion)
     return alpha, [F_x, F_y + g.W, 0], *map(moves, places)
 

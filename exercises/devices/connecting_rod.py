@@ -20,13 +20,8 @@ def two_masses(moment_per_mass, r_a):
     """Proof: a rod with mass only at two places, as far as k from G on both sides, of the moment
     that is known about AA'; their distances from A.
     """
-
-    def places(k):
-        return [r_a - k, r_a + k]
-
-    def missing(k):
-        return mean_square(places(k)) - moment_per_mass
-
+    places = lambda k: [r_a - k, r_a + k]
+    missing = lambda k: mean_square(places(k)) - moment_per_mass
     k = proofs.root(missing, 0, 2 * mp.sqrt(moment_per_mass))
     return places(k)
 

@@ -74,12 +74,8 @@ def rolled(g, axis, first, second):
         arcs = matrix([[-g.R, g.r], [-g.R, -g.r]])
         return mp.lu_solve(arcs, matrix([-g.R * first * t, -g.R * second * t]))
 
-    def cage(t):
-        return rot(axis, angles(t)[0])
-
-    def pinion(t):
-        return times(cage(t), rot(next_axis(axis), angles(t)[1]))
-
+    cage = lambda t: rot(axis, angles(t)[0])
+    pinion = lambda t: times(cage(t), rot(next_axis(axis), angles(t)[1]))
     return cage, pinion
 
 

@@ -75,8 +75,7 @@ def rim_from_turning(name):
     def r(g, frame):
         return frame.vector(*(g.r if e else 0 for e in PLACES[name]))
 
-    def v(g, omega_disk):
-        return omega_disk.cross(r(g, omega_disk.frame))
+    v = lambda g, omega_disk: omega_disk.cross(r(g, omega_disk.frame))
 
     def a(g, omega_disk, alpha_disk):
         return acceleration_of(omega_disk, alpha_disk, r(g, omega_disk.frame))

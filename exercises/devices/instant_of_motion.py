@@ -19,10 +19,7 @@ def later_velocity(v, a):
 def speed_and_flexure(v, a):
     """Proof, the rate of the speed, and the turning of the tangent for each length of path."""
     velocity = later_velocity(v, a)
-
-    def tangent(t):
-        return scaled(1 / size(velocity(t)), velocity(t))
-
+    tangent = lambda t: scaled(1 / size(velocity(t)), velocity(t))
     return rate(lambda t: size(velocity(t))), size(rate(tangent)) / size(v)
 
 

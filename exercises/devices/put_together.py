@@ -18,10 +18,7 @@ def problem_of(frame, parts, holes=False, **units):
     """``solve`` and ``steps`` of a problem about the bodies ``parts(g)``, with ``holes`` a pair of
     those and the ones cut out; ``units`` as for :func:`steps_of`.
     """
-
-    def bodies(g):
-        return parts(g) if holes else (parts(g),)
-
+    bodies = lambda g: parts(g) if holes else (parts(g),)
     return (lambda g: centre(frame, *bodies(g)), lambda g: steps_of(frame, *bodies(g), **units))
 
 

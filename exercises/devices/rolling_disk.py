@@ -48,10 +48,7 @@ def rolling_steps(g):
 
 def proved_steps(g):
     """Proof, what of this is found from the motion."""
-
-    def outward(t):
-        return times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
-
+    outward = lambda t: times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
     turning = [0, 2 * mp.pi / g.T, 0]
     spin = minus(proofs.angular_velocity(orientation(g)), turning)
     return {"v_C": rate(outward), "omega_spin": spin}

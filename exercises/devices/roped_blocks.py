@@ -81,10 +81,7 @@ def by_energy(g, W_A, W_B, places, reach):
 
     def gain(W, place, a):
         """The gain in energy of a block in the first unit of time, s = a t^2/2 from rest."""
-
-        def moved(t):
-            return place(a * t**2 / 2)
-
+        moved = lambda t: place(a * t**2 / 2)
         up = minus(moved(1), moved(0))[1]
         return W / g.g * sum(v**2 for v in rate(moved, 1)) / 2 + W * up
 

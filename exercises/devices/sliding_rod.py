@@ -10,16 +10,9 @@ def about(name, side, **rates):
     problem about it; ``side``: -1 or 1, along i from A. ``rates`` as for :func:`end`, functions
     of g.
     """
-
-    def place(g):
-        return side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}")
-
-    def given(g):
-        return {rate: of(g) for rate, of in rates.items()}
-
-    def this_end(g):
-        return end(g, name, *place(g), **given(g))
-
+    place = lambda g: (side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}"))
+    given = lambda g: {rate: of(g) for rate, of in rates.items()}
+    this_end = lambda g: end(g, name, *place(g), **given(g))
     return (
         this_end,
         lambda g: motion(*this_end(g)),

@@ -119,9 +119,7 @@ def prove_spinning(g, radius, shaft, spin, C, couple):
         outer, inner = rot(shaft, g.omega_1 * t), rot(spin, g.omega_2 * t)
         return [(m, times(outer, plus(C, times(inner, p)))) for m, p in points]
 
-    def momentum(t):
-        return proofs.angular_momentum(1, carried, t=t)
-
+    momentum = lambda t: proofs.angular_momentum(1, carried, t=t)
     H, Hdot, force = momentum(0), rate(momentum), proofs.force_needed(1, carried)
     reach = sum(m * (size(C) + size(p)) for m, p in points)
     rests = size(force) < SMALL * g.omega_1**2 * reach

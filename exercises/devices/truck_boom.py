@@ -12,13 +12,8 @@ def moving_with(**rates):
     """The boom as a function of g, and ``solve``, ``steps`` and ``prove`` of its motion; ``rates``
     as for :func:`boom`, functions of g.
     """
-
-    def given(g):
-        return {name: of(g) for name, of in rates.items()}
-
-    def scene(g):
-        return boom(g, **given(g))
-
+    given = lambda g: {name: of(g) for name, of in rates.items()}
+    scene = lambda g: boom(g, **given(g))
     return (
         scene,
         lambda g: motion(*scene(g)),
@@ -66,23 +61,15 @@ def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
     """B in the ground, forward and up, in time. The answers are along the boom of the instant, so
     that any theta will do for a truck that stands.
     """
-
-    def elevation(t):
-        return theta - g.omega * t + alpha * t**2 / 2
-
-    def A(t):
-        return [v * t + a * t**2 / 2, 0, 0]
+    elevation = lambda t: theta - g.omega * t + alpha * t**2 / 2
+    A = lambda t: [v * t + a * t**2 / 2, 0, 0]
 
     def B(t):
         L = g.L + g.L_dot * t + L_ddot * t**2 / 2
         return plus(A(t), [L * mp.cos(elevation(t)), L * mp.sin(elevation(t)), 0])
 
-    def along_boom(vector, t=0):
-        return proofs.times(proofs.transposed(rot("z", elevation(t))), vector)
-
-    def in_boom(t):
-        return along_boom(proofs.minus(B(t), A(t)), t)
-
+    along_boom = lambda vector, t=0: proofs.times(proofs.transposed(rot("z", elevation(t))), vector)
+    in_boom = lambda t: along_boom(proofs.minus(B(t), A(t)), t)
     return {
         "v_B": along_boom(rate(B)),
         "a_B": along_boom(second_rate(B)),

@@ -48,9 +48,7 @@ def proof(name, plate, theta, x, y):
         c, s = mp.cos(theta(t)), mp.sin(theta(t))
         return [x(t) * c - y(t) * s, x(t) * s + y(t) * c, 0]
 
-    def turned(t):
-        return rot("z", theta(t))
-
+    turned = lambda t: rot("z", theta(t))
     return {
         f"v_{name}": rate(P),
         f"a_{name}": second_rate(P),

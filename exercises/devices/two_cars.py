@@ -90,13 +90,8 @@ def prove(g, a_A=0, a_B=0):
 
     phi = angle(a_A)
     A, B = on_circle(-g.R, phi, 1), on_circle(g.x + g.R, angle(a_B), -1)
-
-    def seen(t):
-        return times(proofs.transposed(rot("z", phi(t))), minus(B(t), A(t)))
-
-    def turned(t):
-        return rot("z", phi(t))
-
+    seen = lambda t: times(proofs.transposed(rot("z", phi(t))), minus(B(t), A(t)))
+    turned = lambda t: rot("z", phi(t))
     velocities = {
         "v_rel": rate(seen),
         "omega_A": proofs.angular_velocity(turned),

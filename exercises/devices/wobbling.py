@@ -33,8 +33,5 @@ def neutral_length(points, unit):
     unit : any length; the moment is a sum of squares of the heights and of radii, and so the
         moments at this length and at its double tell it for all
     """
-
-    def moment(share):
-        return needed(1, points(unit * mp.sqrt(share)), mpf(WOBBLE), 1, 0)
-
+    moment = lambda share: needed(1, points(unit * mp.sqrt(share)), mpf(WOBBLE), 1, 0)
     return unit * mp.sqrt(vanishing(moment, 1, 4))
