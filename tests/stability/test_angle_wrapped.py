@@ -11,11 +11,7 @@ import pytest
 from newton_euler import Frame, at
 from newton_euler.algebra.scalars import atan2, cos, sin
 from newton_euler.kinematics.coordinates import polar_coordinates
-from newton_euler.kinematics.rotations import (
-    RotationError,
-    euler_from_quaternion,
-    unwound,
-)
+from newton_euler.kinematics.rotations import RotationError, euler_from_quaternion, unwound
 from newton_euler.scenes.spatial import top
 
 RATE = 3.0  # rad/s

@@ -14,8 +14,6 @@ from tests.stability.naive import solved
 
 G = 9.81
 PENDULUM = physical_pendulum(1.0, 0.0, 1.0, G)  # of 1 kg on 1 m; theta from the lowest place
-
-
 SPRING = second_order("oscillator", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 
 

@@ -6,11 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.kinematics.rotations import (
-    RotationError,
-    euler_rates,
-    matrix_from_quaternion,
-)
+from newton_euler.kinematics.rotations import RotationError, euler_rates, matrix_from_quaternion
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.spatial import top
 from tests.kinds import close

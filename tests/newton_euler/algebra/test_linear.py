@@ -17,9 +17,8 @@ from newton_euler.algebra.linear import LinearError, solve_linear, solve_rates
 from newton_euler.algebra.scalars import ScalarError, probe, unit_roundoff
 from newton_euler.algebra.units import DimensionError
 from newton_euler.algebra.vectors import FrameError
-from tests.kinds import KINDS, close, first, numbers
+from tests.kinds import close, every_kind, first, numbers
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
 NAMES = tuple(f"u{n}" for n in range(12))
 
 
