@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 import sympy
 
+from newton_euler import Dimension
 from newton_euler.algebra.scalars import to_plain
 
 mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
@@ -41,6 +42,7 @@ def _rational(x):
 # each makes its number from a Fraction
 KINDS = {"float": float, "array": _array, "mpmath": _mpf, "sympy": _rational}
 every_kind = pytest.mark.parametrize("kind", KINDS)
+MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
 
 
 def numbers(kind, *values):
@@ -66,9 +68,14 @@ def number(x):
     return mpmath.mpf(x)
 
 
-def small(kind, scale=1):
-    """Absolute, for quantities of order 10 ``scale``: a few round-offs of the kind."""
-    return scale * (1e-12 if kind in ("float", "array") else mpmath.mpf(10) ** -25)
+def within(floats, digits):
+    """The tolerance of a kind, times a scale: ``floats``, or 10^-digits where digits are free."""
+    return lambda kind, scale=1: (
+        scale * (floats if kind in ("float", "array") else mpmath.mpf(10) ** -digits)
+    )
+
+
+small = within(1e-12, 25)
 
 
 def close(a, b, tolerance=1e-12):

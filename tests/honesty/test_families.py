@@ -20,11 +20,9 @@ ALL = [*FAMILIES, *HOLDOUT]
 FIRST = {n: draw(n, 0, 0) for n in ALL}
 
 
-@pytest.mark.parametrize(
-    ("known", "least", "subjects"),
-    [(FAMILIES, 48, SUBJECTS), (HOLDOUT, 45, OF_THE_HOLDOUT)],
-    ids=["known", "holdout"],
-)
+@pytest.mark.parametrize(("known", "least", "subjects"), [
+    (FAMILIES, 48, SUBJECTS), (HOLDOUT, 45, OF_THE_HOLDOUT),
+], ids=["known", "holdout"])  # fmt: skip
 def test_there_are_families_of_every_subject_each_described(known, least, subjects):
     assert len(known) >= least
     assert {tag for f in known.values() for tag in f.tags} >= subjects

@@ -4,9 +4,7 @@ import numpy as np
 import sympy
 
 from newton_euler import Dimension, compiled, cos, sin
-from newton_euler.applications.rotors import (
-    reactions,
-)
+from newton_euler.applications.rotors import reactions
 from newton_euler.chapters.examples.ch09 import unbalanced_rotor
 from newton_euler.dynamics.momentum import resultant_moment
 from newton_euler.scenes.planar.rotor import turning_rotor

@@ -9,9 +9,7 @@ from newton_euler.chapters.examples.ch10 import (
     precession_rate,
     spherical_pendulum_momentum,
 )
-from newton_euler.kinematics.rotations import (
-    quaternion_from_euler,
-)
+from newton_euler.kinematics.rotations import quaternion_from_euler
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from tests.explicit import by_scipy

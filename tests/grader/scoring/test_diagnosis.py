@@ -144,19 +144,16 @@ def test_a_term_left_out_or_turned_is_told_from_the_ledger_or_a_listed_mistake(p
         assert part.diagnosis or len(alike) > 1, (name, factor)
 
 
-@pytest.mark.parametrize(
-    ("number", "key", "change", "words"),
-    [
-        ("4/16", "a_D", lambda a: a.without("coriolis"), "Coriolis"),
-        ("4/16", "a_D", lambda a: a.reweighted(coriolis=0.5), "factor 2"),
-        ("4/16", "a_D", lambda a: a.reweighted(coriolis=-1), "other way round"),
-        ("4/16", "a_D", lambda a: a * -1, "sign"),
-        ("4/16", "a_D", lambda a: a / 1000, "mm"),
-        ("4/16", "a_D", lambda a: a * 1000, "mm"),
-        ("4/16", "a_D", lambda a: a * 2, "factor of 2"),
-        ("4/3", "a", lambda a: a.without("centripetal"), "centripetal"),
-    ],
-)
+@pytest.mark.parametrize(("number", "key", "change", "words"), [
+    ("4/16", "a_D", lambda a: a.without("coriolis"), "Coriolis"),
+    ("4/16", "a_D", lambda a: a.reweighted(coriolis=0.5), "factor 2"),
+    ("4/16", "a_D", lambda a: a.reweighted(coriolis=-1), "other way round"),
+    ("4/16", "a_D", lambda a: a * -1, "sign"),
+    ("4/16", "a_D", lambda a: a / 1000, "mm"),
+    ("4/16", "a_D", lambda a: a * 1000, "mm"),
+    ("4/16", "a_D", lambda a: a * 2, "factor of 2"),
+    ("4/3", "a", lambda a: a.without("centripetal"), "centripetal"),
+])  # fmt: skip
 def test_the_common_slips_are_told_in_words(number, key, change, words):
     p = problem(number)
     given = values(p, "variant")

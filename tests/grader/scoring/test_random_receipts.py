@@ -19,8 +19,6 @@ from .random_receipts import receipt
 CH04 = problems("ch04")
 VALUES = {p.id: draw(p, b"random receipts") for p in CH04}
 LONGEST = 0.05  # seconds of the scorer's own time for one receipt
-
-
 KEYS = {p.id: right_trees(p, VALUES[p.id]) for p in CH04}
 
 

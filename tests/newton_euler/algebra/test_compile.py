@@ -398,10 +398,9 @@ def test_parameters_fixed_at_compile_time():
         compiled(lambda x: x, m=3)
 
 
-@pytest.mark.parametrize(
-    "names",
-    ["s0, s1", "c0, c1", "pi, sin", "formula, space", "atan2, e", "_s0, s0", "x, args", "pow, x"],
-)
+@pytest.mark.parametrize("names", [
+    "s0, s1", "c0, c1", "pi, sin", "formula, space", "atan2, e", "_s0, s0", "x, args", "pow, x",
+])  # fmt: skip
 def test_names_of_arguments_do_not_collide_with_names_inside(names):
     a, b = names.split(", ")
     # third is a constant that needs a name of its own
@@ -432,17 +431,14 @@ def test_a_formula_without_arguments_or_without_results():
 # -- errors in words
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda f: f(1.0), "f takes x, y; missing: y"),
-        (lambda f: f(), "f takes x, y; missing: x, y"),
-        (lambda f: f(1.0, 2.0, 3.0), "f takes x, y; left over: 3.0"),
-        (lambda f: f(1.0, 2.0, z=3.0), "f takes x, y; unknown: z"),
-        (lambda f: f(1.0, 2.0, x=3.0), "f takes x, y; given twice: x"),
-        (lambda f: f(1.0, yy=3.0), "f takes x, y; missing: y; unknown: yy"),
-    ],
-)
+@pytest.mark.parametrize(("call", "message"), [
+    (lambda f: f(1.0), "f takes x, y; missing: y"),
+    (lambda f: f(), "f takes x, y; missing: x, y"),
+    (lambda f: f(1.0, 2.0, 3.0), "f takes x, y; left over: 3.0"),
+    (lambda f: f(1.0, 2.0, z=3.0), "f takes x, y; unknown: z"),
+    (lambda f: f(1.0, 2.0, x=3.0), "f takes x, y; given twice: x"),
+    (lambda f: f(1.0, yy=3.0), "f takes x, y; missing: y; unknown: yy"),
+])  # fmt: skip
 def test_wrong_arguments_are_reported_by_name(call, message):
     def f(x, y):
         return x + y
@@ -471,25 +467,22 @@ def of_argument(f, *others):
     return lambda x: f(x, *others)
 
 
-@pytest.mark.parametrize(
-    "branching",
-    [
-        lambda x: x if x else 0.0,
-        lambda x: 1.0 if x > 0 else -1.0,
-        lambda x: 1.0 if x == 0 else x,
-        lambda x: 1.0 if x != 0 else x,
-        lambda x: max(x, 0.0),
-        lambda x: min(0.0, x),
-        lambda x: x and 1.0,
-        lambda x: 0.0 if x in (0.0, 1.0) else x,
-        lambda x: float(x),
-        *(of_argument(getattr(m, n)) for m in (math, np) for n in FUNCTIONS),
-        *map(of_argument, (np.abs, np.sign)),
-        *(of_argument(f, 1.0) for f in (math.atan2, np.atan2, np.maximum, np.hypot, np.add)),
-        lambda x: np.where(x > 0, x, 0.0),
-        lambda x: np.sqrt(np.array([x, 1.0])),
-    ],
-)
+@pytest.mark.parametrize("branching", [
+    lambda x: x if x else 0.0,
+    lambda x: 1.0 if x > 0 else -1.0,
+    lambda x: 1.0 if x == 0 else x,
+    lambda x: 1.0 if x != 0 else x,
+    lambda x: max(x, 0.0),
+    lambda x: min(0.0, x),
+    lambda x: x and 1.0,
+    lambda x: 0.0 if x in (0.0, 1.0) else x,
+    lambda x: float(x),
+    *(of_argument(getattr(m, n)) for m in (math, np) for n in FUNCTIONS),
+    *map(of_argument, (np.abs, np.sign)),
+    *(of_argument(f, 1.0) for f in (math.atan2, np.atan2, np.maximum, np.hypot, np.add)),
+    lambda x: np.where(x > 0, x, 0.0),
+    lambda x: np.sqrt(np.array([x, 1.0])),
+])  # fmt: skip
 def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
     advice = r"takes sin, cos, sqrt \.\.\. from newton_euler, not from math or numpy"
     with pytest.raises(TypeError, match=rf"must not branch on them .*, and {advice}"):

@@ -17,9 +17,8 @@ from newton_euler.algebra.linear import LinearError, solve_linear, solve_rates
 from newton_euler.algebra.scalars import ScalarError, probe, unit_roundoff
 from newton_euler.algebra.units import DimensionError
 from newton_euler.algebra.vectors import FrameError
-from tests.kinds import KINDS, close, first, numbers
+from tests.kinds import close, every_kind, first, numbers
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
 NAMES = tuple(f"u{n}" for n in range(12))
 
 
@@ -328,10 +327,9 @@ def test_names_come_from_the_arguments_or_are_given():
     }
 
 
-@pytest.mark.parametrize(
-    "conditions",
-    [lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0, lambda w: w**2 - 1],
-)
+@pytest.mark.parametrize("conditions", [
+    lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0, lambda w: w**2 - 1,
+])  # fmt: skip
 def test_what_is_not_linear_is_refused(conditions):
     for solve in (solve_linear, lambda f: solve_rates(f, 1)):
         with pytest.raises(ScalarError, match="must be linear in"):

@@ -15,9 +15,8 @@ from newton_euler.applications import earth as e
 from newton_euler.dynamics.gravity import K, gravitational_field
 from newton_euler.dynamics.newton import relative_acceleration
 from newton_euler.kinematics import along
-from tests.kinds import KINDS, close, first, numbers
+from tests.kinds import close, every_kind, first, numbers, within
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
 BOOK_RATE, BOOK_RADIUS = 0.727e-4, 6.378e6  # rad/s, m: as the book has them
 LENGTH, SPEED, GRAVITY, RATE = (
     Dimension(0, 1, 0),
@@ -26,9 +25,7 @@ LENGTH, SPEED, GRAVITY, RATE = (
     Dimension(0, 0, -1),
 )
 
-
-def small(kind, scale=1):
-    return scale * (1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26)
+small = within(1e-13, 26)
 
 
 def site(kind, latitude="0.8"):

@@ -20,15 +20,10 @@ from newton_euler.applications.rotors import (
 )
 from newton_euler.bodies.body import Body, composite, particle
 from newton_euler.bodies.solids import disk, plate, rod
-from tests.kinds import KINDS, close, numbers
+from tests.kinds import close, every_kind, numbers, within
 from tests.turning import cross, rot, second_rate
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10: some round-offs of the kind."""
-    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
+small = within(1e-13, 26)
 
 
 # -- mass points in explicit motion: no inertia matrix, no omega x H
@@ -182,8 +177,8 @@ def test_balancing_by_given_masses_is_the_same_by_another_radius(kind):
     for given_as in ({"radius": (one, three)}, {"mass": (one, three)}):
         weights = balancing_masses(body, A, B, (one / 2, 2 * three / 3), **given_as)
         found = reactions(composite("balanced", [body, *weights]), A, B, ground)
-        assert close(found.A, (0, 0, 0), 10 * tolerance(kind))
-        assert close(found.B, (0, 0, 0), 10 * tolerance(kind))
+        assert close(found.A, (0, 0, 0), 10 * small(kind))
+        assert close(found.B, (0, 0, 0), 10 * small(kind))
 
 
 def test_one_plane_through_the_disk_needs_no_second_weight():

@@ -14,9 +14,8 @@ from newton_euler import Frame, Inertia, compiled, composite, particle
 from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import box, cylinder, disk, sphere
 from newton_euler.kinematics.rotations import determinant, rotation_matrix
-from tests.kinds import KINDS, close, numbers
+from tests.kinds import close, every_kind, numbers
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
 laws = settings(max_examples=80, deadline=None)
 
 

@@ -12,9 +12,8 @@ from newton_euler import Frame, composite, pi
 from newton_euler.algebra import FrameError
 from newton_euler.bodies import MassError
 from newton_euler.bodies import solids as B
-from tests.kinds import KINDS, close, numbers
+from tests.kinds import close, every_kind, numbers
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
 R, L, A, C, W = 0.7, 1.6, 0.5, 0.9, 0.8  # radius, length, edges, half angle
 
 

@@ -8,7 +8,6 @@ equation.
 
 import math
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
@@ -49,17 +48,9 @@ from newton_euler.dynamics.potential import conservative_force, spring_potential
 from newton_euler.dynamics.work import power, work_integral
 from newton_euler.kinematics import along
 from newton_euler.kinematics.rotations import apply, euler_frame, in_sequence, rotation_matrix
-from tests.kinds import KINDS, close, number, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
-
+from tests.kinds import LENGTH, MASS, TIME, close, every_kind, number, numbers, within
 
 ENERGY = MASS * LENGTH**2 / TIME**2
-
-
 I, K = (1, 0, 0), (0, 0, 1)
 # mass and place in the body
 POINTS = (
@@ -69,10 +60,7 @@ POINTS = (
     ("1.5", ("0.25", 0, "-1.25")),
 )
 
-
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -25
+small = within(1e-12, 25)
 
 
 class Tumbling:

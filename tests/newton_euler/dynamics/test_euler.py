@@ -2,7 +2,6 @@
 
 from itertools import product as choices
 
-import mpmath as mp
 import pytest
 
 from newton_euler import Frame, at, moving
@@ -19,17 +18,10 @@ from newton_euler.dynamics.euler import (
 )
 from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
 from newton_euler.dynamics.newton import resultant_force
-from tests.kinds import KINDS, numbers
+from tests.kinds import every_kind, numbers, within
 from tests.tumbling import close, free_body, turns
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
-    differentiation leaves of 50 digits.
-    """
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
+small = within(1e-12, 20)
 
 
 @every_kind
@@ -42,16 +34,14 @@ def test_eqn_8_12_rate_of_h_by_way_of_the_body_and_of_a_frame_that_turns_otherwi
         assert close(
             total.components(ground),
             resultant_moment(body, ground).components(ground),
-            10 * tolerance(kind),
+            10 * small(kind),
         )
         M = resultant_moment(body, ground, via=via)
-        assert close(M.terms["relative"], seen, 10 * tolerance(kind))
-        assert close(M.terms["rotation"], Omega.cross(H), 10 * tolerance(kind))
+        assert close(M.terms["relative"], seen, 10 * small(kind))
+        assert close(M.terms["rotation"], Omega.cross(H), 10 * small(kind))
     omega, alpha = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground)
     assert close(
-        euler_moment(body.inertia, omega, alpha),
-        resultant_moment(body, ground),
-        10 * tolerance(kind),
+        euler_moment(body.inertia, omega, alpha), resultant_moment(body, ground), 10 * small(kind)
     )
 
 
@@ -69,12 +59,12 @@ def test_eqn_8_13_8_14_euler_s_equations(kind):
     ground, brick = spinning_brick(kind)
     omega, alpha = brick.frame.angular_velocity(ground), brick.frame.angular_acceleration(ground)
     M = euler_moments(brick.inertia, omega, alpha)
-    assert close(M, resultant_moment(brick, ground), 10 * tolerance(kind))
+    assert close(M, resultant_moment(brick, ground), 10 * small(kind))
     (Ix, Iy, Iz), w, a = brick.inertia.moments, omega.components(), alpha.components()
-    assert close(M.x, Ix * a[0] - (Iy - Iz) * w[1] * w[2], 10 * tolerance(kind))
-    assert close(M.y, Iy * a[1] - (Iz - Ix) * w[2] * w[0], 10 * tolerance(kind))
-    assert close(M.z, Iz * a[2] - (Ix - Iy) * w[0] * w[1], 10 * tolerance(kind))
-    assert close(M.terms["relative"] + M.terms["rotation"], M, tolerance(kind))
+    assert close(M.x, Ix * a[0] - (Iy - Iz) * w[1] * w[2], 10 * small(kind))
+    assert close(M.y, Iy * a[1] - (Iz - Ix) * w[2] * w[0], 10 * small(kind))
+    assert close(M.z, Iz * a[2] - (Ix - Iy) * w[0] * w[1], 10 * small(kind))
+    assert close(M.terms["relative"] + M.terms["rotation"], M, small(kind))
     assert "equation (8.13)" in str(M.explain()) or kind == "array"
 
 
@@ -88,8 +78,8 @@ def test_eqn_8_12_solved_for_the_angular_acceleration(kind):
         top = body.frame.tree[0] if body is not brick else ground
         omega, alpha = body.frame.angular_velocity(top), body.frame.angular_acceleration(top)
         found = angular_acceleration(body.inertia, omega, resultant_moment(body, top))
-        assert close(found, alpha, 10 * tolerance(kind))
-        assert close(found.terms["moment"] + found.terms["gyroscopic"], found, tolerance(kind))
+        assert close(found, alpha, 10 * small(kind))
+        assert close(found.terms["moment"] + found.terms["gyroscopic"], found, small(kind))
 
 
 @every_kind
@@ -115,10 +105,10 @@ def test_a_symmetric_body_in_the_frame_that_precesses_without_spinning(kind):
         frame.angular_velocity(ground),
     )
     M = euler_moment(I, omega, alpha, turning=Omega)
-    assert close(M, resultant_moment(body, ground, via=frame), 10 * tolerance(kind))
-    assert close(M, resultant_moment(body, ground).components(frame), 10 * tolerance(kind))
+    assert close(M, resultant_moment(body, ground, via=frame), 10 * small(kind))
+    assert close(M, resultant_moment(body, ground).components(frame), 10 * small(kind))
     back = angular_acceleration(I, omega, M, turning=Omega)
-    assert close(back, alpha.components(frame), 10 * tolerance(kind))
+    assert close(back, alpha.components(frame), 10 * small(kind))
     assert list(back.terms) == ["moment", "gyroscopic", "turning"]
 
 
@@ -129,9 +119,9 @@ def test_eqn_8_15_force_and_moment_of_a_body_are_those_of_its_particles(kind):
     parts = [
         part.centre.acceleration(ground).expressed_in(ground) * part.mass for part in body.parts
     ]
-    assert close(F.components(ground), sum(parts[1:], parts[0]), 10 * tolerance(kind))
+    assert close(F.components(ground), sum(parts[1:], parts[0]), 10 * small(kind))
     L = body.momentum(ground)
-    assert close(L.rate(ground).components(ground), F.components(ground), 10 * tolerance(kind))
+    assert close(L.rate(ground).components(ground), F.components(ground), 10 * small(kind))
 
 
 @every_kind
@@ -143,15 +133,13 @@ def test_eqn_8_16_8_17_angular_momentum_of_a_rotation_about_a_fixed_line(kind):
         frame = ground.rotate("shaft", axis, numbers(kind, "0.3"), rate, acceleration)
         I = Inertia(frame, still.inertia.moments, still.inertia.products)
         H = fixed_line_momentum(I, rate, axis)
-        assert close(H, I.times(frame.angular_velocity(ground)), tolerance(kind))
+        assert close(H, I.times(frame.angular_velocity(ground)), small(kind))
         M = fixed_line_moment(I, rate, acceleration, axis)
-        assert close(M, I.times(frame.angular_velocity(ground)).rate(ground), tolerance(kind))
-        assert close(
-            M.terms["relative"], I.times(frame.angular_acceleration(ground)), tolerance(kind)
-        )
+        assert close(M, I.times(frame.angular_velocity(ground)).rate(ground), small(kind))
+        assert close(M.terms["relative"], I.times(frame.angular_acceleration(ground)), small(kind))
     (_, yz, zx), zz = I.products, I.moments[2]
     # (8.17) as printed
-    assert close(fixed_line_momentum(I, rate), (-zx * rate, -yz * rate, zz * rate), tolerance(kind))
+    assert close(fixed_line_momentum(I, rate), (-zx * rate, -yz * rate, zz * rate), small(kind))
 
 
 @every_kind
@@ -167,11 +155,11 @@ def test_eqn_8_18_8_19_planar_motion(kind):
     I = block.about(G, frame)
     (_, yz, zx), zz = I.products, I.moments[2]
     M = fixed_line_moment(I, w, a)
-    assert close(M, (-zx * a + yz * w * w, -yz * a - zx * w * w, zz * a), 10 * tolerance(kind))
-    assert close(M, resultant_moment(block, ground, via=frame), 10 * tolerance(kind))
+    assert close(M, (-zx * a + yz * w * w, -yz * a - zx * w * w, zz * a), 10 * small(kind))
+    assert close(M, resultant_moment(block, ground, via=frame), 10 * small(kind))
     flat = box(*numbers(kind, 1, 2, 3), frame, mass=numbers(kind, 5)).inertia
-    assert close(planar_moment(flat, a), flat.moments[2] * a, tolerance(kind))
-    assert close(fixed_line_moment(flat, w, a), (0, 0, planar_moment(flat, a)), tolerance(kind))
+    assert close(planar_moment(flat, a), flat.moments[2] * a, small(kind))
+    assert close(fixed_line_moment(flat, w, a), (0, 0, planar_moment(flat, a)), small(kind))
 
 
 def test_bodies_without_a_moment_about_an_axis_are_refused_by_the_inverse():

@@ -21,13 +21,9 @@ from newton_euler.dynamics import (
     weight,
 )
 from newton_euler.dynamics.gravity import K
-from tests.kinds import KINDS, close, number, numbers
+from tests.kinds import close, every_kind, number, numbers, within
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def small(kind, scale=1.0):
-    return scale * (1e-14 if kind in ("float", "array") else 1e-27)
+small = within(1e-14, 27)
 
 
 @every_kind

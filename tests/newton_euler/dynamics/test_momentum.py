@@ -17,18 +17,11 @@ from newton_euler.bodies.solids import rod, sphere
 from newton_euler.dynamics.force_systems import ForceSystem
 from newton_euler.dynamics.momentum import angular_momentum, equations_of_motion, resultant_moment
 from newton_euler.dynamics.newton import resultant_force
-from tests.kinds import KINDS, number, numbers
+from tests.kinds import every_kind, number, numbers, within
 from tests.tumbling import MASSES, close, free_body, path, turns
 from tests.turning import cross, rate, rot, second_rate
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
-    differentiation leaves of 50 digits.
-    """
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
+small = within(1e-12, 20)
 
 
 def instants(q):
@@ -115,7 +108,7 @@ def expected(kind, q, about, derivative, differences):
 def test_eqn_7_6_relative_angular_momentum_about_any_point_is_that_of_its_particles(kind, about):
     ground, _, body, points, q = free_body(kind)
     H = angular_momentum(body, ground, points.get(about))
-    assert close(H.components(ground), expected(kind, q, about, rate, True), 10 * tolerance(kind))
+    assert close(H.components(ground), expected(kind, q, about, rate, True), 10 * small(kind))
 
 
 @every_kind
@@ -130,17 +123,15 @@ def test_eqn_8_8_8_9_8_10_8_11_moment_of_motion_about_any_point_is_that_of_the_p
     by_particles = expected(kind, q, about, second_rate, False)
     for via in (None, carrier, ground):
         M = resultant_moment(body, ground, points.get(about), via)
-        assert close(M.components(ground), by_particles, 10 * tolerance(kind))
+        assert close(M.components(ground), by_particles, 10 * small(kind))
         if kind == "sympy":
             # the formula of H differentiated term by term is long; the other kinds show that it
             # agrees
             continue
         H, via = angular_momentum(body, ground, points.get(about)), via or body.frame
-        assert close(M.terms["relative"], H.expressed_in(via).rate(via), 10 * tolerance(kind))
-        assert close(
-            M.terms["rotation"], via.angular_velocity(ground).cross(H), 10 * tolerance(kind)
-        )
-        assert close(sum(list(M.terms.values())[1:], M.terms["relative"]), M, 10 * tolerance(kind))
+        assert close(M.terms["relative"], H.expressed_in(via).rate(via), 10 * small(kind))
+        assert close(M.terms["rotation"], via.angular_velocity(ground).cross(H), 10 * small(kind))
+        assert close(sum(list(M.terms.values())[1:], M.terms["relative"]), M, 10 * small(kind))
         assert list(M.terms) == (
             ["relative", "rotation"] if about == "G" else ["relative", "rotation", "reference"]
         )
@@ -164,11 +155,11 @@ def test_eqn_8_1_to_8_3_places_and_rates_relative_to_b(kind):
     seen = lambda P: (P.velocity(ground), P.acceleration(ground))
     for P in (part.centre for part in body.parts):
         d, d_G, rho = (v.expressed_in(ground) for v in (P - B, G - B, P - G))
-        assert close(d, d_G + rho, tolerance(kind))
+        assert close(d, d_G + rho, small(kind))
         rates = (P - B).rate(ground), (P - B).rate(ground).rate(ground)
         for rate_, of_P, of_B in zip(rates, seen(P), seen(B), strict=True):
             known = of_P.expressed_in(ground) - of_B
-            assert close(rate_.components(ground), known, 10 * tolerance(kind))
+            assert close(rate_.components(ground), known, 10 * small(kind))
 
 
 @every_kind
@@ -182,7 +173,7 @@ def test_eqn_8_21_newton_euler_equations_vanish_for_the_forces_of_the_motion(kin
     )
     for about in (None, *points.values()):
         for v in equations_of_motion(body, forces, ground, about).values():
-            assert close(v, (0, 0, 0), 10 * tolerance(kind))
+            assert close(v, (0, 0, 0), 10 * small(kind))
     names = list(equations_of_motion(body, forces, ground, points["rest"]))
     assert names == ["force on body", "moment on body about C"]
 
@@ -248,9 +239,9 @@ def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
     known = 3 * g * s / (2 * L)
     for about in ("G", "A", "O"):
         found = solve_linear(lambda F_A, F_B, alpha, P=about: conditions(P, F_A, F_B, alpha))
-        assert close(found.alpha, known, 10 * tolerance(kind))
-        assert close(found.F_A, m * L * c / 2 * known, 10 * tolerance(kind))
-        assert close(found.F_B, W - m * L * s / 2 * known, 10 * tolerance(kind))
+        assert close(found.alpha, known, 10 * small(kind))
+        assert close(found.F_A, m * L * c / 2 * known, 10 * small(kind))
+        assert close(found.F_B, W - m * L * s / 2 * known, 10 * small(kind))
 
 
 def test_two_bars_hinged_together_are_solved_as_one_system():

@@ -8,7 +8,6 @@ spherical or relative motion.
 
 import math
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
@@ -42,20 +41,10 @@ from newton_euler.dynamics.newton import (
     resultant_force,
 )
 from newton_euler.kinematics import along
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
-
+from tests.kinds import LENGTH, MASS, TIME, close, every_kind, numbers, within
 
 FORCE = MASS * LENGTH / TIME**2
-
-
-def small(kind):
-    """Absolute, for quantities of order 10."""
-    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
+small = within(1e-13, 26)
 
 
 def coordinates(kind):

@@ -5,26 +5,13 @@ Oracles: derivatives by SymPy, potentials by hand, and the work along paths that
 
 import math
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    at,
-    atan2,
-    compiled,
-    cos,
-    exp,
-    moving,
-    sin,
-    spherical,
-    sqrt,
-)
+from newton_euler import Frame, at, atan2, compiled, cos, exp, moving, sin, spherical, sqrt
 from newton_euler.algebra import WorkError
 from newton_euler.bodies import MassError
 from newton_euler.dynamics.potential import (
@@ -40,20 +27,10 @@ from newton_euler.dynamics.potential import (
 )
 from newton_euler.dynamics.work import power, work_along
 from newton_euler.kinematics import along, gradient
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
-
+from tests.kinds import LENGTH, MASS, TIME, close, every_kind, numbers, within
 
 ENERGY = MASS * LENGTH**2 / TIME**2
-
-
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -26
+small = within(1e-12, 26)
 
 
 def hill(x, y, z):

@@ -26,20 +26,10 @@ from newton_euler.dynamics.work import (
     work_integral,
 )
 from newton_euler.kinematics import along
-from tests.kinds import KINDS, close, number, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
-
+from tests.kinds import LENGTH, MASS, TIME, close, every_kind, number, numbers, within
 
 FORCE, POWER = MASS * LENGTH / TIME**2, MASS * LENGTH**2 / TIME**3
-
-
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -26
+small = within(1e-12, 26)
 
 
 def swirl(x, y, z):

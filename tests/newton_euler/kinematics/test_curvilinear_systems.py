@@ -27,9 +27,7 @@ from newton_euler import (
 from newton_euler.algebra import SingularError
 from newton_euler.kinematics import along, curvilinear, gradient
 from tests.explicit import explicit
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
+from tests.kinds import KINDS, close, every_kind, numbers, within
 
 
 def in_space(R, theta, phi):
@@ -58,13 +56,8 @@ ALL = [in_space, about_z, parabolic, elliptic, toroidal]
 
 # exact, the others take SymPy minutes
 CASES = [(kind, f) for f in ALL for kind in KINDS if kind != "sympy" or f in (about_z, parabolic)]
-
-
 every_case = pytest.mark.parametrize(("kind", "position"), CASES)
-
-
-def tolerance(kind):
-    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -25
+small = within(1e-13, 25)
 
 
 def motion(kind):
@@ -84,21 +77,21 @@ def test_section_3_4_the_steps_give_the_motion_written_out_and_differentiated(ki
         (P.position(ground), P.velocity(ground), P.acceleration(ground))
     ):
         known = explicit(position, order)(kind, *motion(kind))
-        assert close(vector.components(ground), known, 10 * tolerance(kind))
+        assert close(vector.components(ground), known, 10 * small(kind))
 
 
 @every_case
 def test_velocity_is_scale_factor_times_rate_and_all_sums_and_rates_agree(kind, position):
     ground, P = placed(position, kind)
-    v, a, small = P.velocity(ground), P.acceleration(ground), 10 * tolerance(kind)
+    v, a, tiny = P.velocity(ground), P.acceleration(ground), 10 * small(kind)
     h_times_rate = [h * d for h, d in zip(P.scale_factors, motion(kind)[1], strict=True)]
-    assert close(v.components(), h_times_rate, small)
-    assert close(v.without(), v, small)
-    assert close(a.without(), a, small)
+    assert close(v.components(), h_times_rate, tiny)
+    assert close(v.without(), v, tiny)
+    assert close(a.without(), a, tiny)
     # by the basic kinematic equation with the turning of the local axes
-    assert close(v.rate(ground), a, small)
+    assert close(v.rate(ground), a, tiny)
     axes = P.local.i, P.local.j, P.local.k
-    assert close([[e.dot(f) for f in axes] for e in axes], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), small)
+    assert close([[e.dot(f) for f in axes] for e in axes], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), tiny)
 
 
 KNOWN = [(kind, about_z, cylindrical) for kind in KINDS]
@@ -120,7 +113,7 @@ def test_known_systems_come_out_of_their_position_function(kind, position, known
         )
         return point.scale_factors, [v.components() for v in vectors]
 
-    assert close(numbers_of(P), numbers_of(Q), 10 * tolerance(kind))
+    assert close(numbers_of(P), numbers_of(Q), 10 * small(kind))
 
 
 def test_the_terms_are_named_after_the_rates_and_structural_zeros_are_left_out():
@@ -198,7 +191,7 @@ def test_eqn_A_22_gradient_is_the_three_partial_derivatives(kind):
     x, y, z = numbers(kind, "0.7", "-1.2", "0.4")
     ground = Frame("ground")
     expected = (y**2 + sin(z), 2 * x * y - 1 / z, cos(z) * x + y / z**2)
-    assert close(gradient(field, ground.point("P", x, y, z)), expected, tolerance(kind))
+    assert close(gradient(field, ground.point("P", x, y, z)), expected, small(kind))
 
 
 @every_kind
@@ -210,7 +203,7 @@ def test_eqn_A_22_gradient_is_the_same_vector_in_every_system(kind):
         here = gradient(lambda *p, position=position: field(*position(*p)), P)
         assert here.frame is P.local
         known = gradient(field, ground.point("Q", *position(*q)))
-        assert close(here.components(ground), known, tolerance(kind))
+        assert close(here.components(ground), known, small(kind))
 
 
 def test_gradient_is_the_force_of_a_potential_and_the_rate_along_a_path():
@@ -236,10 +229,7 @@ def test_gradient_has_no_step_size_where_differences_lose_half_of_the_digits():
 
 
 ground = Frame("ground")
-
-
-def tight(kind):
-    return 1e-14 if kind in ("float", "array") else mp.mpf(10) ** -27
+tight = within(1e-14, 27)
 
 
 @every_kind

@@ -12,18 +12,7 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    at,
-    compiled,
-    cos,
-    frenet,
-    moving,
-    polar,
-    sin,
-    sqrt,
-)
+from newton_euler import Dimension, Frame, at, compiled, cos, frenet, moving, polar, sin, sqrt
 from newton_euler.algebra import FrameError, SingularError
 from newton_euler.kinematics import (
     along,
@@ -35,19 +24,11 @@ from newton_euler.kinematics import (
 )
 from newton_euler.kinematics.paths import derivatives
 from tests.explicit import curve
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
+from tests.kinds import close, every_kind, numbers, within
 
 EPS = 2.0**-52
-
-
 ground = Frame("ground")
-
-
-def tolerance(kind):
-    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -25
+small = within(1e-13, 25)
 
 
 def knot(q):
@@ -65,7 +46,7 @@ def test_derivatives_of_a_path_up_to_the_third_are_those_of_SymPy(kind):
     names = {"float": "numpy", "array": "numpy", "mpmath": "mpmath", "sympy": "sympy"}
     for order, found in enumerate(derivatives(knot, q)):
         known = sympy.lambdify(s, [sympy.diff(x, s, order) for x in knot(s)], names[kind])(q)
-        assert close(found, known, 100 * tolerance(kind))
+        assert close(found, known, 100 * small(kind))
 
 
 @settings(deadline=None, max_examples=40)
@@ -114,10 +95,10 @@ def test_torsion_has_the_sign_of_the_book():
 def test_constant_speed_has_no_tangential_acceleration(kind):
     q, speed = numbers(kind, "0.7", 3)
     moved = frenet_along(twisted, at_speed(twisted, q, speed), ground)
-    assert close(moved.speed, speed, tolerance(kind))
-    assert close(moved.speed_rate, 0, 10 * tolerance(kind))
+    assert close(moved.speed, speed, small(kind))
+    assert close(moved.speed_rate, 0, 10 * small(kind))
     growing = frenet_along(twisted, at_speed(twisted, q, speed, speed / 4), ground)
-    assert close(growing.speed_rate, speed / 4, 10 * tolerance(kind))
+    assert close(growing.speed_rate, speed / 4, 10 * small(kind))
 
 
 def test_a_fraction_in_a_path_is_as_exact_as_the_parameter():
@@ -250,8 +231,7 @@ def test_a_path_must_return_three_coordinates():
         frenet_along(lambda q: (q, q), 1.0, ground)
 
 
-def tight(kind):
-    return 2e-14 if kind in ("float", "array") else mp.mpf(10) ** -26
+tight = within(2e-14, 26)
 
 
 @every_kind

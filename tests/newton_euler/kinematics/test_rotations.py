@@ -51,17 +51,12 @@ from newton_euler.kinematics.rotations import (
     rotation_matrix,
     transpose,
 )
-from tests.kinds import KINDS, close, number, numbers
+from tests.kinds import close, every_kind, number, numbers, within
 
 EPS = 2.0**-52
 UNIT = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 I, J, K = UNIT
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 1: a few round-offs of the kind."""
-    return 1e-14 if kind in ("float", "array") else mp.mpf(10) ** -27
+small = within(1e-14, 27)
 
 
 def spinning(kind, origin=None):
@@ -113,17 +108,17 @@ def test_eqn_4_1_direction_cosines_have_the_moving_axes_as_rows(kind):
     A = direction_cosines(body, ground)
     for row, moved in zip(A, (body.i, body.j, body.k), strict=True):
         for entry, fixed in zip(row, (ground.i, ground.j, ground.k), strict=True):
-            assert close(entry, moved.dot(fixed), tolerance(kind))
+            assert close(entry, moved.dot(fixed), small(kind))
     assert close(A, transpose(body.rotation(ground)), 0)
 
 
 @every_kind
 def test_eqn_4_2_to_4_4_the_transpose_is_the_inverse_on_both_sides_and_the_determinant_is_1(kind):
     A = euler_matrix(*numbers(kind, "0.3", "1.2", "-2.5"))
-    assert close(product(transpose(A), A), UNIT, tolerance(kind))
-    assert close(product(A, transpose(A)), UNIT, tolerance(kind))
+    assert close(product(transpose(A), A), UNIT, small(kind))
+    assert close(product(A, transpose(A)), UNIT, small(kind))
     R = rotation_matrix(numbers(kind, 1, -2, 3), numbers(kind, "0.8"))
-    assert close(determinant(R), 1, tolerance(kind))
+    assert close(determinant(R), 1, small(kind))
 
 
 @every_kind
@@ -131,7 +126,7 @@ def test_eqn_4_5_before_the_rotation_components_are_the_same_in_both_frames(kind
     ground = Frame("ground")
     same = ground.rotate("body", numbers(kind, 1, 2, 2), numbers(kind, 0))
     r = numbers(kind, "0.5", "-1.5", 2)
-    assert close(ground.vector(*r), same.vector(*r), tolerance(kind))
+    assert close(ground.vector(*r), same.vector(*r), small(kind))
 
 
 @every_kind
@@ -139,8 +134,8 @@ def test_eqn_4_6_after_it_the_turned_vector_keeps_its_components_in_the_body(kin
     ground, body, _, _ = spinning(kind)
     r = numbers(kind, "0.5", "-1.5", 2)
     turned = ground.vector(*apply(body.rotation(ground), r))
-    assert close(turned.components(body), r, 10 * tolerance(kind))
-    assert close(turned, r[0] * body.i + r[1] * body.j + r[2] * body.k, 10 * tolerance(kind))
+    assert close(turned.components(body), r, 10 * small(kind))
+    assert close(turned, r[0] * body.i + r[1] * body.j + r[2] * body.k, 10 * small(kind))
 
 
 @every_kind
@@ -148,7 +143,7 @@ def test_eqn_4_7_direction_cosines_take_ground_components_to_body_components(kin
     ground, body, _, _ = spinning(kind)
     r = numbers(kind, "0.5", "-1.5", 2)
     after = body.vector(*r).components(ground)
-    assert close(apply(direction_cosines(body, ground), after), r, 10 * tolerance(kind))
+    assert close(apply(direction_cosines(body, ground), after), r, 10 * small(kind))
 
 
 @every_kind
@@ -159,34 +154,31 @@ def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
     ground, body, _, _ = spinning(kind)
     A = [[number(x) for x in row] for row in direction_cosines(body, ground)]
     axis, angle = axis_angle(transpose(A))
-    assert close(apply(A, axis), axis, 10 * tolerance(kind))
+    assert close(apply(A, axis), axis, 10 * small(kind))
     without_1 = [[x - int(n == m) for m, x in enumerate(row)] for n, row in enumerate(A)]
-    assert close(determinant(without_1), 0, tolerance(kind))
-    assert close(rotation_matrix(axis, angle), transpose(A), 10 * tolerance(kind))
+    assert close(determinant(without_1), 0, small(kind))
+    assert close(rotation_matrix(axis, angle), transpose(A), 10 * small(kind))
 
 
 # -- finite rotations (4.2, 4.3)
 
 
 @every_kind
-@pytest.mark.parametrize(
-    ("order", "columns", "axis"),
-    [
-        ("IJ", ((0, 0, -1), (1, 0, 0), (0, -1, 0)), (1, 1, -1)),
-        ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1)),
-    ],
-)
+@pytest.mark.parametrize(("order", "columns", "axis"), [
+    ("IJ", ((0, 0, -1), (1, 0, 0), (0, -1, 0)), (1, 1, -1)),
+    ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1)),
+])  # fmt: skip
 def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, order, columns, axis):
     """First I then J: i = -K, j = I, k = -J; first J then I: i = J, j = K, k = I; each is one turn
     of 120 degrees.
     """
-    small, one = tolerance(kind), numbers(kind, 1)
+    tiny, one = small(kind), numbers(kind, 1)
     quarter = pi(one) / 2 + 0 * one
     R = in_sequence(*(rotation_matrix({"I": I, "J": J}[name], quarter) for name in order))
-    assert close(transpose(R), columns, small)
+    assert close(transpose(R), columns, tiny)
     found, angle = axis_angle(R)
-    assert close(found, tuple(x / sqrt(3 * one / one) for x in axis), small)
-    assert close(angle, 4 * quarter / 3, small)
+    assert close(found, tuple(x / sqrt(3 * one / one) for x in axis), tiny)
+    assert close(angle, 4 * quarter / 3, tiny)
 
 
 def test_section_4_2_the_arm_forward_up_and_back_has_turned_the_palm():
@@ -272,12 +264,12 @@ def test_eqn_4_11_velocity_of_a_point_of_a_moving_body(kind):
         ground, body, matrix, t = spinning(kind, v_origin)
         _, rate, _ = with_rates(matrix, t)
         A, carried = body.point("A", *r), ground.vector(*(v_origin or (0, 0, 0)))
-        v, small = A.velocity(ground), 20 * tolerance(kind)
+        v, tiny = A.velocity(ground), 20 * small(kind)
         assert close(
-            (carried + ground.vector(*apply(rate, r))).components(), v.components(ground), small
+            (carried + ground.vector(*apply(rate, r))).components(), v.components(ground), tiny
         )
-        assert close(carried + body.angular_velocity(ground).cross(body.vector(*r)), v, small)
-        assert close((A - body.origin).components(body), r, small)
+        assert close(carried + body.angular_velocity(ground).cross(body.vector(*r)), v, tiny)
+        assert close((A - body.origin).components(body), r, tiny)
 
 
 @every_kind
@@ -290,10 +282,10 @@ def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind)
     one, two = product(second, transpose(value)), product(rate, transpose(rate))
     known = [a + b for a, b in zip(axial(one), axial(two), strict=True)]
     omega, alpha = body.angular_velocity(ground), body.angular_acceleration(ground)
-    small = 20 * tolerance(kind)
-    assert close(omega.components(ground), axial(product(rate, transpose(value))), small)
-    assert close(alpha.components(ground), known, small)
-    assert close(omega.rate(ground), alpha, small)
+    tiny = 20 * small(kind)
+    assert close(omega.components(ground), axial(product(rate, transpose(value))), tiny)
+    assert close(alpha.components(ground), known, tiny)
+    assert close(omega.rate(ground), alpha, tiny)
 
 
 def rolling_cone(h, r, nu):
@@ -330,8 +322,8 @@ def test_example_4_5_cone_rolling(kind):
         (cone.angular_acceleration(ground), (0, -(nu**2) / h**2 * (h / r + r / h), 0)),
         (on_line.velocity(ground), (0, 0, 0)),
     ):
-        assert close(found.components(ground), known, 20 * tolerance(kind))
-    assert close(line_rate, -nu * slant / h**2, 20 * tolerance(kind))
+        assert close(found.components(ground), known, 20 * small(kind))
+    assert close(line_rate, -nu * slant / h**2, 20 * small(kind))
 
 
 def test_example_4_5_cone_rolling_as_a_formula():
@@ -358,7 +350,7 @@ def test_axis_and_angle_come_back(kind):
     R = rotation_matrix(axis, angle)
     if kind == "sympy":
         R = [[number(x) for x in row] for row in R]
-    assert close(axis_angle(R), (axis, angle), tolerance(kind))
+    assert close(axis_angle(R), (axis, angle), small(kind))
 
 
 def test_axis_and_angle_of_exact_numbers_are_exact():
@@ -584,8 +576,8 @@ def test_euler_rates_come_back(psi, theta, phi, omega):
 def test_quaternion_and_matrix_are_the_same_rotation(kind):
     axis, angle = numbers(kind, 2, -1, 2), numbers(kind, "2.4")
     q = quaternion(axis, angle)
-    assert close(matrix_from_quaternion(q), rotation_matrix(axis, angle), tolerance(kind))
-    assert close(sum(x * x for x in q), 1, tolerance(kind))
+    assert close(matrix_from_quaternion(q), rotation_matrix(axis, angle), small(kind))
+    assert close(sum(x * x for x in q), 1, small(kind))
 
 
 @every_kind
@@ -599,14 +591,14 @@ def test_quaternion_rate_takes_body_components_of_omega(kind):
         return quaternion_product(quaternion_product(first, second), third)
 
     moved = [at(lambda time, n=n: q(time)[n], t) for n in range(4)]
-    now, small = [x.value for x in moved], 20 * tolerance(kind)
+    now, tiny = [x.value for x in moved], 20 * small(kind)
     ground = body = Frame("ground")
     for axis, angle in turns:
         body = body.rotate("turned", tuple(x + 0 * t for x in axis), at(angle, t))
     rate = quaternion_rate(now, body.angular_velocity(ground))
-    assert close(rate, [x.rate for x in moved], small)
-    assert close(sum(x * y for x, y in zip(now, rate, strict=True)), 0, small)  # the length stays
-    assert close(matrix_from_quaternion(now), body.rotation(ground), small)
+    assert close(rate, [x.rate for x in moved], tiny)
+    assert close(sum(x * y for x, y in zip(now, rate, strict=True)), 0, tiny)  # the length stays
+    assert close(matrix_from_quaternion(now), body.rotation(ground), tiny)
 
 
 @pytest.mark.parametrize(("read", "q", "words"), [
@@ -628,11 +620,11 @@ def test_eqn_10_3_and_10_4_angular_velocity_of_the_precessing_frame_and_of_the_b
     psi, theta, phi, dpsi, dtheta, dphi = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
     ground = Frame("ground")
     body = euler_frame(ground, "top", moving(psi, dpsi), moving(theta, dtheta), moving(phi, dphi))
-    nodal, small = body.parent, 20 * tolerance(kind)
+    nodal, tiny = body.parent, 20 * small(kind)
     across, along = dpsi * sin(theta), dpsi * cos(theta)
-    assert close(nodal.angular_velocity(ground), (dtheta, across, along), small)
+    assert close(nodal.angular_velocity(ground), (dtheta, across, along), tiny)
     whole = body.angular_velocity(ground).components(nodal)
-    assert close(whole, (dtheta, across, dphi + along), small)
+    assert close(whole, (dtheta, across, dphi + along), tiny)
 
 
 @every_kind
@@ -641,13 +633,13 @@ def test_eqn_10_5_to_10_10_the_matrix_of_the_angles_is_that_of_the_frames(kind):
     ground = Frame("ground")
     body = euler_frame(ground, "body", *angles)
     R = euler_matrix(*angles)
-    assert close(R, body.rotation(ground), tolerance(kind))
+    assert close(R, body.rotation(ground), small(kind))
     psi, theta, phi = angles
     turns = [rotation_matrix(K, psi), rotation_matrix(I, theta), rotation_matrix(K, phi)]
-    assert close(R, in_sequence(*turns, axes="moving"), tolerance(kind))
+    assert close(R, in_sequence(*turns, axes="moving"), small(kind))
     q = ground.vector(*numbers(kind, 1, 2, 3))
-    assert close(apply(transpose(R), q), q.components(body), 10 * tolerance(kind))
-    assert close(matrix_from_quaternion(quaternion_from_euler(*angles)), R, tolerance(kind))
+    assert close(apply(transpose(R), q), q.components(body), 10 * small(kind))
+    assert close(matrix_from_quaternion(quaternion_from_euler(*angles)), R, small(kind))
 
 
 @every_kind
@@ -656,8 +648,8 @@ def test_eqn_10_12_body_rates_from_the_rates_of_the_angles_and_back(kind):
     ground = Frame("ground")
     body = euler_frame(ground, "body", *map(moving, angles, (a, b, c)))
     omega = euler_body_rates(*angles, (a, b, c))
-    assert close(omega, body.angular_velocity(ground), 20 * tolerance(kind))
-    assert close(euler_rates(*angles, omega), (a, b, c), 50 * tolerance(kind))
+    assert close(omega, body.angular_velocity(ground), 20 * small(kind))
+    assert close(euler_rates(*angles, omega), (a, b, c), 50 * small(kind))
 
 
 @every_kind
@@ -672,7 +664,7 @@ def test_euler_angles_come_back(kind):
     whole = 2 * math.pi if kind == "array" else 2 * mp.pi
     turns = [(f - number(a)) / whole for f, a in zip(found, angles, strict=True)]
     assert all(
-        np.max(abs(x - (np.round(x) if kind == "array" else mp.nint(x)))) <= tolerance(kind)
+        np.max(abs(x - (np.round(x) if kind == "array" else mp.nint(x)))) <= small(kind)
         for x in turns
     )
 
@@ -713,11 +705,9 @@ def test_theta_from_the_arc_cosine_fails_where_euler_angles_does_not():
     assert abs(euler_angles(R)[1] - 1e-9) < 1e-24
 
 
-@pytest.mark.parametrize(
-    "theta",
-    [0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0])],
-    ids=["0", "pi", "exact pi", "one instant"],
-)
+@pytest.mark.parametrize("theta", [
+    0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0]),
+], ids=["0", "pi", "exact pi", "one instant"])  # fmt: skip
 def test_euler_rates_are_refused_at_the_poles(theta):
     with pytest.raises(
         RotationError, match=r"theta = .*axes of precession and spin coincide.*use quaternion_rate"

@@ -183,13 +183,10 @@ def test_the_fullest_top_is_the_symmetric_one_where_it_has_no_asymmetry():
     assert asked.error(asked.rung("top, nutation and precession")) < 1e-9
 
 
-@pytest.mark.parametrize(
-    ("model", "start"),
-    [
-        (top_ladder.asymmetric_top_quaternion, (0.9, 0.3, 0.1, 0.2, 1.0, 2.0, 30.0)),
-        (top_ladder.asymmetric_top_euler_angles, (0.2, 0.6, 0.1, 1.0, 2.0, 30.0)),
-    ],
-)
+@pytest.mark.parametrize(("model", "start"), [
+    (top_ladder.asymmetric_top_quaternion, (0.9, 0.3, 0.1, 0.2, 1.0, 2.0, 30.0)),
+    (top_ladder.asymmetric_top_euler_angles, (0.2, 0.6, 0.1, 1.0, 2.0, 30.0)),
+])  # fmt: skip
 def test_the_fullest_top_keeps_its_energy_and_its_momentum_about_the_vertical(model, start):
     mgr, moments = 0.5, np.array([0.02 * 0.7, 0.02 * 1.3, 0.01])
     rates = model(0.02, 0.01, mgr, asymmetry=0.3).derivative(start)

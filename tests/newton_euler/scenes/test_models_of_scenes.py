@@ -49,7 +49,6 @@ MODELS = {
     "flat": flat(9.81),
 }
 
-
 each_model = pytest.mark.parametrize("name", MODELS)
 
 

@@ -9,10 +9,7 @@ import pytest
 import sympy
 
 from newton_euler import at, cos, sin
-from newton_euler.applications.gyroscopes import (
-    sleeping_top,
-    steady_precession,
-)
+from newton_euler.applications.gyroscopes import sleeping_top, steady_precession
 from newton_euler.applications.nutation import nutation
 from newton_euler.kinematics.rotations import (
     euler_from_quaternion,
