@@ -29,9 +29,7 @@ follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
 
 
 def prove(g):
-    """R is the way of a point that goes with the velocity P in the first unit of time, and G in the
-    second; the angle, from the sides of the triangle of R and i.
-    """
+    """R as the way of a point at the velocities P, then G; the angle from a triangle with i."""
     P, G = [g.P_x, g.P_y, 0], [g.G_x, g.G_y, 0]
     R = integral(lambda t: P if t < 1 else G, 0, 2, breaks=(1,))
     away = size(minus(R, [1, 0, 0]))

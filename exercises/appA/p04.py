@@ -24,9 +24,7 @@ follows = {"dot_sd": lambda g, sum, diff: sum.dot(diff)}
 
 
 def prove(g):
-    """Dot products by lengths alone, those of the diagonals of parallelograms; the difference
-    as the other diagonal, P + G less twice G.
-    """
+    """Dot products by the lengths of diagonals; P - G as P + G less twice G."""
     P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, 0]
     dot = lambda a, b: (size(plus(a, b)) ** 2 - size(minus(a, b)) ** 2) / 4
     S = plus(P, G)

@@ -41,9 +41,7 @@ def steps(g):
 
 
 def prove(g):
-    """Differences over a short time, of other formulas: the dot product from the lengths of sum and
-    difference, the cross product by determinants.
-    """
+    """Differences over a short time; the dot product from lengths, the cross by determinants."""
     A = lambda t: [g.a_1 + g.a_1_dot * t, g.a_2 + g.a_2_dot * t, g.a_3 + g.a_3_dot * t]
     B = lambda t: [g.b_1 + g.b_1_dot * t, g.b_2 + g.b_2_dot * t, g.b_3 + g.b_3_dot * t]
     square = lambda t, sign: sum((x + sign * y) ** 2 for x, y in zip(A(t), B(t), strict=True))

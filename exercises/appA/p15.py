@@ -1,6 +1,4 @@
-"""A/15: the handedness of three vectors. The word is a function: it is called once there are
-numbers, and may compare them.
-"""
+"""A/15: the handedness of three vectors, a word; a function, called once there are numbers."""
 
 from exercises.tools import Sketch, mp
 from newton_euler import Frame

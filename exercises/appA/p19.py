@@ -22,9 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """What is left of i, j or k without its parts along P and along what is square to P in the
-    plane; as e on the side from which P, G and it are right-handed.
-    """
+    """What is left of i, j or k without its parts in the plane of P and G, right-handed."""
     P, G = [g.P_1, g.P_2, g.P_3], [g.G_1, g.G_2, g.G_3]
 
     def rest(v, away):

@@ -1,6 +1,4 @@
-"""A/20: double cross products as combinations of their factors. Such a combination is the same for
-all vectors that have these dot products; the engine resolves it for some that are easily written.
-"""
+"""A/20: double cross products as combinations of factors, by vectors with these dot products."""
 
 from exercises.tools import plus
 from newton_euler import Frame, solve_linear

@@ -1,6 +1,4 @@
-"""A/22: the dot product of two cross products. It is the same for all vectors that have these dot
-products; the engine multiplies four that are easily written.
-"""
+"""A/22: the dot product of two cross products, by any four vectors with these dot products."""
 
 from exercises.tools import cross, mp
 from newton_euler import Frame

@@ -1,6 +1,4 @@
-"""The format of the YAML files: chapters and problems from what they hold, and a sentence about
-whatever does not fit.
-"""
+"""The format of the YAML files: chapters and problems, and a sentence about what does not fit."""
 
 import math
 from pathlib import Path
@@ -164,9 +162,7 @@ def _checked(found, asked):
 
 
 def _check_keys(entry, what, needed, optional):
-    """Refuses an entry that is not a mapping with all the ``needed`` keys and no others than these
-    and the ``optional`` ones.
-    """
+    """Refuses all but a mapping with the ``needed`` keys and perhaps ``optional`` ones."""
     keys = f"its keys are {', '.join(needed)} and, where wanted, {', '.join(optional)}"
     if not isinstance(entry, dict):
         raise CatalogueError(f"{what} must be written as key: value, and is {short(entry)}; {keys}")

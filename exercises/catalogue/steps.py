@@ -84,9 +84,7 @@ def is_zero(vector: Vector) -> bool:
 
 
 def _identifier(name, equation):
-    """The name of a term as a part of a Python name: "coriolis", and of what is named after a frame
-    "of_rod".
-    """
+    """The name of a term as part of a Python name: "coriolis"; "of_rod", after a frame."""
     plain = "".join(c if c.isalnum() else "_" for c in name).strip("_")
     return plain if name in equation.terms else f"of_{plain}"
 

@@ -34,9 +34,7 @@ follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
 
 
 def prove(g):
-    """The rims in time, each turned by the tape that has run over it; the speed is that with which
-    P1 has the given acceleration inward.
-    """
+    """The rims in time, turned by the tape; at this speed P1 has the given acceleration inward."""
 
     def acceleration(r, v):
         def place(t):

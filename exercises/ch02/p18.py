@@ -6,9 +6,7 @@ from newton_euler.kinematics import flexure, polar
 
 
 def rocket(g):
-    """Velocity and acceleration along e_r, e_theta. The rate of r' is not measured; along the
-    path, it does not bend it.
-    """
+    """Velocity and acceleration along e_r, e_theta; r'', not measured, does not bend the path."""
     ground = Frame("ground")
     theta = moving(0 * g.one, rate=g.theta_dot, acceleration=g.theta_ddot)
     P = polar(ground, "P", moving(g.r, rate=g.r_dot), theta)

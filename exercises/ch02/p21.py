@@ -5,9 +5,7 @@ from newton_euler import Frame, moving, polar
 
 
 def rocket(g):
-    """Ground, with y up, and rocket. r' and theta'' are not measured: they enter the radial
-    velocity and the transverse acceleration, which are not used.
-    """
+    """Ground with y up, and rocket; r' and theta'' enter only components that are not used."""
     ground = Frame("ground")
     r, theta = moving(g.r, acceleration=g.r_ddot), moving(g.theta, rate=g.theta_dot)
     return ground, polar(ground, "P", r, theta)

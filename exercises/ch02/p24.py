@@ -10,9 +10,7 @@ def answers(v, a):
 
 
 def of_crank(g):
-    """Velocity and acceleration of P along and across the crank, in which it is fixed: so their
-    magnitudes have no theta. As OC = CP, the crank is at 2 theta.
-    """
+    """Velocity and acceleration of P in the crank, without theta; the crank is at 2 theta."""
     ground = Frame("ground")
     C = ground.point("C", g.b, 0, 0)
     crank = ground.rotate("crank", "z", 2 * turning(g)[0], origin=C)

@@ -56,10 +56,7 @@ follows = {"a_cor": a_cor, "v_P": v_P, "a_P": a_P}
 
 
 def prove(g):
-    """The pin as the crank carries it, seen from the arm. Its Coriolis term is what its
-    acceleration in the ground has beyond that in the arm and that of the place of the arm where
-    it is.
-    """
+    """The pin on its crank, seen from the arm; Coriolis is what the other terms leave over."""
     P = crank(g)
     seen = lambda t: in_arm(g, P(t), t)
     place = lambda t: times(rot("z", g.omega * t), P(0))

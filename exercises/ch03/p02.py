@@ -34,9 +34,7 @@ def steps(g):
 
 
 def prove(g):
-    """A coordinate of degree n in time obeys t x' = n x (Euler), and so t^2 x'' = n (n - 1) x; the
-    degree from doubling the time. The component from the triangle of v and n.
-    """
+    """Of degree n in time: t x' = n x, t^2 x'' = n (n - 1) x; v_n by the triangle of v and n."""
     place = lambda t: [g.cx * t**2, g.cy * t**3, -g.cz * t**4]
     r, n = place(g.t1), [g.nx, g.ny, g.nz]
     degree = [mp.log(y / x, 2) for x, y in zip(r, place(2 * g.t1), strict=True)]

@@ -12,9 +12,7 @@ def rise(p):
 
 
 def at_unit_rate(one, a, p):
-    """Length of path, and normal acceleration, where theta grows at 1 rad/s: the speed is c
-    theta', the tangential acceleration c theta'' and the normal one n theta'^2.
-    """
+    """Length of path c and normal acceleration n at 1 rad/s: of theta, c theta' and n theta'^2."""
     P = on_helix(a, rise(p), moving(0 * one, rate=one))
     return P.velocity(P.ground).norm(), P.acceleration(P.ground).norm()
 
@@ -28,9 +26,7 @@ def of_numbers(g):
 
 
 def formulas(g, c, n):
-    """For (c theta'')^2 + (n theta'^2)^2 = A^2, which has the constant solution and, with u =
-    theta'^2 and theta'' = u'(theta)/2, the solution u = A/n sin(2 n theta/c) from rest.
-    """
+    """(c theta'')^2 + (n theta'^2)^2 = A^2 has theta' constant, or from rest by a sine."""
     uniform = sqrt(g.A / n) * g.t
     return {
         "theta_uniform": uniform,
@@ -63,9 +59,7 @@ def steps(g):
 
 
 def prove(g):
-    """In u = theta'^2, theta and t are integrals of du from rest to u, of which A/n is the
-    largest; the rate at an angle is a root.
-    """
+    """theta and t as integrals of u = theta'^2 from rest, at most A/n; the rate is a root."""
     c, n, h = stretch_and_bend(g.a, g.p)
     rate = proofs.root(lambda w: n * w**2 - g.A, 0, 2 * mp.sqrt(g.A / n))
     return {

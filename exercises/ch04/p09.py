@@ -5,9 +5,7 @@ from newton_euler import Frame, cos, moving, pi, sin, solve_rates, sqrt
 
 
 def lower_end(g):
-    """x and y of the lower end: on the ellipse, and at the distance that the rod leaves, rho^2 =
-    L^2 - z^2, from the centre.
-    """
+    """x and y of the lower end: on the ellipse, at rho^2 = L^2 - z^2 from the centre."""
     rho_squared = g.L**2 - g.z_1**2
     across = g.b**2 - g.a**2
     return g.a * sqrt((g.b**2 - rho_squared) / across), g.b * sqrt((rho_squared - g.a**2) / across)

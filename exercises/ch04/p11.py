@@ -18,9 +18,7 @@ def cones(g, rate_of_B):
 
 
 def rolling(g, rate_of_B):
-    """omega of C. It lies in the plane of the axes, since the points of contact move square to that
-    plane; C slides neither on A nor on B.
-    """
+    """omega of C, in the plane of the axes; C slides neither on A nor on B."""
     ground, A, B, on_A, on_B = cones(g, rate_of_B)
 
     def cone_C(omega_x, omega_y):

@@ -6,9 +6,7 @@ from newton_euler import Frame, cos
 
 
 def shaft_and_rod(g):
-    """Ground with y up; the shaft turns about y; the rod, along its own x, turns about the shaft's
-    z in the hinge at the origin B.
-    """
+    """Ground with y up; the shaft, about y; the rod, along its x, about the shaft's z at B."""
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "y", rate=g.omega_1)
     rod = shaft.rotate("rod", "z", angle=g.beta_1, rate=g.omega_2, acceleration=g.omega_2_dot)

@@ -21,9 +21,7 @@ follows = {"r": lambda g, speed: speed / g.n}
 
 
 def prove(g):
-    """The speed grows with the distance from the axis: that at the distance 1, as a numerical
-    derivative, gives r.
-    """
+    """The speed at the distance 1 from the axis, as a numerical derivative, gives r."""
     speed = size([g.v_x, 0, g.v_z])
     at_one = size(rate(lambda t: times(rot("y", g.n * t), [1, 0, 0])))
     return {"speed": speed, "r": speed / at_one}

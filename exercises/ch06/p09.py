@@ -6,9 +6,7 @@ from newton_euler.dynamics import resultant_force, weight
 
 
 def about_to_slip(g):
-    """The highest rate, and the normal force N there, with the friction mu N up the slope. The
-    acceleration is s times that at the rate of sqrt(g/r).
-    """
+    """The highest rate and N there; a is s times that at the rate sqrt(g/r)."""
     ground = Frame("ground")
     rate = sqrt(g.g / g.r)
     P = cylindrical(ground, "P", g.r, moving(0, rate=rate), 0)
@@ -34,9 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """The contact force of the explicit circle, along the surface and normal to it: the object
-    slips where the first grows beyond mu times the second.
-    """
+    """The contact force on the explicit circle: it slips where the part along exceeds mu N."""
 
     def contact(omega):
         x, _, z = second_rate(lambda t: times(rot("z", omega * t), [g.r, 0, 0]))

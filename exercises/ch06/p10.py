@@ -1,6 +1,4 @@
-"""6/10: the tension in the wire of a pendulum, held and let go; in units of its weight, with the
-length of the wire as that of length.
-"""
+"""6/10: the tension in a pendulum's wire, held and let go; weight and wire are the units."""
 
 from exercises.tools import Sketch, mp, plus, rate, root, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, polar, sin, solve_linear
@@ -34,9 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """Held: the cord is so strong that the energy is stationary there. Let go, theta = theta_0 -
-    c t^2/2 at first, with the c that keeps the energy.
-    """
+    """Held, the energy is stationary there; let go, theta_0 - c t^2/2 with the c that keeps it."""
     place = lambda theta: [mp.sin(theta), -mp.cos(theta), 0]
 
     def slope(cord):

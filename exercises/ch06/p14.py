@@ -34,10 +34,7 @@ def steps(g):
 
 
 def prove(g):
-    """Before: virtual work while the sphere moves with AB taut. After: the pendulum CD begins to
-    move so that the height lost is kinetic energy, and the explicit motion is differentiated. Unit
-    of length is a wire, g is 1.
-    """
+    """Virtual work before; after, the fall that keeps the energy, differentiated. Wire, g: 1."""
     C = [mp.cos(g.alpha), 0, mp.sin(g.alpha)]
     with_AB = lambda u: [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
     with_CD = lambda u: minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])

@@ -49,9 +49,7 @@ def steps(g):
 
 
 def prove(g):
-    """r as a power series in t, whose coefficients the equation along the tube gives in turn; the
-    path in the ground is then differentiated.
-    """
+    """r as a power series in t from the equation along the tube; the path is differentiated."""
     r, sine = [g.a, mp.mpf(0)], [mp.mpf(0), g.omega]  # series of r and of sin(omega t)
     for n in range(3 * DIGITS):
         both = (n + 1) * (n + 2)

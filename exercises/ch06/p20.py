@@ -7,9 +7,7 @@ from newton_euler.applications import earth_rate, force_near_earth
 
 
 def force(g):
-    """The resultant force on the car to first order in the Earth's rate: terms ``relative``, which
-    drives, and ``coriolis``, which here has no vertical part.
-    """
+    """The force on the car to first order; ``coriolis`` has no vertical part here."""
     ground = ground_axes(g)
     return force_near_earth(g.M, -g.v * ground.j, -g.a * ground.j, earth_rate(ground))
 
@@ -24,9 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """The explicit motion along a meridian of the round Earth, seen from the stars, and the part of
-    its acceleration to the east: that needs no first order.
-    """
+    """The explicit motion along a meridian, seen from the stars: its acceleration to the east."""
 
     def place(t):
         """Away from the axis in the first meridian plane, east of it, along the axis."""

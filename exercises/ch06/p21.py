@@ -35,9 +35,7 @@ follows = {"x": lambda g, phi: landing(g, phi)[1].x}
 
 
 def prove(g):
-    """The height over the target without rotation says the elevation; then the free flight as it is
-    seen from the stars, as far as to the ground.
-    """
+    """The elevation from the height over the target; then the free flight, seen from the stars."""
 
     def over_target(e):
         t = g.D / (g.v_0 * mp.cos(e))

@@ -31,10 +31,7 @@ def steps(g):
 
 
 def prove(g):
-    """The straight motion over the ground, seen from the stars; what changes sign with the sense in
-    which the Earth turns is of first order in its rate, since the acceleration is of the second
-    degree in it.
-    """
+    """The straight motion, seen from the stars; first order is what changes sign with the rate."""
     v = scaled(g.v / (2 * g.one) ** 0.5, [-1, 1, 0])
 
     def acceleration(sense):

@@ -14,9 +14,7 @@ def density(g):
 
 
 def moments(g, width=lambda g, phi: g.R):
-    """(I_xx, I_yy, I_zz) by rings at the angle phi from z, by the parallel axis theorem; the mass
-    per area stays the right one for a wrong ``width``.
-    """
+    """(I_xx, I_yy, I_zz) by rings at phi from z; a wrong ``width`` keeps the mass per area."""
     sigma = density(g)
 
     def thin_ring(phi):

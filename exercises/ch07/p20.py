@@ -31,9 +31,7 @@ follows = {"k_G": lambda g, r_a: at_G(g, r_a)}
 
 
 def prove(g):
-    """With two mass points of the same mass, moment about AA' and centre: if they have the right
-    moment about BB' too, they are at the right place.
-    """
+    """With two mass points of the same mass, centre and moments about AA' and BB'."""
 
     def excess(r_a):
         return mean_square([g.L - x for x in two_masses(g.I_AA / g.m, r_a)]) - g.I_BB / g.m

@@ -37,9 +37,7 @@ def steps(g):
 
 
 def prove(g):
-    """Disks on each other, their radius and mass growing with the distance from the apex; a wider
-    cone is the same one, stretched across.
-    """
+    """Disks that grow from the apex; a wider cone is the same one, stretched across."""
     body = [
         (3 * up**2 * share * w, [y * up, up])
         for share, (x, _, _) in proofs.box(2, 0, 0, order=3)

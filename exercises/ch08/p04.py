@@ -25,9 +25,7 @@ def force_at_O(g, a_O):
 
 
 def forces(g, F_x=None):
-    """F_B, F_O as a solution of solve_linear; ``F_x``: the component of F_O along the cylinder, if
-    it is not that of the piston.
-    """
+    """F_B and F_O; ``F_x``: the component of F_O along the cylinder, if not that of the piston."""
     ground, bar, B, O = engine(g)
     F_x = force_at_O(g, O.acceleration(ground)).dot(ground.i) if F_x is None else F_x
 

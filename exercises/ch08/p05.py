@@ -43,9 +43,7 @@ def steps(g):
 
 
 def prove(g):
-    """For every share of the friction that could act at B, the acceleration at which the bed can
-    just give the friction that the mass points need at A; the greatest of them.
-    """
+    """The greatest acceleration at which, for any share of friction at B, the bed can drive A."""
     length, B = mpf(1), [mp.cos(g.theta), mp.sin(g.theta), 0]
     half = [length / 2, 0, 0]
     points = [(u, times(rot("z", g.theta), plus(half, r))) for u, r in box(length, 0, 0, order=2)]

@@ -34,9 +34,7 @@ def steps(g):
 
 
 def contact(g, phi, square):
-    """Proof: the forces along the slope and its normal on a rolling wheel of the unit of mass, half
-    of it at either side of G, with G at phi and O moving at this squared speed.
-    """
+    """Proof: contact forces along slope and normal of a unit mass, half on each side of G."""
     v, k = mp.sqrt(square), g.r / 2
 
     def places(a):
@@ -70,9 +68,7 @@ def contact(g, phi, square):
 
 
 def prove(g):
-    """At each place of G the speed at which the normal force of the rolling wheel vanishes; and the
-    place at which the friction vanishes with it.
-    """
+    """The speed at which the normal force vanishes; the place where the friction does with it."""
     square = lambda phi: vanishing(lambda u: contact(g, phi, u)[1], g.g * g.r, 2 * g.g * g.r)
 
     def friction(phi):

@@ -7,9 +7,7 @@ from newton_euler.dynamics import resultant_moment
 
 
 def door(g, theta, alpha):
-    """Ground, the hinge and the door seen from above: x out of the side of the car, y forward. All
-    mass points along a vertical line of the door move alike: it is a rod in this view.
-    """
+    """Ground, hinge and door from above, x out of the car, y forward: the door is a rod."""
     ground = Frame("ground")
     hinge = ground.point("hinge", 0, moving(0 * g.b, rate=0, acceleration=g.a), 0)
     angle = moving(theta, rate=0, acceleration=alpha)  # its rate needs no moment about the hinge
@@ -54,9 +52,7 @@ def steps(g):
 
 
 def prove(g):
-    """In the car: the work of the apparent weight M a backward. In the inertial frame that moves
-    with the hinge at the instant: the hinge gives no power then.
-    """
+    """In the car, the work of the weight -M a; in the frame of the hinge, which gives no power."""
     points = [(u, x + g.b / 2) for u, (x, _, _) in box(g.b, 0, 0, order=2)]
 
     def places(angle, forward=0):

@@ -40,9 +40,7 @@ follows = {"omega_max": lambda g, beta_ring: g.omega * sqrt(cos(beta_ring))}
 
 
 def prove(g):
-    """By the energy in the frame of the shaft, that of the weight and of the centrifugal forces: it
-    is stationary at the angle, and has its least at 0 while its curvature there is positive.
-    """
+    """The energy in the shaft's frame is stationary; least at 0 while its curvature is positive."""
     points = [(share, (x, g.a - y)) for share, (x, y, _) in proofs.ring(g.a)]
 
     def energy(beta, omega):

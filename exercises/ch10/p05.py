@@ -25,10 +25,7 @@ def steps(g):
 
 
 def prove(g):
-    """From the exact rates, at which the mass points need just the moment of their weights, at
-    far larger spins: the slow one is then inversely proportional to the spin, the fast one
-    proportional.
-    """
+    """The exact rates at far larger spins: the slow one goes as 1/spin, the fast as the spin."""
     given, found = proof_data(g)
     rates = leading(*given)
     m, points, *_ = given

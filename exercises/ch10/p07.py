@@ -46,9 +46,7 @@ def steps(g):
 
 
 def prove(g):
-    """From the moment that the mass points of a ring and of the block need, and that of their
-    weights; the ring is as far ahead of the post as the balance of the fan at rest tells.
-    """
+    """The moment that mass points of ring and block need; the fan's balance at rest places it."""
 
     def of_weights(*points):
         return sum(m * g.g * place[2] for m, place in points)

@@ -51,9 +51,7 @@ follows = {"F_B": lambda g, F_A: g.m * g.g - F_A}
 
 
 def prove(g):
-    """What the mass points of the rotor and of the rest, which may as well be at G, need beside
-    their weight: its moment about one support is that of the force of the other.
-    """
+    """What the mass points of rotor and rest need beside their weight, about each support."""
     turned = [(share, [z, x, y]) for share, (x, y, z) in proofs.ring(g.k)]
 
     def rotor(t):

@@ -55,9 +55,7 @@ def steps(g):
 
 
 def prove(g):
-    """The mass points of the disk in time: the rim has unrolled as far as the centre has gone.
-    What they need, less what their weight gives, is the moment of the floor about the hinge.
-    """
+    """The mass points of the rolling disk in time: their moment less that of the weight."""
     m = g.W / g.g
     upright = [(share, [z, x, y]) for share, (x, y, z) in proofs.disk(g.r)]
     unrolled = lambda t: g.R * g.Omega * t / g.r

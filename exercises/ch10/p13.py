@@ -7,9 +7,7 @@ from newton_euler.bodies import cylinder
 
 
 def rotor(g):
-    """Ground with z up, the bracket with its origin at G, the cylinder. Its length does not count:
-    neither the moment about the shaft nor the gyroscopic one depends on it.
-    """
+    """Ground with z up, the bracket with its origin at G, the cylinder, of any length."""
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "z", rate=g.Omega)
     spinning = bracket.rotate("cylinder", "x", rate=g.P)

@@ -7,9 +7,7 @@ from newton_euler.dynamics import resultant_force, resultant_moment, weight
 
 
 def scene(g, rate=0, acceleration=0, spin=0, mass=1):
-    """At the level position: ground with x along the level shaft and z up, and the disk; the z of
-    the shafts points from O to the disk.
-    """
+    """Level: ground with x along the shaft, z up, and the disk; its shafts' z is from O to it."""
     ground = Frame("ground")
     level = pi(g.r) / 2
     shafts = ground.rotate("shafts", "-x", angle=level, rate=rate, acceleration=acceleration)
@@ -23,9 +21,7 @@ def as_particle(g, rate=0, acceleration=0):
 
 
 def fall(g, scene=scene):
-    """theta_dot and theta_ddot: the weight has done its work, and has the moment that the motion
-    needs about x. The spin has no part in either, and the mass cancels.
-    """
+    """theta_dot and theta_ddot, by work and moment of the weight, whatever spin and mass."""
     rate = sqrt(g.g * g.b / kinetic_energy(*reversed(scene(g, rate=1))).value)
 
     def about_x(alpha):

@@ -51,9 +51,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time, along a line in the ground: the force that it needs beside the weight is
-    that of the chute, whose two parts are as the friction law says.
-    """
+    """The motion in time along a line; beside the weight acts the chute, by the friction law."""
     down = [mp.cos(g.theta), -mp.sin(g.theta)]
     across = [mp.sin(g.theta), mp.cos(g.theta)]
 

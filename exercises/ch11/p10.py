@@ -39,9 +39,7 @@ def steps(g):
 
 
 def prove(g):
-    """Backward in time from the top, where the loop has just ceased to push: down the loop, and
-    into the spring till the pellet is at rest.
-    """
+    """Backward in time from the top, where the loop ceases to push, into the spring to rest."""
     m = g.W / g.g
     v = proved_root(lambda v: proved_contact(m, g.g, g.r, mp.pi, v), 0, 10 * mp.sqrt(g.g * g.r))
     swing = mp.sqrt(g.r / g.g)

@@ -92,9 +92,7 @@ def steps(g):
 
 
 def prove(g):
-    """The mean of the circulation in the rectangle; the mean of the work over the segment; slopes
-    along slanted lines; and the fields that have a potential, counted.
-    """
+    """Mean circulation, mean work, slopes along slanted lines; fields with a potential, counted."""
     coefficients = [getattr(g, name) for name in NAMES]
 
     def F(r):

@@ -79,9 +79,7 @@ def steps(g):
 
 
 def prove(g):
-    """A rod without mass or moment pushes the collar neither way: in the ground it moves in a plane
-    by the force of the spring alone, and its rectangular coordinates are followed in time.
-    """
+    """The collar's rectangular coordinates in time: only the spring acts on it in the plane."""
     m = g.W / g.g
 
     def rates(state):

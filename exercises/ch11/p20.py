@@ -68,9 +68,7 @@ def steps(g):
 
 
 def prove(g):
-    """The angle at which the rim just touches the wall, a rim that unrolls along the wall, and mass
-    points that have the same moments of inertia.
-    """
+    """The rim touches the wall and unrolls along it; mass points of the same inertia."""
     Omega = 2 * mp.pi * g.f
 
     def gap(theta):

@@ -14,9 +14,7 @@ def shaft(g):
 
 
 def rate(g, d):
-    """The disk turns about the level line from the point of contact to the joint D, which are at
-    rest: so fast that C is carried round as the shaft does it.
-    """
+    """The disk turns about the level line from contact to D as fast as the shaft carries C."""
 
     def unlike(rate):
         omega = rate * -d.ground.i

@@ -46,9 +46,7 @@ def steps(g):
 
 
 def prove(g):
-    """The base rolls off its circumference on a circle as large as the side is long; mass points,
-    each at the share u of the way from the tip to a point of the base, in this motion.
-    """
+    """The base unrolls on a circle as large as the side is long; mass points in this motion."""
     r, side = g.h * mp.tan(g.alpha), g.h / mp.cos(g.alpha)
     base = proofs.disk(r, order=2)
     points = [

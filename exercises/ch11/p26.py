@@ -49,9 +49,7 @@ def steps(g):
 
 
 def prove(g):
-    """The speed at the level b that makes the bob, under its weight and the string's force, have no
-    vertical velocity next at the level c: found in floats, and then more closely.
-    """
+    """The speed at b from which the bob next moves level at c: in floats, then more closely."""
 
     def miss(speed):
         kind = float if isinstance(speed, float) else g.one.__class__

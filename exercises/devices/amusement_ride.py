@@ -1,6 +1,4 @@
-"""The amusement ride of 3/19 to 3/24: cars at the ends of arms of length R that are hinged at O to
-a turning shaft; a wavy track raises them to z = (h/2)(1 - cos(2 theta)).
-"""
+"""The ride of 3/19 to 3/24: cars on hinged arms R and a wavy track (h/2)(1 - cos(2 theta))."""
 
 from exercises.tools import Sketch, Step, elevation, mp, rate, second_rate, size
 from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spherical, sqrt

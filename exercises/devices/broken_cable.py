@@ -70,9 +70,7 @@ def fall_steps(g, shape, pin):
 
 
 def by_energy(g, points, *places):
-    """Proof: alpha, by the energy of the mass ``points`` as they begin to turn; the force of the
-    pin, by their momentum; the motion in time of further places.
-    """
+    """Proof: alpha by the energy of mass ``points``, the pin by their momentum; places in time."""
 
     def energy(q, t):
         motion = lambda t: [(share, times(rot("z", q(t)), r)) for share, r in points]

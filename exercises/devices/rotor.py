@@ -1,6 +1,4 @@
-"""A body on a light shaft that turns at a constant rate in two bearings, 9/1 to 9/6: angular
-momentum, its rate, bearing forces and state of balance. Axes of the shaft: x from A to B.
-"""
+"""A body on a shaft in two bearings, 9/1 to 9/6: H, its rate, forces, balance; x from A to B."""
 
 from dataclasses import dataclass
 

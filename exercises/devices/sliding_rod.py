@@ -23,9 +23,7 @@ def about(name, side, **rates):
 
 
 def end(g, name, x, y, alpha=None, a_r=None):
-    """Ground, and the end of the rod at x, y from A. ``alpha``: growth of the clockwise rate;
-    ``a_r``: of the speed of the rod in the bracket.
-    """
+    """Ground, and the rod's end; ``alpha``: growth of the clockwise rate, ``a_r``: of the speed."""
     ground, bracket = turning("bracket", -g.omega, None if alpha is None else -alpha)
     return ground, bracket.point(name, moving(x, rate=g.u, acceleration=a_r), y, 0)
 

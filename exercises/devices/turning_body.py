@@ -146,9 +146,7 @@ def prove_momentum(g, axis, **parts):
 
 
 def prove(g, axis, **parts):
-    """As above, and the forces on the mass points have their moments too; of its terms, the one is
-    found by letting the body turn from rest.
-    """
+    """As above, with the moments of the forces; a single term from a start at rest."""
     M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), proofs.second_rate)
     from_rest = _moment(parts, rot_about(axis, 0, g.alpha), proofs.second_rate)
     found = prove_momentum(g, axis, **parts)

@@ -1,6 +1,4 @@
-"""A body of revolution about z that spins freely with a slight wobble, 10/10 to 10/12; proofs find
-the moment that its mass points need in an explicit steady precession.
-"""
+"""A body about z that spins freely and wobbles, 10/10 to 10/12; proofs by mass points."""
 
 from exercises.devices.steady_precession import needed
 from exercises.tools import mp, mpf, vanishing

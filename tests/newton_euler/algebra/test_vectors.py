@@ -235,6 +235,13 @@ def test_every_kind_of_component_can_be_shown(kind):
     assert v._repr_latex_() == f"${v.latex()}$"
 
 
+def test_a_component_that_is_round_off_is_printed_as_zero_and_kept():
+    v = ground.vector(1.0, 6.1e-17, -1e-13)
+    assert str(v) == "[1, 0, -1e-13] in ground"
+    assert r"\hat{\jmath}" not in v.latex()
+    assert v.y == 6.1e-17
+
+
 def test_traced_components_can_be_shown():
     shown = []
 

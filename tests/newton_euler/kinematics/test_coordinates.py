@@ -17,8 +17,10 @@ from newton_euler.kinematics import (
     T_phi,
     T_theta,
     T_theta_phi,
+    curvilinear,
     cylindrical_coordinates,
     cylindrical_frame,
+    frenet,
     polar_coordinates,
     spherical_coordinates,
     spherical_frame,
@@ -305,6 +307,26 @@ def test_eqn_3_34_to_3_38_the_matrices(kind):
     known = ground.vector(*Q).components(sphere)
     assert close(apply(both, Q), known, tiny)  # 3.35
     assert close(apply(second, apply(first, Q)), known, tiny)  # 3.38
+
+
+@pytest.mark.parametrize(
+    ("v", "hats"),
+    [
+        (lambda g: polar(g, "P", 1.0, moving(0.3, rate=2.0)).local.vector(1, 2, 3),
+         (r"\hat{e}_r", r"\hat{e}_\theta", r"\hat{k}")),
+        (lambda g: spherical(g, "P", 1.0, 0.3, moving(0.2, rate=1.0)).local.vector(1, 2, 3),
+         (r"\hat{e}_R", r"\hat{e}_\theta", r"\hat{e}_\phi")),
+        (lambda g: frenet(g.vector(1.0, 0, 0), g.vector(0, 2.0, 0)).frame.vector(1, 2, 3),
+         (r"\hat{e}_t", r"\hat{e}_n", r"\hat{e}_b")),
+        (lambda g: curvilinear(g, "P", lambda u, v, w: (u, v, w), 1.0, 2.0, 3.0).local.vector(1, 2, 3),
+         (r"\hat{e}_1", r"\hat{e}_2", r"\hat{e}_3")),
+    ],
+    ids=["polar", "spherical", "intrinsic", "curvilinear"],
+)  # fmt: skip
+def test_local_unit_vectors_are_typeset_by_their_own_names(v, hats):
+    latex = v(Frame("ground")).latex()
+    assert all(hat in latex for hat in hats)
+    assert r"\hat{\imath}" not in latex
 
 
 def test_a_negative_term_is_subtracted_where_the_sum_is_typeset():
