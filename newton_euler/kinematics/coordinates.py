@@ -53,7 +53,9 @@ def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k
     >>> cylindrical_frame(ground, moving(0.5, rate=2.0)).i.rate(ground)
     Vector(0, 2.0, 0 in e_r, e_theta, k)
     """
-    return ground.rotate(name, "z", theta)
+    axes = ground.rotate(name, "z", theta)
+    axes.hats = (r"\hat{e}_r", r"\hat{e}_\theta", r"\hat{k}")
+    return axes
 
 
 @checked
@@ -71,7 +73,9 @@ def spherical_frame(
     >>> axes.i.rate(ground).components()  # along e_R, e_theta, e_phi
     (0, 2.0, 3.0)
     """
-    return ground.rotate(f"azimuth of {name}", "z", theta).rotate(name, "-y", phi)
+    axes = ground.rotate(f"azimuth of {name}", "z", theta).rotate(name, "-y", phi)
+    axes.hats = (r"\hat{e}_R", r"\hat{e}_\theta", r"\hat{e}_\phi")
+    return axes
 
 
 # -- points by their coordinates

@@ -67,6 +67,7 @@ def curvilinear(
     local = Triad(
         f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q))
     )
+    local.hats = (r"\hat{e}_1", r"\hat{e}_2", r"\hat{e}_3")
     terms = {
         "velocity": lambda P: _velocity_terms(P, columns, names),
         "acceleration": lambda P: _acceleration_terms(P, position, columns, names),

@@ -64,6 +64,7 @@ class Frame:
     """
 
     parent: Any  # a Frame, or None for the root
+    hats: tuple[str, str, str] = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")  # unit vectors
 
     def __init__(
         self,

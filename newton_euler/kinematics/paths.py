@@ -261,6 +261,7 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     tau = None if jerk is None else -dot3(turn, jerk) / (area * area)
     turning = None if tau is None else (lambda: ((-tau * speed, ZERO, f * speed), None))
     triad = Triad(f"e_t, e_n, e_b of {name}", ground, (e_t, cross3(e_b, e_t), e_b), turning)
+    triad.hats = (r"\hat{e}_t", r"\hat{e}_n", r"\hat{e}_b")
     return Frenet(triad, speed, to_plain(dot3(v, a) / speed), to_plain(f), tau)
 
 
