@@ -1,6 +1,6 @@
 """A/6: the components of a cross product, without numbers and figure."""
 
-from exercises.tools import Step, mp
+from exercises.tools import mp
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -17,9 +17,8 @@ def solve(g):
 
 def steps(g):
     A, B = vectors(g)
-    for n, e in enumerate((AXES.i, AXES.j, AXES.k)):
-        part = (A[n] * e).cross(B)
-        yield Step(f"from_{'ijk'[n]}", part, "1", f"a_{n + 1} {'ijk'[n]} x B", "A", "A.5")
+    axes = {"i": AXES.i, "j": AXES.j, "k": AXES.k}
+    return {f"from_{name}": (a * e).cross(B) for a, (name, e) in zip(A, axes.items(), strict=True)}
 
 
 def prove(g):

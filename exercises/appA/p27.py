@@ -19,8 +19,7 @@ def solve(g):
 
 
 def steps(g):
-    square = normal(g).dot(normal(g))
-    return {"N_square": square}
+    return {"N_square": normal(g).dot(normal(g))}
 
 
 def prove(g):

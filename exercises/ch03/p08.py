@@ -46,8 +46,7 @@ def mistakes(g):
     v, a = motion(g)
 
     def added(vector):
-        level = GROUND.vector(vector.x, vector.y, 0)
-        return level.norm() + vector.z
+        return GROUND.vector(vector.x, vector.y, 0).norm() + vector.z
 
     return {
         "rate_of_the_speed": {"acc_mag": speed_rate(v, a)},

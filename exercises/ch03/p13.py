@@ -58,5 +58,4 @@ def draw(g, ax):
     s.dimension((0, -1.5 * g.r, 0), (0, -1.5 * g.r, z), label="z", offset=0)
     s.dimension(C, A, label="r", offset=0.6 * g.z0)
     s.turn((0, 0, 1.6 * g.z0), ground.k, label=r"$\omega$")
-    on_top = (0, g.r, z + 0.075 * g.z0)
-    s.dot(on_top, "A")
+    s.dot((0, g.r, z + 0.075 * g.z0), "A")

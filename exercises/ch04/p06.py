@@ -1,7 +1,7 @@
 """4/6: an arm that turns about a vertical rod on a roller going downhill."""
 
 from exercises.devices.moving_frame import turning_of
-from exercises.tools import Sketch, Step, in_frame, minus, mp, rate, terms
+from exercises.tools import Sketch, in_frame, minus, mp, rate, terms
 from newton_euler import Frame, cos, moving, pi, sin
 
 
@@ -27,12 +27,9 @@ def solve(g):
 
 def steps(g):
     ground, rod, _ = roller_and_rod(g)
-    v_O = rod.origin.velocity(ground).expressed_in(ground)
-    yield "v_O", v_O
+    yield "v_O", rod.origin.velocity(ground).expressed_in(ground)
     yield from turning_of(rod, ground, ground, "rod", "the moving frame, fixed in the rod,")
-    r = rod.vector(g.b, 0, 0).expressed_in(ground)
-    means = "position of P from A, which is on the axis of turning and moves as O does"
-    yield Step("r", r, "ft", means, "4.8", "4.16")
+    yield "r", rod.vector(g.b, 0, 0).expressed_in(ground)
     yield from terms(solve(g)["v_P"], "v_P", "ft/s", "4.8")
 
 

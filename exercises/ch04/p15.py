@@ -60,11 +60,9 @@ def mistakes(g):
 
 def draw(g, ax):
     ground, shaft, _, C = shaft_and_rod(g)
-    A, B, level = (
-        ground.point("A", 0, -0.8 * g.L, 0),
-        ground.point("B", 0, 0, 0),
-        ground.point("", 0.8 * g.L, 0, 0),
-    )
+    A = ground.point("A", 0, -0.8 * g.L, 0)
+    B = ground.point("B", 0, 0, 0)
+    level = ground.point("", 0.8 * g.L, 0, 0)
     s = Sketch(ax, ground, azimuth=25, elevation=15, up="y")
     s.ground(A, normal=ground.j)
     s.shaft(A, B)

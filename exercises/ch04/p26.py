@@ -1,6 +1,6 @@
 """4/26: the drum of a flight simulator, which tilts in a frame that turns about the vertical."""
 
-from exercises.tools import Sketch, Step, mp, proofs, rot, spun, terms, times, transposed
+from exercises.tools import Sketch, mp, proofs, rot, spun, terms, times, transposed
 from newton_euler import Frame, pi
 
 
@@ -34,15 +34,10 @@ def solve(g):
 
 def steps(g):
     _, _, mounting, _ = simulator(g)
-    e = mounting.j.expressed_in(mounting.parent)
-    means = r"direction of the drum's axis, $\cos\theta$ along y and $\sin\theta$ along z"
-    yield Step("e", e, "1", means)
     _, Omega, theta_dot, P = turns(g)
-    means = "angular velocity of the axes, which turn with the shaft"
-    yield Step("omega_axes", Omega, "rad/s", means, "4.9", "4.19")
-    omega = Omega + theta_dot + P
-    means = "angular velocity of the drum in the ground, which is Q in the last equation"
-    yield Step("omega_drum", omega, "rad/s", means, "4.9", "4.22")
+    yield "e", mounting.j.expressed_in(mounting.parent)
+    yield "omega_axes", Omega
+    yield "omega_drum", Omega + theta_dot + P
     yield from terms(solve(g)["alpha_drum"], "alpha_drum", "rad/s^2", "4.6")
 
 

@@ -101,11 +101,9 @@ def draw(g, ax):
                 for y, z in ((near, g.d), (far, g.d), (far, -g.d), (near, -g.d))
             ]
         )
-    O, end, up = (
-        craft.point("", 0, 0, 0),
-        craft.point("", 0, g.L, 0),
-        craft.point("", 0, g.L, 0.45 * g.L),
-    )
+    O = craft.point("", 0, 0, 0)
+    end = craft.point("", 0, g.L, 0)
+    up = craft.point("", 0, g.L, 0.45 * g.L)
     s.axes(O, craft, length=0.7 * g.L)
     s.turn(craft.point("", 0, 0, body), craft.k, label=r"$\omega$")
     s.turn(craft.point("", 0, -1.15 * g.L, 0), -craft.j, label=r"$\dot\theta$")

@@ -42,8 +42,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    space = Frame("space")
-    s = Sketch(ax, space, azimuth=35, elevation=28)
+    s = Sketch(ax, Frame("space"), azimuth=35, elevation=28)
     place = lambda x, y: (x, y, 0.5 * cos(0.8 * x) * sin(0.8 * y))
     ways = [n / 4 for n in range(-6, 7)]
     for a in ways[::4]:

@@ -31,8 +31,7 @@ def steps(g):
 
 def prove(g):
     """By the way of the cart and the angle of the rod."""
-    dof = freedom(lambda x, q: [x, x + mp.sin(q), -mp.cos(q)], mpf(2), mpf("0.4"))
-    return {"dof": dof}
+    return {"dof": freedom(lambda x, q: [x, x + mp.sin(q), -mp.cos(q)], mpf(2), mpf("0.4"))}
 
 
 def mistakes(g):

@@ -43,8 +43,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    s = Sketch(ax, Frame("ground"), plane="xz")
     A, B = (0.5 * g.L, 0, 0), (0, 0, 0.75**0.5 * g.L)
     # along the wall down, then along the floor: what is fixed is on the right of the way
     s.road([(0, 0, 1.1 * g.L), (0, 0, 0), (0.9 * g.L, 0, 0)])

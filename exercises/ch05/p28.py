@@ -44,8 +44,7 @@ def solve(g):
 
 
 def steps(g):
-    free = degrees_of_freedom(TWO).count
-    return {"coordinates": free, "constraints": 2, "more": 2}
+    return {"coordinates": degrees_of_freedom(TWO).count, "constraints": 2, "more": 2}
 
 
 follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}

@@ -51,8 +51,7 @@ def prove(g):
         return second_rate(lambda t: size(rate(falling(c), t)) ** 2 / 2 + falling(c)(t)[1])
 
     bob = falling(root(power, mp.mpf("0.01"), 10))
-    pull = plus(second_rate(bob), [0, 1, 0])
-    after = times(rot("z", -g.theta), pull)[1]
+    after = times(rot("z", -g.theta), plus(second_rate(bob), [0, 1, 0]))[1]
     return {"k": after / before, "T_before": before, "T_after": after}
 
 

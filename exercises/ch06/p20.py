@@ -17,8 +17,7 @@ def solve(g):
 
 
 def steps(g):
-    Omega = earth_rate(ground_axes(g))
-    return {"Omega": Omega, "a_C": force(g).terms["coriolis"] / g.M}
+    return {"Omega": earth_rate(ground_axes(g)), "a_C": force(g).terms["coriolis"] / g.M}
 
 
 def prove(g):

@@ -1,7 +1,8 @@
 """7/4: the inertia matrix of a cone at its apex by integration."""
 
 from exercises.devices.cone import CONE, figure, radius, tube
-from exercises.devices.inertia import added, matrix, of_points, raised
+from exercises.devices.inertia import matrix
+from exercises.devices.inertia_proof import added, of_points, raised
 from exercises.tools import proofs
 from newton_euler import integral, pi
 from newton_euler.bodies import disk

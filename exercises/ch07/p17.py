@@ -1,6 +1,6 @@
 """7/17: the moments of inertia of a flat ring."""
 
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import annulus, disk, ring
 
@@ -22,10 +22,8 @@ def solve(g):
 
 def steps(g):
     sheet = g.m / annulus(g.r1, g.r2, PLATE, "z", density=1).mass
-    yield "sigma", sheet
-    for name, r, what in ("J_2", g.r2, "full disk of radius r2"), ("J_1", g.r1, "hole"):
-        yield Step(name, disk(r, PLATE, "z", density=sheet).inertia.moment("z"), "kg*m^2",
-                   f"moment about z of the {what}, pi*sigma*r^4/2", "7.3", "7.10")  # fmt: skip
+    moment = lambda r: disk(r, PLATE, "z", density=sheet).inertia.moment("z")
+    return {"sigma": sheet, "J_2": moment(g.r2), "J_1": moment(g.r1)}
 
 
 # equal diameters; and for a plate the moment about the normal is the sum of the two in it

@@ -60,8 +60,7 @@ def mistakes(g):
     at_apex = lambda body: body.inertia.moment("z") - body.about(CONE).moment("x")
 
     def wrong_centre(body):
-        d = body.centre.position(CONE).z
-        return at_apex(body) + body.mass * (d / 3) ** 2
+        return at_apex(body) + body.mass * (body.centre.position(CONE).z / 3) ** 2
 
     return {
         "at_the_apex": {"alpha": angle(g, at_apex)},

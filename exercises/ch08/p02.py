@@ -26,8 +26,7 @@ def answers(g, alpha):
 
 def solve(g):
     found = device.falls(g, square(g))
-    right = answers(g, found.alpha)
-    return right | {"R_A": Frame("ground").vector(found.R_x, found.R_y, 0)}
+    return answers(g, found.alpha) | {"R_A": Frame("ground").vector(found.R_x, found.R_y, 0)}
 
 
 def steps(g):

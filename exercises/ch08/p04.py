@@ -1,6 +1,6 @@
 """8/4: the forces on the connecting rod of an engine at top dead centre."""
 
-from exercises.tools import Sketch, Step, box, minus, mp, plus, proofs, root, scaled, second_rate
+from exercises.tools import Sketch, box, minus, mp, plus, proofs, root, scaled, second_rate
 from newton_euler import Frame, asin, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.bodies import rod
 from newton_euler.dynamics import mass_from_weight, reaction, resultant_force
@@ -45,11 +45,9 @@ def steps(g):
     ground, bar, B, O = engine(g)
     yield "m_P", mass_from_weight(g.W_P, g.g)
     yield "m_R", bar.mass
-    omega = bar.frame.angular_velocity(ground).expressed_in(ground)
-    yield "omega_BO", omega
-    for P, what in ((B, "B"), (O, "the piston"), (bar.centre, "the centre of mass of the rod")):
-        a = P.acceleration(ground).expressed_in(ground)
-        yield Step(f"a_{P.name}", a, "ft/s^2", f"acceleration of {what}", "4.8", "4.18")
+    yield "omega_BO", bar.frame.angular_velocity(ground).expressed_in(ground)
+    for P in (B, O, bar.centre):
+        yield f"a_{P.name}", P.acceleration(ground).expressed_in(ground)
 
 
 def prove(g):
@@ -99,8 +97,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    theta = 0.7
-    ground, _, B, O = engine(g, theta)
+    ground, _, B, O = engine(g, 0.7)
     s = Sketch(ax, ground, plane="xy")
     A, w = (0, 0, 0), 0.13 * g.l
     x = O.position(ground).x

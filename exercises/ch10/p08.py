@@ -93,8 +93,7 @@ def draw(g, ax):
     low, thick = -h, 0.12 * h
     left, right = -g.a - 0.6 * h, g.b + 0.6 * h
     A, B, G = (-g.a, low, 0), (g.b, low, 0), (0, 0, 0)
-    middle = (left + right) / 2
-    s.box((middle, low - 1.5 * thick, 0), ground, (right - left, thick, h))
+    s.box(((left + right) / 2, low - 1.5 * thick, 0), ground, (right - left, thick, h))
     s.ground((0, low - 2.2 * h, 0), normal=ground.j)
     s.shaft((0, low - 2.2 * h, 0), (0, low - 2 * thick, 0))
     half = 0.6 * min(g.a, g.b)

@@ -92,8 +92,7 @@ def draw(g, ax):
     long, high = 0.14 * g.L, 0.08 * g.L
     end = chute.point("end", 1.45 * g.L, 0, 0)
     s.road([chute.point("start", -0.14 * g.L, 0, 0), end])
-    cart = chute.point("cart", 0, high / 2, 0)
-    s.box(cart, chute, (long, high, high))
+    s.box(chute.point("cart", 0, high / 2, 0), chute, (long, high, high))
     s.vector(chute.point("front", long / 2, high / 2, 0), chute.i, "$v_A$")
     s.dimension(A, B, label="L", offset=-0.2 * g.L)
     x, y, _ = end.position(ground).components()

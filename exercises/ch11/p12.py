@@ -1,7 +1,7 @@
 """11/12: a collar on a half hoop in a horizontal plane, pulled by a spring from above it."""
 
 from exercises.devices.spring_to_pin import pull
-from exercises.tools import Sketch, Step, minus, mp, size, speed_along
+from exercises.tools import Sketch, minus, mp, size, speed_along
 from newton_euler import Frame, pi
 from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
 
@@ -41,11 +41,8 @@ def solve(g):
 
 def steps(g):
     for name in "ABC":
-        l = length(g, name)
-        yield Step(f"l_{name}", l, "mm", f"length of the spring with the collar at {name}", "11.12")
-        yield Step(f"V_{name}", energy(g, name), "J",
-                   f"potential energy of the spring with the collar at {name}, stretched by "
-                   f"l_{name} - l_0", "11.12", "11.35")  # fmt: skip
+        yield f"l_{name}", length(g, name)
+        yield f"V_{name}", energy(g, name)
 
 
 follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"), g.m)}

@@ -17,8 +17,7 @@ def rate(g, d):
     """The disk turns about the level line from contact to D as fast as the shaft carries C."""
 
     def unlike(rate):
-        omega = rate * -d.ground.i
-        return (omega - g.n * d.ground.k).cross(d.C.position(d.ground)).y
+        return (rate * -d.ground.i - g.n * d.ground.k).cross(d.C.position(d.ground)).y
 
     (found,) = solve_rates(unlike, 1)
     return found

@@ -11,8 +11,7 @@ def scene(g, spin):
     ground = Frame("ground")
     contact = ground.rotate("contact", "z", rate=g.Omega)
     axle = contact.rotate("axle", "y", angle=-g.alpha)
-    spinning = axle.rotate("cone", "x", rate=spin)
-    O = spinning.point("O", 0, 0, 0)
+    O = axle.rotate("cone", "x", rate=spin).point("O", 0, 0, 0)
     return ground, contact, cone(g.h * tan(g.alpha), g.h, O, "x", mass=g.M), O
 
 

@@ -40,8 +40,7 @@ def answers(g, speed):
 
 
 def solve(g):
-    start = g.z_0 / g.p
-    return answers(g, speed_from(g, potential(g, from_origin(g, start))))
+    return answers(g, speed_from(g, potential(g, from_origin(g, g.z_0 / g.p))))
 
 
 follows = {"v": lambda g, speed: velocity(g, speed)}

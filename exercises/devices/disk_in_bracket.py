@@ -206,11 +206,9 @@ def figure(g, ax, rim="AB", omega_name=r"\omega"):
 
 def _draw_fork(s, bracket, disk, r, omega, P):
     """The disk between the arms of a fork, its centre above the shaft."""
-    C, middle, foot = (
-        disk.origin,
-        bracket.point("", 0, 0, -1.4 * r),
-        bracket.point("", 0, 0, -2.2 * r),
-    )
+    C = disk.origin
+    middle = bracket.point("", 0, 0, -1.4 * r)
+    foot = bracket.point("", 0, 0, -2.2 * r)
     for y in (-0.7 * r, 0.7 * r):
         end, corner = bracket.point("", 0, y, 0), bracket.point("", 0, y, -1.4 * r)
         s.rod(C, end)

@@ -83,10 +83,8 @@ def rim_from_turning(name):
 
 def pin_and_axis(gone_round, risen):
     """Proof: the pin of A in B, which has gone round, and the axis, risen from +y."""
-    pin, level = (
-        [mp.cos(gone_round), mp.sin(gone_round), 0],
-        [-mp.sin(gone_round), mp.cos(gone_round), 0],
-    )
+    pin = [mp.cos(gone_round), mp.sin(gone_round), 0]
+    level = [-mp.sin(gone_round), mp.cos(gone_round), 0]
     return pin, plus(scaled(mp.cos(risen), level), [0, 0, mp.sin(risen)])
 
 

@@ -13,8 +13,7 @@ def screw_in_nut(g, rise, n):
     """Ground with Z up; a frame at B that rises with the screw; A, which turns in it."""
     ground = Frame("ground")
     rising = ground.translate("rising", ground.point("B", 0, 0, moving(0, rate=rise)))
-    screw = rising.rotate("screw", "z", rate=n)
-    return ground, rising, screw.point("A", g.a, 0, 0)
+    return ground, rising, rising.rotate("screw", "z", rate=n).point("A", g.a, 0, 0)
 
 
 def handle_in_time(g):

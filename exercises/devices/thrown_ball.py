@@ -44,8 +44,7 @@ def proved_path(g, gam):
 
 def draw(g, ax):
     """The thrower at O, the wall, the place hit; and of the path only the beginning."""
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    s = Sketch(ax, Frame("ground"), plane="xz")
     u = best_slope(g)
     h, _ = at_wall(g, u)
     vx = forward(g, u)
