@@ -4,6 +4,7 @@ from exercises.tools import Sketch, integral, minus, mp, size
 from newton_euler import Frame, radians
 
 AXES = Frame("axes")
+follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
 
 
 def vectors(g):
@@ -23,9 +24,6 @@ def solve(g):
 def steps(g):
     R = solve(g)["R"]
     return {"size": R.norm(), "c": R.direction().dot(AXES.i)}
-
-
-follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
 
 
 def prove(g):

@@ -1,13 +1,12 @@
 """2/5: a jet of water that comes down into a trench."""
 
 from exercises.tools import Sketch, mp, root
-from newton_euler import Frame, cos, pi, sin
-from newton_euler.kinematics import from_time
+from newton_euler import Frame, cos, kinematics, pi, sin
 
 
 def drop(g, x, up):
     """How far the water is below the nozzle at the horizontal distance x."""
-    return -from_time(lambda t: -g.g, x / (g.v_0 * sin(g.phi)), v0=up)[0]
+    return -kinematics.from_time(lambda t: -g.g, x / (g.v_0 * sin(g.phi)), v0=up)[0]
 
 
 def heights(g, up):

@@ -6,6 +6,7 @@ from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
 draw = ride.section
+follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}
 
 
 def acceleration(g):
@@ -27,17 +28,10 @@ def solve(g):
     return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}
 
 
-follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}
-
-
 def steps(g):
     a, phi, _ = acceleration(g)
-    return {
-        "phi": phi.value,
-        "phi_dot": phi.rate,
-        "phi_ddot": phi.acceleration,
-        "spherical_a": a,
-    }
+    rates = {"phi": phi.value, "phi_dot": phi.rate, "phi_ddot": phi.acceleration}
+    return {**rates, "spherical_a": a}
 
 
 def prove(g):

@@ -6,12 +6,12 @@ from exercises.devices.differential import meshing_rates, rolled, section, spin_
 from exercises.tools import Sketch, angular_velocity, minus, rate, times, transposed
 
 AXIS = "x"  # the gear of BB is the first, that of CC the second
+follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}
 
 
 def solve(g):
-    return dict(
-        zip(("Omega", "omega_A"), meshing_rates(g, AXIS, g.omega_1, g.omega_2), strict=True)
-    )
+    Omega, omega_A = meshing_rates(g, AXIS, g.omega_1, g.omega_2)
+    return {"Omega": Omega, "omega_A": omega_A}
 
 
 def steps(g):
@@ -23,18 +23,12 @@ def steps(g):
     return {"v_1": v_1, "v_2": v_2, "v_0": v_0, "v_10": v_1 - v_0}
 
 
-follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}
-
-
 def prove(g):
     cage, pinion = rolled(g, AXIS, g.omega_1, g.omega_2)
     in_cage = minus(angular_velocity(pinion), angular_velocity(cage))
     centre = rate(lambda t: times(cage(t), [0, g.R, 0]))[2]
-    return {
-        "Omega": angular_velocity(cage)[0],
-        "omega_A": times(transposed(cage(0)), in_cage)[1],
-        "v_0": centre,
-    }
+    omega_A = times(transposed(cage(0)), in_cage)[1]
+    return {"Omega": angular_velocity(cage)[0], "omega_A": omega_A, "v_0": centre}
 
 
 def mistakes(g):
@@ -54,13 +48,8 @@ def draw(g, ax):
     s = Sketch(ax, ground, plane="xy")
     for sign in (1, -1):
         s.shaft((sign * g.r, 0, 0), (sign * end, 0, 0))
-        cage = [
-            (0, sign * 0.8 * g.R, 0),
-            (0, sign * out, 0),
-            (side, sign * out, 0),
-            (side, sign * 0.05 * g.R, 0),
-        ]
-        for a, b in pairwise(cage):
+        cage = (0, 0.8 * g.R), (0, out), (side, out), (side, 0.05 * g.R)
+        for a, b in pairwise([(x, sign * y, 0) for x, y in cage]):
             s.rod(a, b)
     s.hinge((side, 0, 0), axis=ground.i)  # the cage turns on CC
     section(s, g, AXIS, pinion_sides=(1, -1))

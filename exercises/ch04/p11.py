@@ -8,29 +8,19 @@ def cones(g, rate_of_B):
     """Ground; cones A and B on the x axis; unit vectors from the apex along contacts with C."""
     ground = Frame("ground")
     A, B = ground.rotate("A", "x", rate=g.omega), ground.rotate("B", "x", rate=rate_of_B)
-    return (
-        ground,
-        A,
-        B,
-        ground.vector(cos(g.beta_A), sin(g.beta_A), 0),
-        ground.vector(-cos(g.beta_B), sin(g.beta_B), 0),
-    )
+    on_A = ground.vector(cos(g.beta_A), sin(g.beta_A), 0)
+    return ground, A, B, on_A, ground.vector(-cos(g.beta_B), sin(g.beta_B), 0)
 
 
 def rolling(g, rate_of_B):
     """omega of C, in the plane of the axes; C slides neither on A nor on B."""
     ground, A, B, on_A, on_B = cones(g, rate_of_B)
-
-    def cone_C(omega_x, omega_y):
-        return ground.rotate("about x", "x", rate=omega_x).rotate("about y", "y", rate=omega_y)
-
-    def slip(C, cone, contact):
-        point, other = C.point("", *contact), cone.point("", *contact)
-        return (point.velocity(ground) - other.velocity(ground)).z
+    cone_C = lambda x, y: ground.rotate("about x", "x", rate=x).rotate("about y", "y", rate=y)
+    velocity = lambda cone, contact: cone.point("", *contact).velocity(ground)
 
     def slips(*rates):
-        C = cone_C(*rates)
-        return slip(C, A, on_A), slip(C, B, on_B)
+        C, contacts = cone_C(*rates), ((A, on_A), (B, on_B))
+        return tuple((velocity(C, e) - velocity(cone, e)).z for cone, e in contacts)
 
     return in_frame(ground, {"omega_C": cone_C(*solve_rates(slips, 2)).angular_velocity(ground)})
 

@@ -8,13 +8,9 @@ def axle_and_disk(g):
     """The axle turns about z at the height r; disk A about x, its lowest point at rest."""
     ground = Frame("ground")
     axle = ground.rotate("axle", "z", rate=g.omega, origin=ground.point("M", 0, 0, g.r))
-
-    def disk(spin):
-        return axle.rotate("disk", "x", rate=spin, origin=axle.point("A", g.R, 0, 0))
-
-    (spin,) = solve_rates(
-        lambda spin: disk(spin).point("contact", 0, 0, -g.r).velocity(ground).y, 1
-    )
+    disk = lambda spin: axle.rotate("disk", "x", rate=spin, origin=axle.point("A", g.R, 0, 0))
+    contact = lambda spin: disk(spin).point("contact", 0, 0, -g.r)
+    (spin,) = solve_rates(lambda spin: contact(spin).velocity(ground).y, 1)
     return ground, axle, disk(spin)
 
 
@@ -32,12 +28,8 @@ def steps(g):
 
 def prove(g):
     """The arc rolled along the path of radius R is as long as the arc on the rim of the disk."""
-
-    def disk(t):
-        rolled = g.R * g.omega * t
-        # going toward +y, its top leads
-        return times(rot("z", g.omega * t), rot("x", -rolled / g.r))
-
+    # going toward +y, its top leads
+    disk = lambda t: times(rot("z", g.omega * t), rot("x", -g.R * g.omega * t / g.r))
     centre = rate(lambda t: times(rot("z", g.omega * t), [g.R, 0, g.r]))
     omega = angular_velocity(disk)
     return {"omega_A": omega, "v_A": centre, "omega_spin": minus(omega, [0, 0, g.omega])}

@@ -25,11 +25,8 @@ def steps(g):
 
 def prove(g):
     """As the nose sinks the mast leans forward; the blade, right at first, turns to the nose."""
-
-    def rotor(t):
-        sunk, right = g.omega * t, [1, 0, 0]
-        return spun([0, mp.sin(sunk), mp.cos(sunk)], right, g.Omega * t)
-
+    mast = lambda t: [0, mp.sin(g.omega * t), mp.cos(g.omega * t)]
+    rotor = lambda t: spun(mast(t), [1, 0, 0], g.Omega * t)
     fuselage = lambda t: spun([1, 0, 0], [0, mp.cos(g.omega * t), -mp.sin(g.omega * t)], 0)
     turning = angular_velocity(fuselage)
     return {

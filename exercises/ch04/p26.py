@@ -15,12 +15,8 @@ def simulator(g):
 def turns(g):
     """Omega, theta_dot and P as vectors along the axes of the fork; each knows how it changes."""
     ground, fork, mounting, drum = simulator(g)
-    found = (
-        fork.angular_velocity(ground),
-        mounting.angular_velocity(fork),
-        drum.angular_velocity(mounting),
-    )
-    return ground, *(turn.expressed_in(fork) for turn in found)
+    pairs = (fork, ground), (mounting, fork), (drum, mounting)
+    return ground, *(one.angular_velocity(other).expressed_in(fork) for one, other in pairs)
 
 
 def alpha_of(ground, *turns):
@@ -42,11 +38,9 @@ def steps(g):
 
 
 def prove(g):
-    def drum(t):
-        theta, tilting_axis = g.theta + g.theta_dot * t, [1, 0, 0]
-        e = [0, mp.cos(theta), mp.sin(theta)]
-        return times(rot("z", g.Omega * t), spun(e, tilting_axis, g.P * t))
-
+    theta = lambda t: g.theta + g.theta_dot * t
+    tilted = lambda t: spun([0, mp.cos(theta(t)), mp.sin(theta(t))], [1, 0, 0], g.P * t)
+    drum = lambda t: times(rot("z", g.Omega * t), tilted(t))
     return {
         "alpha_drum": proofs.angular_acceleration(drum),
         "omega_drum": proofs.angular_velocity(drum),

@@ -95,12 +95,8 @@ def draw(g, ax):
     body = 0.35 * g.L
     s.box(craft.point("", 0, 0, 0), craft, (body, body, 1.4 * body))
     for near, far in ((body / 2, g.L), (-body / 2, -g.L)):
-        s.plate(
-            [
-                panel.point("", 0, y, z)
-                for y, z in ((near, g.d), (far, g.d), (far, -g.d), (near, -g.d))
-            ]
-        )
+        corners = (near, g.d), (far, g.d), (far, -g.d), (near, -g.d)
+        s.plate([panel.point("", 0, y, z) for y, z in corners])
     O = craft.point("", 0, 0, 0)
     end = craft.point("", 0, g.L, 0)
     up = craft.point("", 0, g.L, 0.45 * g.L)

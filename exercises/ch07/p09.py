@@ -20,12 +20,8 @@ def prove(g):
         raised(proofs.disk(g.r_h, order=2), g.h_b),
         [g.x_h, g.l_y / 2, g.h_b / 2],
     )
-    return {
-        "I_O": added((1, base), (1, wall), (-1, hole)),
-        "I_base": base,
-        "I_wall": wall,
-        "I_hole": hole,
-    }
+    I = added((1, base), (1, wall), (-1, hole))
+    return {"I_O": I, "I_base": base, "I_wall": wall, "I_hole": hole}
 
 
 def mistakes(g):

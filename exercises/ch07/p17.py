@@ -5,6 +5,7 @@ from newton_euler import Frame
 from newton_euler.bodies import annulus, disk, ring
 
 PLATE = Frame("plate")
+follows = {"I_yy": lambda g, I_xx: I_xx, "I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
 
 
 def moments(diameter, normal):
@@ -27,9 +28,6 @@ def steps(g):
 
 
 # equal diameters; and for a plate the moment about the normal is the sum of the two in it
-follows = {"I_yy": lambda g, I_xx: I_xx, "I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
-
-
 def prove(g):
     """Thin rings side by side, with the share 2 u du/(r2^2 - r1^2) of the mass in each."""
     squares = lambda p: [p[1] ** 2, p[0] ** 2, p[0] ** 2 + p[1] ** 2]

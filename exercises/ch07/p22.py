@@ -3,8 +3,7 @@
 from math import cos, pi, sin
 
 from exercises.tools import Sketch, mean, mp, rot, times
-from newton_euler import Frame
-from newton_euler.bodies import Inertia
+from newton_euler import Frame, bodies
 from newton_euler.bodies.inertia import from_second_moments
 
 BODY = Frame("body")
@@ -12,7 +11,7 @@ PLANE, LINE = "all mass in the plane x = 0", "all mass on the x axis"
 
 
 def moments(Jx, Jy, Jz):
-    return Inertia(BODY, *from_second_moments((Jx, Jy, Jz, 0, 0, 0)), tolerance=None).moments
+    return bodies.Inertia(BODY, *from_second_moments((Jx, Jy, Jz, 0, 0, 0)), tolerance=None).moments
 
 
 def gap(I_xx, I_yy, I_zz):

@@ -1,8 +1,7 @@
 """7/23: the error of taking a far cylinder for a particle."""
 
 from exercises.tools import Sketch, disk, mean, mp
-from newton_euler import Frame
-from newton_euler.bodies import cylinder
+from newton_euler import Frame, bodies
 from newton_euler.bodies import ring as thin_tube
 
 END = Frame("end")
@@ -21,7 +20,7 @@ def shortfall(q, body):
 
 
 def one(g):
-    return cylinder(g.one, g.one, END, "z", mass=g.one)
+    return bodies.cylinder(g.one, g.one, END, "z", mass=g.one)
 
 
 def trend(error):

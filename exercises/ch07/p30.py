@@ -2,8 +2,7 @@
 
 from itertools import pairwise
 
-from exercises.devices import chain_of_rods
-from exercises.devices.chain_of_rods import CHAIN, corners, path, rods
+from exercises.devices.chain_of_rods import CHAIN, corners, figure, path, rods
 from exercises.tools import proofs
 from newton_euler import composite, particle
 
@@ -52,7 +51,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = chain_of_rods.figure(g, ax)
+    s = figure(g, ax)
     G = composite("assembly", parts(g)).centre
     x, y, z = G.position(CHAIN).components()
     s.dot(G, "G")

@@ -2,8 +2,7 @@
 
 from exercises.devices.products import named
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame
-from newton_euler.bodies import simplex
+from newton_euler import Frame, bodies
 
 AXES = Frame("axes")
 PAIRS = "xy", "yz", "zx"
@@ -14,7 +13,7 @@ def ends(g):
 
 
 def rod(g):
-    return simplex(*ends(g), mass=g.m)
+    return bodies.simplex(*ends(g), mass=g.m)
 
 
 def solve(g):

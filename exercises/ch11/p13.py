@@ -92,9 +92,8 @@ def prove(g):
     coefficients = [getattr(g, name) for name in NAMES]
 
     def F(r):
-        return [
-            sum(c * q for c, q in zip(coefficients[n : n + 3], r, strict=True)) for n in (0, 3, 6)
-        ]
+        rows = (coefficients[n : n + 3] for n in (0, 3, 6))
+        return [sum(c * q for c, q in zip(row, r, strict=True)) for row in rows]
 
     def circulation(r):
         """Round a place, for the unit of area."""
@@ -148,9 +147,8 @@ def mistakes(g):
 
     V = candidate(g)
     count = conditions(cross_derivatives)
-    direct = conditions(
-        lambda field: (field[0] - field[4], field[4] - field[8], field[8] - field[0])
-    )
+    pairs = (0, 4), (4, 8), (8, 0)
+    direct = conditions(lambda field: tuple(field[n] - field[m] for n, m in pairs))
     return {
         "axes_alone": answers(g, lambda x, y, z: in_three_legs(x, y, z, none, none)),
         "edges": answers(g, lambda x, y, z: in_three_legs(x, y, z, x, y)),

@@ -62,9 +62,7 @@ def mistakes(g):
         axial = disk(g.r, d.body, "x", mass=g.M).inertia.moment("x")
         return kinetic_energy(Body("disk", g.M, d.body, (axial, axial, axial)), d.ground).value
 
-    def one_spin(s):
-        return terms_at(g, spinning(g.Omega, spin(rolling(g.Omega, g.r, g.R)), s)).value
-
+    one_spin = lambda s: terms_at(g, spinning(g.Omega, spin(rolling(g.Omega, g.r, g.R)), s)).value
     return {
         "no_turning_of_plane": answers(g, no_turning),
         "axial_for_diameter": answers(g, alike),

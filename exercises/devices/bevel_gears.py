@@ -23,9 +23,8 @@ def gears(n, n_C, tan_gamma):
 def answers(n, n_C, tan_gamma):
     """The answers of both problems, along the axes of the arm."""
     ground, arm, B = gears(n, n_C, tan_gamma)
-    return in_frame(
-        arm, {"omega_B": B.angular_velocity(ground), "alpha_B": B.angular_acceleration(ground)}
-    )
+    omega, alpha = B.angular_velocity(ground), B.angular_acceleration(ground)
+    return in_frame(arm, {"omega_B": omega, "alpha_B": alpha})
 
 
 def steps(n, n_C, tan_gamma, rolling):

@@ -71,10 +71,8 @@ def rim_motion(frames, name, r):
     """Velocity and acceleration of A or B, along the bracket's axes, by way of the bracket."""
     ground, bracket, disk = frames
     S = rim_point(disk, name, r)
-    return {
-        f"v_{name}": S.velocity(ground, via=bracket),
-        f"a_{name}": S.acceleration(ground, via=bracket),
-    }
+    v, a = S.velocity(ground, via=bracket), S.acceleration(ground, via=bracket)
+    return {f"v_{name}": v, f"a_{name}": a}
 
 
 def all_motion(frames, name, r):
@@ -163,10 +161,8 @@ def prove_turning(g):
         _, phi, axle = in_time(g, t)
         return spun(axle, [0, 0, 1], phi)
 
-    return {
-        "omega_disk": proofs.angular_velocity(disk),
-        "alpha_disk": proofs.angular_acceleration(disk),
-    }
+    omega, alpha = proofs.angular_velocity(disk), proofs.angular_acceleration(disk)
+    return {"omega_disk": omega, "alpha_disk": alpha}
 
 
 def prove_rim(g, name):

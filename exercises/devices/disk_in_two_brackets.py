@@ -114,10 +114,8 @@ def prove_rim(g, name):
     def place(t):
         pin, axis = pin_and_axis(g.omega_1 * t, g.omega_2 * t)
         c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), proofs.cross(pin, axis)
-        return {
-            "C": plus(scaled(c, up), scaled(s, pin)),
-            "D": plus(scaled(c, pin), scaled(-s, up)),
-        }[name]
+        C, D = plus(scaled(c, up), scaled(s, pin)), plus(scaled(c, pin), scaled(-s, up))
+        return {"C": C, "D": D}[name]
 
     omega, alpha = prove_turning(g.omega_1, g.omega_2, g.omega_3)
     omega_A, alpha_A = prove_carrier(g.omega_1, g.omega_2)

@@ -1,6 +1,6 @@
 """The screw-jack of 4/1 (and 3/12): one lead up in each turn; A is the end of its handle."""
 
-from exercises.tools import Sketch, mp
+from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Frame, cos, moving, pi, sin
 
 
@@ -18,12 +18,7 @@ def screw_in_nut(g, rise, n):
 
 def handle_in_time(g):
     """Proof, the place of A in time: a circle about the axis, and the lead times the turns made."""
-
-    def A(t):
-        turns = g.n * t / (2 * mp.pi)
-        return [g.a * mp.cos(g.n * t), g.a * mp.sin(g.n * t), g.lead * turns]
-
-    return A
+    return lambda t: at_angle(g.a, g.n * t, g.lead * g.n * t / (2 * mp.pi))
 
 
 def figure(g, ax, ground, rising, A):

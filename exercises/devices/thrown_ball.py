@@ -1,8 +1,7 @@
 """The ball of 2/7 and 2/8, thrown at a vertical wall as high as can be: path, proof, figure."""
 
 from exercises.tools import Sketch, mp, rate, root
-from newton_euler import Frame, moving, sqrt
-from newton_euler.kinematics import from_time
+from newton_euler import Frame, kinematics, moving, sqrt
 
 
 def at_wall(g, u):
@@ -10,7 +9,7 @@ def at_wall(g, u):
     x for the time: over x, the slope falls at the rate g over the square of the forward velocity.
     """
     forward_squared = g.v_0**2 / (1 + u**2)
-    return from_time(lambda x: -g.g / forward_squared, g.d, v0=u)
+    return kinematics.from_time(lambda x: -g.g / forward_squared, g.d, v0=u)
 
 
 def forward(g, u):
