@@ -1,6 +1,6 @@
 """A/8: the derivatives of a unit vector that turns: velocity and acceleration of its tip."""
 
-from exercises.tools import Sketch, Step, in_frame, mp, rate, second_rate
+from exercises.tools import Sketch, in_frame, mp, rate, second_rate
 from newton_euler import Frame, cos, moving, sin
 
 
@@ -27,14 +27,7 @@ def solve(g):
 def steps(g):
     axes, turned, tip = turning(g)
     e_theta = turned.j.expressed_in(axes)
-    yield Step("e_theta", e_theta, "1", "unit vector 90 degrees ahead of e", "A")
-    yield Step(
-        "transverse",
-        tip.velocity(axes).dot(turned.j),
-        "1/s",
-        "component of the first derivative along it; along e there is none",
-        "A",
-    )
+    return {"e_theta": e_theta, "transverse": tip.velocity(axes).dot(turned.j)}
 
 
 def prove(g):

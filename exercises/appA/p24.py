@@ -1,6 +1,4 @@
-"""A/24: the integral of a cross product: one integral of the engine over numbers, symbols and
-dimensions; numbers that vary beside a symbol; no figure.
-"""
+"""A/24: the integral of a cross product; numbers that vary beside a symbol; no figure."""
 
 from exercises.tools import Step, proofs
 from newton_euler import Frame, integral

@@ -1,6 +1,4 @@
-"""Checks of a problem: its two ways to the key against each other, its units, and its mistakes
-against the key.
-"""
+"""Checks of a problem: both ways to the key agree, units fit, mistakes differ from the key."""
 
 import random
 from itertools import combinations
@@ -136,9 +134,7 @@ def _fit(p, proof):
 
 
 def _shared_frames(one, another):
-    """A fault if two calls of solve make frames in one tree: the diagnosis of a wrong answer looks
-    at all frames of the tree, and would see those of another call, with other numbers.
-    """
+    """A fault if two calls of solve share a tree of frames: a diagnosis would see both."""
     made = {id(f) for x in one.values() if isinstance(x, Vector) for f in x.frame.tree}
     for key, x in another.items():
         tree = x.frame.tree if isinstance(x, Vector) else []
@@ -153,9 +149,7 @@ def _shared_frames(one, another):
 
 
 def _dimensions(p):
-    """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the
-    dimension of its unit.
-    """
+    """Faults of solve on dimensions: unlike quantities added, or not the dimension of the unit."""
     try:
         answers = p.code.solve(p.dimensions())
     except DimensionError as error:
@@ -173,9 +167,7 @@ def _dimensions(p):
 
 
 def _exchanged(p):
-    """Mistakes whose answer has the dimension of another answer: perhaps stored under the wrong
-    key. Other dimensions may be what is wrong about them.
-    """
+    """Mistakes whose answer has the dimension of another: perhaps stored under the wrong key."""
     g = p.dimensions()
     try:
         named = p.code.mistakes(g)
@@ -221,9 +213,7 @@ def _agreement(p, seed, proof):
 
 
 def _both_ways(p, given, proof):
-    """(values, solve in floats, prove, solve in 50 digits) where all of them are real: with these
-    values of the symbols, or at the first of the points at which formulas are compared.
-    """
+    """(values, solve in floats, prove, solve in 50 digits) where all are real."""
     points = symbol_points(p)
     others = [
         dict(zip(points, map(float, row), strict=True))
@@ -305,9 +295,7 @@ def _word_faults(answer, solved, proved):
 
 
 def _hidden(p, given, exempt):
-    """Mistakes that give nearly the right answer, over the points at which formulas are compared;
-    of words only with the book's numbers, since with others they may.
-    """
+    """Mistakes that give nearly the right answer; words only with the book's numbers."""
     faults = []
     right, wrong = at_points(p, {n: given[n] for n in p.givens})
     book = all(given[n] == x for n, x in p.book_values.items())
@@ -363,9 +351,7 @@ def _gap(a, b):
 
 
 def _both_zero(a, b, atol, tolerance):
-    """Whether a key is zero, as students' answers to it are judged, and both ways say so: nearer to
-    it than ``atol`` by the root of the relative tolerance.
-    """
+    """Whether both ways say that a key is zero, far nearer to it than ``atol``."""
     with mp.workdps(DIGITS):
         size = mp.sqrt(sum(mpf(x) ** 2 for x in (*a, *b)))
         return bool(len(a) == len(b) and size <= atol * mp.sqrt(tolerance))

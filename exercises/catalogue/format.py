@@ -1,6 +1,4 @@
-"""The format of the YAML files: chapters and problems from what they hold, and a sentence about
-whatever does not fit.
-"""
+"""The format of the YAML files: chapters and problems, and a sentence about what does not fit."""
 
 import math
 from pathlib import Path
@@ -27,7 +25,7 @@ def read_problem(entry: Any, path: Path) -> Problem:
     """The problem that a file such as ``p16.yaml`` describes."""
     needed, optional = (
         ("id", "title", "section", "text", "answers"),
-        ("figure", "givens", "symbols", "frame", "mistakes", "struck", "checked"),
+        ("figure", "givens", "symbols", "frame", "steps", "mistakes", "struck", "checked"),
     )
     _check_keys(entry, "a problem", needed, optional)
     _check_place(entry["id"], path)
@@ -46,6 +44,7 @@ def read_problem(entry: Any, path: Path) -> Problem:
         answers=answers,
         mistakes=_mistakes(_named(entry, "mistakes")),
         struck=_texts(entry, "struck"),
+        steps={key: _step(key, s) for key, s in _named(entry, "steps").items()},
         checked=_checked(_named(entry, "checked"), [a.key for a in answers]),
         same_in_book=frozenset(_same_in_book(_named(entry, "mistakes"))),
     )
@@ -119,6 +118,11 @@ def _answer(a):
     return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), *numbers, _latex(key, a))
 
 
+def _step(key, s):
+    _check_keys(s, f"the step {key}", ("means",), ("unit", "section", "equation"))
+    return {name: _text(s, name) for name in s} | {"unit": _unit(key, s)}
+
+
 def _mistakes(named):
     """{mistake: its text}; an entry is the text, or {text: ..., same_in_book: true}."""
     for name, entry in named.items():
@@ -158,9 +162,7 @@ def _checked(found, asked):
 
 
 def _check_keys(entry, what, needed, optional):
-    """Refuses an entry that is not a mapping with all the ``needed`` keys and no others than these
-    and the ``optional`` ones.
-    """
+    """Refuses all but a mapping with the ``needed`` keys and perhaps ``optional`` ones."""
     keys = f"its keys are {', '.join(needed)} and, where wanted, {', '.join(optional)}"
     if not isinstance(entry, dict):
         raise CatalogueError(f"{what} must be written as key: value, and is {short(entry)}; {keys}")

@@ -32,13 +32,8 @@ def steps(g):
 def prove(g):
     """The height of the jet at an edge: the time to the ground is the root of a quadratic."""
     v, u = g.v_0 * mp.cos(g.phi), g.v_0 * mp.sin(g.phi)
-
-    def range_from(h):
-        return u * (v + mp.sqrt(v**2 + 2 * g.g * h)) / g.g
-
-    def height(x):
-        return root(lambda h: range_from(h) - x, 0, 10 * x)
-
+    range_from = lambda h: u * (v + mp.sqrt(v**2 + 2 * g.g * h)) / g.g
+    height = lambda x: root(lambda h: range_from(h) - x, 0, 10 * x)
     return {"h": [height(g.d), height(g.d + g.w)]}
 
 

@@ -2,7 +2,7 @@
 
 from exercises.devices import thrown_ball
 from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_height
-from exercises.tools import Step, mp
+from exercises.tools import mp
 from newton_euler import asin, atan, pi, sin
 
 
@@ -13,14 +13,7 @@ def solve(g):
 
 def steps(g):
     u = best_slope(g)
-    yield Step(
-        "u",
-        u,
-        "1",
-        "slope of the throw, tan(gamma), for which the height at the wall no longer grows",
-        "2.2",
-    )
-    yield Step("T", g.d / forward(g, u), "s", "time in which the ball comes to the wall", "2.2")
+    return {"u": u, "T": g.d / forward(g, u)}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """2/16: tape over two pulleys: one speed, one tangential acceleration, two curvatures."""
 
-from exercises.tools import Sketch, Step, mp, root, second_rate, size
+from exercises.tools import Sketch, mp, root, second_rate, size
 from newton_euler import Frame, sqrt
 
 
@@ -27,20 +27,14 @@ def solve(g):
 
 def steps(g):
     v = speed(g)
-    yield Step("a_t1", rim_point(g.r_1, v, g.a_t2).y, "in/s^2",
-               "tangential component at P1: that of the tape, as at P2", "2.3", "2.14")  # fmt: skip
-    yield Step("a_n2", -rim_point(g.r_2, v, g.a_t2).x, "in/s^2",
-               "normal component at P2, of the same speed on a smaller radius", "2.3",
-               "2.14")  # fmt: skip
+    return {"a_t1": rim_point(g.r_1, v, g.a_t2).y, "a_n2": -rim_point(g.r_2, v, g.a_t2).x}
 
 
 follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
 
 
 def prove(g):
-    """The rims in time, each turned by the tape that has run over it; the speed is that with which
-    P1 has the given acceleration inward.
-    """
+    """The rims in time, turned by the tape; at this speed P1 has the given acceleration inward."""
 
     def acceleration(r, v):
         def place(t):

@@ -1,6 +1,6 @@
 """3/3: constant speed on a curve that is given by a parameter."""
 
-from exercises.tools import Sketch, Step, rate, scaled, size
+from exercises.tools import Sketch, rate, scaled, size
 from newton_euler import Frame, moving
 from newton_euler.kinematics import at_speed
 
@@ -27,16 +27,12 @@ def solve(g):
 
 def steps(g):
     q = parameter(g)
-    yield Step("q_dot", q.rate, "1/s", "rate of q, from the speed", "3.1", "3.2")
-    yield Step("q_ddot", q.acceleration, "1/s^2", "second rate of q, since the speed is constant",
-               "3.1", "3.3")  # fmt: skip
+    return {"q_dot": q.rate, "q_ddot": q.acceleration}
 
 
 def prove(g):
     """Along the tangent, and across it as the tangent turns with the path. No rates of q."""
-
-    def along(q):
-        return rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
+    along = lambda q: rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
 
     def tangent(q):
         d = along(q)

@@ -1,7 +1,7 @@
 """3/4: constant speed on a helix, in cylindrical components."""
 
 from exercises.devices.helix import figure, helix, on_helix, unrolled
-from exercises.tools import Step, mp, rate, second_rate, terms
+from exercises.tools import mp, rate, second_rate, terms
 from newton_euler import moving, pi
 from newton_euler.kinematics import at_speed
 
@@ -26,7 +26,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("theta_dot", angle(g).rate, "rad/s", "rate of theta, from the speed", "3.5", "3.22")
+    yield "theta_dot", angle(g).rate
     yield from terms(solve(g)["v"], "v", "m/s", "3.5")
 
 

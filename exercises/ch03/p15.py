@@ -26,7 +26,7 @@ def solve(g):
 def steps(g):
     ground, local = axes(g)
     up = ground.k.expressed_in(local)
-    yield Step("k", up, "1", "unit vector k along e_R, e_theta, e_phi", "3.7", "3.25")
+    yield "k", up
     omega = local.angular_velocity(ground).expressed_in(local)
     what = "angular velocity of the unit vectors; the rate of each is Omega x e"
     yield Step("Omega", omega, "rad/s", what, "3.7")

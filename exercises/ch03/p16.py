@@ -24,8 +24,7 @@ def solve(g):
 def steps(g):
     """The velocity, and its three parts differentiated; the acceleration is the sum of these."""
     ground, P = point(g)
-    yield Step("v", P.velocity(ground), "m/s", "velocity, R' e_R + R times the rate of e_R",
-               "3.7", "3.26")  # fmt: skip
+    yield "v", P.velocity(ground)
     R, _, phi = P.coordinates
     about = R * cos(phi) * moving(g.theta_dot, g.theta_ddot)
     parts = moving(g.R_dot, g.R_ddot), about, R * moving(g.phi_dot, g.phi_ddot)

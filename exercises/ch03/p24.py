@@ -32,11 +32,11 @@ follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}
 
 def steps(g):
     a, phi, _ = acceleration(g)
-    yield Step("phi", phi.value, "rad", "elevation of the arm, sin(phi) = z/R", "3.7")
-    yield Step("phi_dot", phi.rate, "rad/s", "its rate, z'/(R cos(phi))", "3.7")
+    yield "phi", phi.value
+    yield "phi_dot", phi.rate
     second = "second rate of the elevation, phi'^2 tan(phi) as z'' = 0"
     yield Step("phi_ddot", phi.acceleration, "rad/s^2", second, "3.7")
-    yield Step("spherical_a", a, "m/s^2", "acceleration in spherical components", "3.7", "3.27")
+    yield "spherical_a", a
 
 
 def prove(g):

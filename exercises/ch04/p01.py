@@ -18,7 +18,7 @@ def solve(g):
 
 def steps(g):
     ground, rising, A = screw_in_nut(g, rise(g), g.n)
-    yield Step("omega", g.n, "rad/s", "rate of the screw, 2 pi for each turn")
+    yield "omega", g.n
     means = "speed at which B, on the axis at the height of A, rises: one lead in each turn"
     yield Step("v_B", rise(g), "in/s", means)
     frame = "the moving frame, which rises with B and does not turn"

@@ -23,10 +23,7 @@ def steps(g):
 
 def prove(g):
     P = tip_in_time(g)
-
-    def seen(t):
-        return times(rot("z", -g.n * t), P(t))
-
+    seen = lambda t: times(rot("z", -g.n * t), P(t))
     v, a = rate(P), second_rate(P)
     found = {"v_P": v, "a_P": a, "v_r": rate(seen), "a_r": second_rate(seen)}
     return {"speed": size(v), "acc_mag": size(a)} | found

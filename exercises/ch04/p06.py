@@ -28,7 +28,7 @@ def solve(g):
 def steps(g):
     ground, rod, _ = roller_and_rod(g)
     v_O = rod.origin.velocity(ground).expressed_in(ground)
-    yield Step("v_O", v_O, "ft/s", "velocity of O, down the plane", "4.8")
+    yield "v_O", v_O
     yield from turning_of(rod, ground, ground, "rod", "the moving frame, fixed in the rod,")
     r = rod.vector(g.b, 0, 0).expressed_in(ground)
     means = "position of P from A, which is on the axis of turning and moves as O does"
@@ -45,9 +45,7 @@ def prove(g):
             1 - gone * mp.sin(g.incline),
         ]
 
-    def A(t):
-        return [g.u * t * mp.cos(g.incline), 0, 1 - g.u * t * mp.sin(g.incline)]
-
+    A = lambda t: [g.u * t * mp.cos(g.incline), 0, 1 - g.u * t * mp.sin(g.incline)]
     return {"v_P": rate(P), "v_O": rate(A), "r": minus(P(0), A(0))}
 
 

@@ -56,7 +56,7 @@ def steps(g):
     yield Step("v_AB", v_AB, "in/s", f"difference {means}", "4.4", "4.11")
     means = r"the part of omega square to AB, $\hat\imath \times (\mathbf{v}_B - \mathbf{v}_A)/{L}$"
     yield Step("omega_across", AB.cross(v_AB) / g.L**2, "rad/s", means, "4.4", "4.11")
-    yield Step("omega_along", omega.x * ground.i, "rad/s", "the part of omega along AB, its spin")
+    yield "omega_along", omega.x * ground.i
     yield from terms(solve(g)["a_B"], "a_B", "in/s^2", "4.8")
 
 

@@ -18,9 +18,7 @@ def cones(g, rate_of_B):
 
 
 def rolling(g, rate_of_B):
-    """omega of C. It lies in the plane of the axes, since the points of contact move square to that
-    plane; C slides neither on A nor on B.
-    """
+    """omega of C, in the plane of the axes; C slides neither on A nor on B."""
     ground, A, B, on_A, on_B = cones(g, rate_of_B)
 
     def cone_C(omega_x, omega_y):
@@ -65,13 +63,8 @@ def prove(g):
     round_x = g.omega * (a - b) / (a + b)
     # like two gears in outer mesh, C turns against A, each about its axis away from the apex
     spin = -(g.omega - round_x) * a / c
-
-    def C(t):
-        return times(rot("x", round_x * t), rot("z", tilt), rot("x", spin * t))
-
-    def on(axis_angle):
-        return [mp.cos(axis_angle), mp.sin(axis_angle), 0]
-
+    C = lambda t: times(rot("x", round_x * t), rot("z", tilt), rot("x", spin * t))
+    on = lambda axis_angle: [mp.cos(axis_angle), mp.sin(axis_angle), 0]
     return {
         "omega_C": angular_velocity(C),
         "v_A": rate(lambda t: times(rot("x", g.omega * t), on(g.beta_A))),

@@ -6,9 +6,7 @@ from newton_euler import Frame, cos
 
 
 def shaft_and_rod(g):
-    """Ground with y up; the shaft turns about y; the rod, along its own x, turns about the shaft's
-    z in the hinge at the origin B.
-    """
+    """Ground with y up; the shaft, about y; the rod, along its x, about the shaft's z at B."""
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "y", rate=g.omega_1)
     rod = shaft.rotate("rod", "z", angle=g.beta_1, rate=g.omega_2, acceleration=g.omega_2_dot)
@@ -36,9 +34,7 @@ def prove(g):
         beta = g.beta_1 + g.omega_2 * t + g.omega_2_dot * t**2 / 2
         return times(rot("z", beta), [g.L, 0, 0])
 
-    def C(t):
-        return times(rot("y", g.omega_1 * t), seen(t))
-
+    C = lambda t: times(rot("y", g.omega_1 * t), seen(t))
     found = {"r": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
     return {"v_C": rate(C), "a_C": second_rate(C)} | found
 

@@ -6,9 +6,7 @@ from newton_euler import Frame, moving
 
 
 def arm_bracket_tip(g):
-    """Ground with y up; DEG turns about x; the bracket about y, from E to D, with its origin at D;
-    A on its z axis, the cylinder.
-    """
+    """Ground with y up; DEG, about x; the bracket about y with origin D; A on its z axis."""
     ground = Frame("ground")
     arm = ground.rotate("DEG", "x", rate=g.omega_1)
     bracket = arm.rotate("bracket", "y", rate=g.omega_2, origin=arm.point("D", 0, g.h, 0))
@@ -43,9 +41,7 @@ def prove(g):
             g.h * mp.sin(theta) + across * mp.cos(theta),
         ]
 
-    def bracket(t):
-        return times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
-
+    bracket = lambda t: times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
     found = {
         "omega_bracket": proofs.angular_velocity(bracket),
         "alpha_bracket": proofs.angular_acceleration(bracket),

@@ -34,9 +34,7 @@ def prove(g):
         sunk, right = g.omega * t, [1, 0, 0]
         return spun([0, mp.sin(sunk), mp.cos(sunk)], right, g.Omega * t)
 
-    def fuselage(t):
-        return spun([1, 0, 0], [0, mp.cos(g.omega * t), -mp.sin(g.omega * t)], 0)
-
+    fuselage = lambda t: spun([1, 0, 0], [0, mp.cos(g.omega * t), -mp.sin(g.omega * t)], 0)
     turning = angular_velocity(fuselage)
     return {
         "alpha_rotor": proofs.angular_acceleration(rotor),

@@ -39,9 +39,7 @@ def prove(g):
         on_disk = [g.r * mp.sin(g.omega * t), -g.r * mp.cos(g.omega * t), 0]
         return plus([0, g.a, g.h], on_disk)
 
-    def A(t):
-        return times(rot("x", g.Omega * t), seen(t))
-
+    A = lambda t: times(rot("x", g.Omega * t), seen(t))
     found = {"r_A": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
     return {"v_A": rate(A), "a_A": second_rate(A)} | found
 

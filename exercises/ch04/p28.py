@@ -56,20 +56,15 @@ def steps(g):
 
 
 def prove(g):
-    def tilt(t):
-        return g.theta_1 + g.theta_dot * t
+    tilt = lambda t: g.theta_1 + g.theta_dot * t
 
     # columns: normal to the panel, along y, and from the y axis to A, from +z toward -x
     def panel(t):
         c, s = mp.cos(tilt(t)), mp.sin(tilt(t))
         return times(rot("z", g.omega * t), [[c, 0, -s], [0, 1, 0], [s, 0, c]])
 
-    def seen(t):
-        return [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))]
-
-    def A(t):
-        return times(rot("z", g.omega * t), seen(t))
-
+    seen = lambda t: [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))]
+    A = lambda t: times(rot("z", g.omega * t), seen(t))
     return {
         "omega_panel": proofs.angular_velocity(panel),
         "alpha_panel": proofs.angular_acceleration(panel),

@@ -1,6 +1,6 @@
 """5/19: the degrees of freedom of two particles on one surface."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
+from exercises.tools import Sketch, freedom, mp, mpf
 from newton_euler import Frame, cos, sin
 from newton_euler.dynamics import degrees_of_freedom
 
@@ -21,10 +21,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(TWO), "1", "coordinates of two particles in space", "5.11")
-    yield Step(
-        "constraints", 2, "1", "constraints: f = 0 for each of the particles", "5.11", "5.28"
-    )
+    return {"coordinates": count(TWO), "constraints": 2}
 
 
 def prove(g):
@@ -47,10 +44,7 @@ def mistakes(g):
 def draw(g, ax):
     space = Frame("space")
     s = Sketch(ax, space, azimuth=35, elevation=28)
-
-    def place(x, y):
-        return x, y, 0.5 * cos(0.8 * x) * sin(0.8 * y)
-
+    place = lambda x, y: (x, y, 0.5 * cos(0.8 * x) * sin(0.8 * y))
     ways = [n / 4 for n in range(-6, 7)]
     for a in ways[::4]:
         s.path([place(a, b) for b in ways])

@@ -1,6 +1,6 @@
 """5/21: the degrees of freedom of a particle on a sphere. The radius is only drawn."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
+from exercises.tools import Sketch, freedom, mp, mpf
 from newton_euler import Frame
 from newton_euler.dynamics import degrees_of_freedom
 
@@ -20,10 +20,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(), "1", "coordinates of a particle in space", "5.11")
-    yield Step(
-        "constraints", 1, "1", "constraints: the distance from the centre is R", "5.11", "5.28"
-    )
+    return {"coordinates": count(), "constraints": 1}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """5/23: the degrees of freedom of a ladder against a wall. The length is only drawn."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
+from exercises.tools import Sketch, freedom, mp, mpf
 from newton_euler import Frame, cos
 from newton_euler.dynamics import degrees_of_freedom
 
@@ -26,10 +26,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(), "1", "coordinates of a rigid body in the plane", "5.11")
-    yield Step("constraints", 2, "1",
-               "constraints: the lower end stays on the floor, the upper end at the wall",
-               "5.11", "5.28")  # fmt: skip
+    return {"coordinates": count(), "constraints": 2}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """5/26: degrees of freedom, a count and a word, in a problem without numbers."""
 
-from exercises.tools import Sketch, Step, freedom, mpf
+from exercises.tools import Sketch, freedom, mpf
 from newton_euler import Frame
 from newton_euler.dynamics import degrees_of_freedom
 
@@ -23,7 +23,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(), "1", "coordinates of the blocks, one along the track each")
+    return {"coordinates": count()}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """6/2: the acceleration of a particle by a force."""
 
-from exercises.tools import Step, rate, root
+from exercises.tools import rate, root
 from newton_euler import Frame
 from newton_euler.dynamics import acceleration_by
 
@@ -17,7 +17,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("F", force(g), "lb", "resultant force", "6.4", "6.7")
+    return {"F": force(g)}
 
 
 def prove(g):
@@ -25,9 +25,7 @@ def prove(g):
 
     def along(F):
         def surplus(a):
-            def place(t):
-                return a * t**2 / 2
-
+            place = lambda t: a * t**2 / 2
             return F * place(1) - g.m * rate(place, 1) ** 2 / 2
 
         return root(surplus, F / g.m / 10, 10 * F / g.m)

@@ -1,8 +1,6 @@
-"""6/10: the tension in the wire of a pendulum, held and let go; in units of its weight, with the
-length of the wire as that of length.
-"""
+"""6/10: the tension in a pendulum's wire, held and let go; weight and wire are the units."""
 
-from exercises.tools import Sketch, Step, mp, plus, rate, root, rot, second_rate, size, times
+from exercises.tools import Sketch, mp, plus, rate, root, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, polar, sin, solve_linear
 from newton_euler.dynamics import resultant_force, weight
 
@@ -30,18 +28,12 @@ def solve(g):
 
 def steps(g):
     before, after = tensions(g)
-    yield Step("T_before", before, "1", "tension before the cut over the weight", "6.1", "6.4")
-    yield Step("T_after", after, "1", "tension just after the cut over the weight: the bob is "
-               "still at rest, and v^2/r is zero", "6.1", "6.6")  # fmt: skip
+    return {"T_before": before, "T_after": after}
 
 
 def prove(g):
-    """Held: the cord is so strong that the energy is stationary there. Let go, theta = theta_0 -
-    c t^2/2 at first, with the c that keeps the energy.
-    """
-
-    def place(theta):
-        return [mp.sin(theta), -mp.cos(theta), 0]
+    """Held, the energy is stationary there; let go, theta_0 - c t^2/2 with the c that keeps it."""
+    place = lambda theta: [mp.sin(theta), -mp.cos(theta), 0]
 
     def slope(cord):
         def energy(theta):

@@ -1,17 +1,14 @@
 """6/12: a car that leaves the road at a hump."""
 
 from exercises.devices.plane_curve import at_constant_speed
-from exercises.tools import Sketch, Step, mp, root
+from exercises.tools import Sketch, mp, root
 from newton_euler import Frame, moving, pi, sin, sqrt
 from newton_euler.dynamics import path_force
 from newton_euler.kinematics import frenet_along
 
 
 def road(g):
-    def path(x):
-        return x, g.b * sin(2 * pi(g.L) * x / g.L), 0
-
-    return path
+    return lambda x: (x, g.b * sin(2 * pi(g.L) * x / g.L), 0)
 
 
 def flexure(g, x):
@@ -40,9 +37,8 @@ follows = {"F_dip": force}
 
 def steps(g):
     rho = 1 / flexure(g, g.L / 4)
-    yield Step("rho", rho, "m", "radius of curvature at the hump and at the dip", "6.1")
     _, F_n = path_force(g.m, speed(g), 0, flexure(g, 3 * g.L / 4))
-    yield Step("F_n", F_n, "N", "resultant force at the dip, upward", "6.1", "6.5")
+    return {"rho": rho, "F_n": F_n}
 
 
 def prove(g):
@@ -71,10 +67,7 @@ def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     L, b = 1.0, 0.11  # the waves are drawn higher than they are
-
-    def height(x):
-        return b * sin(2 * pi(x) * x / L)
-
+    height = lambda x: b * sin(2 * pi(x) * x / L)
     xs = [L * n / 60 for n in range(-7, 86)]
     s.road([(x, height(x), 0) for x in xs])
     r = 0.018

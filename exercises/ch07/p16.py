@@ -24,9 +24,7 @@ def steps(g):
 
 def prove(g):
     """By horizontal strips, from the parabola to x = a."""
-
-    def width(y):
-        return g.a - start(g, y)
+    width = lambda y: g.a - start(g, y)
 
     def strip(y):
         rod = proofs.box(width(y), 0, 0, order=2)

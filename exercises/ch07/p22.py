@@ -36,9 +36,7 @@ def steps(g):
         others = " + ".join(f"J{n}" for n in "xyz" if n != axis)
         yield Step(f"I_{axis}{axis}", I, "kg*m^2", f"moment of inertia about {axis}, {others}",
                    "7.2", "7.10")  # fmt: skip
-    yield Step("I_xx_sym", moments(g.Jx, g.Jy, g.Jy)[0], "kg*m^2",
-               "moment of inertia about x if it is an axis of symmetry, so that Jz = Jy",
-               "7.6", "7.21")  # fmt: skip
+    yield "I_xx_sym", moments(g.Jx, g.Jy, g.Jy)[0]
 
 
 def cloud(Jx, Jy, Jz):

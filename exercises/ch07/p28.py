@@ -1,6 +1,6 @@
 """7/28: the cone that has the same moment of inertia about all axes through its centre of mass."""
 
-from exercises.tools import Sketch, Step, mp, proofs
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, root, tan
 from newton_euler.bodies import cone
 
@@ -28,20 +28,16 @@ def solve(g):
 def steps(g):
     alpha = solve(g)["alpha"]
     body = of_height_1(g, tan(alpha))
-    yield Step("own", body.inertia.moment("z"), "1",
-               "moment about AA', over m*h^2: 3/10*(r/h)^2", "7.3")  # fmt: skip
-    yield Step("d", body.centre.position(CONE).z, "1",
-               "distance of the centre of mass from the apex, over h", "5.4", "5.13")  # fmt: skip
-    yield Step("at_apex", body.about(CONE).moment("x"), "1",
-               "transverse moment at the apex, over m*h^2: 3/20*(r/h)^2 + 3/5", "7.3")  # fmt: skip
-    yield Step("ratio", tan(alpha), "1", "r/h at which both moments about axes through the centre "
-               "of mass are equal, from 3/20*(r/h)^2 = 3/80", "7.8", "7.26")  # fmt: skip
+    return {
+        "own": body.inertia.moment("z"),
+        "d": body.centre.position(CONE).z,
+        "at_apex": body.about(CONE).moment("x"),
+        "ratio": tan(alpha),
+    }
 
 
 def prove(g):
-    """Disks on each other, their radius and mass growing with the distance from the apex; a wider
-    cone is the same one, stretched across.
-    """
+    """Disks that grow from the apex; a wider cone is the same one, stretched across."""
     body = [
         (3 * up**2 * share * w, [y * up, up])
         for share, (x, _, _) in proofs.box(2, 0, 0, order=3)
@@ -61,8 +57,7 @@ def prove(g):
 
 
 def mistakes(g):
-    def at_apex(body):
-        return body.inertia.moment("z") - body.about(CONE).moment("x")
+    at_apex = lambda body: body.inertia.moment("z") - body.about(CONE).moment("x")
 
     def wrong_centre(body):
         d = body.centre.position(CONE).z

@@ -28,18 +28,14 @@ def steps(g):
                    f"moment of the {part.name} about x", "7.8", "7.26")  # fmt: skip
     body = composite("assembly", parts(g))
     d = body.centre.position(CHAIN)
-    yield Step("d", d, "m", "centre of mass of the assembly, from O", "5.4", "5.11")
-    yield Step("transfer", body.mass * (d.y**2 + d.z**2), "kg*m^2", "what the moment about x' is "
-               "smaller by, 3*m*(d_y^2 + d_z^2)", "7.8", "7.26")  # fmt: skip
+    yield "d", d
+    yield "transfer", body.mass * (d.y**2 + d.z**2)
 
 
 def prove(g):
     """The squares of the distances from x', added up along the chain."""
     place, way, bends = path(g)
-
-    def total(f):
-        return proofs.integral(lambda s: f(place(s)), 0, way, bends)
-
+    total = lambda f: proofs.integral(lambda s: f(place(s)), 0, way, bends)
     d = proofs.scaled(1 / way, total(lambda p: p))
     square = total(lambda p: (p[1] - d[1]) ** 2 + (p[2] - d[2]) ** 2) / way
     return {"I_xp": 3 * g.m * square, "d": d}

@@ -23,7 +23,7 @@ def solve(g):
 
 def steps(g):
     body = rod(g)
-    yield Step("d", body.centre.position(AXES), "mm", "centre of mass, from the origin", "5.4")
+    yield "d", body.centre.position(AXES)
     transfer = body.about(AXES).terms["transfer"].products
     for (u, v), own, moved in zip(PAIRS, body.inertia.products, transfer, strict=True):
         yield Step(f"own_{u}{v}", own, "kg*m^2", f"product for the axes through the centre of "
@@ -37,9 +37,7 @@ def prove(g):
     A, B = [g.xA, g.yA, g.zA], [g.xB, g.yB, g.zB]
 
     def total(f):
-        def at(t):
-            return f(*(a + t * (b - a) for a, b in zip(A, B, strict=True)))
-
+        at = lambda t: f(*(a + t * (b - a) for a, b in zip(A, B, strict=True)))
         return proofs.integral(at, 0, 1)
 
     d = total(lambda *p: list(p))

@@ -25,9 +25,7 @@ def force_at_O(g, a_O):
 
 
 def forces(g, F_x=None):
-    """F_B, F_O as a solution of solve_linear; ``F_x``: the component of F_O along the cylinder, if
-    it is not that of the piston.
-    """
+    """F_B and F_O; ``F_x``: the component of F_O along the cylinder, if not that of the piston."""
     ground, bar, B, O = engine(g)
     F_x = force_at_O(g, O.acceleration(ground)).dot(ground.i) if F_x is None else F_x
 
@@ -45,10 +43,10 @@ def solve(g):
 
 def steps(g):
     ground, bar, B, O = engine(g)
-    yield Step("m_P", mass_from_weight(g.W_P, g.g), "slug", "mass of the piston, W_P/g", "6.1")
-    yield Step("m_R", bar.mass, "slug", "mass of the connecting rod, W_R/g", "6.1")
+    yield "m_P", mass_from_weight(g.W_P, g.g)
+    yield "m_R", bar.mass
     omega = bar.frame.angular_velocity(ground).expressed_in(ground)
-    yield Step("omega_BO", omega, "rad/s", "angular velocity of the connecting rod", "4.8", "4.17")
+    yield "omega_BO", omega
     for P, what in ((B, "B"), (O, "the piston"), (bar.centre, "the centre of mass of the rod")):
         a = P.acceleration(ground).expressed_in(ground)
         yield Step(f"a_{P.name}", a, "ft/s^2", f"acceleration of {what}", "4.8", "4.18")
@@ -56,9 +54,7 @@ def steps(g):
 
 def prove(g):
     """The explicit motion: the place of O is where the rod, of fixed length, ends on the axis."""
-
-    def B(t):
-        return [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
+    B = lambda t: [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
 
     def piston(t):
         x, y, _ = B(t)

@@ -23,9 +23,7 @@ solve, steps, follows = turning_body.problem_of(inertia, AXIS, "US")
 
 
 def prove(g):
-    """By the mass points of a square, which is moved to the triangle: its lower edge to O, its
-    upper edge to AC.
-    """
+    """By the mass points of a square, moved to the triangle: its edges to O and to AC."""
 
     def over_plate(f):
         def weighed(place):

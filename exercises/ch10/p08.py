@@ -1,6 +1,6 @@
 """10/8: a motor on a turntable."""
 
-from exercises.tools import Sketch, Step, moment_needed, proofs, rot, times
+from exercises.tools import Sketch, moment_needed, proofs, rot, times
 from newton_euler import ForceSystem, Frame, solve_linear
 from newton_euler.applications import normal_moment
 
@@ -39,23 +39,19 @@ def solve(g):
 
 def steps(g):
     _, table, rotor = motor(g)
-    yield Step("I_r", g.m_r * g.k**2, "kg*m^2",
-               "moment of inertia of the rotor about its shaft", "7.4")  # fmt: skip
-    yield Step("omega_r", rotor.angular_velocity(table).expressed_in(table), "rad/s",
-               "angular velocity of the rotor relative to the turntable", "10.9")  # fmt: skip
-    yield Step("M_G", couple(g), "N*m",
-               r"moment of the supports about G, $\Omega\mathbf{y} \times (-I_r p\,\mathbf{x})$",
-               "10.9", "10.38")  # fmt: skip
-    yield Step("W", g.m * g.g, "N", "weight of the motor", "5.8", "5.26")
+    return {
+        "I_r": g.m_r * g.k**2,
+        "omega_r": rotor.angular_velocity(table).expressed_in(table),
+        "M_G": couple(g),
+        "W": g.m * g.g,
+    }
 
 
 follows = {"F_B": lambda g, F_A: g.m * g.g - F_A}
 
 
 def prove(g):
-    """What the mass points of the rotor and of the rest, which may as well be at G, need beside
-    their weight: its moment about one support is that of the force of the other.
-    """
+    """What the mass points of rotor and rest need beside their weight, about each support."""
     turned = [(share, [z, x, y]) for share, (x, y, z) in proofs.ring(g.k)]
 
     def rotor(t):

@@ -1,6 +1,6 @@
 """10/9: a wheel that rolls around a post and presses harder on the floor than its weight."""
 
-from exercises.tools import Sketch, Step, moment_needed, mp, plus, proofs, rot, times
+from exercises.tools import Sketch, moment_needed, mp, plus, proofs, rot, times
 from newton_euler import Body, ForceSystem, Frame, dynamics, solve_linear, solve_rates
 from newton_euler.bodies import disk
 
@@ -51,24 +51,14 @@ def solve(g):
 def steps(g):
     spin = rolling_spin(g)
     *_, body = wheel(g, spin)
-    yield Step("spin", spin, "rad/s", "rate of the disk on its axle: it rolls, so that r times "
-               "this rate is the speed of C", "4.4", "4.11")  # fmt: skip
-    yield Step("I_s", body.inertia.moment("x"), "slug*ft^2",
-               "moment of inertia about the axle", "7.4", "8.16")  # fmt: skip
-    yield Step("M_gyro", -moment(g, spin).y, "lb*ft", "moment about the line of the hinge that "
-               r"turns the angular momentum of the spin, $I_s \Omega^2 R/r$",
-               "10.9", "10.37")  # fmt: skip
+    return {"spin": spin, "I_s": body.inertia.moment("x"), "M_gyro": -moment(g, spin).y}
 
 
 def prove(g):
-    """The mass points of the disk in time: the rim has unrolled as far as the centre has gone.
-    What they need, less what their weight gives, is the moment of the floor about the hinge.
-    """
+    """The mass points of the rolling disk in time: their moment less that of the weight."""
     m = g.W / g.g
     upright = [(share, [z, x, y]) for share, (x, y, z) in proofs.disk(g.r)]
-
-    def unrolled(t):
-        return g.R * g.Omega * t / g.r
+    unrolled = lambda t: g.R * g.Omega * t / g.r
 
     def disk_at(t):
         around, own = rot("z", g.Omega * t), rot([-1, 0, 0], unrolled(t))

@@ -1,6 +1,6 @@
 """11/1: a cart that slides down a rough chute."""
 
-from exercises.tools import Sketch, Step, minus, mp, proofs, rate, root, scaled, size, vanishing
+from exercises.tools import Sketch, minus, mp, proofs, rate, root, scaled, size, vanishing
 from newton_euler import Frame, pi
 from newton_euler.algebra.ledger import summed
 from newton_euler.dynamics import constant_force_work, speed_after, weight
@@ -41,17 +41,17 @@ def solve(g):
 
 def steps(g):
     U = work(g).terms
-    yield Step("N", normal_force(g), "N", "normal force of the chute, m g cos(theta)", "6.1", "6.4")
-    yield Step("F_f", g.mu * normal_force(g), "N", "friction, up the chute")
-    yield Step("U_w", U["weight"], "J", "work of the weight, m g L sin(theta)", "11.4", "11.7")
-    yield Step("U_f", U["friction"], "J", "work of the friction, -F_f L", "11.4", "11.6")
-    yield Step("T_A", g.m * g.v_A**2 / 2, "J", "kinetic energy at A", "11.7", "11.13")
+    return {
+        "N": normal_force(g),
+        "F_f": g.mu * normal_force(g),
+        "U_w": U["weight"],
+        "U_f": U["friction"],
+        "T_A": g.m * g.v_A**2 / 2,
+    }
 
 
 def prove(g):
-    """The motion in time, along a line in the ground: the force that it needs beside the weight is
-    that of the chute, whose two parts are as the friction law says.
-    """
+    """The motion in time along a line; beside the weight acts the chute, by the friction law."""
     down = [mp.cos(g.theta), -mp.sin(g.theta)]
     across = [mp.sin(g.theta), mp.cos(g.theta)]
 

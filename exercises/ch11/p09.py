@@ -43,9 +43,9 @@ def solve(g):
 
 def steps(g):
     v_B, v_D, v_E = speeds(g)
-    yield Step("v_B", v_B, "ft/s", "speed at B, after the drop h", "11.12", "11.32")
-    yield Step("v_D", v_D, "ft/s", "speed at D, after the drop h - d", "11.12", "11.32")
-    yield Step("v_E", v_E, "ft/s", "speed at E, after the drop h - h_E", "11.12", "11.32")
+    yield "v_B", v_B
+    yield "v_D", v_D
+    yield "v_E", v_E
     for key, v in (("B", v_B), ("D", v_D)):
         means = f"force toward the centre of the loop that the rider needs at {key}, m v^2/r"
         needed = path_force(mass(g), v, 0, 2 / g.d)[1]
@@ -55,20 +55,14 @@ def steps(g):
 def prove(g):
     """The weight added up along some track that leads from A to B, round the loop and up to E."""
     m, r = g.W / g.g, g.d / 2
-
-    def weight(place):
-        return [0, 0, -g.W]
-
+    weight = lambda place: [0, 0, -g.W]
     v_B = speed_along(m, weight, lambda q: [g.h * q, 0, g.h * (1 - q) ** 2], 0, 1)
     v_D = speed_along(m, weight, circle(r), 0, mp.pi, v_B)
     v_E = speed_along(m, weight, lambda q: [g.h * q, 0, g.h_E * q * q * (3 - 2 * q)], 0, 1, v_B)
 
     def over_crest(rho):
         """The force of the track on a car of the rider's weight."""
-
-        def along(t):
-            return [rho * mp.sin(v_E * t / rho), 0, rho * mp.cos(v_E * t / rho)]
-
+        along = lambda t: [rho * mp.sin(v_E * t / rho), 0, rho * mp.cos(v_E * t / rho)]
         return force_needed(m, lambda t: [(1, along(t))])[2] + g.W
 
     return {

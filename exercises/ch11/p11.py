@@ -47,7 +47,7 @@ def steps(g):
         yield Step(f"V_{name}", energy(g, name), "ft*lb", f"potential energy of the spring at "
                    f"{name}; at A it is zero", "11.12", "11.35")  # fmt: skip
     m = mass_from_weight(g.W, g.g)
-    yield Step("T_C", m * g.v_C**2 / 2, "ft*lb", "kinetic energy at C", "11.7", "11.13")
+    yield "T_C", m * g.v_C**2 / 2
 
 
 follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g))}
@@ -55,10 +55,7 @@ follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weig
 
 def prove(g):
     """The pull of the spring, added up along the hoop."""
-
-    def hoop(phi):
-        return [-g.R * mp.cos(phi), g.R * mp.sin(phi), 0]
-
+    hoop = lambda phi: [-g.R * mp.cos(phi), g.R * mp.sin(phi), 0]
     P = [g.R + g.d, 0, 0]
     at_C, at_B = hoop(0), hoop(mp.pi / 2)
     m, spring = g.W / g.g, pull(g.k, g.d, P)

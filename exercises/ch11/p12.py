@@ -53,10 +53,7 @@ follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"
 
 def prove(g):
     """The pull of the spring, added up along the rod."""
-
-    def rod(phi):
-        return [-g.r * mp.cos(phi), 0, g.r * mp.sin(phi)]
-
+    rod = lambda phi: [-g.r * mp.cos(phi), 0, g.r * mp.sin(phi)]
     D = [g.x_D, g.y_D, g.z_D]
     spring = pull(g.k, g.l_0, D)
     v_B = speed_along(g.m, spring, rod, 0, mp.pi / 2)

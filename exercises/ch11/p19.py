@@ -49,10 +49,7 @@ def steps(g):
 
 def prove(g):
     spins = {name: unrolled(g.Omega, g.r, s) for name, s in places(g).items()}
-
-    def energy(name, s):
-        return energy_of_disk(g.M, g.r, g.Omega, spins[name], s)
-
+    energy = lambda name, s: energy_of_disk(g.M, g.r, g.Omega, spins[name], s)
     T = {name: energy(name, s) for name, s in places(g).items()}
     found = {"T_outer": T["outer"], "T_inner": T["inner"], "ratio": T["outer"] / T["inner"]}
     for name in T:

@@ -3,7 +3,7 @@
 import math
 
 from exercises.devices.disk_on_shaft import contact, energy_of_disk, rolling, spinning, unrolled
-from exercises.tools import Sketch, Step, angular_velocity, mp, rot, size, times
+from exercises.tools import Sketch, angular_velocity, mp, rot, size, times
 from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk
 
@@ -14,9 +14,7 @@ def shaft(g):
 
 
 def rate(g, d):
-    """The disk turns about the level line from the point of contact to the joint D, which are at
-    rest: so fast that C is carried round as the shaft does it.
-    """
+    """The disk turns about the level line from contact to D as fast as the shaft carries C."""
 
     def unlike(rate):
         omega = rate * -d.ground.i
@@ -52,20 +50,13 @@ def solve(g):
 def steps(g):
     d = shaft(g)
     omega, I = turning(g, d), inertia(g, d)
-    yield Step("omega", rate(g, d), "rad/s", "angular speed of the disk, about the level line from "
-               "the point of contact to D, both of which are at rest", "4.4", "4.11")  # fmt: skip
-    yield Step(
-        "omega_a",
-        -omega.x,
-        "rad/s",
-        "component of the angular velocity along the shaft, from C to D",
-        "11.16",
-    )
-    yield Step("omega_t", omega.z, "rad/s", "component at right angles to the shaft", "11.16")
-    yield Step("I_a", I.moment("x"), "kg*m^2", "moment of inertia about the shaft", "7.4",
-               "7.10")  # fmt: skip
-    yield Step("I_t", I.moment("y"), "kg*m^2", "moment of inertia about an axis through D at "
-               "right angles to the shaft", "7.10", "7.26")  # fmt: skip
+    return {
+        "omega": rate(g, d),
+        "omega_a": -omega.x,
+        "omega_t": omega.z,
+        "I_a": I.moment("x"),
+        "I_t": I.moment("y"),
+    }
 
 
 def prove(g):

@@ -61,9 +61,7 @@ def proved(n, n_C, tan_gamma):
 
 
 def figure(ax, tan_gamma, C_turns):
-    """The gears with a line of contact of length 1, seen nearly square to the plane of DE and OA; C
-    is on a sleeve round DE.
-    """
+    """The gears, with a line of contact of length 1, seen nearly square to their plane."""
     gamma = atan(tan_gamma)
     ground = Frame("ground")
     O, A, D, E = (

@@ -38,10 +38,7 @@ def rods(pairs, **matter):
 def path(g, first="x", edge="a"):
     """Proof, along the chain: the place after a way s, the whole way, and where it has corners."""
     a = getattr(g, edge)
-
-    def place(s):
-        return in_order([min(max(s - n * a, 0), a) for n in range(3)], first)
-
+    place = lambda s: in_order([min(max(s - n * a, 0), a) for n in range(3)], first)
     return place, 3 * a, (a, 2 * a)
 
 

@@ -170,9 +170,7 @@ def prove_turning(g):
 
 
 def prove_rim(g, name):
-    """The same motion of A or B, from its place in the ground as a function of time: its angle on
-    the rim grows from +z toward +x.
-    """
+    """The same motion from the place in time: the angle on the rim grows from +z toward +x."""
     start = {"A": 0, "B": mp.pi / 2}[name]
 
     def seen(t):

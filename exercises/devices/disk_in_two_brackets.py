@@ -68,15 +68,12 @@ def rim_steps(g, name):
 
 
 def rim_from_turning(name):
-    """``follows`` of the velocity and the acceleration of C or D, by the disk as a rigid body about
-    its centre, which is at rest.
-    """
+    """``follows`` of v and a of C or D: the disk is rigid, its centre at rest."""
 
     def r(g, frame):
         return frame.vector(*(g.r if e else 0 for e in PLACES[name]))
 
-    def v(g, omega_disk):
-        return omega_disk.cross(r(g, omega_disk.frame))
+    v = lambda g, omega_disk: omega_disk.cross(r(g, omega_disk.frame))
 
     def a(g, omega_disk, alpha_disk):
         return acceleration_of(omega_disk, alpha_disk, r(g, omega_disk.frame))
@@ -85,9 +82,7 @@ def rim_from_turning(name):
 
 
 def pin_and_axis(gone_round, risen):
-    """Proof, directions in the ground: of the horizontal pin of A in B, which has gone round, and
-    of the disk's axis, which has risen from +y.
-    """
+    """Proof: the pin of A in B, which has gone round, and the axis, risen from +y."""
     pin, level = (
         [mp.cos(gone_round), mp.sin(gone_round), 0],
         [-mp.sin(gone_round), mp.cos(gone_round), 0],

@@ -56,9 +56,7 @@ def prove(g):
         beta = g.beta_1 + g.b_dot * t
         return [0, g.b - g.L * mp.cos(beta), g.L * mp.sin(beta)]
 
-    def D(t):
-        return times(rot("z", g.omega * t), in_arm(t))
-
+    D = lambda t: times(rot("z", g.omega * t), in_arm(t))
     answers = {
         "alpha_CD": proofs.angular_acceleration(rod),
         "v_D": rate(D),

@@ -64,9 +64,7 @@ def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=()):
 
 
 def turned(place):
-    """Proof, of a unit mass: the columns are its angular momenta r x (e x r) about O when it turns
-    at unit rate about each of the axes.
-    """
+    """Proof: columns r x (e x r), the angular momenta of a unit mass turning about each axis."""
     axes = [1, 0, 0], [0, 1, 0], [0, 0, 1]
     return proofs.transposed([proofs.cross(place, proofs.cross(e, place)) for e in axes])
 

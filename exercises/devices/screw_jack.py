@@ -1,6 +1,4 @@
-"""The screw-jack of 4/1 (and 3/12): its screw rises in the fixed nut by one lead in each turn; A is
-the end of its handle.
-"""
+"""The screw-jack of 4/1 (and 3/12): one lead up in each turn; A is the end of its handle."""
 
 from exercises.tools import Sketch, mp
 from newton_euler import Frame, cos, moving, pi, sin
@@ -12,9 +10,7 @@ def rise(g):
 
 
 def screw_in_nut(g, rise, n):
-    """Ground with Z up along the screw; a frame at B that rises with it; the point A of the screw,
-    which turns in that frame.
-    """
+    """Ground with Z up; a frame at B that rises with the screw; A, which turns in it."""
     ground = Frame("ground")
     rising = ground.translate("rising", ground.point("B", 0, 0, moving(0, rate=rise)))
     screw = rising.rotate("screw", "z", rate=n)

@@ -11,9 +11,7 @@ def turning(g):
 
 
 def crank(g):
-    """Proof, the place of P in time: as an angle at the circumference is half that at the centre,
-    the crank is at 2 theta.
-    """
+    """Proof, P in time: the angle at the centre is twice that at the circumference."""
 
     def P(t):
         angle = 2 * (g.theta + g.omega * t)

@@ -1,6 +1,4 @@
-"""A point with its spherical angles and unit vectors (3/15, 3/16; its motion is also proof for
-3/17, 3/18, 3/25 and 3/26): theta from x in the x, y plane, phi the elevation above it.
-"""
+"""A point with spherical angles (3/15, 3/16; a proof for others): phi is the elevation."""
 
 from exercises.tools import Sketch, elevation, mp, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, sin

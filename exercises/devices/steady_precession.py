@@ -77,10 +77,7 @@ def both_rates(m, points, theta, phi_dot, moment):
     Time is counted in that of 1 rad of spin: the rate is x, and the spin 1.
     """
     square, product = needed_by_rates(m, points, theta)
-
-    def surplus(x):
-        return square * x * x + product * x - moment / phi_dot**2
-
+    surplus = lambda x: square * x * x + product * x - moment / phi_dot**2
     middle = -product / (2 * square)
     high = middle
     while surplus(high / 2) > 0:  # the slow one may be smaller by many digits

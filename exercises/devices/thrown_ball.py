@@ -49,10 +49,7 @@ def draw(g, ax):
     u = best_slope(g)
     h, _ = at_wall(g, u)
     vx = forward(g, u)
-
-    def place(x):
-        return (x, 0, u * x - g.g / 2 * (x / vx) ** 2)
-
+    place = lambda x: (x, 0, u * x - g.g / 2 * (x / vx) ** 2)
     O, hit, foot = (0, 0, 0), (g.d, 0, h), (g.d, 0, 0)
     s.road([(g.d, 0, -0.1 * h), (g.d, 0, 1.3 * h)])
     s.line(O, foot)

@@ -18,9 +18,7 @@ def parts(g, density=1, side=-1):
 
 
 def path(g):
-    """Proof, down the leg, along the diameter and back round the half circle: the place after a
-    way s, the whole way, and where it has corners.
-    """
+    """Proof, leg, diameter, half circle: the place after a way s, the whole way, its corners."""
     foot, bend = g.c, g.c + 2 * g.r
 
     def place(s):

@@ -73,6 +73,7 @@ def equation(kind: str) -> Equation:
 
 
 T = TypeVar("T")
+NOISE = 1e-14  # of the largest component: anything smaller is round-off and printed as 0
 
 
 class Terms(dict[str, T], Generic[T]):
@@ -231,8 +232,7 @@ class Explanation:
             raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        # components below round-off of the largest are shown as 0
-        noise = 1e-14 * max(
+        noise = NOISE * max(
             (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)),
             default=0.0,
         )
