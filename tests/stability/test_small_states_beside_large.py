@@ -118,10 +118,11 @@ def test_the_speed_on_a_spring_far_away_is_right_by_its_own_size_or_refused_in_w
         try:
             found = integrate(far_spring(place), 10.0, start, rtol, method)
         except AccuracyError as error:
-            assert "take the distance from" in str(error)
-            assert 30 * lost > rtol
+            words = str(error)
         else:
+            words = ""
             assert abs(found.end["dx"] / (2 * a) + math.sin(20.0)) <= found.error <= rtol
+        assert not words or ("take the distance from" in words and 30 * lost > rtol)
 
 
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
@@ -130,10 +131,14 @@ def test_the_same_call_gives_the_same_answer_once_the_series_is_compiled(rtol):
         try:
             return integrate(far_spring(6.4e6), 10.0, (6.4e6 + 1e-2, 0.0), rtol, method).end["dx"]
         except AccuracyError as error:
-            assert "take the distance from 6.4e+06" in str(error)
+            return str(error)
 
     first, _, second = asked("auto"), asked("taylor"), asked("auto")
-    assert first == second or abs(first - second) <= 2 * rtol * 2e-2
+    if isinstance(first, float):
+        assert abs(first - second) <= 2 * rtol * 2e-2
+    else:
+        assert "take the distance from 6.4e+06" in first
+        assert "take the distance from 6.4e+06" in second
 
 
 @pytest.mark.parametrize("method", ["dop853", "taylor"])
