@@ -12,7 +12,7 @@ from typing import Any
 from .error_estimates import error_by_comparison, relative_shift, reported_error
 from .events import EventError
 from .knots import knots
-from .methods.base import MAX_STEPS, LengthError
+from .methods.base import LengthError
 from .methods.exact import estimated_error, within
 from .methods.table import METHODS, Method
 from .model import ModelError
@@ -25,6 +25,7 @@ from .trajectory import Trajectory
 # paid off
 HEYOKA_BREAK_EVEN = 0.5
 FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate enough
+MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
 
@@ -85,7 +86,8 @@ class Run:
     progress: Callable | None = None
     step: float | None = None
     preparing: float = 0.0
-    max_steps: float = MAX_STEPS
+    max_steps: float = math.inf
+    long: bool = False  # see :meth:`briefly`
     calls: int = 0
     started: float = field(default_factory=perf_counter)
 
@@ -134,6 +136,8 @@ class Run:
                 if not method.series and not refused and type(error) is MotionError:
                     raise
                 refused.append(error)
+                if self.long and type(error) is AccuracyError:
+                    break  # no other method rounds less
         known = [error for error in refused if type(error) is AccuracyError] or refused
         raise min(known, key=lambda error: error.reached.error)
 
@@ -188,7 +192,11 @@ class Run:
 
         The run is compared with another one, unless a run close to it was.
         """
-        trajectory = self.trajectory(method, self.rtol / method.tolerance_ratio)
+        trajectory = self.briefly(self.trajectory, method, self.rtol / method.tolerance_ratio)
+        if self.long:
+            trajectory = self.trajectory(method, method.min_tolerance)
+        if isinstance(trajectory.failed, LengthError):
+            return self.motion(trajectory, method, math.nan)
         if trajectory.failed:
             return self.calibrated(method)
 
@@ -214,10 +222,22 @@ class Run:
         """
         begun, least, scaled = perf_counter(), method.min_tolerance, method.series
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
+        if method.series and self.long:
+            tolerance = least
         coarse = method.other(tolerance)
-        before, known = self.first(method, coarse, tolerance, scaled)
+        comparison = method, coarse, tolerance, None, scaled
+        run = self.briefly if heyoka else lambda f, *arguments: f(*arguments)
+        before = run(self.compared, *comparison)
+        if heyoka and self.long:
+            try:
+                return self.by(METHODS["taylor"])
+            except AccuracyError:
+                raise
+            except MotionError:  # a series may end where this method does not
+                before = self.compared(*comparison)
         if isinstance(before.failed, LengthError):
             return self.motion(before, method, math.nan)
+        before, known = self.resolved(before, method, coarse, tolerance, scaled)
         # of order 8: the number of steps grows as tolerance**(-1/8)
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
@@ -248,11 +268,11 @@ class Run:
             raise AccuracyError(why, motion)
         return motion
 
-    def first(self, method, coarse, fine, scaled):
-        """The first trajectory and its sizes, of the first tolerance; where a state is so small
-        that these may be those of its error, one by the sizes that were found.
+    def resolved(self, before, method, coarse, fine, scaled):
+        """The first trajectory and its sizes, None if it failed; where a state is so small that
+        these may be those of its error, another one by the sizes that were found.
         """
-        before, known = self.compared(method, coarse, fine, None, scaled), None
+        known = None
         for _ in range(MAX_REFINEMENTS):
             last, known = known, None if before.failed else before.sizes()
             if not known or not (last or small(*known[:2])):
@@ -269,6 +289,15 @@ class Run:
                 known = sizes, *known[1:]
                 before = self.compared(method, coarse, fine, known, scaled)
         return before, known
+
+    def briefly(self, run, *arguments):
+        """The trajectory ``run(*arguments)``, which stops if it would take many steps: the motion
+        is ``long``.
+        """
+        most, self.max_steps = self.max_steps, min(MANY_STEPS, self.max_steps)
+        trajectory = run(*arguments)
+        self.max_steps, self.long = most, isinstance(trajectory.failed, LengthError)
+        return trajectory
 
     def trajectory(self, method, tolerance, *more):
         """The trajectory at one tolerance."""
