@@ -77,7 +77,7 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     [0, 0, 21.62] in ground
     """
     parts = [("inertia", _mass(m) * a), *((name, -F) for name, F in known.items())]
-    subject = f"to {', '.join(known) or 'no other force'}"
+    subject = f"with {', '.join(known)} known" if known else "alone"
     return named_sum("reaction", subject, parts, a.frame)
 
 

@@ -151,7 +151,7 @@ BOUNDED = [(name, rung) for name, rung in RUNGS if ladder(name).rung(rung).bound
 @pytest.mark.parametrize(("name", "rung"), BOUNDED)
 def test_bounds_hold_and_are_as_narrow_as_stated(name, rung):
     r, ratios = random.Random(8), []
-    for n in range(60):
+    for n in range(36):
         found, _ = DRAWS[name](r)
         found = replace(found, t=found.t * (1.0, 0.1, 0.02)[n % 3])
         error, size = found.error(found.rung(rung)), abs(found.observe(found.fullest, 1e-11)).max()
