@@ -25,9 +25,7 @@ mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
 
 
 def _array(x):
-    """Three instants: the value itself, and two near it, so that a formula which mixes up instants
-    is seen.
-    """
+    """The value and two near it, so that a formula which mixes up instants is seen."""
     return float(x) * np.array([1.0, 1.0625, 0.875])
 
 
@@ -56,9 +54,7 @@ def numbers(kind, *values):
 
 
 def number(x):
-    """A scalar of any kind as something to compare: a 30 digit mpf, or an array of floats for an
-    array.
-    """
+    """A scalar of any kind to compare: a 30 digit mpf, or an array of floats for an array."""
     x = to_plain(x)
     if isinstance(x, np.ndarray):
         return x

@@ -4,6 +4,7 @@ from exercises.tools import Sketch, plus, rate, scaled
 from newton_euler import Frame
 
 AXES = Frame("axes")
+follows = {"r_BA": lambda g, r_A, r_B: r_B - r_A}
 
 
 def points(g):
@@ -18,9 +19,6 @@ def solve(g):
 def steps(g):
     A, _ = points(g)
     return {"r_OA": AXES.origin - A}
-
-
-follows = {"r_BA": lambda g, r_A, r_B: r_B - r_A}
 
 
 def prove(g):

@@ -4,6 +4,7 @@ from exercises.tools import Sketch, integral, minus, mp, size
 from newton_euler import Frame, radians
 
 AXES = Frame("axes")
+follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
 
 
 def vectors(g):
@@ -25,15 +26,11 @@ def steps(g):
     return {"size": R.norm(), "c": R.direction().dot(AXES.i)}
 
 
-follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
-
-
 def prove(g):
     """R as the way of a point at the velocities P, then G; the angle from a triangle with i."""
     P, G = [g.P_x, g.P_y, 0], [g.G_x, g.G_y, 0]
     R = integral(lambda t: P if t < 1 else G, 0, 2, breaks=(1,))
-    away = size(minus(R, [1, 0, 0]))
-    cosine = (size(R) ** 2 + 1 - away**2) / (2 * size(R))
+    cosine = (size(R) ** 2 + 1 - size(minus(R, [1, 0, 0])) ** 2) / (2 * size(R))
     return {"R": R, "angle": mp.acos(cosine), "size": size(R), "c": cosine}
 
 

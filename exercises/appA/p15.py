@@ -33,10 +33,8 @@ def prove(g):
 def mistakes(g):
     _, A, B, G = vectors(g)
     (a, b, c), (x, y, z) = A.components(), B.cross(G).components()
-    return {
-        "G_x_B": answers(A.dot(G.cross(B))),
-        "plus_in_the_middle": {"triple": a * x - b * y + c * z},
-    }
+    middle = a * x - b * y + c * z
+    return {"G_x_B": answers(A.dot(G.cross(B))), "plus_in_the_middle": {"triple": middle}}
 
 
 def draw(g, ax):

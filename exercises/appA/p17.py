@@ -35,13 +35,8 @@ def prove(g):
     dw, dR = [1, 2 * t, 0], [g.d, 2 * t, 3 * t**2]
     part_w = proofs.cross(dw, [g.d * t, t**2, t**3])
     part_R = proofs.cross([t, t**2, g.c], dR)
-    return {
-        "dudt": proofs.plus(part_w, part_R),
-        "dwdt": dw,
-        "dRdt": dR,
-        "part_w": part_w,
-        "part_R": part_R,
-    }
+    dudt = proofs.plus(part_w, part_R)
+    return {"dudt": dudt, "dwdt": dw, "dRdt": dR, "part_w": part_w, "part_R": part_R}
 
 
 def mistakes(g):

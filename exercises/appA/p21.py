@@ -4,6 +4,7 @@ from exercises.tools import minus, mp, scaled
 from newton_euler import Frame
 
 AXES = Frame("axes")
+follows = {"c": lambda g, b: -b}
 
 
 def vectors(g):
@@ -12,9 +13,6 @@ def vectors(g):
         AXES.vector(g.B_1, g.B_2, g.B_3),
         AXES.vector(g.C_1, g.C_2, g.C_3),
     )
-
-
-follows = {"c": lambda g, b: -b}
 
 
 def solve(g):
@@ -31,15 +29,9 @@ def prove(g):
     """(a) as a combination of B and C, (A.16); (b) and (c) as determinants."""
     A, B, C = [g.A_1, g.A_2, g.A_3], [g.B_1, g.B_2, g.B_3], [g.C_1, g.C_2, g.C_3]
     dot = lambda v, w: sum(x * y for x, y in zip(v, w, strict=True))
-
-    def volume(*rows):
-        return mp.det(mp.matrix(rows))
-
-    return {
-        "a": minus(scaled(dot(A, C), B), scaled(dot(A, B), C)),
-        "b": volume(A, B, C),
-        "c": volume(B, A, C),
-    }
+    volume = lambda *rows: mp.det(mp.matrix(rows))
+    a = minus(scaled(dot(A, C), B), scaled(dot(A, B), C))
+    return {"a": a, "b": volume(A, B, C), "c": volume(B, A, C)}
 
 
 def mistakes(g):

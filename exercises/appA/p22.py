@@ -26,8 +26,7 @@ def prove(g):
     N = cross(A, B)
 
     def with_products(to_A, to_B, across):
-        found = mp.lu_solve(mp.matrix([A, B, N]), mp.matrix([to_A, to_B, across]))
-        return list(found)
+        return list(mp.lu_solve(mp.matrix([A, B, N]), mp.matrix([to_A, to_B, across])))
 
     C, D = with_products(g.AC, g.BC, 5), with_products(g.AD, g.BD, -7)
     return {"product": mp.det(mp.matrix([A, B, cross(C, D)]))}

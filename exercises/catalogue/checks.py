@@ -99,17 +99,10 @@ def _fit(p, proof):
         proved = proof(values(p, 0))
     except CatalogueError as error:
         return [str(error)]
-    missing = [m for m in p.mistakes if m not in named]
-    faults = [
-        f"the mistake {m} is in {p.name}.yaml but not computed; compute it, or move it to "
-        "struck: with a reason"
-        for m in missing
-    ]
-    faults += [
-        f"the mistake {m} is computed but not in {p.name}.yaml"
-        for m in named
-        if m not in p.mistakes
-    ]
+    todo = "is in {}.yaml but not computed; compute it, or move it to struck: with a reason"
+    faults = [f"the mistake {m} {todo.format(p.name)}" for m in p.mistakes if m not in named]
+    undescribed = [m for m in named if m not in p.mistakes]
+    faults += [f"the mistake {m} is computed but not in {p.name}.yaml" for m in undescribed]
     asked = [a.key for a in p.answers]
     for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
         if got != asked:
@@ -117,18 +110,14 @@ def _fit(p, proof):
     faults += _shared_frames(solved, again)
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
-            faults.append(
-                f"the mistake {name} must give some of {asked}, and gives {list(answers)}"
-            )
+            gives = f"gives {list(answers)}"
+            faults.append(f"the mistake {name} must give some of {asked}, and {gives}")
         for key, answer in answers.items():
-            if (
-                key in solved
-                and hasattr(answer, "frame")
-                and answer.frame.name != solved[key].frame.name
-            ):
+            here = getattr(answer, "frame", None)
+            if key in solved and here and here.name != (there := solved[key].frame.name):
                 faults.append(
-                    f"{key} is in {solved[key].frame.name}, but the mistake {name} has it in "
-                    f"{answer.frame.name}: use in_frame"
+                    f"{key} is in {there}, but the mistake {name} has it in {here.name}: use "
+                    "in_frame"
                 )
     return faults
 
@@ -215,10 +204,8 @@ def _agreement(p, seed, proof):
 def _both_ways(p, given, proof):
     """(values, solve in floats, prove, solve in 50 digits) where all are real."""
     points = symbol_points(p)
-    others = [
-        dict(zip(points, map(float, row), strict=True))
-        for row in zip(*points.values(), strict=True)
-    ]
+    rows = zip(*points.values(), strict=True)
+    others = [dict(zip(points, map(float, row), strict=True)) for row in rows]
     for symbols in ({}, *others):
         here = {**given, **symbols}
         right = {k: x for k, (x,) in at_points(p, here)[0].items()}
@@ -308,16 +295,16 @@ def _hidden(p, given, exempt):
                 faults.append(f"the mistake {name} gives no real {key}")
             elif name in exempt or (a.kind.is_word and not book):
                 continue
-            elif (
-                points == right[key]
-                if a.kind.is_word
-                else not apart(a.kind.like(points, right[key]), right[key])
-            ):
+            elif _is_hidden(a.kind, points, right[key]):
                 faults.append(
                     f"the mistake {name} gives nearly the right {key}: {_as_text(points[0])}; if "
                     "it does so only with the numbers of the book, write same_in_book: true"
                 )
     return faults
+
+
+def _is_hidden(kind, points, key):
+    return points == key if kind.is_word else not apart(kind.like(points, key), key)
 
 
 def _following(p, given, right):
@@ -345,9 +332,8 @@ def _gap(a, b):
         if len(a) != len(b):
             return float("inf")
         whole = mp.sqrt(sum(mpf(y) ** 2 for y in b))
-        return float(
-            mp.sqrt(sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))) / (whole or 1)
-        )
+        square = sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))
+        return float(mp.sqrt(square) / (whole or 1))
 
 
 def _both_zero(a, b, atol, tolerance):
@@ -358,14 +344,8 @@ def _both_zero(a, b, atol, tolerance):
 
 
 def _as_text(numbers):
-    return (
-        "("
-        + ", ".join(
-            x if isinstance(x, str) else f"{max_abs(x) * (1 if x >= 0 else -1):.6g}"
-            for x in numbers
-        )
-        + ")"
-    )
+    sized = lambda x: f"{max_abs(x) * (1 if x >= 0 else -1):.6g}"
+    return f"({', '.join(x if isinstance(x, str) else sized(x) for x in numbers)})"
 
 
 __all__ = ["AGREEMENT", "alike", "check", "values"]

@@ -319,9 +319,8 @@ class Problem:
     def wrong(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, dict[str, Any]]:
         """What the listed mistakes make of the answers: {mistake: {key: as from :meth:`solve`}}."""
         results = self.code.mistakes(self.base(values, one))
-        found = self._with_words(
-            lambda g: self.code.mistakes(g).values(), results.values(), values, one
-        )
+        compute = lambda g: self.code.mistakes(g).values()
+        found = self._with_words(compute, results.values(), values, one)
         return dict(zip(results, found, strict=True))
 
     def _with_words(self, compute, results, values, one):

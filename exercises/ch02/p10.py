@@ -1,6 +1,6 @@
 """2/10: a car that speeds up in a curve."""
 
-from exercises.tools import Sketch, mp, rate, root, second_rate, size
+from exercises.tools import Sketch, at_angle, rate, root, second_rate, size
 from newton_euler import Frame, moving, polar, sqrt
 
 FOOT = 0.3048  # m: who takes mi/h for ft/s
@@ -37,11 +37,7 @@ def prove(g):
     T = g.L / ((g.v_1 + g.v_2) / 2)
     gone = lambda t: g.v_1 * t + (g.v_2 - g.v_1) / T * t**2 / 2
     when = root(lambda t: gone(t) - g.s, 0, T)
-
-    def place(t):
-        angle = gone(when + t) / g.R
-        return [g.R * mp.cos(angle), g.R * mp.sin(angle), 0]
-
+    place = lambda t: at_angle(g.R, gone(when + t) / g.R)
     return {"a": size(second_rate(place)), "a_t": second_rate(gone), "v": size(rate(place))}
 
 

@@ -19,8 +19,7 @@ def solve(g):
 
 def steps(g):
     nozzle, top = places(g)
-    a_n = nozzle.acceleration.y
-    return {"a_n": a_n, "v_top": top.speed}
+    return {"a_n": nozzle.acceleration.y, "v_top": top.speed}
 
 
 def prove(g):

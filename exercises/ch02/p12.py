@@ -33,8 +33,7 @@ follows = {"rho_top": lambda g, v_0: top(g, v_0)}
 
 
 def steps(g):
-    a_n = normal_acceleration(g)
-    return {"a_n": a_n, "v_top": solve(g)["v_0"] * direction(g)[1].x}
+    return {"a_n": normal_acceleration(g), "v_top": solve(g)["v_0"] * direction(g)[1].x}
 
 
 def prove(g):

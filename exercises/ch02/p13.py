@@ -17,8 +17,7 @@ def circle(g):
 
 def on_circle(g):
     """The motion on it, with the speed and its rate, in these axes."""
-    speed = velocity(g)[1].norm()
-    here = at_speed(circle(g), 0 * g.one, speed, -g.b)
+    here = at_speed(circle(g), 0 * g.one, velocity(g)[1].norm(), -g.b)
     return frenet_along(circle(g), here, Frame("along and across"))
 
 

@@ -32,16 +32,9 @@ def steps(g):
 def prove(g):
     """The vertical climb, in time, on which the radar would read what it reads."""
     away, up = g.r * mp.cos(g.theta), g.r * mp.sin(g.theta)
-
-    def height(v, a):
-        return lambda t: up + v * t + a * t**2 / 2
-
-    def elevation(y):
-        return lambda t: mp.atan2(y(t), away)
-
-    def distance(y):
-        return lambda t: mp.hypot(away, y(t))
-
+    height = lambda v, a: lambda t: up + v * t + a * t**2 / 2
+    elevation = lambda y: lambda t: mp.atan2(y(t), away)
+    distance = lambda y: lambda t: mp.hypot(away, y(t))
     fast = 100 * g.r * g.theta_dot
     v = root(lambda v: rate(elevation(height(v, 0))) - g.theta_dot, 0, fast)
     a = root(lambda a: second_rate(distance(height(v, a))) - g.r_ddot, -fast, fast)

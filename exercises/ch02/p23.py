@@ -37,17 +37,10 @@ def steps(g):
     return {"r": r.x, "v_A": v}
 
 
-def r_ddot(g, theta_dot):
-    """r'', from the radial acceleration, which is zero."""
-    return motion(g)[0].x * theta_dot**2
-
-
-def theta_ddot(g, r_dot, theta_dot):
-    """theta'', from the transverse acceleration, which is zero."""
-    return -2 * r_dot * theta_dot / motion(g)[0].x
-
-
-follows = {"r_ddot": r_ddot, "theta_ddot": theta_ddot}
+follows = {  # both components of the acceleration are zero
+    "r_ddot": lambda g, theta_dot: motion(g)[0].x * theta_dot**2,
+    "theta_ddot": lambda g, r_dot, theta_dot: -2 * r_dot * theta_dot / motion(g)[0].x,
+}
 
 
 def prove(g):

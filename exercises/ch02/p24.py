@@ -27,8 +27,7 @@ def motion(g, r):
 
 def solve(g):
     v, a = of_crank(g)
-    right = answers(*motion(g, turning(g)[1]))
-    return right | {"v_mag": v.norm(), "a_mag": a.norm()}
+    return answers(*motion(g, turning(g)[1])) | {"v_mag": v.norm(), "a_mag": a.norm()}
 
 
 def steps(g):
@@ -38,8 +37,7 @@ def steps(g):
     v, a = motion(g, r)
     yield from terms(v, "v_P", "m/s", "2.6")
     yield from terms(a, "a_P", "m/s^2", "2.6")
-    theta = turning(g)[0]
-    yield "omega_CP", 2 * theta.rate
+    yield "omega_CP", 2 * turning(g)[0].rate
 
 
 follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm()}

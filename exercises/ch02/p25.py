@@ -29,8 +29,7 @@ def solve(g):
 
 def steps(g):
     ground, arm, P = arm_and_pin(g, turning(g)[1])
-    omega = arm.angular_velocity(ground).expressed_in(arm)
-    yield "omega_arm", omega
+    yield "omega_arm", arm.angular_velocity(ground).expressed_in(arm)
     yield "r_P", P.position(arm)
     right = motion(ground, arm, P)
     yield from terms(right["v_P"], "v_P", "m/s", "2.10", "2.24")

@@ -1,8 +1,7 @@
 """3/1: the position from acceleration components that depend on time."""
 
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame
-from newton_euler.kinematics import from_time
+from newton_euler import Frame, kinematics
 
 GROUND = Frame("ground")
 
@@ -18,7 +17,7 @@ def start(g):
 
 def motion(g, t):
     """Position and velocity at the time t."""
-    along = [from_time(a, t, x) for a, x in zip(acceleration(g), start(g), strict=True)]
+    along = [kinematics.from_time(a, t, x) for a, x in zip(acceleration(g), start(g), strict=True)]
     return [GROUND.vector(*c) for c in zip(*along, strict=True)]
 
 

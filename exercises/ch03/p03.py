@@ -1,8 +1,7 @@
 """3/3: constant speed on a curve that is given by a parameter."""
 
 from exercises.tools import Sketch, rate, scaled, size
-from newton_euler import Frame, moving
-from newton_euler.kinematics import at_speed
+from newton_euler import Frame, kinematics, moving
 
 GROUND = Frame("ground")
 
@@ -18,7 +17,7 @@ def motion(g, q):
 
 def parameter(g):
     """q = 1 with its rates."""
-    return at_speed(curve(g), g.one, g.nu)
+    return kinematics.at_speed(curve(g), g.one, g.nu)
 
 
 def solve(g):
@@ -38,10 +37,8 @@ def prove(g):
         d = along(q)
         return scaled(1 / size(d), d)
 
-    return {
-        "v": scaled(g.nu, tangent(1)),
-        "acc": scaled(g.nu**2 / size(along(1)), rate(tangent, 1)),
-    }
+    a_n = g.nu**2 / size(along(1))
+    return {"v": scaled(g.nu, tangent(1)), "acc": scaled(a_n, rate(tangent, 1))}
 
 
 def mistakes(g):

@@ -2,8 +2,7 @@
 
 from exercises.devices.helix import figure, helix, on_helix, unrolled
 from exercises.tools import mp, rate, second_rate, terms
-from newton_euler import moving, pi
-from newton_euler.kinematics import at_speed
+from newton_euler import kinematics, moving, pi
 
 
 def rise(g):
@@ -13,7 +12,7 @@ def rise(g):
 
 def angle(g):
     """theta at the instant when it is zero, with its rates."""
-    return at_speed(helix(g.a, rise(g)), 0 * g.one, g.nu)
+    return kinematics.at_speed(helix(g.a, rise(g)), 0 * g.one, g.nu)
 
 
 def motion(g, theta):

@@ -2,8 +2,7 @@
 
 from exercises.devices.helix import figure, on_helix
 from exercises.tools import mp, proofs
-from newton_euler import asin, integral, moving, pi, sin, sqrt
-from newton_euler.kinematics import frenet
+from newton_euler import asin, integral, kinematics, moving, pi, sin, sqrt
 
 
 def rise(p):
@@ -118,7 +117,7 @@ def draw(g, ax):
     at_P = on_helix(g.a, rise(g.p), moving(2.2, rate=1.0))
     ground = at_P.ground
     s, O, Q, P = figure(ax, ground, g.a, rise(g.p), 2.2, "a")
-    triad = frenet(at_P.velocity(ground), at_P.acceleration(ground))
+    triad = kinematics.frenet(at_P.velocity(ground), at_P.acceleration(ground))
     s.line(O, Q)
     s.line(Q, P)
     s.arc(O, (g.a, 0, 0), Q, label=r"$\theta$")

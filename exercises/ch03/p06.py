@@ -68,20 +68,12 @@ def steps(g):
 
 def prove(g):
     """OP turned by matrices and differentiated in fixed axes; its elevation by z, by x and y."""
-
-    def later(q, q_dot, q_ddot):
-        return lambda t: q + q_dot * t + q_ddot * t**2 / 2
-
+    later = lambda q, q_dot, q_ddot: lambda t: q + q_dot * t + q_ddot * t**2 / 2
     theta = later(g.theta, g.theta_dot, g.theta_ddot)
     phi = later(g.phi, g.phi_dot, g.phi_ddot)
     z = later(g.z, g.z_dot, g.z_ddot)
 
-    def raised(elevation):
-        def place(t):
-            turned = times(rot("z", theta(t)), rot("y", -elevation(t)))
-            return times(turned, [g.R, 0, 0])
-
-        return place
+    raised = lambda up: lambda t: times(rot("z", theta(t)), rot("y", -up(t)), [g.R, 0, 0])
 
     def along(axes, place):
         return [times(transposed(axes), v) for v in (rate(place), second_rate(place))]

@@ -8,11 +8,9 @@ GROUND = Frame("ground")
 
 
 def path(g):
-    def place(t):
-        turned = g.nu * t / g.r
-        return g.r * cos(turned), g.r * sin(turned), g.nu * t + g.a * t**2 / 2
-
-    return place
+    turned = lambda t: g.nu * t / g.r
+    up = lambda t: g.nu * t + g.a * t**2 / 2
+    return lambda t: (g.r * cos(turned(t)), g.r * sin(turned(t)), up(t))
 
 
 def solve(g):
@@ -44,11 +42,7 @@ def prove(g):
 
 def mistakes(g):
     v, a = motion(g)
-
-    def added(vector):
-        level = GROUND.vector(vector.x, vector.y, 0)
-        return level.norm() + vector.z
-
+    added = lambda vector: GROUND.vector(vector.x, vector.y, 0).norm() + vector.z
     return {
         "rate_of_the_speed": {"acc_mag": speed_rate(v, a)},
         "no_centripetal": {"acc_mag": a.z},

@@ -1,13 +1,12 @@
 """3/9: the angle between velocity and acceleration, and the rate of the speed."""
 
 from exercises.devices import instant_of_motion as device
-from newton_euler import asin, cos
-from newton_euler.kinematics import speed_rate
+from newton_euler import asin, cos, kinematics
 
 
 def solve(g):
     v, a = device.vectors(g)
-    return {"angle": v.angle_to(a), "speed_rate": speed_rate(v, a)}
+    return {"angle": v.angle_to(a), "speed_rate": kinematics.speed_rate(v, a)}
 
 
 follows = {"speed_rate": lambda g, angle: device.vectors(g)[1].norm() * cos(angle)}
@@ -37,8 +36,5 @@ def mistakes(g):
 def draw(g, ax):
     v, a = device.vectors(g)
     s, T = device.figure(ax, v, a, r"$\alpha$", azimuth=-70, elevation=20)
-    s.axes(
-        -0.9 * T * v - 0.5 * T * T * a.norm() * device.GROUND.k,
-        device.GROUND,
-        length=0.4 * T * v.norm(),
-    )
+    foot = -0.9 * T * v - 0.5 * T * T * a.norm() * device.GROUND.k
+    s.axes(foot, device.GROUND, length=0.4 * T * v.norm())

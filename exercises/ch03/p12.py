@@ -22,8 +22,7 @@ def solve(g):
 
 def steps(g):
     A = handle(g, rise(g))
-    v = A.velocity(A.ground)
-    return {"omega": g.n, "v_theta": v.y}
+    return {"omega": g.n, "v_theta": A.velocity(A.ground).y}
 
 
 def prove(g):

@@ -6,6 +6,7 @@ from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
 draw = ride.section
+follows = {"v": lambda g, T_phi: transformed(g, T_phi)["v"]}
 
 
 def velocity(g):
@@ -24,9 +25,6 @@ def transformed(g, matrix):
 def solve(g):
     v, phi, axes = velocity(g)
     return {"T_phi": T_phi(phi.value), "v": v.expressed_in(axes)}
-
-
-follows = {"v": lambda g, T_phi: transformed(g, T_phi)["v"]}
 
 
 def steps(g):

@@ -14,8 +14,7 @@ def angle_AOP(g):
 def tip(g, inside):
     """Ground, and P as the end of OP, which is lower than OA by the angle ``inside``."""
     ground = Frame("ground")
-    beta = moving(g.beta_1, g.b_dot, g.b_ddot)
-    phi = pi(g.beta_1) / 2 - beta - inside
+    phi = pi(g.beta_1) / 2 - moving(g.beta_1, g.b_dot, g.b_ddot) - inside
     R = sqrt(g.l_OA**2 + g.l_AP**2)
     return ground, spherical(ground, "P", R, moving(0, rate=g.omega), phi)
 

@@ -9,10 +9,8 @@ from newton_euler import pi
 
 def solve(g):
     ground, house, P = crane(g)
-    return {
-        "speed": P.velocity(ground, via=house).norm(),
-        "acc_mag": P.acceleration(ground, via=house).norm(),
-    }
+    v, a = P.velocity(ground, via=house), P.acceleration(ground, via=house)
+    return {"speed": v.norm(), "acc_mag": a.norm()}
 
 
 def steps(g):

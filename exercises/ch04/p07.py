@@ -64,6 +64,7 @@ def mistakes(g):
     theta = flapping(g)
     v, a = solve(g).values()
     too_wide = 1 / cos(theta.value)
+    steady = moving(theta.value, rate=theta.rate, acceleration=0)
     return {
         "no_coriolis": {"a_tip": a.without("coriolis")},
         "no_turning": {
@@ -75,9 +76,7 @@ def mistakes(g):
             "v_tip": v.reweighted(rotation=too_wide),
             "a_tip": a.reweighted(centripetal=too_wide),
         },
-        "no_second_rate": {
-            "a_tip": motion(g, moving(theta.value, rate=theta.rate, acceleration=0))["a_tip"]
-        },
+        "no_second_rate": {"a_tip": motion(g, steady)["a_tip"]},
     }
 
 

@@ -1,7 +1,7 @@
 """4/20: a rod sliding out of a cylinder that turns about two axes."""
 
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.tools import Sketch, in_frame, mp, proofs, rate, rot, second_rate, terms, times
+from exercises.tools import Sketch, in_frame, proofs, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving
 
 
@@ -31,21 +31,11 @@ def steps(g):
 
 def prove(g):
     """The cylinder points along z at first, turns to x about ED; ED turns from y to z about x."""
-
-    def A(t):
-        out, phi, theta = g.s + g.u * t, g.omega_2 * t, g.omega_1 * t
-        along_x, across = out * mp.sin(phi), out * mp.cos(phi)
-        return [
-            along_x,
-            g.h * mp.cos(theta) - across * mp.sin(theta),
-            g.h * mp.sin(theta) + across * mp.cos(theta),
-        ]
-
+    DA = lambda t: times(rot("y", g.omega_2 * t), [0, 0, g.s + g.u * t])
+    A = lambda t: times(rot("x", g.omega_1 * t), proofs.plus([0, g.h, 0], DA(t)))
     bracket = lambda t: times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
-    found = {
-        "omega_bracket": proofs.angular_velocity(bracket),
-        "alpha_bracket": proofs.angular_acceleration(bracket),
-    }
+    omega, alpha = proofs.angular_velocity(bracket), proofs.angular_acceleration(bracket)
+    found = {"omega_bracket": omega, "alpha_bracket": alpha}
     return {"v_A": rate(A), "a_A": second_rate(A)} | found
 
 

@@ -20,9 +20,8 @@ def steps(g):
     yield from device.rolling_steps(g)
     _, axle, _, A = device.axle_and_disk(g, device.rolling_spin(g))
     phrase = "the moving frame, fixed in the axle"
-    yield from seen_in(
-        axle, A, axle, "m", phrase, "C, the origin of the moving frame", "r_A", False
-    )
+    start = "C, the origin of the moving frame"
+    yield from seen_in(axle, A, axle, "m", phrase, start, "r_A", False)
     yield from terms(solve(g)["v_A"], "v_A", "m/s", "4.8")
 
 

@@ -1,7 +1,7 @@
 """4/29: the angular acceleration of the shaft of 4/21."""
 
 from exercises.devices import universal_joint as device
-from exercises.tools import Step, proofs, terms
+from exercises.tools import proofs, terms
 
 draw = device.draw
 
@@ -11,17 +11,11 @@ def solve(g):
 
 
 def steps(g):
-    _, fork, _ = frames = device.fork_and_shaft(g)
+    ground, fork, shaft = device.fork_and_shaft(g)
     yield device.direction(g)
-    ground, _, shaft = frames
-    turns = (
-        (fork, ground, "omega_fork", "angular velocity of the fork in the ground"),
-        (shaft.parent, fork, "omega_block", "angular velocity of the block relative to the fork"),
-        (shaft, shaft.parent, "omega_shaft", "angular velocity of the shaft relative to the block"),
-    )
-    for frame, observer, key, means in turns:
-        omega = frame.angular_velocity(observer).expressed_in(fork)
-        yield Step(key, omega, "rad/s", means, "4.9", "4.19")
+    yield "omega_fork", fork.angular_velocity(ground).expressed_in(fork)
+    yield "omega_block", shaft.parent.angular_velocity(fork).expressed_in(fork)
+    yield "omega_shaft", shaft.angular_velocity(shaft.parent).expressed_in(fork)
     yield from terms(device.angular_acceleration(g), "alpha_A", "rad/s^2", "4.9", "4.26")
 
 

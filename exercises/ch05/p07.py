@@ -1,8 +1,7 @@
 """5/7: the centre of mass of a wire along an arc."""
 
 from exercises.devices.wire_arc import WIRE, along, figure, over
-from newton_euler import cos
-from newton_euler.bodies import sector
+from newton_euler import bodies, cos
 
 draw = figure
 
@@ -32,7 +31,7 @@ def prove(g):
 
 def mistakes(g):
     length, first_x = moments(g)
-    tip = sector(g.R, g.alpha, WIRE, "z", "x", density=1)
+    tip = bodies.sector(g.R, g.alpha, WIRE, "z", "x", density=1)
     return {
         "sector": {"d": tip.centre.position(WIRE)},
         "on_the_wire": {"d": WIRE.vector(g.R, 0, 0)},

@@ -1,7 +1,7 @@
 """5/15: the centre of mass of four particles on light rods."""
 
 from exercises.devices.four_particles import figure, masses, particles, rods
-from exercises.tools import Step, rate, root
+from exercises.tools import rate, root
 from newton_euler import centre_of_mass
 
 draw = figure
@@ -17,13 +17,9 @@ def solve(g):
 
 def steps(g):
     ground, parts = particles(g)
-    yield "m", sum(m for m, _ in parts)
-    for _, P in parts[1:]:
-        yield Step(f"r_{P.name[-1]}", P.position(ground), "m", f"position of particle {P.name[-1]}",
-                   "5.2")  # fmt: skip
-    (m2, P2), (m3, P3), (m4, P4) = parts[1:]
-    moment = m2 * P2.position(ground) + m3 * P3.position(ground) + m4 * P4.position(ground)
-    yield "Q", moment
+    r = {f"r_{P.name[-1]}": P.position(ground) for _, P in parts[1:]}
+    first = sum(m * place for (m, _), place in zip(parts[1:], r.values(), strict=True))
+    return {"m": sum(m for m, _ in parts), **r, "Q": first}
 
 
 def prove(g):

@@ -2,13 +2,12 @@
 
 from exercises.devices.planet import pull
 from exercises.tools import Sketch
-from newton_euler import Frame
-from newton_euler.dynamics import gravity_at_surface
+from newton_euler import Frame, dynamics
 
 
 def weight(g, mass, radius):
     """The weight on a planet of this mass and radius, those of the Earth being 1."""
-    return gravity_at_surface(mass, radius, K=g.W0)
+    return dynamics.gravity_at_surface(mass, radius, K=g.W0)
 
 
 def solve(g):

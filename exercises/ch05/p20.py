@@ -1,8 +1,7 @@
 """5/20: the degrees of freedom of a pendulum: a count is an int. The length is only drawn."""
 
 from exercises.tools import Sketch, freedom, mp, mpf
-from newton_euler import Frame
-from newton_euler.dynamics import degrees_of_freedom
+from newton_euler import Frame, dynamics
 
 SPACE, PLANE = "particle", "particle in plane"
 
@@ -13,7 +12,7 @@ def rod(P):
 
 
 def count(kind, **constraints):
-    return degrees_of_freedom({"P": kind}, constraints).count
+    return dynamics.degrees_of_freedom({"P": kind}, constraints).count
 
 
 def solve(g):

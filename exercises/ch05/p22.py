@@ -1,8 +1,7 @@
 """5/22: the degrees of freedom of a pendulum on a cart. The length is only drawn."""
 
 from exercises.tools import Sketch, freedom, mp, mpf
-from newton_euler import Frame
-from newton_euler.dynamics import degrees_of_freedom
+from newton_euler import Frame, dynamics
 
 BODIES = {"cart": "body in plane", "P": "particle in plane"}
 
@@ -18,7 +17,7 @@ def rod(cart, P):
 
 
 def count(**constraints):
-    return degrees_of_freedom(BODIES, constraints).count
+    return dynamics.degrees_of_freedom(BODIES, constraints).count
 
 
 def solve(g):
@@ -31,8 +30,7 @@ def steps(g):
 
 def prove(g):
     """By the way of the cart and the angle of the rod."""
-    dof = freedom(lambda x, q: [x, x + mp.sin(q), -mp.cos(q)], mpf(2), mpf("0.4"))
-    return {"dof": dof}
+    return {"dof": freedom(lambda x, q: [x, x + mp.sin(q), -mp.cos(q)], mpf(2), mpf("0.4"))}
 
 
 def mistakes(g):

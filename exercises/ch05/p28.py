@@ -5,6 +5,7 @@ from newton_euler import Frame, cos, sin, sqrt
 from newton_euler.dynamics import degrees_of_freedom
 
 TWO = {"P1": "particle", "P2": "particle"}
+follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
 
 
 def length(P):
@@ -44,11 +45,7 @@ def solve(g):
 
 
 def steps(g):
-    free = degrees_of_freedom(TWO).count
-    return {"coordinates": free, "constraints": 2, "more": 2}
-
-
-follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
+    return {"coordinates": degrees_of_freedom(TWO).count, "constraints": 2, "more": 2}
 
 
 def prove(g):

@@ -1,9 +1,7 @@
 """6/3: the force on a particle whose position is known in time."""
 
 from exercises.tools import rate
-from newton_euler import Frame
-from newton_euler.dynamics import resultant_force
-from newton_euler.kinematics import along
+from newton_euler import Frame, dynamics, kinematics
 
 AXES = Frame("axes")
 G = 32.2  # the number in ft/s^2 that a student takes
@@ -11,11 +9,11 @@ G = 32.2  # the number in ft/s^2 that a student takes
 
 def particle(g):
     path = lambda t: (g.c_0 - g.c_1 * t**2, g.c_2 * t**3, g.c_3 * t**2 - g.c_4 * t)
-    return AXES.point("P", *along(path, g.t_1))
+    return AXES.point("P", *kinematics.along(path, g.t_1))
 
 
 def solve(g):
-    return {"F": resultant_force(g.m, particle(g).acceleration(AXES))}
+    return {"F": dynamics.resultant_force(g.m, particle(g).acceleration(AXES))}
 
 
 def steps(g):

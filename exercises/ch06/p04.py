@@ -1,8 +1,7 @@
 """6/4: the force on a particle whose velocity is known in time."""
 
 from exercises.tools import mp, scaled, second_rate
-from newton_euler import Frame, cos, moving, radians, sin
-from newton_euler.dynamics import resultant_force
+from newton_euler import Frame, cos, dynamics, moving, radians, sin
 
 AXES = Frame("axes")
 
@@ -15,7 +14,7 @@ def tip(g):
 
 
 def solve(g):
-    return {"F": resultant_force(g.m, tip(g).velocity(AXES))}
+    return {"F": dynamics.resultant_force(g.m, tip(g).velocity(AXES))}
 
 
 def steps(g):

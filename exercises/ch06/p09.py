@@ -70,9 +70,8 @@ def draw(g, ax):
     apex, rim = (0, 0, 0), (out, 0, -low)
     size = 0.16 * g.r
     x = g.r - size / 2 * sin(g.beta)  # so that the middle of the object is at r
-    surface = ground.rotate(
-        "surface", "y", g.beta, origin=ground.point("P", x, 0, -x * tan(g.beta))
-    )
+    touched = ground.point("P", x, 0, -x * tan(g.beta))
+    surface = ground.rotate("surface", "y", g.beta, origin=touched)
     P = surface.point("P", 0, 0, size / 2)
     s.ground(foot, normal=ground.k)
     s.shaft(foot, (0, 0, -low))

@@ -34,25 +34,14 @@ def steps(g):
 def prove(g):
     """Held, the energy is stationary there; let go, theta_0 - c t^2/2 with the c that keeps it."""
     place = lambda theta: [mp.sin(theta), -mp.cos(theta), 0]
-
-    def slope(cord):
-        def energy(theta):
-            x, y, _ = place(theta)
-            return y - cord * x
-
-        return rate(energy, g.theta)
-
+    energy = lambda cord, theta: place(theta)[1] - cord * place(theta)[0]
+    slope = lambda cord: rate(lambda theta: energy(cord, theta), g.theta)
     before = size([root(slope, 0, 1000), -1, 0])
-
-    def falling(c):
-        return lambda t: place(g.theta - c * t**2 / 2)
-
-    def power(c):  # over time, in the limit t = 0
-        return second_rate(lambda t: size(rate(falling(c), t)) ** 2 / 2 + falling(c)(t)[1])
-
+    falling = lambda c: lambda t: place(g.theta - c * t**2 / 2)
+    # over time, in the limit t = 0
+    power = lambda c: second_rate(lambda t: size(rate(falling(c), t)) ** 2 / 2 + falling(c)(t)[1])
     bob = falling(root(power, mp.mpf("0.01"), 10))
-    pull = plus(second_rate(bob), [0, 1, 0])
-    after = times(rot("z", -g.theta), pull)[1]
+    after = times(rot("z", -g.theta), plus(second_rate(bob), [0, 1, 0]))[1]
     return {"k": after / before, "T_before": before, "T_after": after}
 
 

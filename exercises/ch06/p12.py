@@ -2,9 +2,8 @@
 
 from exercises.devices.plane_curve import at_constant_speed
 from exercises.tools import Sketch, mp, root
-from newton_euler import Frame, moving, pi, sin, sqrt
+from newton_euler import Frame, kinematics, moving, pi, sin, sqrt
 from newton_euler.dynamics import path_force
-from newton_euler.kinematics import frenet_along
 
 
 def road(g):
@@ -13,7 +12,7 @@ def road(g):
 
 def flexure(g, x):
     """The flexure of the road at x."""
-    return frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
+    return kinematics.frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
 
 
 def speed(g):
@@ -43,11 +42,8 @@ def steps(g):
 
 def prove(g):
     """By the motion at constant speed: the highest has no force of the road at the hump."""
-
-    def push(x, v):
-        _, a = at_constant_speed(lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0], x, v)
-        return g.m * (g.g + a[1])
-
+    place = lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0]
+    push = lambda x, v: g.m * (g.g + at_constant_speed(place, x, v)[1][1])
     v = root(lambda v: push(g.L / 4, v), mp.sqrt(g.g * g.L) / 100, 100 * mp.sqrt(g.g * g.L))
     F = push(3 * g.L / 4, v)
     return {"v_max": v, "F_dip": F, "F_n": F - g.m * g.g}

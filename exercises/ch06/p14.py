@@ -18,9 +18,7 @@ def before(g):
 
 
 def after(g):
-    """Newton's second law of the sphere, which can only begin to move across the wire that is left;
-    ``eta``: its acceleration across CD over that of gravity, so that m a is W times eta.
-    """
+    """Newton's second law of the sphere, which begins to move across CD at eta times g."""
     axes, _, CD = wires(g)
     return solve_linear(lambda T_CD, eta: T_CD * CD.i - g.W * axes.k - g.W * eta * CD.k)
 

@@ -1,9 +1,8 @@
 """6/16: a particle in a tube that turns in a vertical plane."""
 
 from exercises.tools import DIGITS, Sketch, mp, rate, second_rate
-from newton_euler import Frame, cosh, moving, polar, sin, sinh
+from newton_euler import Frame, cosh, dynamics, moving, polar, sin, sinh
 from newton_euler.algebra import at
-from newton_euler.dynamics import reaction
 
 
 def distance(g, t):
@@ -36,7 +35,7 @@ def force(g, r=None, leave_out=()):
     """The force across the tube, for the distance as a function of time."""
     ground, P = particle(g, r or (lambda t: distance(g, t)))
     a = P.acceleration(ground).without(*leave_out)
-    return {"F_theta": reaction(g.m, a, weight=-g.m * g.g * ground.j).y}
+    return {"F_theta": dynamics.reaction(g.m, a, weight=-g.m * g.g * ground.j).y}
 
 
 def solve(g):
@@ -84,9 +83,8 @@ def draw(g, ax):
     s.line(O, ground.i * 2 * g.a)
     wall = P.local.j * 0.07 * g.a
     for side in (1, -1):
-        s.line(
-            (side * wall).components(ground), (end + side * wall).components(ground), style="solid"
-        )
+        start, stop = (P.components(ground) for P in (side * wall, end + side * wall))
+        s.line(start, stop, style="solid")
     s.sphere(P, 0.06 * g.a)
     s.hinge(O)
     s.swing(O, end, ground.k, label=r"$\omega$")

@@ -72,8 +72,7 @@ def bend(centre, radius, first, last):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    s = Sketch(ax, Frame("ground"), plane="xz")
     rho_C = g.h_B  # the drawing's own, large enough to be smooth
     dip = bend((0, g.rho_B - g.h_B), g.rho_B, -DOWN, UP)
     (x_0, _, z_0), (x_1, _, z_1) = dip[0], dip[-1]

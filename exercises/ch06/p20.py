@@ -1,7 +1,7 @@
 """6/20: the sideways force on a car that drives south on the turning Earth."""
 
 from exercises.devices.turning_earth import RADIUS, from_above, ground_axes
-from exercises.tools import mp, second_rate
+from exercises.tools import at_angle, mp, second_rate
 from newton_euler import Frame, pi
 from newton_euler.applications import earth_rate, force_near_earth
 
@@ -17,8 +17,7 @@ def solve(g):
 
 
 def steps(g):
-    Omega = earth_rate(ground_axes(g))
-    return {"Omega": Omega, "a_C": force(g).terms["coriolis"] / g.M}
+    return {"Omega": earth_rate(ground_axes(g)), "a_C": force(g).terms["coriolis"] / g.M}
 
 
 def prove(g):
@@ -27,9 +26,7 @@ def prove(g):
     def place(t):
         """Away from the axis in the first meridian plane, east of it, along the axis."""
         lat = g.lat - (g.v * t + g.a * t**2 / 2) / RADIUS
-        across = RADIUS * mp.cos(lat)
-        turned = g.omega_e * t
-        return [across * mp.cos(turned), across * mp.sin(turned), RADIUS * mp.sin(lat)]
+        return at_angle(RADIUS * mp.cos(lat), g.omega_e * t, RADIUS * mp.sin(lat))
 
     east = second_rate(place)[1]
     return {"F_side": [g.M * east, 0, 0], "a_C": [east, 0, 0]}

@@ -56,8 +56,7 @@ def prove(g):
 def mistakes(g):
     right = solve(g)
     t, r = landing(g, right["phi"])
-    v_y = g.v_0 * cos(right["phi"])
-    by_v_y = g.omega_e * sin(g.lat) * v_y * t**2
+    by_v_y = g.omega_e * sin(g.lat) * (g.v_0 * cos(right["phi"])) * t**2
     high = pi(g.v_0) / 2 - right["phi"]
     return {
         "sine_only": {"x": by_v_y},
@@ -69,8 +68,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="yz")
+    s = Sketch(ax, Frame("ground"), plane="yz")
     O, T = (0, 0, 0), (0, g.D, 0)
     top = 0.15 * g.D  # far more than in the problem
     s.road([(0, -0.1 * g.D, 0), (0, 1.4 * g.D, 0)])

@@ -26,12 +26,9 @@ def solve(g):
 
 
 def steps(g):
-    r = way(g)
-    return {
-        "t_f": 2 * g.v_0 / g.g,
-        "x_launch": r.terms["launch turned"].x,
-        "x_fall": r.terms["fall turned"].x,
-    }
+    drift = way(g).terms
+    x_launch, x_fall = drift["launch turned"].x, drift["fall turned"].x
+    return {"t_f": 2 * g.v_0 / g.g, "x_launch": x_launch, "x_fall": x_fall}
 
 
 def prove(g):

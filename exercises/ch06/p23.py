@@ -2,9 +2,8 @@
 
 from exercises.devices.turning_earth import RADIUS, axes_turned, from_above, ground_axes
 from exercises.tools import minus, plus, scaled, second_rate, times
-from newton_euler import Frame, pi, sqrt
+from newton_euler import Frame, dynamics, pi, sqrt
 from newton_euler.applications import coriolis_acceleration, earth_rate
-from newton_euler.dynamics import reaction
 
 
 def velocity(g, east=-1):
@@ -15,7 +14,7 @@ def velocity(g, east=-1):
 def on_track(g, v, share=1):
     """The reaction to the track's force, which carries the weight and gives the Coriolis term."""
     a = -share * coriolis_acceleration(earth_rate(v.frame), v)
-    of_track = reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
+    of_track = dynamics.reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
     # as a plain vector: its terms would be called after those of the other force
     return {"F_track": v.frame.vector(*(-of_track).components())}
 

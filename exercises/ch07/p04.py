@@ -1,10 +1,10 @@
 """7/4: the inertia matrix of a cone at its apex by integration."""
 
 from exercises.devices.cone import CONE, figure, radius, tube
-from exercises.devices.inertia import added, matrix, of_points, raised
+from exercises.devices.inertia import matrix
+from exercises.devices.inertia_proof import added, of_points, raised
 from exercises.tools import proofs
-from newton_euler import integral, pi
-from newton_euler.bodies import disk
+from newton_euler import bodies, integral, pi
 
 draw = figure
 
@@ -18,7 +18,7 @@ def moments(g, radius=radius, transfer=1):
     rho = density(g, radius)
 
     def thin_disk(z):
-        own = disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
+        own = bodies.disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
         return own.about(CONE).reweighted(transfer=transfer).moments
 
     return integral(thin_disk, 0, g.h)

@@ -1,14 +1,7 @@
 """7/5: the inertia matrix of a plate with six holes."""
 
-from exercises.devices.inertia import (
-    added,
-    answer,
-    no_products,
-    of_points,
-    together,
-    untransferred,
-    wrong_sign,
-)
+from exercises.devices.inertia import no_products, together, untransferred, whole, wrong_sign
+from exercises.devices.inertia_proof import added, of_points
 from exercises.devices.plate_with_holes import PLATE, figure, parts, places
 from exercises.tools import mp, proofs
 
@@ -16,7 +9,7 @@ draw = figure
 
 
 def solve(g):
-    return answer(together(PLATE, *parts(g, g.sigma)))
+    return whole(PLATE, *parts(g, g.sigma))
 
 
 def steps(g):
@@ -42,11 +35,10 @@ def prove(g):
 def mistakes(g):
     (full,), holes = parts(g, g.sigma)
     I = together(PLATE, [full], holes)
+    in_place = [untransferred(PLATE, hole) for hole in holes]
     return {
-        "holes_not_transferred": answer(
-            together(PLATE, [full], [untransferred(PLATE, hole) for hole in holes])
-        ),
-        "holes_added": answer(together(PLATE, [full, *holes])),
+        "holes_not_transferred": whole(PLATE, [full], in_place),
+        "holes_added": whole(PLATE, [full, *holes]),
         "no_product": no_products(PLATE, I),
         "plus_sign": wrong_sign(PLATE, I),
     }

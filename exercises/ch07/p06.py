@@ -1,7 +1,8 @@
 """7/6: the inertia matrix of half a disk by integration."""
 
 from exercises.devices.half_disk import DISK, figure, in_polar, top
-from exercises.devices.inertia import added, matrix, of_points
+from exercises.devices.inertia import matrix
+from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import proofs
 from newton_euler import cos, pi, sin
 

@@ -1,6 +1,7 @@
 """7/7: the inertia matrix of a wire along an arc."""
 
-from exercises.devices.inertia import added, matrix, turned
+from exercises.devices.inertia import matrix
+from exercises.devices.inertia_proof import added, turned
 from exercises.devices.wire_arc import WIRE, along, figure, over
 from newton_euler import cos, sin
 

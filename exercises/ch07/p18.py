@@ -5,6 +5,7 @@ from newton_euler import Frame
 from newton_euler.bodies import plate, simplex
 
 PLATE = Frame("plate")  # its origin is the centre of mass
+follows = {"I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
 
 
 def corners(g):
@@ -32,9 +33,6 @@ def steps(g):
 
 
 # a plate: the moment about the normal is the sum of the two in it
-follows = {"I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
-
-
 def prove(g):
     """A square plate, pressed together toward its upper edge, and the mass in it with it."""
 

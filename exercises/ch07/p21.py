@@ -18,8 +18,7 @@ def prove(g):
     """With two mass points of the same mass, moment about AA' and centre."""
     near, far = two_masses(g.I_AA / g.m, g.r_a)
     from_B = [g.r_a + g.r_b - x for x in (near, far)]
-    own = g.m * ((far - near) / 2) ** 2
-    return {"I_BB": g.m * mean_square(from_B), "I_GG": own}
+    return {"I_BB": g.m * mean_square(from_B), "I_GG": g.m * ((far - near) / 2) ** 2}
 
 
 def mistakes(g):

@@ -3,12 +3,11 @@
 from exercises.devices import half_ring as device
 from exercises.tools import Sketch, mean
 from exercises.tools import ring as points_of_ring
-from newton_euler import pi
-from newton_euler.bodies import ring
+from newton_euler import bodies, pi
 
 
 def full(g):
-    return ring(g.r, device.RING, "z", mass=g.m)
+    return bodies.ring(g.r, device.RING, "z", mass=g.m)
 
 
 def solve(g):

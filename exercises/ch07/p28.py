@@ -1,14 +1,13 @@
 """7/28: the cone that has the same moment of inertia about all axes through its centre of mass."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame, root, tan
-from newton_euler.bodies import cone
+from newton_euler import Frame, bodies, root, tan
 
 CONE = Frame("cone")  # its origin is the apex, z points to the base
 
 
 def of_height_1(g, radius):
-    return cone(radius, g.one, CONE, "z", mass=g.one)
+    return bodies.cone(radius, g.one, CONE, "z", mass=g.one)
 
 
 def angle(g, excess):
@@ -58,11 +57,7 @@ def prove(g):
 
 def mistakes(g):
     at_apex = lambda body: body.inertia.moment("z") - body.about(CONE).moment("x")
-
-    def wrong_centre(body):
-        d = body.centre.position(CONE).z
-        return at_apex(body) + body.mass * (d / 3) ** 2
-
+    wrong_centre = lambda body: at_apex(body) + body.mass * (body.centre.position(CONE).z / 3) ** 2
     return {
         "at_the_apex": {"alpha": angle(g, at_apex)},
         "full_angle": {"alpha": 2 * solve(g)["alpha"]},

@@ -2,9 +2,8 @@
 
 from itertools import pairwise
 
-from exercises.devices import chain_of_rods
-from exercises.devices.chain_of_rods import CHAIN, corners, path, rods
-from exercises.tools import Step, proofs
+from exercises.devices.chain_of_rods import CHAIN, corners, figure, path, rods
+from exercises.tools import proofs
 from newton_euler import composite, particle
 
 
@@ -24,8 +23,7 @@ def solve(g):
 
 def steps(g):
     for part in parts(g):
-        yield Step(part.name.replace(" ", "_"), part.about(CHAIN).moment("x"), "kg*m^2",
-                   f"moment of the {part.name} about x", "7.8", "7.26")  # fmt: skip
+        yield part.name.replace(" ", "_"), part.about(CHAIN).moment("x")
     body = composite("assembly", parts(g))
     d = body.centre.position(CHAIN)
     yield "d", d
@@ -53,7 +51,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = chain_of_rods.figure(g, ax)
+    s = figure(g, ax)
     G = composite("assembly", parts(g)).centre
     x, y, z = G.position(CHAIN).components()
     s.dot(G, "G")

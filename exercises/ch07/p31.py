@@ -1,9 +1,8 @@
 """7/31: the products of inertia of a slanting rod."""
 
 from exercises.devices.products import named
-from exercises.tools import Sketch, Step, proofs
-from newton_euler import Frame
-from newton_euler.bodies import simplex
+from exercises.tools import Sketch, proofs
+from newton_euler import Frame, bodies
 
 AXES = Frame("axes")
 PAIRS = "xy", "yz", "zx"
@@ -14,7 +13,7 @@ def ends(g):
 
 
 def rod(g):
-    return simplex(*ends(g), mass=g.m)
+    return bodies.simplex(*ends(g), mass=g.m)
 
 
 def solve(g):
@@ -25,11 +24,9 @@ def steps(g):
     body = rod(g)
     yield "d", body.centre.position(AXES)
     transfer = body.about(AXES).terms["transfer"].products
-    for (u, v), own, moved in zip(PAIRS, body.inertia.products, transfer, strict=True):
-        yield Step(f"own_{u}{v}", own, "kg*m^2", f"product for the axes through the centre of "
-                   f"mass along {u} and {v}", "7.3", "7.10")  # fmt: skip
-        yield Step(f"transfer_{u}{v}", moved, "kg*m^2", f"to be added, m*d_{u}*d_{v}",
-                   "7.8", "7.26")  # fmt: skip
+    for pair, own, moved in zip(PAIRS, body.inertia.products, transfer, strict=True):
+        yield f"own_{pair}", own
+        yield f"transfer_{pair}", moved
 
 
 def prove(g):

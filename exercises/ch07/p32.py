@@ -2,15 +2,14 @@
 
 from exercises.devices.products import named
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame
-from newton_euler.bodies import box
+from newton_euler import Frame, bodies
 
 CORNER = Frame("corner")
 
 
 def block(g):
     middle = CORNER.point("G", g.a / 2, g.b / 2, -g.c / 2)
-    return box(g.a, g.b, g.c, middle, "x", mass=g.W / g.g)
+    return bodies.box(g.a, g.b, g.c, middle, "x", mass=g.W / g.g)
 
 
 def solve(g):

@@ -2,12 +2,11 @@
 
 from exercises.devices import broken_cable as device
 from exercises.tools import Sketch, box, plus, second_rate
-from newton_euler import Frame, sqrt
-from newton_euler.bodies import plate
+from newton_euler import Frame, bodies, sqrt
 
 
 def square(g):
-    return lambda frame: plate(
+    return lambda frame: bodies.plate(
         g.b, g.b, frame.point("G", g.b / 2, -g.b / 2, 0), "z", mass=device.mass(g), name="plate"
     )
 
@@ -17,17 +16,13 @@ def a_C(g, alpha):
 
 
 def answers(g, alpha):
-    return {
-        "alpha_plate": alpha,
-        "a_C": a_C(g, alpha),
-        "R_A": device.pin_force(g, square(g), alpha),
-    }
+    R_A = device.pin_force(g, square(g), alpha)
+    return {"alpha_plate": alpha, "a_C": a_C(g, alpha), "R_A": R_A}
 
 
 def solve(g):
     found = device.falls(g, square(g))
-    right = answers(g, found.alpha)
-    return right | {"R_A": Frame("ground").vector(found.R_x, found.R_y, 0)}
+    return answers(g, found.alpha) | {"R_A": Frame("ground").vector(found.R_x, found.R_y, 0)}
 
 
 def steps(g):

@@ -1,8 +1,7 @@
 """8/3: a rod between two guides, let go from rest."""
 
 from exercises.tools import Sketch, box, let_go, mean, mp, plus, proofs, rot, times
-from newton_euler import Frame, cos, equations_of_motion, moving, pi, sin, solve_linear
-from newton_euler.bodies import rod
+from newton_euler import Frame, bodies, cos, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.dynamics import ForceSystem, mass_from_weight, resultant_moment, weight
 
 
@@ -12,7 +11,7 @@ def ladder(g, alpha):
     theta = moving(g.theta, rate=0, acceleration=alpha)
     A = ground.point("A", 0, g.L * cos(theta), 0)
     frame = ground.rotate("rod", "z", angle=theta - pi(g.theta) / 2, origin=A)
-    AB = rod(g.L, frame.point("G", g.L / 2, 0, 0), "x", mass=mass_from_weight(g.W, g.g))
+    AB = bodies.rod(g.L, frame.point("G", g.L / 2, 0, 0), "x", mass=mass_from_weight(g.W, g.g))
     return ground, AB, A, frame.point("B", g.L, 0, 0)
 
 

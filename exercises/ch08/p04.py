@@ -1,8 +1,7 @@
 """8/4: the forces on the connecting rod of an engine at top dead centre."""
 
-from exercises.tools import Sketch, Step, box, minus, mp, plus, proofs, root, scaled, second_rate
-from newton_euler import Frame, asin, equations_of_motion, moving, pi, sin, solve_linear
-from newton_euler.bodies import rod
+from exercises.tools import Sketch, box, minus, mp, plus, proofs, root, scaled, second_rate
+from newton_euler import Frame, asin, bodies, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.dynamics import mass_from_weight, reaction, resultant_force
 
 
@@ -15,7 +14,7 @@ def engine(g, theta=None):
     # the rod leans back to the axis of the cylinder
     link = crank.rotate("rod", "-z", angle=theta + asin(g.b / g.l * sin(theta)), origin=B)
     m = mass_from_weight(g.W_R, g.g)
-    bar = rod(g.l, link.point("G", g.l / 2, 0, 0), "x", mass=m, name="rod")
+    bar = bodies.rod(g.l, link.point("G", g.l / 2, 0, 0), "x", mass=m, name="rod")
     return ground, bar, B, link.point("O", g.l, 0, 0)
 
 
@@ -45,11 +44,9 @@ def steps(g):
     ground, bar, B, O = engine(g)
     yield "m_P", mass_from_weight(g.W_P, g.g)
     yield "m_R", bar.mass
-    omega = bar.frame.angular_velocity(ground).expressed_in(ground)
-    yield "omega_BO", omega
-    for P, what in ((B, "B"), (O, "the piston"), (bar.centre, "the centre of mass of the rod")):
-        a = P.acceleration(ground).expressed_in(ground)
-        yield Step(f"a_{P.name}", a, "ft/s^2", f"acceleration of {what}", "4.8", "4.18")
+    yield "omega_BO", bar.frame.angular_velocity(ground).expressed_in(ground)
+    for P in (B, O, bar.centre):
+        yield f"a_{P.name}", P.acceleration(ground).expressed_in(ground)
 
 
 def prove(g):
@@ -60,8 +57,7 @@ def prove(g):
         x, y, _ = B(t)
         return [root(lambda s: (s - x) ** 2 + y**2 - g.l**2, g.l, g.l + 2 * g.b), 0, 0]
 
-    def at(share):
-        return lambda t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
+    at = lambda share: lambda t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
 
     def motion(t):
         ends = B(t), piston(t)
@@ -99,8 +95,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    theta = 0.7
-    ground, _, B, O = engine(g, theta)
+    ground, _, B, O = engine(g, 0.7)
     s = Sketch(ax, ground, plane="xy")
     A, w = (0, 0, 0), 0.13 * g.l
     x = O.position(ground).x

@@ -1,8 +1,7 @@
 """8/5: a bar that leans on the headboard of an accelerating truck."""
 
 from exercises.tools import Sketch, box, mp, mpf, plus, proofs, rot, times, vanishing
-from newton_euler import Frame, cos, equations_of_motion, moving, sin, solve_linear
-from newton_euler.bodies import rod
+from newton_euler import Frame, bodies, cos, equations_of_motion, moving, sin, solve_linear
 from newton_euler.dynamics import ForceSystem, resultant_moment, weight
 
 
@@ -17,7 +16,7 @@ def limit(g, mu_B, A_at_rest=False):
         ground = Frame("ground")
         A = ground.point("A", moving(0, rate=0, acceleration=a), 0, 0)
         frame = ground.translate("truck", A).rotate("bar", "z", angle=g.theta)
-        bar = rod(g.one, frame.point("G", g.one / 2, 0, 0), "x", mass=g.one, name="bar")
+        bar = bodies.rod(g.one, frame.point("G", g.one / 2, 0, 0), "x", mass=g.one, name="bar")
         forces = ForceSystem({
             "weight": (weight(bar, ground.j, g.g), bar.centre),
             "A": (ground.vector(g.mu * N_A, N_A, 0), A),

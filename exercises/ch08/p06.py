@@ -29,8 +29,7 @@ def solve(g):
 
 
 def steps(g):
-    speed = solve(g)["v_min"]
-    return {"a_G": -upright(g).norm(), "omega": speed / g.r}
+    return {"a_G": -upright(g).norm(), "omega": solve(g)["v_min"] / g.r}
 
 
 def contact(g, phi, square):

@@ -20,11 +20,8 @@ def solve(g):
 
 
 def steps(g):
-    return {
-        "f_min": no_slip(g).F / (g.one * g.g),
-        "a_Ga": with_slip(g, g.f_a).a,
-        "a_Gb": no_slip(g).a,
-    }
+    f_min = no_slip(g).F / (g.one * g.g)
+    return {"f_min": f_min, "a_Ga": with_slip(g, g.f_a).a, "a_Gb": no_slip(g).a}
 
 
 def prove(g):
@@ -50,13 +47,8 @@ def prove(g):
     friction = lambda f: f * g.g if lag(f * g.g) > 0 else vanishing(lag, 0, f * g.g)
     F_a, F_b = friction(g.f_a), friction(g.f_b)
     f_min = vanishing(lambda f: lag(f * g.g), 0, 1)
-    return {
-        "alpha_a": turning(F_a),
-        "alpha_b": turning(F_b),
-        "a_Ga": F_a,
-        "a_Gb": F_b,
-        "f_min": f_min,
-    }
+    alphas = {"alpha_a": turning(F_a), "alpha_b": turning(F_b)}
+    return {**alphas, "a_Ga": F_a, "a_Gb": F_b, "f_min": f_min}
 
 
 def mistakes(g):

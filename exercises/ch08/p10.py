@@ -1,9 +1,7 @@
 """8/10: a car door that swings shut as the car starts."""
 
 from exercises.tools import Sketch, box, kinetic_energy, mean, mp, rate, vanishing
-from newton_euler import Frame, integral, moving, pi, solve_linear, sqrt
-from newton_euler.bodies import rod
-from newton_euler.dynamics import resultant_moment
+from newton_euler import Frame, bodies, dynamics, integral, moving, pi, solve_linear, sqrt
 
 
 def door(g, theta, alpha):
@@ -12,14 +10,14 @@ def door(g, theta, alpha):
     hinge = ground.point("hinge", 0, moving(0 * g.b, rate=0, acceleration=g.a), 0)
     angle = moving(theta, rate=0, acceleration=alpha)  # its rate needs no moment about the hinge
     frame = ground.rotate("door", "-z", angle=angle, origin=hinge)
-    body = rod(g.b, frame.point("G", g.b / 2, 0, 0), "x", mass=g.M, name="door")
+    body = bodies.rod(g.b, frame.point("G", g.b / 2, 0, 0), "x", mass=g.M, name="door")
     return ground, frame.point("O", 0, 0, 0), body
 
 
 def moment(g, theta, alpha):
     """The moment that the door needs about the hinge, counterclockwise, by terms."""
     ground, hinge, body = door(g, theta, alpha)
-    return resultant_moment(body, ground, about=hinge)
+    return dynamics.resultant_moment(body, ground, about=hinge)
 
 
 def alpha(g, theta):
@@ -30,11 +28,8 @@ def alpha(g, theta):
 def answers(g, alpha):
     """The answers, from the angular acceleration at any angle."""
     speed = lambda theta: sqrt(2 * integral(alpha, 0, theta))
-    return {
-        "theta_ddot": alpha(g.theta),
-        "theta_dot": speed(g.theta),
-        "omega_shut": speed(pi(g.theta) / 2),
-    }
+    shut = speed(pi(g.theta) / 2)
+    return {"theta_ddot": alpha(g.theta), "theta_dot": speed(g.theta), "omega_shut": shut}
 
 
 def solve(g):

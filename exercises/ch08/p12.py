@@ -1,8 +1,7 @@
 """8/12: the angular momentum of a cone that spins in a turning bracket."""
 
 from exercises.tools import Sketch, in_frame, proofs
-from newton_euler import Frame, Inertia
-from newton_euler.bodies import cone
+from newton_euler import Frame, Inertia, bodies
 
 
 def scene(g):
@@ -11,7 +10,7 @@ def scene(g):
     bracket = ground.rotate("bracket", "x", rate=g.omega)
     spinning = bracket.rotate("spinning", "z", rate=g.p)
     O = spinning.point("O", 0, 0, 0)
-    return ground, bracket, cone(g.r, g.b, O, "z", mass=g.m), O
+    return ground, bracket, bodies.cone(g.r, g.b, O, "z", mass=g.m), O
 
 
 def solve(g):

@@ -22,8 +22,7 @@ def solve(g):
 
 def steps(g):
     yield from data_steps(g)
-    found = steady_precession(**top(g))
-    yield "D", found.discriminant
+    yield "D", steady_precession(**top(g)).discriminant
 
 
 def prove(g):

@@ -20,8 +20,7 @@ def solve(g):
 
 def steps(g):
     yield from data_steps(g)
-    found = data(g)
-    yield "H_s", found["I"] * g.phi_dot
+    yield "H_s", data(g)["I"] * g.phi_dot
 
 
 def prove(g):

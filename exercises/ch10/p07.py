@@ -47,10 +47,7 @@ def steps(g):
 
 def prove(g):
     """The moment that mass points of ring and block need; the fan's balance at rest places it."""
-
-    def of_weights(*points):
-        return sum(m * g.g * place[2] for m, place in points)
-
+    of_weights = lambda *points: sum(m * g.g * place[2] for m, place in points)
     block = lambda b: (g.m_A, [0, 0, -b])
     ahead = vanishing(lambda d: of_weights((g.m, [0, 0, d]), block(g.b_0)), 0, g.b_0)
     points = ring(g.k, order=2)

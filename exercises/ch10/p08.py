@@ -58,11 +58,8 @@ def prove(g):
         orientation = times(rot("y", g.Omega * t), rot([-1, 0, 0], g.p * t))
         return [(share, times(orientation, place)) for share, place in turned]
 
-    def moment(x):
-        """The moment of the supports about the place x on AB."""
-        of_weight = x * g.m * g.g
-        return moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - of_weight
-
+    # of the supports, about the place x on AB
+    moment = lambda x: moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - x * g.m * g.g
     AB = g.a + g.b
     spin = proofs.angular_velocity(lambda t: rot([-1, 0, 0], g.p * t))
     return {
@@ -76,11 +73,10 @@ def prove(g):
 
 def mistakes(g):
     right = couple(g)
-    weightless = supports(g.but(g=0 * g.g), right)
     return {
         "other_sense": supports(g, -right),
         "total_mass": solve(g.but(m_r=g.m)),
-        "no_weight": weightless,
+        "no_weight": supports(g.but(g=0 * g.g), right),
         "no_gyroscopic_couple": supports(g, right * 0),
         "rpm": solve(g.but(p=g.stated("p"), Omega=g.stated("Omega"))),
     }
@@ -93,8 +89,7 @@ def draw(g, ax):
     low, thick = -h, 0.12 * h
     left, right = -g.a - 0.6 * h, g.b + 0.6 * h
     A, B, G = (-g.a, low, 0), (g.b, low, 0), (0, 0, 0)
-    middle = (left + right) / 2
-    s.box((middle, low - 1.5 * thick, 0), ground, (right - left, thick, h))
+    s.box(((left + right) / 2, low - 1.5 * thick, 0), ground, (right - left, thick, h))
     s.ground((0, low - 2.2 * h, 0), normal=ground.j)
     s.shaft((0, low - 2.2 * h, 0), (0, low - 2 * thick, 0))
     half = 0.6 * min(g.a, g.b)

@@ -1,8 +1,7 @@
 """10/9: a wheel that rolls around a post and presses harder on the floor than its weight."""
 
 from exercises.tools import Sketch, moment_needed, mp, plus, proofs, rot, times
-from newton_euler import Body, ForceSystem, Frame, dynamics, solve_linear, solve_rates
-from newton_euler.bodies import disk
+from newton_euler import Body, ForceSystem, Frame, bodies, dynamics, solve_linear, solve_rates
 
 
 def wheel(g, spin):
@@ -11,7 +10,7 @@ def wheel(g, spin):
     axle = ground.rotate("axle", "z", rate=g.Omega)
     turned = axle.rotate("disk", "-x", rate=spin, origin=axle.point("C", g.R, 0, 0))
     mass = dynamics.mass_from_weight(g.W, g.g)
-    return ground, axle, disk(g.r, turned, "x", mass=mass)
+    return ground, axle, bodies.disk(g.r, turned, "x", mass=mass)
 
 
 def rolling_spin(g):
@@ -64,9 +63,7 @@ def prove(g):
         around, own = rot("z", g.Omega * t), rot([-1, 0, 0], unrolled(t))
         return [(u, times(around, plus([g.R, 0, 0], times(own, p)))) for u, p in upright]
 
-    def up(moment):  # about -y: it lifts C
-        return -moment[1]
-
+    up = lambda moment: -moment[1]  # about -y: it lifts C
     weight = up(proofs.mean(lambda p: proofs.cross(p, [0, 0, -g.W]), disk_at(mp.mpf(0))))
     needed = up(moment_needed(m, disk_at))
     return {

@@ -1,9 +1,8 @@
 """10/13: the moment of a rotor in a turning bracket on the shaft below it."""
 
 from exercises.tools import Sketch, cross, in_frame, minus, moment_needed, proofs, rot, times
-from newton_euler import Frame, dynamics
+from newton_euler import Frame, bodies, dynamics
 from newton_euler.applications import normal_moment
-from newton_euler.bodies import cylinder
 
 
 def rotor(g):
@@ -12,7 +11,7 @@ def rotor(g):
     bracket = ground.rotate("bracket", "z", rate=g.Omega)
     spinning = bracket.rotate("cylinder", "x", rate=g.P)
     mass = dynamics.mass_from_weight(g.W, g.g)
-    return ground, bracket, cylinder(g.r, 3 * g.r, spinning, "x", mass=mass)
+    return ground, bracket, bodies.cylinder(g.r, 3 * g.r, spinning, "x", mass=mass)
 
 
 def on_the_rotor(g, share=1):
@@ -30,11 +29,8 @@ def solve(g):
 
 def steps(g):
     _, _, body = rotor(g)
-    return {
-        "I": body.inertia.moment("x"),
-        "H_spin": g.P * body.inertia.moment("x"),
-        "M_rotor": on_the_rotor(g),
-    }
+    I = body.inertia.moment("x")
+    return {"I": I, "H_spin": g.P * I, "M_rotor": on_the_rotor(g)}
 
 
 def prove(g):

@@ -74,28 +74,18 @@ def steps(g):
     }
 
 
-def from_A(g, F_A):
-    """The rest of what both must give."""
-    force, _ = needed(g, *fall(g))
-    return F_A.frame.vector(*force) - F_A
-
-
-follows = {"F_B": from_A}
+follows = {"F_B": lambda g, F_A: F_A.frame.vector(*needed(g, *fall(g))[0]) - F_A}
 
 
 def prove(g):
-    """The mass points of the disk in time: the fall is the one that needs the moment of their
-    weights about x, whose work is added up; then what they need about A beside their weight is the
-    moment of the force at B, and the other way round.
-    """
+    """The disk falls by the moment of its weights, added up; each force by what the other lacks."""
     plate = proofs.disk(g.r, order=2)
 
     def body(theta, spin):
         outer, inner = rot([-1, 0, 0], theta), rot("z", spin)
         return [(u, times(outer, plus(times(inner, p), [0, 0, g.b]))) for u, p in plate]
 
-    def downward(moment):  # about -x, in which theta grows
-        return -moment[0]
+    downward = lambda moment: -moment[0]  # about -x, in which theta grows
 
     def of_weights(theta, about=(0, 0, 0)):
         arm = minus(proofs.mean(lambda p: p, body(theta, 0)), about)
@@ -110,9 +100,8 @@ def prove(g):
     at_angles = proofs.box(level, 0, 0, order=20)
     work = level * proofs.mean(lambda p: downward(of_weights(p[0] + level / 2)), at_angles)
     rate = mp.sqrt(2 * work / inertia)
-    acceleration = proofs.vanishing(
-        lambda a: downward(minus(moment(level, rate, a), of_weights(level))), 0, unit
-    )
+    lacking = lambda a: downward(minus(moment(level, rate, a), of_weights(level)))
+    acceleration = proofs.vanishing(lacking, 0, unit)
 
     def force_across(x):
         """The force at the distance c from the place x on the shaft, by the moment about x."""

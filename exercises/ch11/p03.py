@@ -17,12 +17,8 @@ def scene(g):
 
 def work_to_B(g):
     ground, first, _, A, B = scene(g)
-    return summed(
-        {
-            "engine": constant_force_work(g.F * first.i, A, B),
-            "weight": constant_force_work(-g.W * ground.j, A, B),
-        }
-    )
+    forces = {"engine": g.F * first.i, "weight": -g.W * ground.j}
+    return summed({name: constant_force_work(F, A, B) for name, F in forces.items()})
 
 
 def distance(g, U):

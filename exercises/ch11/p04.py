@@ -8,8 +8,7 @@ from newton_euler.dynamics import speed_after, spring_potential
 
 def compression(g, v):
     """The compression at which the spring has taken the collar's energy at the speed v."""
-    T = g.m * v**2 / 2
-    return sqrt(T / spring_potential(g.k, g.one))
+    return sqrt(g.m * v**2 / 2 / spring_potential(g.k, g.one))
 
 
 def answers(g, U):

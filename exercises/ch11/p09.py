@@ -1,7 +1,7 @@
 """11/9: a roller coaster: the seat in a loop, and a hump on which the car just stays."""
 
 from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
-from exercises.tools import Sketch, Step, force_needed, mp, speed_along
+from exercises.tools import Sketch, force_needed, mp, speed_along
 from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root
 from newton_euler.dynamics import mass_from_weight, path_force, speed_after, weight_potential
@@ -43,13 +43,8 @@ def solve(g):
 
 def steps(g):
     v_B, v_D, v_E = speeds(g)
-    yield "v_B", v_B
-    yield "v_D", v_D
-    yield "v_E", v_E
-    for key, v in (("B", v_B), ("D", v_D)):
-        means = f"force toward the centre of the loop that the rider needs at {key}, m v^2/r"
-        needed = path_force(mass(g), v, 0, 2 / g.d)[1]
-        yield Step(f"F_{key}", needed, "lb", means, "6.4", "6.5")
+    needed = lambda v: path_force(mass(g), v, 0, 2 / g.d)[1]
+    return {"v_B": v_B, "v_D": v_D, "v_E": v_E, "F_B": needed(v_B), "F_D": needed(v_D)}
 
 
 def prove(g):
@@ -97,12 +92,10 @@ def draw(g, ax):
     s.road([*fall, *hump, (far, 0, 0)])
     draw_loop(s, ground, r)
     A, B, D, E = fall[0], (0, 0, 0), (0, 0, g.d), (crest, 0, g.h_E)
-    for P in (A, B, D, E):
-        s.dot(P)
-    s.label(A, "A", offset=(4, 14))
-    s.label(B, "B", offset=(0, -16))
-    s.label(D, "D", offset=(0, 14))
-    s.label(E, "E", offset=(0, 14))
+    s.dot(A, "A", offset=(4, 14))
+    s.dot(B, "B", offset=(0, -16))
+    s.dot(D, "D", offset=(0, 14))
+    s.dot(E, "E", offset=(0, 14))
     s.line((start, 0, 0), (-level, 0, 0))
     s.dimension((start, 0, 0), A, label="h", offset=0.15 * h)
     s.dimension((0, 0, 0), (0, 0, g.d), label="d", offset=-1.3 * r)

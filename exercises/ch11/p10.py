@@ -48,16 +48,10 @@ def prove(g):
         pull = g.g / g.r * mp.sin(state[0])
         return [state[1], -float(pull) if isinstance(state[0], float) else -pull]
 
-    _, (_, rate) = until(
-        round_loop, [mp.pi, v / g.r], lambda state: state[0] - 2 * mp.pi, swing / 4
-    )
+    _, (_, rate) = until(round_loop, [mp.pi, v / g.r], lambda s: s[0] - 2 * mp.pi, swing / 4)
     v_B = rate * g.r
-    _, (x, _) = until(
-        lambda state: [state[1], -g.k / m * state[0]],
-        [mpf(0), v_B],
-        lambda state: state[1],
-        mp.sqrt(m / g.k) / 2,
-    )
+    slowing = lambda s: [s[1], -g.k / m * s[0]]
+    _, (x, _) = until(slowing, [mpf(0), v_B], lambda s: s[1], mp.sqrt(m / g.k) / 2)
 
     def gets_round(speed):
         """Whether a pellet that enters the loop with this speed touches it in all places."""

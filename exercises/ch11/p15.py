@@ -1,6 +1,6 @@
 """11/15: a collar that a spring drives outward on a rod, which turns freely about the vertical."""
 
-from exercises.tools import Sketch, Step, mp, until
+from exercises.tools import Sketch, mp, until
 from newton_euler import Frame, kinetic_energy, moving, particle, root, solve_rates, sqrt
 from newton_euler.dynamics import angular_momentum, spring_potential
 
@@ -69,13 +69,8 @@ follows = {
 
 
 def steps(g):
-    H = momentum(g, g.r_A, g.omega_A)
-    yield "H_O", H
-    for P, r in ("A", g.r_A), ("B", g.r_B):
-        yield Step(f"V_{P}", potential(g, r), "ft*lb", f"potential energy of the spring at {P}",
-                   "11.12", "11.35")  # fmt: skip
-    yield "E", energy(g)
-    yield "v_B", speed(g)
+    spring = {"V_A": potential(g, g.r_A), "V_B": potential(g, g.r_B)}
+    return {"H_O": momentum(g, g.r_A, g.omega_A), **spring, "E": energy(g), "v_B": speed(g)}
 
 
 def prove(g):

@@ -1,9 +1,8 @@
 """11/17: the kinetic energy of a rolling disk."""
 
 from exercises.tools import Sketch, mp, plus, proofs, rot, times
-from newton_euler import Frame, kinetic_energy, moving, solve_rates
+from newton_euler import Frame, dynamics, kinetic_energy, moving, solve_rates
 from newton_euler.bodies import disk, ring
-from newton_euler.dynamics import kinetic_energy_about
 
 
 def rolling(g, body):
@@ -53,7 +52,7 @@ def prove(g):
 def mistakes(g):
     T = energy(g, disk)
     ground, P, body = rolling(g, disk)
-    about_contact = kinetic_energy_about(body, P, ground)
+    about_contact = dynamics.kinetic_energy_about(body, P, ground)
     return {
         "no_rotation": {"T": T.reweighted(rotation=0)},
         "hoop": {"T": energy(g, ring).value},

@@ -1,9 +1,7 @@
 """11/18: the kinetic energy of a sphere about a point of its surface, in two forms."""
 
 from exercises.tools import Sketch, ball, proofs, rot, size, times, transposed
-from newton_euler import Frame, cos, moving, sin
-from newton_euler.bodies import sphere
-from newton_euler.kinematics import euler_frame
+from newton_euler import Frame, bodies, cos, kinematics, moving, sin
 
 
 def hung():
@@ -13,7 +11,7 @@ def hung():
 
 
 def body(g, axes):
-    return sphere(g.R, axes.point("G", 0, 0, g.R), mass=g.M)
+    return bodies.sphere(g.R, axes.point("G", 0, 0, g.R), mass=g.M)
 
 
 def by_components(g, axes):
@@ -23,7 +21,7 @@ def by_components(g, axes):
 def by_euler(g, axes):
     """The components in axes that do not spin, principal for a body of revolution as well."""
     ground = Frame("ground")
-    turned = euler_frame(ground, "sphere", *(
+    turned = kinematics.euler_frame(ground, "sphere", *(
         moving(angle, rate=rate)
         for angle, rate in ((0, g.psi_dot), (g.theta, g.theta_dot), (0, g.phi_dot))
     ))  # fmt: skip

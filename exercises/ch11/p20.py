@@ -43,16 +43,12 @@ def solve(g):
     return {"theta": leaning(g), "omega_axial": axial(d), "T": energy(g, d).value}
 
 
-def axial_by(g, theta):
-    return turning(g) * (g.R / g.r - cos(theta))
-
-
 def energy_by(g, theta, omega_axial):
     across = turning(g) * sin(theta)
     return (g.I_a * omega_axial**2 + (g.I_t + g.M * g.c**2) * across**2) / 2
 
 
-follows = {"omega_axial": axial_by, "T": energy_by}
+follows = {"omega_axial": lambda g, theta: turning(g) * (g.R / g.r - cos(theta)), "T": energy_by}
 
 
 def steps(g):
@@ -70,11 +66,7 @@ def steps(g):
 def prove(g):
     """The rim touches the wall and unrolls along it; mass points of the same inertia."""
     Omega = 2 * mp.pi * g.f
-
-    def gap(theta):
-        rim = plus([g.L, 0, 0], [0, 0, -g.r])
-        return g.R - times(rot("y", theta - mp.pi / 2), rim)[0]
-
+    gap = lambda theta: g.R - times(rot("y", theta - mp.pi / 2), [g.L, 0, -g.r])[0]
     theta = proofs.root(gap, 0, mp.pi / 4)
     up = mp.pi / 2 - theta
     spin = unrolled(Omega, g.r, g.R)

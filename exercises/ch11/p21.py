@@ -15,11 +15,7 @@ def shaft(g):
 
 def rate(g, d):
     """The disk turns about the level line from contact to D as fast as the shaft carries C."""
-
-    def unlike(rate):
-        omega = rate * -d.ground.i
-        return (omega - g.n * d.ground.k).cross(d.C.position(d.ground)).y
-
+    unlike = lambda rate: (rate * -d.ground.i - g.n * d.ground.k).cross(d.C.position(d.ground)).y
     (found,) = solve_rates(unlike, 1)
     return found
 
@@ -101,10 +97,8 @@ def draw(g, ax):
     s.ball_joint(D)
     s.line(D, P)
     reach = math.hypot(a, b)
-    s.path(
-        [(reach * math.cos(t / 20), reach * math.sin(t / 20), 0) for t in range(-14, 17)],
-        style="dashed",
-    )
+    around = [(reach * math.cos(t / 20), reach * math.sin(t / 20), 0) for t in range(-14, 17)]
+    s.path(around, style="dashed")
     s.turn((0, 0, 0.65), d.ground.k, label="n")
     s.dimension(D, C, label="b", offset=0.25)
     s.dimension(C, P, label="a", offset=0)

@@ -1,9 +1,7 @@
 """11/22: the kinetic energy of a cone that rolls round its tip."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame, cos, sin, solve_rates, tan
-from newton_euler.bodies import cone
-from newton_euler.dynamics import kinetic_energy_about
+from newton_euler import Frame, bodies, cos, dynamics, sin, solve_rates, tan
 
 
 def scene(g, spin):
@@ -11,9 +9,8 @@ def scene(g, spin):
     ground = Frame("ground")
     contact = ground.rotate("contact", "z", rate=g.Omega)
     axle = contact.rotate("axle", "y", angle=-g.alpha)
-    spinning = axle.rotate("cone", "x", rate=spin)
-    O = spinning.point("O", 0, 0, 0)
-    return ground, contact, cone(g.h * tan(g.alpha), g.h, O, "x", mass=g.M), O
+    O = axle.rotate("cone", "x", rate=spin).point("O", 0, 0, 0)
+    return ground, contact, bodies.cone(g.h * tan(g.alpha), g.h, O, "x", mass=g.M), O
 
 
 def rolling(g):
@@ -30,7 +27,7 @@ def rolling(g):
 
 def solve(g):
     _, ground, _, body, O = rolling(g)
-    return {"T": kinetic_energy_about(body, O, ground).value}
+    return {"T": dynamics.kinetic_energy_about(body, O, ground).value}
 
 
 def steps(g):

@@ -1,6 +1,6 @@
 """11/23: energy and angular momentum of a turning platform with a particle that slides in it."""
 
-from exercises.tools import Sketch, in_frame, mp, mpf, proofs
+from exercises.tools import Sketch, in_frame, mpf, proofs
 from newton_euler import Frame, moving, particle
 from newton_euler.bodies import disk
 from newton_euler.dynamics import kinetic_energy
@@ -47,10 +47,8 @@ def prove(g):
     def platform(t):
         return [(share, proofs.times(proofs.rot("z", g.omega * t), p)) for share, p in rim]
 
-    def spiral(t):
-        r, angle = g.r + g.v * t, g.omega * t
-        return [(mpf(1), [r * mp.cos(angle), r * mp.sin(angle), mpf(0)])]
-
+    path = lambda t: proofs.at_angle(g.r + g.v * t, g.omega * t, mpf(0))
+    spiral = lambda t: [(mpf(1), path(t))]
     found = {}
     for name, m, motion in (("M", g.M, platform), ("m", g.m, spiral)):
         found[f"T_{name}"] = proofs.kinetic_energy(m, motion)
@@ -58,7 +56,7 @@ def prove(g):
     return {
         "T": found["T_M"] + found["T_m"],
         "H_O": proofs.plus(found["H_M"], found["H_m"]),
-        "v_P": proofs.rate(lambda t: spiral(t)[0][1]),
+        "v_P": proofs.rate(path),
         **found,
     }
 

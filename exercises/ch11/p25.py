@@ -40,8 +40,7 @@ def answers(g, speed):
 
 
 def solve(g):
-    start = g.z_0 / g.p
-    return answers(g, speed_from(g, potential(g, from_origin(g, start))))
+    return answers(g, speed_from(g, potential(g, from_origin(g, g.z_0 / g.p))))
 
 
 follows = {"v": lambda g, speed: velocity(g, speed)}
@@ -63,11 +62,7 @@ def steps(g):
 
 def prove(g):
     """The attraction added up along the tube, in rectangular coordinates."""
-
-    def place(theta):
-        R = g.R_0 + g.q * theta
-        return [R * mp.cos(theta), R * mp.sin(theta), g.p * theta]
-
+    place = lambda theta: proofs.at_angle(g.R_0 + g.q * theta, theta, g.p * theta)
     force = lambda r: proofs.scaled(-g.K * g.m / proofs.size(r) ** 3, r)
     start = proofs.root(lambda theta: place(theta)[2] - g.z_0, 0, 2 * g.z_0 / g.p)
     speed = proofs.speed_along(g.m, force, place, start, 0)

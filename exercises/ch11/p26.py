@@ -3,7 +3,7 @@
 from mpmath import fp
 
 from exercises.devices.spherical_pendulum import level_motion, other_level, way
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame, solve_rates, sqrt
 from newton_euler.dynamics import speed_after, weight_potential
 
@@ -40,12 +40,9 @@ def solve(g):
 def steps(g):
     at_c = ratio(g)
     T_b = kinetic(g, at_c)
-    for depth, level in ((g.b, "b"), (g.c, "c")):
-        yield Step(f"d_{level}", sqrt(g.a**2 - depth**2), "m",
-                   f"distance of the bob from the vertical at the level {level}")  # fmt: skip
-    yield "ratio", at_c
-    yield "v_b", speed_after(0, T_b, g.m)
-    yield "v_c", speed_after(0, at_c * T_b, g.m)
+    distances = {f"d_{n}": sqrt(g.a**2 - depth**2) for n, depth in (("b", g.b), ("c", g.c))}
+    speeds = {"v_b": speed_after(0, T_b, g.m), "v_c": speed_after(0, at_c * T_b, g.m)}
+    return {**distances, "ratio": at_c, **speeds}
 
 
 def prove(g):

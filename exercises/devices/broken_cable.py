@@ -78,10 +78,7 @@ def by_energy(g, points, *places):
         return kinetic_energy(g.W / g.g, motion, t) + g.W * height
 
     alpha = let_go(energy)
-
-    def moves(r):
-        return lambda t: times(rot("z", alpha * t**2 / 2), r)
-
+    moves = lambda r: lambda t: times(rot("z", alpha * t**2 / 2), r)
     motion = lambda t: [(share, moves(r)(t)) for share, r in points]
     F_x, F_y, _ = force_needed(g.W / g.g, motion)
     return alpha, [F_x, F_y + g.W, 0], *map(moves, places)

@@ -6,8 +6,7 @@ name of the length of a rod.
 from itertools import pairwise
 
 from exercises.tools import Sketch
-from newton_euler import Frame
-from newton_euler.bodies import simplex
+from newton_euler import Frame, bodies
 
 CHAIN = Frame("chain")
 
@@ -32,7 +31,7 @@ def all_from_O(g):
 
 def rods(pairs, **matter):
     matter = matter or {"density": 1}
-    return [simplex(P, Q, name=P.name + Q.name, **matter) for P, Q in pairs]
+    return [bodies.simplex(P, Q, name=P.name + Q.name, **matter) for P, Q in pairs]
 
 
 def path(g, first="x", edge="a"):

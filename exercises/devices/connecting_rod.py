@@ -1,8 +1,7 @@
 """A connecting rod with parallel axes AA', BB' and GG' between them, along z."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame
-from newton_euler.bodies import Inertia
+from newton_euler import Frame, bodies
 
 ROD = Frame("rod")
 
@@ -10,7 +9,7 @@ ROD = Frame("rod")
 def about_A(mass, moment, r_a, r_b):
     """The :class:`Inertia` at A, of which only the moment about AA' is known, G, and B."""
     G = ROD.point("G", r_a, 0, 0)
-    A = Inertia(ROD, (0, 0, moment), mass=mass, centre=G, tolerance=None)
+    A = bodies.Inertia(ROD, (0, 0, moment), mass=mass, centre=G, tolerance=None)
     return A, G, ROD.point("B", r_a + r_b, 0, 0)
 
 

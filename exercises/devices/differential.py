@@ -37,9 +37,8 @@ def slip(g, axis, cage_rate, spin, gear_rate, side):
     ground, _, pinion = train(axis, cage_rate, spin)
     gear = ground.rotate("gear", axis, rate=gear_rate)
     here = coordinates(axis, side * g.r, g.R)
-    difference = pinion.point("tooth", *here).velocity(ground) - gear.point(
-        "tooth", *here
-    ).velocity(ground)
+    v, w = (body.point("tooth", *here).velocity(ground) for body in (pinion, gear))
+    difference = v - w
     return getattr(difference, next_axis(next_axis(axis)))
 
 

@@ -22,11 +22,8 @@ def unrolled(radius, rise, speed, start=0):
     def place(t):
         turns = speed * t / along
         theta = start + 2 * mp.pi * turns
-        return [
-            radius * mp.cos(theta),
-            radius * mp.sin(theta),
-            rise * start + 2 * mp.pi * rise * turns,
-        ]
+        up = rise * (start + 2 * mp.pi * turns)
+        return [radius * mp.cos(theta), radius * mp.sin(theta), up]
 
     return place
 

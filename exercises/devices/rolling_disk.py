@@ -57,8 +57,7 @@ def orientation(g):
 
     def disk(t):
         theta = 2 * mp.pi * t / g.T
-        unrolled = g.R * theta / g.r
-        return times(rot("y", theta), rot([0, 0, -1], unrolled))
+        return times(rot("y", theta), rot([0, 0, -1], g.R * theta / g.r))
 
     return disk
 
@@ -82,11 +81,9 @@ def rim_point(g):
 def sketch(g, ax, with_A=True):
     """The figure of all three; the point A is in it where it is asked for."""
     ground, axle, _, A = axle_and_disk(g, rolling_spin(g))
-    C, origin, foot = (
-        axle.point("C", 0, 0, 0),
-        ground.point("origin", 0, 0, 0),
-        ground.point("foot", 0, -g.r, 0),
-    )
+    C = axle.point("C", 0, 0, 0)
+    origin = ground.point("origin", 0, 0, 0)
+    foot = ground.point("foot", 0, -g.r, 0)
     top, contact = ground.point("top", 0, 1.2 * g.r, 0), axle.point("contact", 0, -g.r, 0)
     s = Sketch(ax, ground, azimuth=-125, elevation=20, up="y")
     s.ground(foot, normal=ground.j)

@@ -45,8 +45,7 @@ def motion(g, A, B):
         N = {b.name: N * b.normal for b, N in zip(pushed, pushes, strict=True)}
         equations = {"rope": A.runs * a_A + B.runs * a_B}
         for b, a in ((A, a_A), (B, a_B)):
-            pull = T * (b.pulls * b.line)
-            F = weight(b.m, b.line.frame.j, g.g) + pull
+            F = weight(b.m, b.line.frame.j, g.g) + T * (b.pulls * b.line)
             F = F + N[b.name] if b.name in N else F
             equations[b.name] = resultant_force(b.m, a * b.line) - F
         return equations

@@ -95,8 +95,7 @@ def following(rotor_of):
         r = rotor_of(g)
         right, axes = answers(r), Hdot_O.frame
         off = Hdot_O - axes.vector(*right["Hdot_O"])
-        length = (r.B - r.A).x
-        return axes.vector(*right["F_A"]) + axes.i.cross(off) / length
+        return axes.vector(*right["F_A"]) + axes.i.cross(off) / (r.B - r.A).x
 
     def F_B(g, F_A):
         right, axes = answers(rotor_of(g)), F_A.frame

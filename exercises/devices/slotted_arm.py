@@ -1,6 +1,6 @@
 """The slotted arm of 2/24, 2/25 turns about O; the pin P of a crank CP slides in it; OC = CP."""
 
-from exercises.tools import Sketch, mp, rot, times
+from exercises.tools import Sketch, at_angle, plus, rot, times
 from newton_euler import Frame, cos, moving, sin
 
 
@@ -12,12 +12,7 @@ def turning(g):
 
 def crank(g):
     """Proof, P in time: the angle at the centre is twice that at the circumference."""
-
-    def P(t):
-        angle = 2 * (g.theta + g.omega * t)
-        return [g.b + g.b * mp.cos(angle), g.b * mp.sin(angle), 0]
-
-    return P
+    return lambda t: plus([g.b, 0, 0], at_angle(g.b, 2 * (g.theta + g.omega * t)))
 
 
 def in_arm(g, vector, t=0):

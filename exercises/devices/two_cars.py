@@ -77,9 +77,7 @@ def acceleration_steps(ground, car, B):
 
 def prove(g, a_A=0, a_B=0):
     """Both cars in time; B along the turning axes of A, and the rates of these coordinates."""
-
-    def angle(a):
-        return lambda t: (g.v * t + a * t**2 / 2) / g.R
+    angle = lambda a: lambda t: (g.v * t + a * t**2 / 2) / g.R
 
     def on_circle(centre, phi, side):
         return lambda t: [centre + side * g.R * mp.cos(phi(t)), side * g.R * mp.sin(phi(t)), 0]

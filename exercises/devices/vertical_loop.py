@@ -1,16 +1,14 @@
 """A particle inside a smooth vertical loop, 11/9 and 11/10: its contact, proof, figure."""
 
 from exercises.tools import force_needed, mp, plus
-from newton_euler import Frame, moving, pi
-from newton_euler.dynamics import reaction
-from newton_euler.kinematics import polar
+from newton_euler import Frame, dynamics, kinematics, moving, pi
 
 
 def track_force(m, g, r, phi, v):
     """The track's force and the direction to the centre, ``phi`` from down, y up, at ``v``."""
     ground = Frame("ground")
-    P = polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
-    N = reaction(m, P.acceleration(ground), weight=-m * g * ground.j)
+    P = kinematics.polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
+    N = dynamics.reaction(m, P.acceleration(ground), weight=-m * g * ground.j)
     return N, (P - ground.origin) * (-1 / r)
 
 

@@ -1,6 +1,6 @@
 """The wire of 5/10, 7/10, 8/14: a half circle about O, its diameter along x, a leg at its left."""
 
-from exercises.tools import Sketch, mp
+from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Frame
 from newton_euler.bodies import half_ring, rod
 
@@ -26,8 +26,7 @@ def path(g):
             return [-g.r, 0, g.c - s]
         if s < bend:
             return [s - foot - g.r, 0, 0]
-        turned = (s - bend) / g.r
-        return [g.r * mp.cos(turned), g.r * mp.sin(turned), 0]
+        return at_angle(g.r, (s - bend) / g.r)
 
     return place, bend + mp.pi * g.r, (foot, bend)
 

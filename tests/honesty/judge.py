@@ -78,17 +78,12 @@ class Run:
 
     @property
     def covers(self):
-        """True if the estimate is not below the true error.
-
-        None if there is no estimate, or no answer.
-        """
+        """Whether the estimate is not below the true error; None without an estimate or answer."""
         return None if not self.returned or self.estimate is None else self.estimate >= self.error
 
     @property
     def ratio(self):
-        """The estimate over the true error, which is not better known than to half a unit of the
-        last place.
-        """
+        """The estimate over the true error, known to half a unit of the last place."""
         return None if self.covers is None else self.estimate / max(self.error, EPS)
 
     @property
@@ -227,9 +222,7 @@ def _compared(case, truth, end, estimate, inside, found, asked):
 
 
 def _asked(case, truths, method, way, rtol, integrate, prepare):
-    """The answers by member, each (end, estimate, states inside, events), and the name of the
-    method taken.
-    """
+    """The answers by member, (end, estimate, states inside, events), and the method's name."""
     way = way.removesuffix(WITHOUT).removesuffix(", ")
     if way == PREPARED:
         end = tuple(prepare(case.model, rtol, method)(case.t_end, case.start))
@@ -249,10 +242,7 @@ def _asked(case, truths, method, way, rtol, integrate, prepare):
 
 
 def _batch(case, truths, method, count, rtol, integrate):
-    """A motion among others that start one per cent off, first, in the middle and last.
-
-    Or those of a case that is many motions itself.
-    """
+    """A motion among others a per cent off, first, in the middle and last; or a case's own many."""
     import numpy as np
 
     if case.count > 1:
@@ -359,10 +349,7 @@ def _change(case, truth, way, rtol, answers, methods):
 def in_two_threads(
     case, truth, rtol=1e-9, calls=THREAD_RUNS, seconds=1.0, prepare=prepare, integrate=integrate
 ):
-    """Two threads that ask for two motions of one model at the same time.
-
-    How many answers differ from those that each gets alone: a :class:`Change` for each way to ask.
-    """
+    """Answers that differ from those of each thread alone: a :class:`Change` a way to ask."""
     other = tuple(x * (1 + 2.0**-10) for x in case.start)
     motion = lambda start: integrate(case.model, case.span, start, rtol, events=case.events)
     ways = {

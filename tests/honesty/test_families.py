@@ -64,9 +64,7 @@ def test_every_draw_has_a_start_with_finite_rates_a_positive_time_and_knots_insi
 
 
 def somewhere(case, chance):
-    """A random state and a time: each state of either sign, up to five times its value at the
-    start or that of a parameter.
-    """
+    """A random state and time, up to five times the start's values or a parameter's."""
     p = (case.written_out or case.model).parameters
     sizes = [1.0, *(abs(x) for x in p.values() if x)]
     x = tuple(

@@ -19,13 +19,10 @@ HALF = 0.34  # of the height of a row is drawn upon on each side of its middle
 
 
 def draw_honesty(answers, figure, title=""):
-    """The tallies of the methods, the cheapest first, after drawing a row for each: its costs, its
-    true errors over the tolerances, the estimates over the true errors, and the counts.
-
-    answers : :class:`.Answer` of the measurements; on several problems the costs are
-        drawn relative to the cheapest that kept its word
-    A row has a mark for each run, from the coarsest tolerance at its top to the finest at its
-    bottom, and a bar at the median. What is silently wrong has a ring.
+    """The tallies of the methods, the cheapest first, after drawing a row for each: costs, true
+    errors over tolerances, estimates over true errors, counts. A row has a mark for each run, from
+    the coarsest tolerance at its top to the finest at its bottom, and a bar at the median. What is
+    silently wrong has a ring.
     """
     answers, relative = comparable(answers)
     found, given = tallies(answers), [a for a in answers if not a.absent]
@@ -45,9 +42,7 @@ def draw_honesty(answers, figure, title=""):
 
 @dataclass(frozen=True)
 class _Rows:
-    """The ``numbers`` of the rows by method, and within a row places and colours for the errors
-    ``asked`` for.
-    """
+    """Rows by method, and in a row places and colours for the errors ``asked`` for."""
 
     numbers: dict
     asked: list

@@ -3,9 +3,6 @@ that slides first see :mod:`newton_euler.scenes.planar.sliding_sphere`.
 
 ``k`` is the moment of inertia about the centre over m R^2: 2/5 for a solid sphere (the default),
 2/3 for a shell, 1/2 for a cylinder.
-
-:func:`ladder` has three models of it: a block that slides without friction, rolling, and rolling
-against the air. The block costs as much to compute as the sphere, but needs no moment of inertia.
 """
 
 from dataclasses import replace
@@ -62,8 +59,7 @@ def ladder(
     slope: Scalar = 0.3, g: Scalar = 9.81, air: Scalar = 2e-3, k: Scalar = 0.4,
     start: tuple[Scalar, ...] = (0.0, 0.0), t: Scalar = 5.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one run, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for
-    the distance, in m, until ``t``.
+    """The models of one run, for the distance (m) until ``t``: a sliding block, rolling, in air.
 
     air : not negative; start : x, v. Raises :class:`~newton_euler.motion.model.ModelError` for a
         sphere that goes uphill.
@@ -89,9 +85,7 @@ def ladder(
 
 
 def inertia_ratio(like: Scalar, k: Scalar | None) -> Scalar:
-    """``k``, or if it is None that of a solid sphere, 2/5, exactly in the kind of number of
-    ``like``.
-    """
+    """``k``, or if it is None that of a solid sphere, 2/5 in the kind of number of ``like``."""
     return integer_like(2, like) / 5 if k is None else k
 
 

@@ -2,9 +2,6 @@
 bearings: :mod:`newton_euler.applications.rotors`.
 
 psi is the angle of rotation, from the downward vertical to the x axis of the body.
-
-:func:`ladder` has three models of its rotation: at a constant rate, without its weight, and with
-it.
 """
 
 from collections.abc import Callable
@@ -45,8 +42,7 @@ def ladder(
     mass: Scalar = 20.0, x: Scalar = 2e-4, y: Scalar = 0.0, I: Scalar = 0.5, g: Scalar = 9.81,
     moment: Scalar = 0.5, start: tuple[Scalar, ...] = (0.0, 10.0), t: Scalar = 20.0,
 ) -> Ladder:  # fmt: skip
-    """The models of a rotor that a constant moment turns, the coarsest first: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for psi, in rad, until ``t``.
+    """The models of a rotor turned by a constant moment, for psi (rad) until ``t``.
 
     start : psi, omega; the rest as in :func:`turning_rotor`
 

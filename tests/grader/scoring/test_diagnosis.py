@@ -24,9 +24,7 @@ def values(p, data):
 
 
 def listed(p, given):
-    """[(mistake, key, the student's tree)] of every mistake that a problem's YAML names, computed
-    as a student would: with symbols.
-    """
+    """[(mistake, key, the student's tree)] of a problem's YAML, computed with symbols."""
     wrong = p.code.mistakes(p.base({**p.sympy_symbols(), **given}))
     return [
         (name, key, trees(p, p.in_units({key: v}))[key])

@@ -34,9 +34,7 @@ SCENE = "sphere on an incline"
 
 
 def fake(answers):
-    """A reference whose methods answer what is in the table: (true error, estimate) or an
-    exception, by method and tolerance.
-    """
+    """A reference whose methods answer (true error, estimate) or an exception, as in the table."""
 
     class Fake:
         def __init__(self, scene):

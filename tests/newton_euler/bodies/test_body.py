@@ -119,9 +119,7 @@ def test_eqn_5_4_centre_of_mass_of_particles(kind):
 
 @every_kind
 def test_eqn_5_5_to_5_8_internal_forces_cancel_and_G_moves_under_the_external_ones(kind):
-    """Three particles on springs under a field: the forces give the accelerations; those of G
-    follow from the external force alone.
-    """
+    """Three particles on springs under a field."""
     ground, cloud, moved = Frame("ground"), of_kind(kind, points(3, 3)), []
     stiffness, g = numbers(kind, "3.5", "9.8")
     total = outside = ground.vector(0, 0, 0)
@@ -153,6 +151,8 @@ def test_eqn_5_9_and_5_11_collections_count_as_particles_in_their_centres(kind):
     rest = composite("rest", [whole], removed=[hole])
     assert close(place(rest.centre), place(centre_of_mass(parts[:5])), tiny)
     assert close(rest.mass, whole.mass - hole.mass, tiny)
+    kept = composite("kept", parts[:5]).inertia.matrix
+    assert close(rest.inertia.matrix, kept, small(kind, 200))
 
 
 # -- 5.4 to 5.9: rigid bodies
@@ -175,9 +175,7 @@ def test_eqn_5_10_and_5_14_to_5_17_centre_in_the_body_frame_and_positions_from_i
 
 @every_kind
 def test_eqn_5_12_and_5_13_centre_of_a_continuum_is_that_of_its_cells(kind):
-    """A rod of n cells, each a particle: Richardson's extrapolation of their centre and moment
-    gives the rod's.
-    """
+    """Richardson's extrapolation of n particles gives the rod's centre and moment."""
     m, length = numbers(kind, 3, "1.6")
     frame = Frame("rod")
 
@@ -248,16 +246,6 @@ def test_eqn_7_14_the_matrix_of_parts_is_their_sum(kind):
     assert close(both.without("second").matrix, first.about(body).matrix, tiny)
 
 
-# -- 7.3, 7.10: examples
-
-
-def test_example_7_10_rod_by_the_parallel_axis_theorem():
-    m, length = sympy.symbols("m l", positive=True)
-    frame = Frame("rod")
-    body = rod(length, frame.point("middle", 0, length / 2, 0), "y", mass=m)
-    assert body.about(frame).moments == (m * length**2 / 3, 0, m * length**2 / 3)
-
-
 # -- 7.7, 7.8: other points
 
 
@@ -309,17 +297,8 @@ def test_eqn_7_24_to_7_26_parallel_axes_between_any_two_points(kind):
     assert close(moved.without("transfer").matrix, I.matrix, 0)
 
 
-def test_moments_are_least_about_the_centre_of_mass():
-    body, _, whole = cloud_in("float")
-    G, least = np.array(whole.centre.position(body).components()), whole.inertia.moments
-    for r in ((1e-3, 0.0, 0.0), (0.0, -0.4, 0.2), (3.0, 1.0, -2.0)):
-        assert np.all(np.subtract(whole.about(body.point("P", *(G + r))).moments, least) >= -1e-15)
-
-
 def test_going_far_away_and_back_loses_no_more_than_the_far_matrix_has():
-    """m d^2 = 1e6 is added and taken off: the entries of order 1 keep its round-off, 1e-10, and no
-    more.
-    """
+    """Of m d^2 = 1e6 the entries of order 1 keep the round-off, 1e-10, and no more."""
     body, _, whole = cloud_in("float")
     far = whole.inertia.about(body.point("far", 200.0, 200.0, 200.0))
     assert close(far.about(whole.centre).matrix, whole.inertia.matrix, 4 * EPS * max(far.moments))
@@ -373,19 +352,6 @@ def test_a_body_of_revolution_keeps_its_matrix_exactly_when_it_spins():
     assert Inertia(body, (0.1, 0.1, 0.15)).expressed_in(turned).moments == (0.1, 0.1, 0.15)
 
 
-def test_a_symmetric_body_in_a_frame_that_does_not_spin_with_it():
-    """H and its rate for a top, in the frame that precesses without spinning and in the body: the
-    same vectors.
-    """
-    ground = Frame("ground")
-    precessing = ground.rotate("p", "z", 0.3, rate=2.0).rotate("tilted", "x", 0.5, rate=0.4)
-    body = precessing.rotate("top", "z", 0.9, rate=30.0, acceleration=4.0)
-    top = Body("top", 2.0, body, (0.2, 0.2, 0.1))
-    H = top.inertia.expressed_in(precessing).times(body.angular_velocity(ground))
-    assert close(H, top.angular_momentum(ground), 1e-14)
-    assert close(H.rate(ground), top.angular_momentum(ground).rate(ground), 1e-12)
-
-
 # -- laws
 
 floats = st.floats(-3, 3, allow_subnormal=False).map(lambda x: round(x, 6))
@@ -402,28 +368,6 @@ def body_of(cloud):
 
 
 @laws
-@given(clouds, places, places)
-def test_parallel_axes_there_and_back(cloud, r, s):
-    frame, body = body_of(cloud)
-    P, Q = frame.point("P", *r), frame.point("Q", *s)
-    I = body.about(P)
-    assert close(I.about(Q).about(P).matrix, I.matrix, 1e-12)
-    assert close(I.about(Q).matrix, matrix_of(cloud, s), 1e-11)
-
-
-@laws
-@given(clouds, turns, turns)
-def test_a_rotation_keeps_trace_and_principal_moments(cloud, first, second):
-    frame, body = body_of(cloud)
-    I = body.about(frame)
-    turned = I.expressed_in(frame.rotate("a", *first).rotate("b", *second))
-    size = 1e-13 * (1 + max(I.moments))
-    assert abs(sum(turned.moments) - sum(I.moments)) < 3 * size
-    one, other = (np.linalg.eigvalsh(M.to_array()) for M in (turned, I))
-    assert np.allclose(one, other, rtol=0, atol=5 * size)
-
-
-@laws
 @given(clouds, turns, places)
 def test_every_cloud_of_masses_passes_the_check_in_any_axes_about_any_point(cloud, turn, r):
     frame, body = body_of(cloud)
@@ -431,19 +375,6 @@ def test_every_cloud_of_masses_passes_the_check_in_any_axes_about_any_point(clou
     assert I.check() is I
     a, b, c = I.moments
     assert min(a + b - c, b + c - a, c + a - b) >= -1e-12 * max(I.moments)
-
-
-@laws
-@given(clouds, clouds)
-def test_parts_make_the_whole_and_taking_one_off_leaves_the_other(first, second):
-    frame = Frame("body")
-    one = composite("one", bodies(first, frame))
-    two = composite("two", bodies(second, frame))
-    whole = composite("whole", [one, two])
-    assert close(whole.about(frame).matrix, matrix_of(first + second), 1e-11)
-    rest = composite("rest", [whole], removed=[two])
-    assert close(rest.inertia.matrix, one.inertia.matrix, 1e-10)
-    assert close(rest.mass, one.mass, 1e-12)
 
 
 # -- the other kinds of number

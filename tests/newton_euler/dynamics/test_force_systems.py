@@ -18,9 +18,7 @@ small = within(1e-13, 26)
 
 
 def system(kind):
-    """Three forces and a couple, in the ground and in a frame that is turned and moved, with their
-    components in the ground as triples.
-    """
+    """Three forces and a couple, in the ground and in a frame that is turned and moved."""
     shop = Frame("ground")
     angle, x, y, z = numbers(kind, "0.3", 1, -2, "1/2")
     bench = shop.rotate("bench", "z", angle=angle, origin=shop.point("bench", x, y, z))
@@ -74,15 +72,6 @@ def test_eqn_8_20_a_force_moves_with_the_couple_of_its_moment(kind):
         assert close(moved.moment(about), force.moment(about), 10 * small(kind))
     assert close(moved.force, force.vector, small(kind))
     assert moved.parts[1].name == "couple of rope"
-
-
-@every_kind
-def test_all_forces_may_be_moved_to_one_point(kind):
-    shop, bench, s = system(kind)
-    there = s.at(bench)
-    assert len(there.parts) == 2
-    for about in (shop.origin, s.parts[2].point):
-        assert close(there.moment(about), s.moment(about), 10 * small(kind))
 
 
 @every_kind

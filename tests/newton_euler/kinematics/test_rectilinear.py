@@ -7,9 +7,8 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-import sympy
 
-from newton_euler import Dimension, compiled, cos, exp, log, moving, sqrt
+from newton_euler import Dimension, compiled, cos, log, moving, sqrt
 from newton_euler.algebra import DimensionError, SingularError, integral
 from newton_euler.kinematics import from_place, from_speed, from_time
 from tests.kinds import close, numbers, within
@@ -87,13 +86,6 @@ def test_integrals_known_in_closed_form(f, start, end, value):
     assert abs(integral(f, start, end) - value) < 2e-15
 
 
-def test_integrals_of_mpf_and_of_arrays():
-    assert abs(integral(exp, mp.mpf(0), mp.mpf(1)) - mp.e + 1) < mp.mpf(10) ** -28
-    assert abs(integral(lambda x: 1 / sqrt(x), mp.mpf(0), mp.mpf(4)) - 4) < mp.mpf(10) ** -27
-    ends = np.array([1.0, 2.0, 3.0])
-    assert close(integral(cos, 0.0, ends), np.sin(ends), 1e-15)
-
-
 def test_integrals_that_do_not_settle_are_refused_in_words():
     with pytest.raises(SingularError, match=r"does not settle.*Split it where it is not"):
         integral(lambda x: 0.0 if x < 0.3 else 1.0, 0.0, 1.0)
@@ -140,13 +132,6 @@ def test_motion_from_its_acceleration_is_traced():
         assert compiled(motion)(*given) == pytest.approx(expected, rel=1e-13)
         many = [np.array([x, x]) for x in given]
         assert np.allclose(compiled(motion)(*many), np.array([expected] * 2).T, rtol=1e-13)
-
-
-def test_motion_from_its_acceleration_as_a_formula():
-    t, c, k = sympy.symbols("t c k", positive=True)
-    x, v = slides(t, c, k)
-    assert sympy.expand(x - (c * t**2 / 2 - k * t**3 / 6)) == 0
-    assert sympy.expand(v - (c * t - k * t**2 / 2)) == 0
 
 
 def test_motion_from_its_acceleration_has_rates():
