@@ -135,12 +135,12 @@ except PracticeFileError as error:
                          ids=["a long text", "many lists"])  # fmt: skip
 def test_a_bomb_takes_less_than_a_gigabyte(whole, tmp_path, part, times):
     path = written(tmp_path / "p", {n: x for n, x in whole.items() if n != MEMBER})
-    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as archive:
-        with archive.open(MEMBER, "w") as member:
-            member.write(b"[")
-            for _ in range(times):
-                member.write(part.encode())
-            member.write(b"0]")
+    archive = zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED)
+    with archive, archive.open(MEMBER, "w") as member:
+        member.write(b"[")
+        for _ in range(times):
+            member.write(part.encode())
+        member.write(b"0]")
     assert path.stat().st_size < 3e6
     done = subprocess.run([sys.executable, "-c", BOMB, path], env=environment(), timeout=60,
                           capture_output=True, text=True, check=False)  # fmt: skip
