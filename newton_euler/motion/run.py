@@ -17,6 +17,7 @@ from .methods.exact import estimated_error, within
 from .methods.table import METHODS, Method
 from .model import ModelError
 from .prepared import PreparedModel
+from .sizes import far_states, forced_error, reproduced, settled, small
 from .solution import AccuracyError, Cost, Motion, MotionError
 from .trajectory import Trajectory
 
@@ -236,21 +237,25 @@ class Run:
                 before = self.compared(*comparison)
         if isinstance(before.failed, LengthError):
             return self.motion(before, method, math.nan)
-        known = None if before.failed else before.sizes()
+        before, known = self.resolved(before, method, coarse, tolerance, scaled)
         # of order 8: the number of steps grows as tolerance**(-1/8)
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
+        forced = forced_error(*known[:2], before.count) if known else 0.0
+        if forced > self.rtol:
+            motion = self.motion(before, method, forced)
+            raise AccuracyError(self.far_refusal(motion, known), motion)
         for _ in range(MAX_REFINEMENTS):
             trajectory = self.trajectory(method, tolerance, known, scaled)
-            error = error_by_comparison(before, trajectory, method)
+            error = forced + error_by_comparison(before, trajectory, method)
             if error <= self.rtol or trajectory.failed:
                 break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound
                 before = self.compared(method, 10 * tolerance, tolerance, known, scaled)
-                error = min(error, error_by_comparison(before, trajectory, method))
+                error = min(error, forced + error_by_comparison(before, trajectory, method))
                 break
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
@@ -258,8 +263,32 @@ class Run:
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, reported_error(error, self.rtol))
         if not error <= self.rtol:
-            raise AccuracyError(self.refusal(motion), motion)
+            far = 10 * forced > error
+            why = self.far_refusal(motion, known) if far else self.refusal(motion)
+            raise AccuracyError(why, motion)
         return motion
+
+    def resolved(self, before, method, coarse, fine, scaled):
+        """The first trajectory and its sizes, None if it failed; where a state is so small that
+        these may be those of its error, another one by the sizes that were found.
+        """
+        known = None
+        for _ in range(MAX_REFINEMENTS):
+            last, known = known, None if before.failed else before.sizes()
+            if not known or not (last or small(*known[:2])):
+                return before, known
+            if last and settled(last[0], known[0]):
+                break
+            before = self.compared(method, coarse, fine, known, scaled)
+        again = self.compared(method, fine, fine, known, scaled)
+        if not again.failed:
+            ends = before.segments[-1].x1, again.segments[-1].x1
+            apart = [abs(u - v) for u, v in zip(*ends, strict=False)]
+            sizes = reproduced(known, again.sizes(), apart, self.rtol)
+            if sizes != known[0]:
+                known = sizes, *known[1:]
+                before = self.compared(method, coarse, fine, known, scaled)
+        return before, known
 
     def briefly(self, run, *arguments):
         """The trajectory ``run(*arguments)``, which stops if it would take many steps: the motion
@@ -302,6 +331,17 @@ class Run:
         if trajectory.failed:
             raise MotionError(f"{ended}; see .reached of this error", motion)
         return motion
+
+    def far_refusal(self, motion, known):
+        """The message for a motion that is too far from the origin for the digits of a float."""
+        small_one, large = far_states(self.system, self.t0, self.state, *known[:2])
+        place = f"{self.system.model._state(self.state)[large]:.6g}"
+        return (
+            f"{self.system.model.name}: {small_one} is small beside the round-off of {large} = "
+            f"{place}, which makes an error of about {motion.error:.1g} of its size, and rtol = "
+            f"{self.rtol:g} was requested; take the distance from {place} as the state in place of "
+            f"{large}"
+        )
 
     def refusal(self, motion):
         """The message for a motion whose error is above the rtol."""
