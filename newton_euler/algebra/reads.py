@@ -1,8 +1,7 @@
 """What functions read besides their arguments: globals, variables of the functions around them,
-default values; also those of every function that they can call.
-
-A text that was traced from a function holds as long as all of this is the same. It is found in the
-byte code, once, and compared before each use: no value is computed, and nothing is called.
+default values; also those of every function that they can call. A text that was traced from a
+function holds as long as all of this is the same. It is found in the byte code, once, and compared
+before each use: no value is computed, and nothing is called.
 """
 
 import builtins
@@ -41,8 +40,8 @@ class Reads:
     """What some functions read besides their arguments, as it is now.
 
     checks : tuples (get, a, b, value) that find it again: get(a, b) is the value
-    known : False if some of it can change unseen, as the attribute of an object or an entry of a
-        list; it then never counts as the same
+    known : False if some of it can change unseen, as an attribute of an object; it never is the
+        same
 
     >>> g = 9.81
     >>> read = Reads(lambda s, p, t: -g)
@@ -143,9 +142,7 @@ def reads_nothing(f):
 
 
 def _is_fixed_function(f, packages=FIXED):
-    """True for a function of a module of these packages, and not of text that runs in its name, as
-    examples in a docstring do.
-    """
+    """True for a function of a module of these packages; not for one of a doctest in its name."""
     name = f.__module__
     if not name or name.partition(".")[0] not in packages:
         return False
