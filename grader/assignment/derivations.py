@@ -9,10 +9,10 @@ from functools import lru_cache
 from typing import Any
 
 from exercises.catalogue import Problem
-from exercises.catalogue.traced import traced
+from exercises.catalogue.tracing import traced_quantities
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
-from newton_euler.algebra.trace import COMPARISONS, Step
+from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
 LONGEST = 30  # operations of a formula that a reader follows, and of all components
@@ -57,13 +57,14 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
     if found is None:
         return {}
     choices = [s.args[0] for s in found.trace.steps if s.op == "where"]
-    return _derivations(p, tuple(_value(c, values, {}) for c in choices))
+    g = p.base({**p.sympy_symbols(), **values})
+    return _derivations(p, tuple(_value(c, g, {}) for c in choices))
 
 
 @lru_cache(maxsize=400)
 def _traced(p):
     try:
-        return traced(p)
+        return traced_quantities(p)
     except (TypeError, ValueError, ArithmeticError, AttributeError):
         return None
 
@@ -334,13 +335,13 @@ def _constant(x):
 
 
 def _value(x, values, memo):
-    """The number of a traced condition, None where it has none."""
+    """The number of a traced condition for givens, None where it has none."""
     if not isinstance(x, Step):
         return float(x)
     if x.number not in memo:
         try:
             args = (
-                [values[x.args[0]]] if x.op == "argument"
+                [getattr(values, x.args[0])] if x.op == "argument"
                 else [_value(a, values, memo) for a in x.args]
             )  # fmt: skip
             memo[x.number] = operate("value" if x.op == "argument" else x.op, *args)

@@ -43,7 +43,7 @@ def coherent(units: Collection[str]) -> bool:
 
 
 def _numeral(x, stated_in, bare, latex):
-    bare = bare and stated_in != "deg" or stated_in == "1"
+    bare = (bare and stated_in != "deg") or stated_in == "1"
     if latex:
         return number_symbol(float(x)) + ("" if bare else unit_symbol(stated_in))
     return f"{float(x):.6g}" + ("" if bare else f" {stated_in}")

@@ -75,8 +75,10 @@ def worked_solution(p: Problem, values: Values, text: bool = True) -> str:
     out = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
     found = {line.step.key: line for line in lines(p, values)}
     of_answers = tuple(f"{key}_" for key, answer in answers.items() if _is_sum(answer))
-    listed = [x for key, x in found.items()
-              if key not in answers and not (x.step.term and key.startswith(of_answers))]  # fmt: skip
+    listed = [
+        line for key, line in found.items()
+        if key not in answers and not (line.step.term and key.startswith(of_answers))
+    ]  # fmt: skip
     for n, line in enumerate(listed, 1):
         out += [f"{n}. {_sentence(_means(line.step, p))}{_where(line.step)}: {_chain(line)}"]
     out.append("")
@@ -108,7 +110,7 @@ class _Writer:
         self.p, self.latex = p, latex
         self.derivations = derivations(p, values)
         self.sums = {s.key for s in quantities if not s.term and _is_sum(s.value)}
-        self.names, self.numbers = {}, {}
+        self.names, self.numbers, self.sizes = {}, {}, {}
         for name, stated in p.units.items():
             self._know(name, p.notation[name], values[name], stated)
         for s in quantities:
@@ -122,6 +124,7 @@ class _Writer:
         self.names[name] = named if self.latex else name
         if is_numeric(x):
             self.numbers[name] = x, stated
+            self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
 
     def line(self, s):
         """The line of a step or answer."""
@@ -176,8 +179,19 @@ class _Writer:
         if any(n not in self.numbers for n in free) or all(_is_atom(f) for f in formulas):
             return plain, ""
         names = numerals({n: self.numbers[n] for n in free}, [s.unit], self.latex)
+        formulas = [f.xreplace(self._nothing(f)) for f in formulas]
         text = self._joined([written(f, names, self.latex, numbers=True) for f in formulas])
         return plain, text if len(text) <= LONGEST else ""
+
+    def _nothing(self, formula):
+        """The symbols of a formula of which round-off is left, such as cos(60 deg) - 1/2, as 0."""
+        known = {
+            x: self.numbers[x.name] for x in formula.free_symbols if x.name not in self.p.units
+        }
+        return {x: 0 for x, (number, of) in known.items() if abs(number) <= self._noise(of)}
+
+    def _noise(self, stated_in):
+        return 1e-12 * self.sizes.get(stated_in, 0.0)
 
     def _whole(self, formulas):
         """The name of the vector that has these components, "" if there is none."""
@@ -201,9 +215,12 @@ class _Writer:
         return rf"\left[{list_symbol(parts)}\right]"
 
     def _value(self, s):
+        value = s.value
+        if isinstance(value, Vector):
+            value = value.rounded(self._noise(s.unit))
         if self.latex:
-            return _latex(s.value, self.p.notation) + unit_symbol(s.unit)
-        return formatted(s.value) + ("" if s.unit == "1" else f" {s.unit}")
+            return _latex(value, self.p.notation) + unit_symbol(s.unit)
+        return formatted(value) + ("" if s.unit == "1" else f" {s.unit}")
 
 
 def _is_atom(formula):
@@ -247,8 +264,6 @@ def _where(s):
 
 def _latex(value, notation):
     """An answer in LaTeX, numbers with six significant digits."""
-    if isinstance(value, Vector):
-        value = _without_noise(value)
     if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
         return matrix_symbol([[_latex(x, notation) for x in row] for row in value])
     if isinstance(value, (Vector, tuple, list)):
@@ -260,12 +275,6 @@ def _latex(value, notation):
         return number_symbol(value if isinstance(value, int) else float(value))
     names = {x.name: notation.get(x.name) or symbol(x.name) for x in value.free_symbols}
     return written(value, names, latex=True)
-
-
-def _without_noise(vector):
-    """The vector without components that are round-off, such as cos(60 deg) - 1/2."""
-    numbers = [abs(x) for x in vector.components() if is_numeric(x)]
-    return vector.rounded(1e-12 * float(max(numbers))) if numbers else vector
 
 
 def formatted(value: Any) -> str:

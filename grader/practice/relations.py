@@ -5,7 +5,7 @@ of the quantities, for which a student's own can stand.
 
 import math
 
-from exercises.catalogue.traced import traced
+from exercises.catalogue.tracing import traced_quantities
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
 from newton_euler.classroom.practising.programs import OPERATIONS, operate
@@ -26,7 +26,7 @@ def relations(p, values):
     trace = next((x.trace for parts in components.values() for x, _ in parts if _is_step(x)), None)
     if trace is None:
         return None
-    numbers = _evaluated(trace, values)
+    numbers = _evaluated(trace, p.base(values))
     starts = {x.number for parts in components.values() for x, _ in parts if _is_step(x)}
     program, place, reached = [], {}, {}
     for s in trace.steps:
@@ -61,7 +61,7 @@ def _is_step(x):
 
 def _traced(p):
     """{key: [(traced component in base units, factor to the unit of the text)]}."""
-    found = traced(p)
+    found = traced_quantities(p)
     factors = {key: unit(u).from_base(1.0, p.system) for key, u in found.units.items()}
     return {key: [_inward(x, factors[key]) for x in parts]
             for key, parts in found.components.items()}  # fmt: skip
@@ -72,13 +72,13 @@ def _inward(x, factor):
     return (x.args[0], -factor) if _is_step(x) and x.op == "neg" else (x, factor)
 
 
-def _evaluated(trace, values):
+def _evaluated(trace, g):
     """The number of each traced operation for these values, None where it is no plain number."""
     found = []
     for s in trace.steps:
         arguments = [found[a.number] if _is_step(a) else a for a in s.args]
         if s.op == "argument":
-            found.append(float(values[s.args[0]]))
+            found.append(float(getattr(g, s.args[0])))
         elif None in arguments or s.op not in OPERATIONS:
             found.append(None)
         else:
