@@ -450,12 +450,8 @@ def fast_spin(
     eps = c / h * (a / h)
     # the errors by 1 + s: 1 - s would cancel for a fast spin, where s is nearly 1
     once = 1 + sqrt(_discriminant(a, h, c, I, "spin")) / sqrt(h * h)
-    return FastSpin(
-        to_plain(c / h),
-        to_plain(_quotient(h, a, math.inf)),
-        to_plain(-2 * eps / once),
-        to_plain(4 * eps / (once * once)),
-    )
+    found = c / h, _quotient(h, a, math.inf), -2 * eps / once, 4 * eps / (once * once)
+    return FastSpin(*map(to_plain, found))
 
 
 # -- without a moment

@@ -299,15 +299,8 @@ def balance(
     total = where(to_plain(total) < to_plain(floor), floor, total)
     eccentricity = e / body.mass
     offset, tilt = max_abs(eccentricity / sqrt(total / body.mass)), max_abs(product / total)
-    return Balance(
-        offset <= tolerance,
-        tilt <= tolerance,
-        max_abs(eccentricity),
-        max_abs(product),
-        offset,
-        tilt,
-        tolerance,
-    )
+    sizes = max_abs(eccentricity), max_abs(product), offset, tilt, tolerance
+    return Balance(offset <= tolerance, tilt <= tolerance, *sizes)
 
 
 # -- balancing

@@ -286,13 +286,8 @@ def _exact(position, limits, weigh, name):
         return f
 
     rho = sympy.sympify(weigh(*place))
-    parts = (
-        1,
-        rho,
-        *(rho * x for x in place),
-        *(rho * place[a] * place[b] for a, b in SECOND_MOMENTS),
-    )
-    return (ZERO,) * 3, [total(f) for f in parts], 0.0
+    first, second = (rho * x for x in place), (rho * place[a] * place[b] for a, b in SECOND_MOMENTS)
+    return (ZERO,) * 3, [total(f) for f in (1, rho, *first, *second)], 0.0
 
 
 def _exact_content(tangents):

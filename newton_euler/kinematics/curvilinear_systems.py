@@ -72,17 +72,8 @@ def curvilinear(
         "velocity": lambda P: _velocity_terms(P, columns, names),
         "acceleration": lambda P: _acceleration_terms(P, position, columns, names),
     }
-    return CoordinatePoint(
-        name,
-        ground,
-        position(*q),
-        ground,
-        local,
-        q,
-        tuple(map(to_plain, factors)),
-        "curvilinear",
-        terms,
-    )
+    x, factors = position(*q), tuple(map(to_plain, factors))
+    return CoordinatePoint(name, ground, x, ground, local, q, factors, "curvilinear", terms)
 
 
 def tangents(position: Callable, q: Sequence[Scalar]) -> tuple:

@@ -503,13 +503,9 @@ class Point:
         total = add3(add3(add3(add3(origin.c, relative.c), coriolis), euler), centripetal)
 
         def terms():
-            return {
-                "origin": origin,
-                "relative": relative,
-                "coriolis": Vector(coriolis, via),
-                "euler": Vector(euler, via),
-                "centripetal": Vector(centripetal, via),
-            }
+            turned = {"coriolis": coriolis, "euler": euler, "centripetal": centripetal}
+            others = {name: Vector(c, via) for name, c in turned.items()}
+            return {"origin": origin, "relative": relative, **others}
 
         return Vector(total, via, None, self._ledger("acceleration", observer, via, terms))
 

@@ -21,6 +21,7 @@ TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
 # the floor that the docstring of integrate states: no state is judged relative to less than this in
 # its unit
 UNIT = 1e-6
+NOTHING = 1e-13  # of its natural size: a smaller state is nothing but round-off
 GROSS = 10.0  # times what was asked for and what was estimated: then an answer is silently wrong
 EPS = 2.0**-53
 LAX = 1e3  # times the round-off of the start: an error that can be reached by any sound method
@@ -99,11 +100,11 @@ def true_error(state, true, sizes, natural, unit=UNIT):
     """The error of a state: the largest difference of one of its numbers from the truth, over the
     largest size of that number on the way.
 
-    No size is smaller than ``unit``, 1e-6 in its unit, as ``integrate`` says; nor, whatever the
-    unit, than a thousandth of the natural size that its coupling to the others gives it
-    (:func:`~tests.honesty.references.scales`): a rate of nutation that is zero cannot be known
-    relative to nothing. With ``unit=0`` only the latter remains, and the error is the same in
-    metres and in parsecs.
+    No size is smaller than ``unit``, 1e-6 in its unit, as ``integrate`` says; nor, where it is no
+    more than the round-off of the natural size that its coupling to the others gives it, than a
+    thousandth of that (:func:`~tests.honesty.references.scales`): a rate of nutation that is zero
+    cannot be known relative to nothing. With ``unit=0`` only the latter remains, and the error is
+    the same in metres and in parsecs.
 
     state : floats; true : decimal numbers as text. inf if a number is not finite.
 
@@ -112,7 +113,10 @@ def true_error(state, true, sizes, natural, unit=UNIT):
     """
     if len(state) != len(true) or not all(map(math.isfinite, state)):
         return math.inf
-    known = scales(sizes, natural)
+    known = [
+        s if s > NOTHING * n else k
+        for s, n, k in zip(sizes, natural, scales(sizes, natural), strict=True)
+    ]
     differences = (float(abs(Fraction(x) - Fraction(y))) for x, y in zip(state, true, strict=True))
     return max(d / max(s, unit) if d else 0.0 for d, s in zip(differences, known, strict=True))
 

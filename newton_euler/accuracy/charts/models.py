@@ -46,15 +46,9 @@ def measured_models(ladder, progress=lambda fraction, words: None):
 def _measured(ladder, rung):
     distances = ladder.distances(rung)
     run = partial(prepare(rung.model, 1e-9), ladder.t, tuple(map(float, rung.start)))
-    return MeasuredModel(
-        rung.name,
-        timed(run, runs=5),
-        float(distances.max()),
-        asked=1e-9,
-        usual=float(np.median(distances)),
-        bound=rung.bound(ladder.t),
-        drops=tuple(n.what for n in rung.model.neglects),
-    )
+    cost, error, usual = timed(run, runs=5), float(distances.max()), float(np.median(distances))
+    bound, drops = rung.bound(ladder.t), tuple(n.what for n in rung.model.neglects)
+    return MeasuredModel(rung.name, cost, error, asked=1e-9, usual=usual, bound=bound, drops=drops)
 
 
 def usual_tolerance(points):

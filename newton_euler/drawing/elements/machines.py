@@ -4,15 +4,7 @@ import math
 from collections.abc import Sequence
 
 from ...algebra.vectors import FrameError, scale3, sub3
-from ..page.projection import (
-    between,
-    circle,
-    moved,
-    norm3,
-    on_circle,
-    perpendiculars,
-    silhouette,
-)
+from ..page.projection import between, circle, moved, norm3, on_circle, perpendiculars, silhouette
 from ..page.recorder import Direction, Place, Recorder
 from .cables import Pulley, route
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
+from ...motion.model import Model
 
 
 def uniform_acceleration(x, v, a, t):
@@ -11,9 +12,10 @@ def uniform_acceleration(x, v, a, t):
     return x + (v + a * t / 2) * t, v + a * t
 
 
-def constant_rate(of, *states):
-    """``states``, ``rhs``, ``exact`` of a Model: x, if given, and its rate, which has ``of(p)``."""
-    return {"states": states, "rhs": _Rates(of, states), "exact": _Exact(of, states)}
+def constant_rate(name, parameters, of, *states, **about):
+    """The Model of x, if among the ``states``, and its rate, which has the constant rate of(p)."""
+    rates, exact = _Rates(of, states), _Exact(of, states)
+    return Model(name, parameters, states, rates, exact=exact, **about)
 
 
 # classes, not functions inside a function, which could not be pickled

@@ -95,18 +95,10 @@ def ladder(
     v, chi, gamma, x, y, h = start
     ground = {"chi0": chi, "x0": x, "y0": y}
     begun = {**ground, "v0": v, "h0": h}
-    straight = Model(
-        "aircraft, straight",
-        {**begun, "gamma0": gamma},
-        **constant_rate(_straight, "s"),
-        neglects=(UNBALANCED, BANK),
-    )
-    turn = Model(
-        "aircraft in a level turn",
-        {**begun, "g": g, "bank": bank},
-        **constant_rate(_turning, "chi"),
-        neglects=(UNBALANCED,),
-    )
+    name, given, left = "aircraft, straight", {**begun, "gamma0": gamma}, (UNBALANCED, BANK)
+    straight = constant_rate(name, given, _straight, "s", neglects=left)
+    name, given, left = "aircraft in a level turn", {**begun, "g": g, "bank": bank}, (UNBALANCED,)
+    turn = constant_rate(name, given, _turning, "chi", neglects=left)
     forces = {"m": m, "g": g, "thrust": thrust, "k_lift": lift, "k_drag": drag}
     forces |= {"lift": _lift, "drag": _drag}
     name = "aircraft in a vertical plane"

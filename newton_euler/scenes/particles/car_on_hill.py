@@ -70,7 +70,7 @@ def ladder(
             f"= {start[1]!r} it does not"
         )
     particle, wheels = (
-        Model(name, full.parameters, **constant_rate(of, *STATES), neglects=neglects)
+        constant_rate(name, full.parameters, of, *STATES, neglects=neglects)
         for name, of, neglects in (
             ("car, particle", _of_particle, (WHEELS, AIR)),
             ("car on wheels", _on_wheels, (AIR,)),

@@ -182,11 +182,9 @@ def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    return Model(
-        "satellite, circle",
-        locals(),
-        **constant_rate(_circling, "angle"),
-        neglects=(ECCENTRICITY, BULGE),
+    name, neglects = "satellite, circle", (ECCENTRICITY, BULGE)
+    return constant_rate(
+        name, {"mu": mu, "r": r, "sense": sense}, _circling, "angle", neglects=neglects
     )
 
 

@@ -97,9 +97,7 @@ def particle(m: Scalar, l: Scalar, g: Scalar, I: Scalar = 0) -> Model:
     (0.0, -20.0)
     """
     size = Neglected(
-        "the moment of inertia about the centre of mass",
-        partial(_by_size, scalar(I)),
-        ANGLE,
+        "the moment of inertia about the centre of mass", partial(_by_size, scalar(I)), ANGLE
     )
     return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=(size,))
 

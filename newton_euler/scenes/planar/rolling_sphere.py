@@ -31,10 +31,8 @@ def rolling_down(slope: Scalar, g: Scalar, k: Scalar | None = None) -> Model:
     >>> rolling_down(0.5235987755982988, 9.8).derivative((0.0, 0.0))[1]
     3.5
     """
-    k = inertia_ratio(g, k)
-    return Model(
-        "sphere on an incline", locals(), **constant_rate(_rolling, *STATES), invariants=_INVARIANTS
-    )
+    name, parameters = "sphere on an incline", {"slope": slope, "g": g, "k": inertia_ratio(g, k)}
+    return constant_rate(name, parameters, _rolling, *STATES, invariants=_INVARIANTS)
 
 
 def rolling_in_air(slope: Scalar, g: Scalar, air: Scalar, k: Scalar | None = None) -> Model:
@@ -73,13 +71,8 @@ def ladder(
             f"the ladder is for a sphere that comes down, v not below zero; got v = {start[1]!r}"
         )
     full = rolling_in_air(slope, g, air, k)
-    block = Model(
-        "block on an incline",
-        full.parameters,
-        **constant_rate(_sliding, *STATES),
-        invariants={"energy over mass": _block_energy},
-        neglects=(ROTATION, AIR),
-    )
+    about = {"invariants": {"energy over mass": _block_energy}, "neglects": (ROTATION, AIR)}
+    block = constant_rate("block on an incline", full.parameters, _sliding, *STATES, **about)
     sphere = replace(rolling_down(slope, g, k), parameters=full.parameters, neglects=(AIR,))
     return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
 
@@ -105,9 +98,7 @@ def _block_energy(s, p, t):
     return s.v * s.v / 2 - _sliding(p) * s.x
 
 
-_INVARIANTS = {
-    "energy over mass": lambda s, p, t: (1 + p.k) * s.v * s.v / 2 - _sliding(p) * s.x,
-}
+_INVARIANTS = {"energy over mass": lambda s, p, t: (1 + p.k) * s.v * s.v / 2 - _sliding(p) * s.x}
 
 # -- bounds of what is neglected: against the air the sphere is never faster than without it
 

@@ -51,19 +51,10 @@ def ladder(
     ['rotor at a constant rate', 'rotor without weight', 'rotor with dead weight']
     """
     full = turning_rotor(mass, x, y, I, g, moment)
-    steady = Model(
-        "rotor at a constant rate",
-        {**full.parameters, "omega": start[1]},
-        **constant_rate(_steady, "psi"),
-        neglects=(MOMENT, WEIGHT),
-    )
-    light = Model(
-        "rotor without weight",
-        full.parameters,
-        **constant_rate(_light, *STATES),
-        invariants={"energy": _light_energy},
-        neglects=(WEIGHT,),
-    )
+    name, given = "rotor at a constant rate", {**full.parameters, "omega": start[1]}
+    steady = constant_rate(name, given, _steady, "psi", neglects=(MOMENT, WEIGHT))
+    about = {"invariants": {"energy": _light_energy}, "neglects": (WEIGHT,)}
+    light = constant_rate("rotor without weight", full.parameters, _light, *STATES, **about)
     rungs = (Rung(m, start[: len(m.states)], observed_states("psi")) for m in (steady, light, full))
     return Ladder("rotor", ANGLE, t, tuple(rungs))
 

@@ -123,15 +123,8 @@ def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Mod
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
     """
-    return Model(
-        "wobble of a symmetric body",
-        locals(),
-        STATES[:2],
-        _symmetric,
-        {},
-        _symmetric_exact,
-        (ASYMMETRY,),
-    )
+    name, given = "wobble of a symmetric body", locals()
+    return Model(name, given, STATES[:2], _symmetric, {}, _symmetric_exact, (ASYMMETRY,))
 
 
 def small_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:

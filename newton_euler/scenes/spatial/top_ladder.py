@@ -8,6 +8,7 @@ which are singular where the axis is vertical, and by the quaternion, which is n
 """
 
 from contextlib import suppress
+from dataclasses import replace
 from operator import attrgetter
 
 from ...algebra.scalars import Scalar, cos, sin
@@ -36,12 +37,8 @@ def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
     """
-    return Model(
-        "top, slow precession",
-        locals(),
-        **constant_rate(_slow, "psi"),
-        neglects=(NUTATION, NO_TRANSVERSE, ASYMMETRY),
-    )
+    given, neglects = locals(), (NUTATION, NO_TRANSVERSE, ASYMMETRY)
+    return constant_rate("top, slow precession", given, _slow, "psi", neglects=neglects)
 
 
 def top_steady_precession(
@@ -54,12 +51,8 @@ def top_steady_precession(
     0.505103
     """
     rate = steady_precession(I0, I, theta, omega_z=omega_z, mgr=mgr).slow
-    return Model(
-        "top, steady precession",
-        {"rate": rate, "theta": theta},
-        **constant_rate(_steady, "psi"),
-        neglects=(NUTATION, ASYMMETRY),
-    )
+    given, neglects = {"rate": rate, "theta": theta}, (NUTATION, ASYMMETRY)
+    return constant_rate("top, steady precession", given, _steady, "psi", neglects=neglects)
 
 
 def top_precession_and_nutation(
@@ -67,13 +60,9 @@ def top_precession_and_nutation(
 ) -> Model:
     """The Model of :func:`~newton_euler.scenes.spatial.top.nutation` with psi as a third state."""
     base = nutation(I0, I, mgr, omega_z, momentum_difference)
-    return Model(
-        "top, nutation and precession",
-        base.parameters,
-        (*base.states, "psi"),
-        _axis_rates,
-        base.invariants,
-        neglects=(ASYMMETRY,),
+    name, states = "top, nutation and precession", (*base.states, "psi")
+    return replace(
+        base, name=name, states=states, rhs=_axis_rates, exact=None, neglects=(ASYMMETRY,)
     )
 
 
