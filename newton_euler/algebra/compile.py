@@ -373,7 +373,7 @@ def _needed_values(error):
 
 def _traced(x):
     """True for traced values, also in lists and arrays."""
-    x = x.ravel().tolist() if getattr(x, "dtype", None) == object else x
+    x = x.ravel().tolist() if getattr(getattr(x, "dtype", None), "kind", "") == "O" else x
     return isinstance(x, Step) or (isinstance(x, (list, tuple)) and any(map(_traced, x)))
 
 

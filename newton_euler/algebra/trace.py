@@ -13,8 +13,8 @@ COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
     "a formula is traced without values: it must not branch on them (if, and, max, ==) or round "
     "them (int, round, %, //), but chooses by where(x < y, a, b), and takes sin, cos, sqrt ... "
-    "from newton_euler, not from math or numpy; in place of numpy.interp and scipy.interpolate it takes "
-    "table(ts, values), and in place of numpy.linalg solve_linear and sqrt(x*x + y*y)"
+    "from newton_euler, not from math or numpy; in place of numpy.interp and scipy.interpolate it "
+    "takes table(ts, values), and in place of numpy.linalg solve_linear and sqrt(x*x + y*y)"
 )
 
 
