@@ -285,7 +285,7 @@ class Run:
             reached = replace(self, own=False).calibrated(method)
         except AccuracyError:
             return AccuracyError(why, motion)
-        error = max(motion.error, reached.error * NATURAL_PART * worst_ratio(*known[:2]))
+        error = max(motion.error, self.rtol * NATURAL_PART * worst_ratio(*known[:2]))
         return FarError(why, replace(reached, estimate=error))
 
     def resolved(self, before, method, coarse, fine, scaled):
