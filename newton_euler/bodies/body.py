@@ -169,8 +169,9 @@ def composite(
     """A rigid body made of parts, with holes as parts of negative mass (5.11), (7.14).
 
     parts, removed : bodies, all fixed in one rigid body; they are the terms of ``body.about(P)``
-    frame : the frame of the whole; default: that of the first part Raises :class:`MassError` if no
-        mass is left, or if moments come out that no body has (a hole outside of the body).
+    frame : the frame of the whole; default: that of the first part
+    Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
+    outside of the body).
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk

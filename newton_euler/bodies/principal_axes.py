@@ -51,8 +51,8 @@ class Principal:
     noise : relative error of the entries of the matrix; default: round-off
     gaps : for each axis, the distance of its moment from the nearest other one
     turns : for each axis, the angle in rad by which an error of noise times the largest moment
-        typically turns it, atan2(noise, gap); it can be a few times that All three are empty for
-        expressions; for arrays each entry has shape (N,).
+        typically turns it, atan2(noise, gap); it can be a few times that
+    All three are empty for expressions; for arrays each entry has shape (N,).
     """
 
     inertia: Any

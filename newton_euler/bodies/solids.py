@@ -66,8 +66,8 @@ def arc(
 
     middle : the centre of the circle; G lies r sin(a)/a from it
     axis, toward : normal to the plane of the arc; from ``middle`` to the middle of the arc, by
-        default along the next axis in the order x, y, z, x For small angles a the moments about G
-        lose as many digits as 1/a^2 has.
+        default along the next axis in the order x, y, z, x
+    For small angles a the moments about G lose as many digits as 1/a^2 has.
     """
     name, m = _mass("arc", matter, 2 * half_angle * radius, radius=radius, half_angle=half_angle)
     distance, flatness = _sine_ratios(half_angle)
