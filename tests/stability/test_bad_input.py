@@ -210,9 +210,6 @@ def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
             forgetful(x)
 
 
-# -- models and motions
-
-
 def thrown(s, p, t):
     return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
 
@@ -302,9 +299,6 @@ def test_what_can_be_read_as_real_numbers_is_taken():
     assert FALL.derivative(iter(START)) == FALL.derivative([1, 0]) == (0.0, -9.81)
 
 
-# -- compiled formulas
-
-
 def test_a_compiled_formula_says_where_it_has_no_value():
     ratio = compiled(lambda x, y: sqrt(x) / y)
     with pytest.raises(SingularError, match=r"no value at x = -1\.0, y = 1\.0"):
@@ -313,9 +307,6 @@ def test_a_compiled_formula_says_where_it_has_no_value():
         ratio(1.0, 0.0)
     with pytest.raises(RangeError, match="no value"):
         compiled(exp)(1e6)
-
-
-# -- equal vectors
 
 
 def test_a_vector_is_equal_to_itself_there_and_back():
@@ -336,9 +327,6 @@ def test_a_vector_is_equal_to_itself_there_and_back():
     q = sympy.Symbol("q")
     assert ground.vector(cos(q) ** 2 + sin(q) ** 2, 0, 0) == ground.i
     assert ground.vector(q, 0, 0) != ground.vector(q + 1, 0, 0)
-
-
-# -- long expressions
 
 
 def chain_of_frames(n):
