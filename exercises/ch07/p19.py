@@ -28,7 +28,9 @@ def steps(g):
     full, cavity = solids(g)
     share = cavity.mass / full.mass
     m_full = g.m / (1 - share)
-    yield Step("share", share, "1", "mass of the cone over that of the full cylinder, p^2*q/3", "7.10")
+    yield Step(
+        "share", share, "1", "mass of the cone over that of the full cylinder, p^2*q/3", "7.10"
+    )
     yield Step("m_full", m_full, "kg", "mass of the full cylinder", "7.10")
     yield Step("I_full", m_full * full.inertia.radius_of_gyration("y") ** 2, "kg*m^2",
                "moment of inertia of the full cylinder", "7.10")  # fmt: skip

@@ -106,8 +106,7 @@ def mistakes(g):
         return excess([parts(g, l_r)[0]])
 
     models = no_transfer, solid, equal_masses, no_panels
-    found = {model.__name__: critical(g, model) for model in models}
-    return found | {"whole_length": solve(g.but(q=g.one))}
+    return {model.__name__: critical(g, model) for model in models}
 
 
 def draw(g, ax):
