@@ -37,7 +37,8 @@ def steps(g):
                "10.5", "10.17")  # fmt: skip
     omega_z = I_0 / I_z * g.psi_dot * cos(g.theta)
     yield Step("omega_z", omega_z, "rev/h", "whole rate about the axis of symmetry, with which no "
-               r"moment is needed: $I \omega_z = I_0 \dot\psi \cos\theta$", "10.6", "10.29")  # fmt: skip
+               r"moment is needed: $I \omega_z = I_0 \dot\psi \cos\theta$",
+               "10.6", "10.29")  # fmt: skip
 
 
 def by_sign(along):

@@ -35,7 +35,7 @@ def solve(g):
 def steps(g):
     square = sum(q * q for q in place(g))
     yield Step("cubic", g.c * square**2, "J", "part of F.r with c at the end of the segment from "
-               "the origin; at its part s, F.dr has s^3 ds times this", "11.9", "11.15")  # fmt: skip
+               "the origin; at its part s, F.dr is s^3 ds times this", "11.9", "11.15")  # fmt: skip
     yield Step("linear", -g.k * square, "J", "part of F.r with k; at the part s of the segment, "
                "F.dr has s ds times this", "11.9", "11.15")  # fmt: skip
 
