@@ -30,19 +30,20 @@ class SourceReader(Configured, NotebookExporter):
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
-        steps = self.parent.preprocessors
-        self.parent.preprocessors = [SaveChangedCells if s is SaveCells else s for s in steps]
-        self._convert = self.parent.convert_notebooks
-        self.parent.convert_notebooks = self._convert_or_keep
+        converter: Any = self.parent
+        steps = converter.preprocessors
+        converter.preprocessors = [SaveChangedCells if s is SaveCells else s for s in steps]
+        convert = converter.convert_notebooks
+        converter.convert_notebooks = lambda: self._keep(converter.coursedir, convert)
 
-    def _convert_or_keep(self):
-        release = Course(self.course_path).released_path(self.parent.coursedir.assignment_id).parent
+    def _keep(self, coursedir, convert):
+        release = Course(self.course_path).released_path(coursedir.assignment_id).parent
         with tempfile.TemporaryDirectory() as folder:
             kept = Path(folder) / "release"
             if release.is_dir():
                 shutil.copytree(release, kept)
             try:
-                self._convert()
+                convert()
             except BaseException:
                 if kept.is_dir() and not release.exists():
                     shutil.copytree(kept, release)

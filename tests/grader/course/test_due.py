@@ -5,7 +5,6 @@ import pytest
 from grader.grading import grade
 from tests.grader.courses import append_config, command, nbgrader, ran
 
-
 BEN = 6  # the points of his work in time
 
 
