@@ -1,6 +1,4 @@
-"""What makes a figure hard to read: labels that overlap, are crossed by lines, stand far off or
-leave the picture, axes that look alike; from what was recorded and the boxes of the labels.
-"""
+"""What makes a figure hard to read: labels in the way, astray or cut off, axes that look alike."""
 
 import math
 from itertools import combinations
@@ -28,20 +26,15 @@ def faults(ax: Any) -> list[str]:
     >>> print(*faults(ax))
     the axes x and z are seen on one line within 6 degrees; choose another azimuth or elevation
     """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
     sketches = sketches_on(ax)
-    _draw(ax.figure)
+    FigureCanvasAgg(ax.figure).draw()  # finishes the sketches and places their labels
     found = _label_faults(ax)
     for drawn in filter(None, (sketch.drawn for sketch in sketches)):
         found += [fault for triad in drawn.triads for fault in _alike(drawn, *triad)]
         found += _strays(ax, drawn)
     return found
-
-
-def _draw(figure):
-    """Draw a figure, which finishes its sketches and places their labels."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    FigureCanvasAgg(figure).draw()
 
 
 def _alike(view, origin, axes):
