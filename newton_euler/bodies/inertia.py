@@ -210,9 +210,7 @@ class Inertia(Scaled, NamedTerms):
         return out
 
     def expressed_in(self, frame: Frame) -> "Inertia":
-        """The same inertia along the axes of ``frame`` at this instant: R I R^T; of a sphere, or a
-        body of revolution turned about its axis, exactly the same.
-        """
+        """The same inertia along the axes of ``frame`` at this instant, R I R^T."""
         if frame is self.frame:
             return self
         # the unit matrix times a moment that occurs twice stays as it is; the rest is turned

@@ -219,8 +219,8 @@ def _numeric(position, limits, weigh, rtol, name):
 
 
 def _parameters(limits, unit):
-    """The parameters for t in (0, 1), and their step per step of t, by 3 t^2 - 2 t^3: its rate
-    vanishes at both ends, which makes roots at the limits smooth.
+    """The parameters for t in (0, 1), by 3 t^2 - 2 t^3, whose rate vanishes at both ends, which
+    makes roots at the limits smooth; and their step per step of t.
     """
     parameters, step = [], 1
     for (a, b), t in zip(limits, unit, strict=True):

@@ -44,10 +44,7 @@ class Matter(TypedDict, total=False):
 
 @checked
 def rod(length: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]) -> Body:
-    """A thin straight rod about its middle: 0, m L^2/12 twice (App. B).
-
-    For a rod from one point to another see :func:`simplex`.
-    """
+    """A thin straight rod about its middle: 0, m L^2/12 twice (App. B). See :func:`simplex`."""
     name, m = _mass("rod", matter, length, length=length)
     return _of_revolution(name, centre, axis, m, ZERO, m * length**2 / 12)
 
@@ -89,10 +86,7 @@ def half_ring(
     toward: str | None = None,
     **matter: Unpack[Matter],
 ) -> Body:
-    """A thin wire along half a circle about ``middle``; G lies 2 r/pi from there.
-
-    Directions as for :func:`arc`.
-    """
+    """A thin wire along half a circle; G lies 2 r/pi from ``middle``. Otherwise as :func:`arc`."""
     matter.setdefault("name", "half ring")
     return arc(radius, pi(radius) / 2, middle, axis, toward, **matter)
 
@@ -104,10 +98,7 @@ def half_ring(
 def plate(
     b: Scalar, c: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A thin rectangular plate with normal ``axis`` (App. B).
-
-    b, c : its sides along the two axes that follow ``axis``: normal x, b along y, c along z
-    """
+    """A thin rectangular plate with normal ``axis`` (App. B), b and c along the next two axes."""
     name, m = _mass("plate", matter, b * c, b=b, c=c)
     bb, cc = m * b**2 / 12, m * c**2 / 12
     return _placed(name, centre, axis, m, (bb + cc, cc, bb))
@@ -219,10 +210,7 @@ def wedge(
     toward: str | None = None,
     **matter: Unpack[Matter],
 ) -> Body:
-    """A sector of a solid cylinder, of the given length along ``axis``.
-
-    middle : the middle of its edge. Directions as for :func:`arc`.
-    """
+    """A sector of a solid cylinder, ``middle`` of its edge; directions as for :func:`arc`."""
     volume = half_angle * radius**2 * length
     name, m = _mass("wedge", matter, volume, radius=radius, half_angle=half_angle, length=length)
     flat = sector(radius, half_angle, middle, axis, toward, mass=m, name=name)
@@ -285,10 +273,7 @@ def hemisphere(
 def ellipsoid(
     a: Scalar, b: Scalar, c: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A solid ellipsoid: m (b^2 + c^2)/5 and so on.
-
-    a, b, c : half axes along ``axis`` and along the two that follow it
-    """
+    """A solid ellipsoid: m (b^2 + c^2)/5 …; half axis a along ``axis``, b and c along the next."""
     name, m = _mass("ellipsoid", matter, 4 * pi(a) * (a * b * c) / 3, a=a, b=b, c=c)
     return _placed(name, centre, axis, m, _sums_of_squares(m, a, b, c, 5))
 

@@ -74,9 +74,7 @@ class Animation:
         return data, {"image/png": about}
 
     def html(self) -> str:
-        """The body of the page. Without scripts, in print, and until it is played for a reader who
-        prefers reduced motion, it shows the first picture.
-        """
+        """The body of the page, which shows the first picture until it is played."""
         return self._page().partition("<body>\n")[2].partition("\n</body>")[0]
 
     def _page(self):

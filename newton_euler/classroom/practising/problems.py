@@ -1,6 +1,4 @@
-"""A problem to practise: its numbers, checks of answers and of every step on the way, hints, and
-the solution.
-"""
+"""A problem to practise: its numbers, checks of answers and steps, hints, and the solution."""
 
 import math
 import textwrap

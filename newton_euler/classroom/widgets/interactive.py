@@ -1,6 +1,4 @@
-"""Figures that sliders move. The window, the scale and that of the arrows are the same for all
-values, so that what moves in the picture moves in the scene.
-"""
+"""Figures that sliders move, with one window and one scale for all values."""
 
 from collections.abc import Callable
 from html import escape

@@ -101,9 +101,7 @@ class Solids(Recorder):
             ) from error
 
     def cylinder(self, A: Place, B: Place, radius: float, bore: float = 0) -> None:
-        """Draw a cylinder with the axis from A to B; ``bore``: radius of the hole along its axis,
-        which makes it a tube that is open at both ends.
-        """
+        """Draw a cylinder with the axis from A to B; with a ``bore``, its radius, an open tube."""
         A, B = self._places(A, B)
         axis, r = self._unit(sub3(B, A)), self._length(radius)
         bore = self._bore(bore, r)

@@ -145,9 +145,7 @@ class Vectors(Recorder):
             canvas.note(middle, label, away_from=beside, colour=KINDS[kind])
 
     def turn(self, P: Place, axis: Direction, label: str = "", radius: float | None = None) -> None:
-        """Draw a curved arrow about ``axis`` through P, right-handed: an angular velocity. If it is
-        zero, a dot.
-        """
+        """Draw an angular velocity as a curved arrow about ``axis`` through P; zero is a dot."""
         P, axis = self._place(P), self._triple(axis, "direction")
         radius = self._or_default(radius)
         if not norm3(axis):

@@ -1,6 +1,4 @@
-"""What makes a figure hard to read: labels that overlap, are crossed by lines, stand far off or
-leave the picture, axes that look alike; from what was recorded and the boxes of the labels.
-"""
+"""What makes a figure hard to read: labels in the way, astray or cut off, axes that look alike."""
 
 import math
 from itertools import combinations
