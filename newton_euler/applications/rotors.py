@@ -180,9 +180,6 @@ def _check_motion(body, A, e, length, ground):
             )
 
 
-# -- balance
-
-
 @dataclass(frozen=True)
 class Imbalance:
     """The static and the dynamic imbalance (9.4) about the point O, at right angles to the axis, in
@@ -290,9 +287,6 @@ def balance(
     offset, tilt = max_abs(eccentricity / sqrt(total / body.mass)), max_abs(product / total)
     sizes = max_abs(eccentricity), max_abs(product), offset, tilt, tolerance
     return Balance(offset <= tolerance, tilt <= tolerance, *sizes)
-
-
-# -- balancing
 
 
 @checked

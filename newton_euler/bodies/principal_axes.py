@@ -155,9 +155,6 @@ def _with_report(inertia, noise, moments, axes):
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
 
 
-# -- numbers
-
-
 def _of_arrays(inertia, noise):
     import numpy as np
 
@@ -232,9 +229,6 @@ def _by_sympy(rows):
     return zip(*pairs, strict=True)
 
 
-# -- expressions
-
-
 def _of_expressions(rows):
     coupled = [(u, v) for u, v in PAIRS if not is_zero(rows[u][v])]
     diagonal = [rows[n][n] for n in range(3)]
@@ -279,9 +273,6 @@ def _of_full_matrix(rows):
 def _less(rows, x):
     """The matrix less x on its diagonal."""
     return [[y - x if n == m else y for m, y in enumerate(row)] for n, row in enumerate(rows)]
-
-
-# -- symmetry
 
 
 @dataclass(frozen=True)

@@ -144,9 +144,6 @@ def _vectors(parts, ground):
     return [(name, Vector(c, ground)) for name, c in parts if any(x is not ZERO for x in c)]
 
 
-# -- the gradient
-
-
 @checked
 def gradient(f: Callable, P: Point) -> Vector:
     """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, the sum of (df/dq_i)/h_i

@@ -29,8 +29,6 @@ from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, su
 from .frames import Frame
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
-# -- paths as functions
-
 
 @checked
 def along(path: Callable, q: Scalar) -> tuple:
@@ -96,9 +94,6 @@ def _three(c):
             f"a path returns three coordinates (x, y, z), with 0 for z in the plane; got {c!r}"
         ) from None
     return x, y, z
-
-
-# -- the Frenet triad
 
 
 @dataclass(frozen=True)

@@ -83,9 +83,6 @@ def plane_view(plane):
     return View(*(tuple(float(axis == name) for axis in "xyz") for name in plane))
 
 
-# -- geometry of triples
-
-
 def norm3(v):
     """The magnitude of v, a float."""
     return math.sqrt(dot3(v, v))

@@ -69,8 +69,6 @@ class Recorder:
         self._window: Window | None = None  # that of an animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
 
-    # -- conversion of places, directions and lengths
-
     def _place(self, P):
         """A place as a triple of floats in the ground; it is added to the extent of the figure."""
         return self._extend([self._triple_of(P)])[0]
@@ -165,8 +163,6 @@ class Recorder:
     def _extend(self, points):
         self._extent.extend(points)
         return points
-
-    # -- recording and finishing
 
     def _record(self, command):
         self._commands.append(command)

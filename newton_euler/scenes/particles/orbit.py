@@ -83,9 +83,6 @@ _INVARIANTS = {
 }
 
 
-# -- the exact solution
-
-
 def _exact(s, p, t):
     """The state at t by the eccentric anomaly; nan, when traced, if the orbit is no ellipse."""
     x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
@@ -167,9 +164,6 @@ def _halley(E, e, rest, M):
     sine, drop = sin(E), 2 * sin(E / 2) ** 2
     late, slope = _mean_anomaly(E, rest, sine) - M, rest + e * drop
     return E - 2 * late * slope / (2 * slope * slope - late * e * sine)
-
-
-# -- a satellite over the equator
 
 
 def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:

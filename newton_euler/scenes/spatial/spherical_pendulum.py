@@ -56,9 +56,6 @@ def nodding(mass: Scalar, length: Scalar, g: Scalar, theta: Scalar, precession: 
     )
 
 
-# -- the tip in plan
-
-
 def small_swings(length: Scalar, g: Scalar) -> Model:
     """The Model of small swings without friction, on an ellipse: states x, y, dx, dy of the tip.
 

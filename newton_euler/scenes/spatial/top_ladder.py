@@ -110,9 +110,6 @@ def ladder(
     return Ladder("top", DIRECTION, t, tuple(rungs))
 
 
-# -- the direction of the axis
-
-
 def _direction(psi, theta):
     """The unit vector along the axis, in the ground."""
     return sin(theta) * sin(psi), -sin(theta) * cos(psi), cos(theta)
@@ -130,8 +127,6 @@ def _along(s, p, t):
 def _third(s, p, t):
     return tuple(row[2] for row in matrix_from_quaternion(_q(s)))
 
-
-# -- rates
 
 _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
 
