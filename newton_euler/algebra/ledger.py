@@ -59,11 +59,7 @@ class Equation:
 
 @cache
 def equation(kind: str) -> Equation:
-    """The :class:`Equation` of this kind of sum, from ``equations.toml``.
-
-    >>> equation("acceleration").number, equation("acceleration").terms["coriolis"][0]
-    ('4.18', '2 omega x v_r')
-    """
+    """The :class:`Equation` of this kind of sum, from ``equations.toml``."""
     import tomllib  # here, since few programs explain a sum
     from pathlib import Path
 
@@ -112,11 +108,7 @@ class Terms(dict[str, T], Generic[T]):
         raise TermError(f"no term {name!r}; the terms are {', '.join(self) or 'none'}")
 
     def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
-        """The terms of both, in order: those whose names they share are all kept.
-
-        >>> Terms({"x": 1.0}) | {"no slip": 2.0}
-        {'x': 1.0, 'no slip': 2.0}
-        """
+        """The terms of both, in order: those whose names they share are all kept."""
         more = other if isinstance(other, Terms) else Terms(other)
         return Terms([*self.named(), *more.named()])
 
