@@ -69,9 +69,7 @@ class _Own:
     """Base of the kinds of number that the engine defines."""
 
     __slots__ = ()
-    __array_ufunc__ = (
-        None  # NumPy hands operations over instead of looping over an array's elements
-    )
+    __array_ufunc__ = None  # NumPy hands operations over and does not loop over elements
     _op_priority = 1000.0  # and so does SymPy
     rank = 0  # of several kinds in one operation, the highest decides
 
@@ -339,7 +337,7 @@ def real(x, what):
 
 
 def integer_like(x, like):
-    """The integer ``x`` in the kind of ``like``, to be as exact as that; other numbers unchanged."""
+    """The integer ``x`` in the kind of ``like``, to be as exact as that; others unchanged."""
     exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
     return like * 0 + x if exact else x
 
@@ -355,7 +353,7 @@ def without_rates(x):
 
 
 def short(x):
-    """The number as text with six digits, for messages and tables; an expression or array in full."""
+    """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
     return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
@@ -423,9 +421,7 @@ def _define(name):
     return f
 
 
-sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
-    _define(name) for name in FUNCTIONS
-)
+sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = map(_define, FUNCTIONS)
 
 
 def hypot(*values: Scalar) -> Scalar:

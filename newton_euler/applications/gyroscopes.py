@@ -147,9 +147,7 @@ def _check_moments(I0, I):
     if not is_numeric(I0):
         return
     if anywhere(to_plain(I0) <= 0):
-        raise GyroError(
-            f"the transverse moment of inertia I0 must be positive, got {to_plain(I0)!r}"
-        )
+        raise GyroError(f"the transverse moment I0 must be positive, got {to_plain(I0)!r}")
     # a disk has I = 2 I0, up to round-off
     if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
         raise GyroError(
@@ -275,9 +273,7 @@ def steady_precession(
     # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
     q = (h + _sense(h) * sqrt(D)) / 2
     if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
-        raise GyroError(
-            "no steady precession is possible: without spin a body at this angle can hold no moment"
-        )
+        raise GyroError("no steady precession is possible: without spin it can hold no moment")
     slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
     stiffness = tuple(_stiffness(I0, I, theta, psi, spin, omega_z) for psi in (slow, fast))
     return SteadyPrecession(to_plain(slow), to_plain(fast), to_plain(D), stiffness)
@@ -465,23 +461,19 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
     (5.6975, 'direct')
     """
     _check_moments(I0, I)
-    difference, c = scalar(I0) - I, cos(theta)
-    if is_numeric(difference) and is_zero(difference):
+    apart, c = scalar(I0) - I, cos(theta)
+    if is_numeric(apart) and is_zero(apart):
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
     if is_numeric(c) and min_abs(c) <= 4 * epsilon(c) and not is_zero(spin):
         raise GyroError(
             f"theta = {to_plain(theta)!r} rad is pi/2: H has no component along the axis, and the "
             "spin must be zero"
         )
-    sense = (
-        where(to_plain(difference) > 0, "direct", "retrograde") if is_numeric(difference) else None
-    )
+    sense = where(to_plain(apart) > 0, "direct", "retrograde") if is_numeric(apart) else None
     tilt = atan(I * tan(theta) / I0)
     gap = theta - tilt
     size = abs(gap) if is_numeric(gap) else sqrt(gap * gap)
-    return FreePrecession(
-        to_plain(I * spin / (difference * c)), sense, to_plain(tilt), to_plain(size)
-    )
+    return FreePrecession(to_plain(I * spin / (apart * c)), sense, to_plain(tilt), to_plain(size))
 
 
 # -- the sleeping top
@@ -521,6 +513,5 @@ def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Sleepin
     margin = where(hangs, math.inf, h * h / where(hangs, 1, 4 * to_plain(c)))
     unstable = to_plain(D) < 0
     growth = sqrt(where(unstable, -D, 0 * D)) / (2 * I0)
-    return SleepingTop(
-        critical, to_plain(margin), where(to_plain(D) >= 0, True, False), to_plain(growth)
-    )
+    stable = where(to_plain(D) >= 0, True, False)
+    return SleepingTop(critical, to_plain(margin), stable, to_plain(growth))

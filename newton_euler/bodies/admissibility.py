@@ -113,9 +113,8 @@ def _check_integrals(I, tolerance, slack):
 
 
 def _check_about_centre(I, tolerance, slack):
-    slack += round_off(I.mass, (I.point, I.centre), I.frame) + tolerance * max(
-        map(max_abs, I.moments)
-    )
+    slack += round_off(I.mass, (I.point, I.centre), I.frame)
+    slack += tolerance * max(map(max_abs, I.moments))
     try:
         _check_integrals(I.about(I.centre), 4 * tolerance, slack)
     except MassError as problem:

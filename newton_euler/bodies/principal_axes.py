@@ -90,9 +90,8 @@ class Principal:
         data = f"data with a relative error of {self.noise:.2g}"
         names = [str(n) for n, fixed in enumerate(self.determined, 1) if not fixed]
         if not names:
-            return (
-                f"all axes are determined, to {max(map(max_abs, self.turns)):.2g} rad, for {data}"
-            )
+            worst = max(map(max_abs, self.turns))
+            return f"all axes are determined, to {worst:.2g} rad, for {data}"
         rest = (
             "any axis is a principal axis"
             if len(names) == 3
@@ -149,9 +148,8 @@ def _with_report(inertia, noise, moments, axes):
     largest = where(-first > third, -first, third)  # round-off can make the first negative
     low, high = second - first, third - second
     gaps = low, where(low < high, low, high), high
-    turns = tuple(
-        np.arctan2(*(np.asarray(x, dtype=float) for x in (noise * largest, gap))) for gap in gaps
-    )
+    noise_of_largest, *floats = (np.asarray(x, dtype=float) for x in (noise * largest, *gaps))
+    turns = tuple(np.arctan2(noise_of_largest, gap) for gap in floats)
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
 
 
@@ -320,9 +318,7 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     def vanishes(x):
         return is_zero(x) or (is_numeric(x) and max_abs(x) <= small)
 
-    left = "".join(
-        name for name, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x)
-    )
+    left = "".join(n for n, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x))
     axes = tuple(axis for axis in AXES if axis not in left)
     planes = {"x": "yz", "y": "zx", "z": "xy"}
     kind, axis = _equal_moments(inertia, vanishes)
@@ -332,9 +328,7 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
 def _equal_moments(inertia, vanishes):
     p = principal(inertia)
     if any(getattr(m, "shape", ()) for m in p.moments):
-        raise MassError(
-            "the symmetry of an array of matrices is not one symmetry; ask for each instant"
-        )
+        raise MassError("an array of matrices has no one symmetry; ask for each instant")
     same = [p.moments[n] is p.moments[m] or vanishes(p.moments[n] - p.moments[m]) for n, m in PAIRS]
     if sum(same) >= 2:
         return "sphere", None

@@ -180,7 +180,5 @@ def _per_mass(m, forces):
 
 def _three(F, name):
     if len(F) > 3:
-        raise FrameError(
-            f"the force {name} has {len(F)} components: {F!r}; give 3, or 2 in the plane"
-        )
+        raise FrameError(f"the force {name} has {len(F)} components: {F!r}; give 3, or 2")
     return (*F, 0, 0, 0)[:3]

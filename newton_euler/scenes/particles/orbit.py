@@ -122,14 +122,10 @@ def _check(x, y, v_x, v_y, mu, t):
     if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
     if not all(map(is_finite, (*state, mu, t))) or max_abs(where(mu <= 0, 1, 0)):
-        raise ModelError(
-            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, {state}, t = {t}"
-        )
+        raise ModelError(f"an orbit needs finite numbers, mu > 0; got mu = {mu}, {state}, t = {t}")
     one, two = x * v_y, y * v_x
     if max_abs(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
-        raise ModelError(
-            "the orbit is a straight line through the centre: its angular momentum is 0"
-        )
+        raise ModelError("the orbit is a straight line through the centre: no angular momentum")
 
 
 def _beta(x, y, v_x, v_y, mu, r):
@@ -173,10 +169,8 @@ def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    name, neglects = "satellite, circle", (ECCENTRICITY, BULGE)
-    return constant_rate(
-        name, {"mu": mu, "r": r, "sense": sense}, _circling, "angle", neglects=neglects
-    )
+    given, neglects = {"mu": mu, "r": r, "sense": sense}, (ECCENTRICITY, BULGE)
+    return constant_rate("satellite, circle", given, _circling, "angle", neglects=neglects)
 
 
 @scene(

@@ -88,9 +88,7 @@ def _check(moments, w, t):
             "must be finite"
         )
     if any(is_numeric(I) and max_abs(where(I > 0, 0, 1)) for I in moments):
-        raise ModelError(
-            f"the principal moments of the exact solution are three positive numbers, got {moments}"
-        )
+        raise ModelError(f"the principal moments are three positive numbers, got {moments}")
 
 
 def _gap(k, I, w):

@@ -77,9 +77,7 @@ def asymmetric_top_quaternion(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Sca
     return Model("top of unequal moments, quaternion", locals(), (*QUATERNION, *RATES), _quaternion)
 
 
-@scene(
-    "10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True
-)
+@scene("10.5", "top", "slow and steady precession, nutation, unequal moments", ladder=True)
 def ladder(
     I0: Scalar = 0.02, I: Scalar = 0.01, mgr: Scalar = 0.5, omega_z: Scalar = 150.0,
     theta: Scalar = 0.6, theta_rate: Scalar = 0.0, precession: Scalar = 0.34,
