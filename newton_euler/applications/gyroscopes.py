@@ -8,10 +8,6 @@ symmetry k (10.17). Euler angles 3-1-3: ``theta`` is the angle from the axis of 
 its whole rate about k (10.26). Moments are about the line of nodes i = K x k/sin(theta): gravity's
 is mgr sin(theta) (10.30), ``mgr`` weight times distance of G from the fixed point, positive if G
 lies on the side of k; any other is given as ``moment``. Angles in rad, rates in rad/s.
-
->>> found = steady_precession(I0=0.02, I=0.01, theta=1.0, spin=100.0, mgr=0.5)
->>> round(found.slow, 6), round(found.fast, 4)
-(0.501358, 184.5802)
 """
 
 import math
@@ -273,7 +269,9 @@ def steady_precession(
     # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
     q = (h + _sense(h) * sqrt(D)) / 2
     if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
-        raise GyroError("no steady precession is possible: without spin it can hold no moment")
+        raise GyroError(
+            "no steady precession is possible: without spin a body at this angle can hold no moment"
+        )
     slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
     stiffness = tuple(_stiffness(I0, I, theta, psi, spin, omega_z) for psi in (slow, fast))
     return SteadyPrecession(to_plain(slow), to_plain(fast), to_plain(D), stiffness)

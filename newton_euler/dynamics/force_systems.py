@@ -243,7 +243,9 @@ def _parts(name, part):
 
 def _vector(v, what):
     if not isinstance(v, Vector):
-        raise ForceError(f"a {what} has a Vector, as ground.vector(0, 0, -9.81); got {v!r}")
+        raise ForceError(
+            f"the vector of a {what} is a Vector, as ground.vector(0, 0, -9.81); got {v!r}"
+        )
     return v
 
 

@@ -159,7 +159,9 @@ def _checked(force):
                 "exists"
             ) from problem
         if len(F) != 3:
-            raise WorkError(f"a force field returns (F_x, F_y, F_z); got {len(F)} at {where}")
+            raise WorkError(
+                f"a force field returns (F_x, F_y, F_z); got {len(F)} components at {where}"
+            )
         if not all(map(is_finite, F)):
             raise WorkError(
                 f"the force is {F} at {where}, not finite; keep base, box and loops where it exists"

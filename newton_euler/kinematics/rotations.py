@@ -356,7 +356,9 @@ def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
 def _four(q):
     q = tuple(scalar(x) for x in q)
     if len(q) != 4:
-        raise RotationError(f"a quaternion has four components, scalar first; got {len(q)}: {q!r}")
+        raise RotationError(
+            f"a quaternion has four components, the scalar part first; got {len(q)}: {q!r}"
+        )
     return q
 
 

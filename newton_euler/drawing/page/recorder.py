@@ -52,7 +52,9 @@ class Recorder:
         if not hasattr(ax, "add_patch"):
             raise FrameError(f"a sketch is on a matplotlib Axes, as of plt.subplots(); got {ax!r}")
         if not isinstance(ground, Frame):
-            raise FrameError(f"Sketch(ax, ground) needs its ground, a Frame; got {ground!r}")
+            raise FrameError(
+                f"Sketch(ax, ground) shows a scene from its ground, a Frame; got {ground!r}"
+            )
         self.ax, self.frame = ax, ground
         self.arrows = self._length(arrows)
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
