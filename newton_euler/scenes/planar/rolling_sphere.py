@@ -65,7 +65,9 @@ def ladder(
     ['block on an incline', 'sphere on an incline', 'sphere on an incline, in air']
     """
     if start[1] < 0:
-        raise ModelError(f"the sphere comes down, v not below zero; got v = {start[1]!r}")
+        raise ModelError(
+            f"the ladder is for a sphere that comes down, v not below zero; got v = {start[1]!r}"
+        )
     full = rolling_in_air(slope, g, air, k)
     about = {"invariants": {"energy over mass": _block_energy}, "neglects": (ROTATION, AIR)}
     block = constant_rate("block on an incline", full.parameters, _sliding, *STATES, **about)
