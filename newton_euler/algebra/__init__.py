@@ -32,5 +32,6 @@ from .scalars import (
     tanh,
     where,
 )
+from .tables import Table, TableError, table
 from .units import Dimension, DimensionError, Unit, UnitError, unit
 from .vectors import FrameError, Vector, cross, dot, same
