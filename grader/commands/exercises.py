@@ -22,7 +22,7 @@ from .shared import FOLDER, SEED, console, progress_bar
     help="Replace a given, in the unit of the text: --given omega=0.9. May be repeated.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
-@click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
+@click.option("--explain", is_flag=True, help="Also print how: steps, equations, terms of sums.")
 def solve(
     names: tuple[str, ...], seed: int | None, changed: tuple[str, ...], as_json: bool, explain: bool
 ) -> None:
@@ -33,7 +33,13 @@ def solve(
     """
     from exercises.catalogue import select
 
-    from ..reports import answers_json, answers_text, solve_problem, terms_text
+    from ..reports import (
+        answers_json,
+        answers_text,
+        given_values,
+        solution_text,
+        solve_problem,
+    )
 
     problems = select(names)
     changes = dict(_pair(c) for c in changed)
@@ -45,8 +51,9 @@ def solve(
             )
     out = {}
     for p in problems:
+        own = {n: v for n, v in changes.items() if n in p.units}
         try:
-            results = solve_problem(p, seed, {n: v for n, v in changes.items() if n in p.units})
+            results = solve_problem(p, seed, own)
         except (ArithmeticError, ValueError) as error:
             if not changes:
                 raise
@@ -57,7 +64,7 @@ def solve(
         if not as_json:
             console.print(answers_text(p, results))
             if explain:
-                console.print(terms_text(p, results))
+                console.print(solution_text(p, given_values(p, seed, own)), soft_wrap=True)
     if as_json:
         click.echo(json.dumps(out, indent=1))
 
@@ -176,6 +183,25 @@ def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) 
         click.echo(path)
         for fault in figure_faults(p, values_of(p)):
             console.print(f"[yellow]{p.id}[/]: {escape(fault)}")
+
+
+@click.command("list")
+@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
+def list_problems(names: tuple[str, ...]) -> None:
+    """Print the problems, with the number of their sheets.
+
+    So many sets of numbers can be drawn for students; where it is 1, all have the same problem.
+    """
+    from rich.table import Table
+
+    from exercises.catalogue import select
+    from exercises.catalogue.variants import sheets
+
+    table = Table("problem", "title", "section", "asks for", "sheets", box=None)
+    for p in select(names or ("all",)):
+        asked = ", ".join(dict.fromkeys(a.kind.name.replace("_", " ") for a in p.answers))
+        table.add_row(p.id, escape(p.title), p.section, asked, f"{sheets(p):.3g}")
+    console.print(table)
 
 
 @click.command()

@@ -1,6 +1,4 @@
-"""Scalars of every kind, vectors, sums with named terms, linear equations, quadrature, generated
-code.
-"""
+"""Scalars of every kind, vectors, sums with named terms, linear equations, compiled code."""
 
 from .compile import compiled
 from .errors import NewtonEulerError

@@ -9,7 +9,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import (
@@ -177,18 +177,6 @@ def test_turns_about_moving_axes_are_turns_about_fixed_axes_in_reverse_order():
 # -- infinitesimal rotations, angular velocity and acceleration (4.9)-(4.14)
 
 
-def turned(kind, matrix, t, dt):
-    """The matrix at t and dt later in floats or mpf, and axis and angle of the turn in between."""
-    before, after = (
-        [[number(x) for x in row] for row in matrix(time)] for time in (t, t + numbers(kind, dt))
-    )
-    return before, after, *axis_angle(product(after, transpose(before)))
-
-
-def largest(differences):
-    return max(np.max(abs(x)) for x in differences)
-
-
 @every_kind
 def test_eqn_4_9_angular_velocity_is_the_limit_of_small_rotations(kind):
     """The rotation during dt, axis times angle over dt, differs from omega in proportion to dt."""
@@ -196,9 +184,12 @@ def test_eqn_4_9_angular_velocity_is_the_limit_of_small_rotations(kind):
     omega = [number(x) for x in body.angular_velocity(ground).components(ground)]
     error = []
     for dt in (1e-4, 5e-5):
-        _, _, axis, angle = turned(kind, matrix, t, dt)
+        before, after = (
+            [[number(x) for x in row] for row in matrix(s)] for s in (t, t + numbers(kind, dt))
+        )
+        axis, angle = axis_angle(product(after, transpose(before)))
         mean = angle / number(numbers(kind, dt))
-        error.append(largest(e * mean - w for e, w in zip(axis, omega, strict=True)))
+        error.append(max(np.max(abs(e * mean - w)) for e, w in zip(axis, omega, strict=True)))
     assert error[0] < 1e-3  # rad/s
     assert 1.99 < error[0] / error[1] < 2.01
 
@@ -283,17 +274,6 @@ def test_example_4_5_cone_rolling_as_a_formula():
 
 
 # -- reading axis and angle
-
-
-@every_kind
-def test_axis_and_angle_come_back(kind):
-    angle, axis = numbers(kind, "1.3"), numbers(kind, "0.48", "-0.6", "0.64")
-    if kind == "array":
-        axis = tuple(x[0] + 0 * x for x in axis)
-    R = rotation_matrix(axis, angle)
-    if kind == "sympy":
-        R = [[number(x) for x in row] for row in R]
-    assert close(axis_angle(R), (axis, angle), small(kind))
 
 
 def test_axis_and_angle_of_exact_numbers_are_exact():
@@ -456,14 +436,6 @@ def test_what_is_read_from_a_matrix_rebuilds_it(R):
 
 
 @laws
-@given(matrices, matrices, matrices)
-def test_composition_is_associative_and_its_inverse_runs_backwards(R, S, T):
-    assert close(in_sequence(in_sequence(R, S), T), in_sequence(R, in_sequence(S, T)), 16 * EPS)
-    backwards = in_sequence(*(transpose(M) for M in (T, S, R)))
-    assert close(product(backwards, in_sequence(R, S, T)), UNIT, 48 * EPS)
-
-
-@laws
 @given(triples, angles, triples, angles)
 def test_quaternions_compose_as_matrices_do(e, a, f, b):
     p, q = quaternion(e, a), quaternion(f, b)
@@ -473,23 +445,17 @@ def test_quaternions_compose_as_matrices_do(e, a, f, b):
 
 
 @laws
-@given(st.tuples(*[st.floats(-100, 100)] * 4).filter(lambda q: sum(x * x for x in q) > 1e-3))
-def test_a_quaternion_of_any_length_gives_a_true_rotation(q):
+@given(
+    st.tuples(*[st.floats(-100, 100)] * 4).filter(lambda q: sum(x * x for x in q) > 1e-3),
+    st.sampled_from([1.0, 1e-100, 1e100]),
+)
+def test_a_quaternion_of_any_length_gives_a_true_rotation(q, size):
+    q = [size * x for x in q]
     R = matrix_from_quaternion(q)
     assert close(product(transpose(R), R), UNIT, 16 * EPS)
     assert close(R, matrix_from_quaternion(normalised(q)), 16 * EPS)
     assert close(R, matrix_from_quaternion([-x for x in q]), 0)
-
-
-between = st.floats(-3, 3)
-
-
-@laws
-@given(between, st.floats(0.01, 3.13), between, st.tuples(*[st.floats(-5, 5)] * 3))
-def test_euler_rates_come_back(psi, theta, phi, omega):
-    rates = euler_rates(psi, theta, phi, omega)
-    assume(max(map(abs, rates)) < 1e3)
-    assert close(euler_body_rates(psi, theta, phi, rates), omega, 1e-12)
+    assert abs(math.hypot(*normalised(q)) - 1) < 2 * EPS
 
 
 # -- quaternions
