@@ -1,7 +1,6 @@
-"""Reads the components of an answer out of the JSON of a receipt. Whatever it holds, this takes a
-bounded time, and what is no answer raises :class:`TreeError`.
-
-The bounds count operations and not seconds, so that a receipt earns the same on every machine.
+"""Reads the components of an answer out of the JSON of a receipt, in a bounded time: the bounds
+count operations, not seconds, to be the same on every machine. What is no answer raises
+:class:`TreeError`.
 """
 
 import math
@@ -29,10 +28,7 @@ def _finite(x):
 
 
 def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -> Points:
-    """The values of formula trees at each of the points of the symbols.
-
-    symbols : {name: array of the points at which formulas are compared}
-    """
+    """The values of formula trees at each of the points, ``symbols``: {name: array}."""
     import numpy as np
 
     for part in trees:

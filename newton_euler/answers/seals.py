@@ -1,10 +1,10 @@
 """Whether an answer is right, from a seal: a salted slow hash of the right one, which an instructor
 may put into each student's own copy.
 
-What it gives away: with the seal of a number, a program finds the number by trying all of its size,
-a thousand or two, in a minute; a vector or a matrix one component after the other. Its size is
-known to a factor of 1.4. Formulas are compared at one point of their symbols, to five digits; these
-would take a day. So a seal helps those who learn, and does not stop those who look for the answer.
+With the seal of a number, a program finds the number by trying all of its size (known to a factor
+of 1.4), a thousand or two, in a minute; a vector or a matrix one component after the other.
+Formulas are compared at one point of their symbols, to five digits, and would take a day. So a seal
+helps those who learn, and does not stop those who look for the answer.
 """
 
 import hashlib
