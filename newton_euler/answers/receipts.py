@@ -1,8 +1,6 @@
 """The functions ``expect`` and ``receipt`` of a student's notebook: what a problem asks for, and a
-check and a record of the *form* of the answers.
-
-The form is kind, shape, finite numbers, known symbols, and for formulas the dimension. The record
-is JSON: numbers, or trees of a few operators. Neither function holds or needs the key.
+check and a record of the *form* of the answers (kind, shape, finite numbers, known symbols, the
+dimension of formulas), as JSON. Neither function holds or needs the key.
 """
 
 import json
@@ -34,9 +32,8 @@ def expect(
 ) -> None:
     """Announce what ``problem`` asks for, each answer by its form.
 
-    symbols : maps the symbols of formulas to their units
-    notation : maps names to LaTeX, where :func:`~newton_euler.answers.notation.symbol` would
-        print another symbol
+    symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where
+        :func:`~newton_euler.answers.notation.symbol` would print another symbol
     sane : maps answers to what any answer must be: ``(low, high)`` for its size, or "kinetic
         energy"; a receipt warns of one that is not
 
@@ -49,14 +46,11 @@ def expect(
 
 @checked
 def receipt(problem: str, names: Mapping | None = None, /, **answers: object) -> "Receipt":
-    """A :class:`Receipt` that shows how each answer to ``problem`` was read. The answers are kept
-    as one JSON record; None stands for an answer that is not given yet.
+    """A :class:`Receipt` that shows how each answer to ``problem`` was read; None stands for an
+    answer that is not given yet. Raises :class:`AnswerError`, which names every answer that cannot
+    be read; under nbgrader's Validate also where answers are open.
 
-    names : where answers are looked up that are not passed, as ``globals()``; what is not there is
-        not given yet
-
-    Raises :class:`AnswerError`, which names every answer that cannot be read; under nbgrader's
-    Validate also where answers are open.
+    names : where answers are looked up that are not passed, as ``globals()``
 
     >>> expect("0/1", v="vector, mm/s")
     >>> receipt("0/1", v=[1, 2.5, 0])
@@ -93,7 +87,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if (outcome := check(seal, forms[key].kind, read[key]))
     }
     doubted = {
-        key: outcome
+        key: found
         for key, form in forms.items()
         if (found := doubts(form, read.get(key), symbols, sane.get(key)))
     }
