@@ -158,9 +158,14 @@ CORIOLIS_HALVED = Cause("term", "coriolis / 2", "writes the Coriolis term withou
 
 
 def unconverted(given: str, unit: str) -> Cause:
-    """A given in degrees or revolutions is used with its number."""
-    text = f"uses {given} in {unit} as if it were in radians (and seconds)"
+    """A given is used with its number in another unit than the rest."""
+    text = f"uses {given} in {unit} without converting it"
     return Cause("unit", given, text)
+
+
+def computed(name: str, text: str) -> Cause:
+    """A slip in one step of the computation; ``name`` says in which, and which slip."""
+    return Cause("computed", name, text)
 
 
 def other_axes(place: int, frame: str) -> Cause:
