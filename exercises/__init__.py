@@ -1,6 +1,4 @@
-"""The textbook's problems: text and data in ``chNN/pMM.yaml``, what they compute in ``pMM.py``
-beside it. Stays with the instructor.
-"""
+"""The textbook's problems, ``chNN/pMM.yaml`` and ``pMM.py``. Stays with the instructor."""
 
 from .catalogue import Problem, chapters, problem, problems
 

@@ -1,6 +1,4 @@
-"""What the code of a problem uses besides the engine: steps, figures, and for ``prove`` the proofs
-and the numbers of mpmath.
-"""
+"""What a problem's code uses besides the engine: steps, figures, proofs, numbers of mpmath."""
 
 from mpmath import mp, mpf
 

@@ -125,27 +125,21 @@ def sections():
 
 
 def numbers_in(name):
-    """The numbered equations that a test's name names, as {(chapter, number)}:
-    ``test_eqn_2_15_to_2_18_…``, ``test_eqn_11_41_46_…``.
-    """
+    """Numbered equations in the name ``test_eqn_2_15_to_2_18_and_4_1_…``, as {(chapter, number)}."""
     match = re.match(r"test_eqns?_((?:A|\d+)_\d+(?:_(?:and|to|A|\d+)(?=_|$))*)", name)
-    if not match:
-        return set()
-    tokens, found, chapter, at, span = match[1].split("_"), [], None, 0, False
-    chapter = tokens[0]
-    while at < len(tokens):
-        token = tokens[at]
+    tokens, found = match[1].split("_") if match else [], []
+    chapter, word = "", "and"
+    while tokens:
+        token, after = tokens.pop(0), tokens[0] if tokens else ""
         if token in ("and", "to"):
-            span = token == "to"
-        elif token == chapter and at + 1 < len(tokens) and tokens[at + 1].isdigit():
-            number, at = int(tokens[at + 1]), at + 1
-            found += range(found[-1] + 1, number + 1) if span and found else [number]
-            span = False
-        elif token.isdigit():
-            found += range(found[-1] + 1, int(token) + 1) if span and found else [int(token)]
-            span = False
-        at += 1
-    return {(chapter, n) for n in found}
+            word = token
+            continue
+        if after.isdigit() and (word == "and" or token == chapter):
+            chapter, token = token, tokens.pop(0)
+        first = found[-1][1] + 1 if word == "to" else int(token)
+        found += [(chapter, n) for n in range(first, int(token) + 1)]
+        word = ""
+    return set(found)
 
 
 def tests():
@@ -158,9 +152,7 @@ def tests():
 
 
 def table():
-    """[(section, rooms, equations, files, missing)]: what of each section is tested where, and what
-    is not.
-    """
+    """[(section, rooms, equations, files, missing)]"""
     names = tests()
     of_equation = defaultdict(set)
     for name, file in names.items():

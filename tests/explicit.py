@@ -33,9 +33,7 @@ def _formulas(position, order):
 
 
 def explicit(position, order):
-    """The derivative of that order of the position, as a function of kind, coordinates, rates, and
-    second rates.
-    """
+    """That derivative of the position as a function of kind, coordinates, first and second rates."""
 
     def evaluated(kind, q, rates, second):
         return tuple(_formulas(position, order)[kind](q, rates, second))

@@ -13,9 +13,7 @@ def modules(folder: Path) -> dict[str, Path]:
 def imports(
     module: str, files: dict[str, Path], source: str | None = None
 ) -> list[tuple[str, str | None]]:
-    """[(module, name or None)] of ``files`` that a module imports, also inside of functions;
-    ``source``: instead of the text of its file.
-    """
+    """[(module, name or None)] that a module imports anywhere; ``source`` for its text."""
     path = files[module]
     parts = [*module.split("."), *(["__init__"] if path.name == "__init__.py" else [])]
     tops = {name.split(".")[0] for name in files}

@@ -35,9 +35,7 @@ def write_notebook(path, cells):
 
 @contextmanager
 def jupyterlab(notebook, own):
-    """The address of a notebook in a JupyterLab, which is ended afterwards; its settings are in the
-    folder ``own``.
-    """
+    """The address of a notebook in a JupyterLab with settings in ``own``, ended afterwards."""
     pytest.importorskip("jupyterlab", reason="JupyterLab is not installed")
     pytest.importorskip("ipywidgets", reason="ipywidgets is not installed")
     with socket.socket() as free:
@@ -169,9 +167,7 @@ class Page:
         actions.perform()
 
     def run(self, n):
-        """Run the cell ``n`` by Shift and Enter; again while nothing happens, since JupyterLab
-        takes no keys for a moment after it says that the kernel is there.
-        """
+        """Run cell ``n`` by Shift and Enter, again while nothing happens: keys are dropped at first."""
         from selenium.webdriver import Keys
 
         def prompt():

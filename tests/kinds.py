@@ -18,15 +18,14 @@ import numpy as np
 import pytest
 import sympy
 
+from newton_euler import Dimension
 from newton_euler.algebra.scalars import to_plain
 
 mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
 
 
 def _array(x):
-    """Three instants: the value itself, and two near it, so that a formula which mixes up instants
-    is seen.
-    """
+    """The value and two near it, so that a formula which mixes up instants is seen."""
     return float(x) * np.array([1.0, 1.0625, 0.875])
 
 
@@ -41,6 +40,7 @@ def _rational(x):
 # each makes its number from a Fraction
 KINDS = {"float": float, "array": _array, "mpmath": _mpf, "sympy": _rational}
 every_kind = pytest.mark.parametrize("kind", KINDS)
+MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
 
 
 def numbers(kind, *values):
@@ -54,9 +54,7 @@ def numbers(kind, *values):
 
 
 def number(x):
-    """A scalar of any kind as something to compare: a 30 digit mpf, or an array of floats for an
-    array.
-    """
+    """A scalar of any kind to compare: a 30 digit mpf, or an array of floats for an array."""
     x = to_plain(x)
     if isinstance(x, np.ndarray):
         return x
@@ -66,9 +64,14 @@ def number(x):
     return mpmath.mpf(x)
 
 
-def small(kind, scale=1):
-    """Absolute, for quantities of order 10 ``scale``: a few round-offs of the kind."""
-    return scale * (1e-12 if kind in ("float", "array") else mpmath.mpf(10) ** -25)
+def within(floats, digits):
+    """The tolerance of a kind, times a scale: ``floats``, or 10^-digits where digits are free."""
+    return lambda kind, scale=1: (
+        scale * (floats if kind in ("float", "array") else mpmath.mpf(10) ** -digits)
+    )
+
+
+small = within(1e-12, 25)
 
 
 def close(a, b, tolerance=1e-12):

@@ -9,16 +9,7 @@ from newton_euler.scenes.spatial.top import SPIN
 from newton_euler.scenes.spatial.top import tilted as top_start
 from tests.models import forced, oscillator
 
-__all__ = [
-    "ALL",
-    "SCENES",
-    "SPIN",
-    "reference",
-    "sizes",
-    "top_start",
-    "true_error",
-]
-
+__all__ = ["ALL", "SCENES", "SPIN", "reference", "sizes", "top_start", "true_error"]
 
 ONLY_HERE = {
     "forced": Scene("forced", "0", "driven and damped", lambda: (forced(), 25.0, (0.3, 0.0))),

@@ -22,9 +22,7 @@ def value(x):
 
 
 def check_terms(whole, parts, names):
-    """Raises AssertionError unless ``whole`` is the sum of ``parts`` (numbers from elsewhere) in
-    its value, its terms, what is left without a name, and what it prints.
-    """
+    """``whole`` is the sum of ``parts``: value, terms, what is left without a name, print."""
     size = 1 + max((np.abs(p).max() for p in parts), default=0)
 
     def agree(found, expected):

@@ -16,6 +16,7 @@ ROOT = Path(__file__).parent.parent
     ("test_eqn_11_41_46_47_integrated", {("11", 41), ("11", 46), ("11", 47)}),
     ("test_eqns_6_26_and_6_27_flight", {("6", 26), ("6", 27)}),
     ("test_eqn_A_3_and_A_5_unit_vectors", {("A", 3), ("A", 5)}),
+    ("test_eqn_2_1_to_2_2_and_3_1_components", {("2", 1), ("2", 2), ("3", 1)}),
     ("test_example_4_11_velocity", set()),
 ])  # fmt: skip
 def test_a_name_tells_its_equations(name, numbers):

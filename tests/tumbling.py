@@ -19,17 +19,8 @@ MASSES = [
 ]
 
 
-def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
-    differentiation leaves of 50 digits.
-    """
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
-
-
 def close(a, b, tolerance):
-    """As in tests.kinds, with SymPy's numbers evaluated from the inside out to 60 digits: evalf
-    takes forever on nested sums.
-    """
+    """With SymPy's numbers evaluated from the inside out: evalf takes forever on nested sums."""
     if hasattr(a, "frame") and hasattr(b, "frame"):
         b = b.expressed_in(a.frame)
     return kinds.close(valued(a), valued(b), tolerance)
@@ -59,9 +50,7 @@ def path(a, b, c):
 
 
 def free_body(kind):
-    """ground, body, points to take moments about by name, and the numbers (a, b, c, t) of the
-    motion.
-    """
+    """ground, body, named points to take moments about, and the numbers (a, b, c, t)."""
     a, b, c, t = q = numbers(kind, "0.4", "-0.7", "1.1", "0.5")
     ground = Frame("ground")
     frame = ground.rotate(

@@ -324,7 +324,7 @@ def cones(ax, ratio, theta, precession):
     ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(precession)
     phi = psi * (1 - ratio) * math.cos(theta) / ratio
     draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
-    sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "no spin"
+    sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "a fixed axis"
     ax.set_title(sense, fontsize=11)
 
 

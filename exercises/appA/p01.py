@@ -1,9 +1,10 @@
 """A/1: position vectors of two points, and of one with respect to the other."""
 
-from exercises.tools import Sketch, Step, plus, rate, scaled
+from exercises.tools import Sketch, plus, rate, scaled
 from newton_euler import Frame
 
 AXES = Frame("axes")
+follows = {"r_BA": lambda g, r_A, r_B: r_B - r_A}
 
 
 def points(g):
@@ -17,20 +18,13 @@ def solve(g):
 
 def steps(g):
     A, _ = points(g)
-    yield Step("r_OA", AXES.origin - A, "1", "vector from A to O: from A one comes to B by O", "A",
-               "A.9")  # fmt: skip
-
-
-follows = {"r_BA": lambda g, r_A, r_B: r_B - r_A}
+    return {"r_OA": AXES.origin - A}
 
 
 def prove(g):
     """From the places of a point that moves uniformly from A to B in unit time."""
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
-
-    def place(t):
-        return plus(scaled(1 - t, A), scaled(t, B))
-
+    place = lambda t: plus(scaled(1 - t, A), scaled(t, B))
     return {"r_A": place(0), "r_B": place(1), "r_BA": rate(place), "r_OA": scaled(-1, place(0))}
 
 

@@ -1,6 +1,6 @@
 """A/2: a vector of given length and direction."""
 
-from exercises.tools import Sketch, Step, root, scaled, size
+from exercises.tools import Sketch, root, scaled, size
 from newton_euler import Frame
 
 
@@ -14,8 +14,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("r", to_P(g).norm(), "1", "distance of P from O", "A", "A.12")
-    yield Step("e", to_P(g).direction(), "1", "unit vector from O toward P", "A", "A.1")
+    return {"r": to_P(g).norm(), "e": to_P(g).direction()}
 
 
 def prove(g):

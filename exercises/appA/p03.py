@@ -1,9 +1,10 @@
 """A/3: the sum of two vectors and its direction, in a plane."""
 
-from exercises.tools import Sketch, Step, integral, minus, mp, size
+from exercises.tools import Sketch, integral, minus, mp, size
 from newton_euler import Frame, radians
 
 AXES = Frame("axes")
+follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
 
 
 def vectors(g):
@@ -22,22 +23,14 @@ def solve(g):
 
 def steps(g):
     R = solve(g)["R"]
-    yield Step("size", R.norm(), "1", "magnitude of R", "A", "A.12")
-    cosine = R.direction().dot(AXES.i)
-    yield Step("c", cosine, "1", "cosine of theta, the dot product of unit vectors", "A", "A.2")
-
-
-follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
+    return {"size": R.norm(), "c": R.direction().dot(AXES.i)}
 
 
 def prove(g):
-    """R is the way of a point that goes with the velocity P in the first unit of time, and G in the
-    second; the angle, from the sides of the triangle of R and i.
-    """
+    """R as the way of a point at the velocities P, then G; the angle from a triangle with i."""
     P, G = [g.P_x, g.P_y, 0], [g.G_x, g.G_y, 0]
     R = integral(lambda t: P if t < 1 else G, 0, 2, breaks=(1,))
-    away = size(minus(R, [1, 0, 0]))
-    cosine = (size(R) ** 2 + 1 - away**2) / (2 * size(R))
+    cosine = (size(R) ** 2 + 1 - size(minus(R, [1, 0, 0])) ** 2) / (2 * size(R))
     return {"R": R, "angle": mp.acos(cosine), "size": size(R), "c": cosine}
 
 

@@ -1,6 +1,6 @@
 """A/4: sum, difference and dot products, without a figure."""
 
-from exercises.tools import Step, minus, plus, size
+from exercises.tools import minus, plus, size
 from newton_euler import Frame
 
 
@@ -17,24 +17,16 @@ def solve(g):
 
 def steps(g):
     P, G = vectors(g)
-    yield Step("dot_i", P.x * G.x, "1", "part of P . G from the components along i", "A", "A.11")
-    yield Step("dot_j", P.y * G.y, "1", "part of P . G from the components along j", "A", "A.11")
-    yield Step("P_P", P.dot(P), "1", "square of the magnitude of P, for (d)", "A", "A.12")
-    yield Step("G_G", G.dot(G), "1", "square of the magnitude of G, for (d)", "A", "A.12")
+    return {"dot_i": P.x * G.x, "dot_j": P.y * G.y, "P_P": P.dot(P), "G_G": G.dot(G)}
 
 
 follows = {"dot_sd": lambda g, sum, diff: sum.dot(diff)}
 
 
 def prove(g):
-    """Dot products by lengths alone, those of the diagonals of parallelograms; the difference
-    as the other diagonal, P + G less twice G.
-    """
+    """Dot products by the lengths of diagonals; P - G as P + G less twice G."""
     P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, 0]
-
-    def dot(a, b):
-        return (size(plus(a, b)) ** 2 - size(minus(a, b)) ** 2) / 4
-
+    dot = lambda a, b: (size(plus(a, b)) ** 2 - size(minus(a, b)) ** 2) / 4
     S = plus(P, G)
     D = minus(S, plus(G, G))
     return {

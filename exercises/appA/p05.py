@@ -1,6 +1,6 @@
 """A/5: the component of a vector along a directed line."""
 
-from exercises.tools import Sketch, Step, minus, plus, rate, root, scaled, size
+from exercises.tools import Sketch, minus, plus, rate, root, scaled, size
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -19,9 +19,7 @@ def solve(g):
 
 def steps(g):
     _, _, A, B = points(g)
-    yield Step("AB", B - A, "1", "vector from A to B", "A")
-    yield Step("l", (B - A).norm(), "1", "distance of A and B", "A", "A.12")
-    yield Step("e", (B - A).direction(), "1", "unit vector along the line", "A", "A.1")
+    return {"AB": B - A, "l": (B - A).norm(), "e": (B - A).direction()}
 
 
 def along(g, PG):
@@ -37,9 +35,7 @@ def prove(g):
     """From the place on the line that is nearest to P to the one that is nearest to G."""
     P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, g.G_z]
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
-
-    def on_line(t):
-        return plus(scaled(1 - t, A), scaled(t, B))
+    on_line = lambda t: plus(scaled(1 - t, A), scaled(t, B))
 
     def nearest(C):
         return root(lambda t: rate(lambda u: size(minus(on_line(u), C)) ** 2, t), -100, 100)

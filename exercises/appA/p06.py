@@ -1,6 +1,6 @@
 """A/6: the components of a cross product, without numbers and figure."""
 
-from exercises.tools import Step, mp
+from exercises.tools import mp
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -17,17 +17,13 @@ def solve(g):
 
 def steps(g):
     A, B = vectors(g)
-    for n, e in enumerate((AXES.i, AXES.j, AXES.k)):
-        part = (A[n] * e).cross(B)
-        yield Step(f"from_{'ijk'[n]}", part, "1", f"a_{n + 1} {'ijk'[n]} x B", "A", "A.5")
+    axes = {"i": AXES.i, "j": AXES.j, "k": AXES.k}
+    return {f"from_{name}": (a * e).cross(B) for a, (name, e) in zip(A, axes.items(), strict=True)}
 
 
 def prove(g):
     """Each component as the volume of the box that A and B span with one unit vector."""
-
-    def volume(*e):
-        return mp.det(mp.matrix([e, (g.a_1, g.a_2, g.a_3), (g.b_1, g.b_2, g.b_3)]))
-
+    volume = lambda *e: mp.det(mp.matrix([e, (g.a_1, g.a_2, g.a_3), (g.b_1, g.b_2, g.b_3)]))
     return {"AxB": [volume(1, 0, 0), volume(0, 1, 0), volume(0, 0, 1)]}
 
 

@@ -1,6 +1,6 @@
 """A/8: the derivatives of a unit vector that turns: velocity and acceleration of its tip."""
 
-from exercises.tools import Sketch, Step, in_frame, mp, rate, second_rate
+from exercises.tools import Sketch, at_angle, in_frame, mp, rate, second_rate
 from newton_euler import Frame, cos, moving, sin
 
 
@@ -11,11 +11,7 @@ def turning(g):
     return axes, turned, turned.point("tip", 1, 0, 0)
 
 
-def along_e(g, eddot):
-    return eddot.dot(eddot.frame.vector(cos(g.theta), sin(g.theta), 0))
-
-
-follows = {"f": along_e}
+follows = {"f": lambda g, eddot: eddot.dot(eddot.frame.vector(cos(g.theta), sin(g.theta), 0))}
 
 
 def solve(g):
@@ -27,23 +23,12 @@ def solve(g):
 def steps(g):
     axes, turned, tip = turning(g)
     e_theta = turned.j.expressed_in(axes)
-    yield Step("e_theta", e_theta, "1", "unit vector 90 degrees ahead of e", "A")
-    yield Step(
-        "transverse",
-        tip.velocity(axes).dot(turned.j),
-        "1/s",
-        "component of the first derivative along it; along e there is none",
-        "A",
-    )
+    return {"e_theta": e_theta, "transverse": tip.velocity(axes).dot(turned.j)}
 
 
 def prove(g):
     """Components differentiated; f from e.e = 1, whose second derivative is e.e'' + e'.e' = 0."""
-
-    def e(t):
-        angle = g.theta + g.omega * t
-        return [mp.cos(angle), mp.sin(angle), 0]
-
+    e = lambda t: at_angle(1, g.theta + g.omega * t)
     first = rate(e)
     square = sum(x * x for x in first)
     return {"edot": first, "eddot": second_rate(e), "f": -square, "transverse": mp.sqrt(square)}

@@ -1,6 +1,6 @@
 """A/9: the derivative of a vector function; numbers that vary beside the symbol t, no figure."""
 
-from exercises.tools import Step, rate
+from exercises.tools import rate
 from newton_euler import Frame, moving
 
 
@@ -21,12 +21,7 @@ def solve(g):
 
 def steps(g):
     axes, u = at_time(g, g.t)
-    yield Step(
-        "u",
-        u.position(axes),
-        "1",
-        "u by components, with the minus sign carried to both terms along k",
-    )
+    return {"u": u.position(axes)}
 
 
 def prove(g):

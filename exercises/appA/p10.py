@@ -1,6 +1,6 @@
 """A/10: the product rules, by moving components that the engine multiplies and differentiates."""
 
-from exercises.tools import Step, mp, rate
+from exercises.tools import mp, rate
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")
@@ -37,27 +37,14 @@ def solve(g):
 def steps(g):
     A, B = vectors(g)
     dA, dB = rates(g)
-    yield Step(
-        "from_u", g.u_dot * A, "1/s", "the part of the second from the change of u", "A", "A.19"
-    )
-    yield Step("from_A", g.u * dA, "1/s", "its part from the change of A", "A", "A.19")
-    yield Step("dAxB", dA.cross(B), "1/s", "the part of the last from the change of A", "A", "A.21")
-    yield Step("AxdB", A.cross(dB), "1/s", "its part from the change of B", "A", "A.21")
+    return {"from_u": g.u_dot * A, "from_A": g.u * dA, "dAxB": dA.cross(B), "AxdB": A.cross(dB)}
 
 
 def prove(g):
-    """Differences over a short time, of other formulas: the dot product from the lengths of sum and
-    difference, the cross product by determinants.
-    """
-
-    def A(t):
-        return [g.a_1 + g.a_1_dot * t, g.a_2 + g.a_2_dot * t, g.a_3 + g.a_3_dot * t]
-
-    def B(t):
-        return [g.b_1 + g.b_1_dot * t, g.b_2 + g.b_2_dot * t, g.b_3 + g.b_3_dot * t]
-
-    def square(t, sign):
-        return sum((x + sign * y) ** 2 for x, y in zip(A(t), B(t), strict=True))
+    """Differences over a short time; the dot product from lengths, the cross by determinants."""
+    A = lambda t: [g.a_1 + g.a_1_dot * t, g.a_2 + g.a_2_dot * t, g.a_3 + g.a_3_dot * t]
+    B = lambda t: [g.b_1 + g.b_1_dot * t, g.b_2 + g.b_2_dot * t, g.b_3 + g.b_3_dot * t]
+    square = lambda t, sign: sum((x + sign * y) ** 2 for x, y in zip(A(t), B(t), strict=True))
 
     def volumes(t):
         unit = ((1, 0, 0), (0, 1, 0), (0, 0, 1))

@@ -1,6 +1,6 @@
 """A/13: the projection of a vector on another, and the foot of a perpendicular."""
 
-from exercises.tools import Sketch, Step, minus, plus, proofs, scaled
+from exercises.tools import Sketch, minus, plus, proofs, scaled
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -24,9 +24,7 @@ def solve(g):
 def steps(g):
     A, B = vectors(g)
     e = A.direction()
-    yield Step("size_A", A.norm(), "1", "magnitude of A", "A", "A.12")
-    yield Step("e_A", e, "1", "unit vector along A", "A", "A.1")
-    yield Step("B_e", B.dot(e), "1", "component of B along it", "A", "A.11")
+    return {"size_A": A.norm(), "e_A": e, "B_e": B.dot(e)}
 
 
 def prove(g):

@@ -1,8 +1,6 @@
-"""A/15: the handedness of three vectors. The word is a function: it is called once there are
-numbers, and may compare them.
-"""
+"""A/15: the handedness of three vectors, a word; a function, called once there are numbers."""
 
-from exercises.tools import Sketch, Step, mp
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
 
 
@@ -24,7 +22,7 @@ def solve(g):
 
 def steps(g):
     _, _, B, G = vectors(g)
-    yield Step("B_x_G", B.cross(G), "1", "the cross product B x G", "A")
+    return {"B_x_G": B.cross(G)}
 
 
 def prove(g):
@@ -35,10 +33,8 @@ def prove(g):
 def mistakes(g):
     _, A, B, G = vectors(g)
     (a, b, c), (x, y, z) = A.components(), B.cross(G).components()
-    return {
-        "G_x_B": answers(A.dot(G.cross(B))),
-        "plus_in_the_middle": {"triple": a * x - b * y + c * z},
-    }
+    middle = a * x - b * y + c * z
+    return {"G_x_B": answers(A.dot(G.cross(B))), "plus_in_the_middle": {"triple": middle}}
 
 
 def draw(g, ax):

@@ -1,6 +1,6 @@
 """A/16: components for which three vectors are orthogonal, one condition after the other."""
 
-from exercises.tools import Step, cross, proofs
+from exercises.tools import cross, proofs
 from newton_euler import Frame, solve_linear
 
 AXES = Frame("axes")
@@ -42,10 +42,11 @@ def solve(g):
 
 def steps(g):
     known = z(g)
-    yield Step("known_PQ", g.p_1 * g.q_1, "1", "part of P . Q that is known", "A", "A.11")
-    yield Step("known_QR", g.q_1 * g.r_1, "1", "part of Q . R that is known", "A", "A.11")
-    rest = P(g).dot(R(g, 0, y(g, known)))
-    yield Step("known_PR", rest, "1", "part of P . R that is known once y is", "A", "A.11")
+    return {
+        "known_PQ": g.p_1 * g.q_1,
+        "known_QR": g.q_1 * g.r_1,
+        "known_PR": P(g).dot(R(g, 0, y(g, known))),
+    }
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """A/18: the derivative of R x R', by a point that moves."""
 
-from exercises.tools import Step, cross, proofs
+from exercises.tools import cross, proofs
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")
@@ -28,7 +28,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("RxV", product(g), "m^2/s", "the cross product of R and its derivative", "A", "A.13")
+    return {"RxV": product(g)}
 
 
 def prove(g):

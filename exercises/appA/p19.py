@@ -1,6 +1,6 @@
 """A/19: the unit vector at right angles to two vectors."""
 
-from exercises.tools import Sketch, Step, minus, mp, scaled, size
+from exercises.tools import Sketch, minus, mp, scaled, size
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -18,14 +18,11 @@ def solve(g):
 
 def steps(g):
     P, G = vectors(g)
-    yield Step("PxG", P.cross(G), "1", "the cross product P x G", "A", "A.13")
-    yield Step("size", P.cross(G).norm(), "1", "its magnitude", "A", "A.12")
+    return {"PxG": P.cross(G), "size": P.cross(G).norm()}
 
 
 def prove(g):
-    """What is left of i, j or k without its parts along P and along what is square to P in the
-    plane; as e on the side from which P, G and it are right-handed.
-    """
+    """What is left of i, j or k without its parts in the plane of P and G, right-handed."""
     P, G = [g.P_1, g.P_2, g.P_3], [g.G_1, g.G_2, g.G_3]
 
     def rest(v, away):

@@ -1,8 +1,6 @@
-"""A/24: the integral of a cross product: one integral of the engine over numbers, symbols and
-dimensions; numbers that vary beside a symbol; no figure.
-"""
+"""A/24: the integral of a cross product; numbers that vary beside a symbol; no figure."""
 
-from exercises.tools import Step, proofs
+from exercises.tools import proofs
 from newton_euler import Frame, integral
 
 AXES = Frame("axes")
@@ -21,8 +19,7 @@ def solve(g):
 
 
 def steps(g):
-    means = "A x B at the time t, of which each component is integrated"
-    yield Step("integrand", A(g, g.t).cross(B(g, g.t)), "1", means)
+    return {"integrand": A(g, g.t).cross(B(g, g.t))}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """A/26: the points of a line, as a point that has moved from Q by s R."""
 
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 
 
@@ -17,17 +17,13 @@ def solve(g):
 
 def steps(g):
     axes, Q, R = line(g)
-    yield Step("r_0", Q.position(axes), "1", "position of Q, s = 0", "A", "A.6")
-    yield Step("r_1", Q.position(axes) + R, "1", "position of the point with s = 1", "A", "A.9")
+    return {"r_0": Q.position(axes), "r_1": Q.position(axes) + R}
 
 
 def prove(g):
     """By growing at the rate R per unit of s."""
     Q, R = [g.Q_x, g.Q_y, g.Q_z], [g.R_x, g.R_y, g.R_z]
-
-    def place(s):
-        return proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
-
+    place = lambda s: proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
     return {"r": place(g.s), "r_0": Q, "r_1": place(1)}
 
 

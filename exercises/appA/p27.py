@@ -1,6 +1,6 @@
 """A/27: the equation of a plane from its normal."""
 
-from exercises.tools import Sketch, Step, mp
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
 
 AXES = Frame("axes")
@@ -19,17 +19,13 @@ def solve(g):
 
 
 def steps(g):
-    square = normal(g).dot(normal(g))
-    yield Step("N_square", square, "1", "F at the tip of N, which is not in the plane", "A", "A.12")
+    return {"N_square": normal(g).dot(normal(g))}
 
 
 def prove(g):
     """By the volume of the box of the place and two vectors in the plane, whose base is N_x N."""
     u, v = (-g.N_y, g.N_x, 0), (-g.N_z, 0, g.N_x)
-
-    def F(*place):
-        return mp.det(mp.matrix([place, u, v])) / g.N_x
-
+    F = lambda *place: mp.det(mp.matrix([place, u, v])) / g.N_x
     return {"F": F(g.x, g.y, g.z), "N_square": F(g.N_x, g.N_y, g.N_z)}
 
 

@@ -1,6 +1,4 @@
-"""Checks of a problem: its two ways to the key against each other, its units, and its mistakes
-against the key.
-"""
+"""Checks of a problem: both ways to the key agree, units fit, mistakes differ from the key."""
 
 import random
 from itertools import combinations
@@ -101,17 +99,10 @@ def _fit(p, proof):
         proved = proof(values(p, 0))
     except CatalogueError as error:
         return [str(error)]
-    missing = [m for m in p.mistakes if m not in named]
-    faults = [
-        f"the mistake {m} is in {p.name}.yaml but not computed; compute it, or move it to "
-        "struck: with a reason"
-        for m in missing
-    ]
-    faults += [
-        f"the mistake {m} is computed but not in {p.name}.yaml"
-        for m in named
-        if m not in p.mistakes
-    ]
+    todo = "is in {}.yaml but not computed; compute it, or move it to struck: with a reason"
+    faults = [f"the mistake {m} {todo.format(p.name)}" for m in p.mistakes if m not in named]
+    undescribed = [m for m in named if m not in p.mistakes]
+    faults += [f"the mistake {m} is computed but not in {p.name}.yaml" for m in undescribed]
     asked = [a.key for a in p.answers]
     for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
         if got != asked:
@@ -119,26 +110,20 @@ def _fit(p, proof):
     faults += _shared_frames(solved, again)
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
-            faults.append(
-                f"the mistake {name} must give some of {asked}, and gives {list(answers)}"
-            )
+            gives = f"gives {list(answers)}"
+            faults.append(f"the mistake {name} must give some of {asked}, and {gives}")
         for key, answer in answers.items():
-            if (
-                key in solved
-                and hasattr(answer, "frame")
-                and answer.frame.name != solved[key].frame.name
-            ):
+            here = getattr(answer, "frame", None)
+            if key in solved and here and here.name != (there := solved[key].frame.name):
                 faults.append(
-                    f"{key} is in {solved[key].frame.name}, but the mistake {name} has it in "
-                    f"{answer.frame.name}: use in_frame"
+                    f"{key} is in {there}, but the mistake {name} has it in {here.name}: use "
+                    "in_frame"
                 )
     return faults
 
 
 def _shared_frames(one, another):
-    """A fault if two calls of solve make frames in one tree: the diagnosis of a wrong answer looks
-    at all frames of the tree, and would see those of another call, with other numbers.
-    """
+    """A fault if two calls of solve share a tree of frames: a diagnosis would see both."""
     made = {id(f) for x in one.values() if isinstance(x, Vector) for f in x.frame.tree}
     for key, x in another.items():
         tree = x.frame.tree if isinstance(x, Vector) else []
@@ -153,9 +138,7 @@ def _shared_frames(one, another):
 
 
 def _dimensions(p):
-    """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the
-    dimension of its unit.
-    """
+    """Faults of solve on dimensions: unlike quantities added, or not the dimension of the unit."""
     try:
         answers = p.code.solve(p.dimensions())
     except DimensionError as error:
@@ -173,9 +156,7 @@ def _dimensions(p):
 
 
 def _exchanged(p):
-    """Mistakes whose answer has the dimension of another answer: perhaps stored under the wrong
-    key. Other dimensions may be what is wrong about them.
-    """
+    """Mistakes whose answer has the dimension of another: perhaps stored under the wrong key."""
     g = p.dimensions()
     try:
         named = p.code.mistakes(g)
@@ -221,14 +202,10 @@ def _agreement(p, seed, proof):
 
 
 def _both_ways(p, given, proof):
-    """(values, solve in floats, prove, solve in 50 digits) where all of them are real: with these
-    values of the symbols, or at the first of the points at which formulas are compared.
-    """
+    """(values, solve in floats, prove, solve in 50 digits) where all are real."""
     points = symbol_points(p)
-    others = [
-        dict(zip(points, map(float, row), strict=True))
-        for row in zip(*points.values(), strict=True)
-    ]
+    rows = zip(*points.values(), strict=True)
+    others = [dict(zip(points, map(float, row), strict=True)) for row in rows]
     for symbols in ({}, *others):
         here = {**given, **symbols}
         right = {k: x for k, (x,) in at_points(p, here)[0].items()}
@@ -305,9 +282,7 @@ def _word_faults(answer, solved, proved):
 
 
 def _hidden(p, given, exempt):
-    """Mistakes that give nearly the right answer, over the points at which formulas are compared;
-    of words only with the book's numbers, since with others they may.
-    """
+    """Mistakes that give nearly the right answer; words only with the book's numbers."""
     faults = []
     right, wrong = at_points(p, {n: given[n] for n in p.givens})
     book = all(given[n] == x for n, x in p.book_values.items())
@@ -320,16 +295,16 @@ def _hidden(p, given, exempt):
                 faults.append(f"the mistake {name} gives no real {key}")
             elif name in exempt or (a.kind.is_word and not book):
                 continue
-            elif (
-                points == right[key]
-                if a.kind.is_word
-                else not apart(a.kind.like(points, right[key]), right[key])
-            ):
+            elif _is_hidden(a.kind, points, right[key]):
                 faults.append(
                     f"the mistake {name} gives nearly the right {key}: {_as_text(points[0])}; if "
                     "it does so only with the numbers of the book, write same_in_book: true"
                 )
     return faults
+
+
+def _is_hidden(kind, points, key):
+    return points == key if kind.is_word else not apart(kind.like(points, key), key)
 
 
 def _following(p, given, right):
@@ -357,29 +332,20 @@ def _gap(a, b):
         if len(a) != len(b):
             return float("inf")
         whole = mp.sqrt(sum(mpf(y) ** 2 for y in b))
-        return float(
-            mp.sqrt(sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))) / (whole or 1)
-        )
+        square = sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))
+        return float(mp.sqrt(square) / (whole or 1))
 
 
 def _both_zero(a, b, atol, tolerance):
-    """Whether a key is zero, as students' answers to it are judged, and both ways say so: nearer to
-    it than ``atol`` by the root of the relative tolerance.
-    """
+    """Whether both ways say that a key is zero, far nearer to it than ``atol``."""
     with mp.workdps(DIGITS):
         size = mp.sqrt(sum(mpf(x) ** 2 for x in (*a, *b)))
         return bool(len(a) == len(b) and size <= atol * mp.sqrt(tolerance))
 
 
 def _as_text(numbers):
-    return (
-        "("
-        + ", ".join(
-            x if isinstance(x, str) else f"{max_abs(x) * (1 if x >= 0 else -1):.6g}"
-            for x in numbers
-        )
-        + ")"
-    )
+    sized = lambda x: f"{max_abs(x) * (1 if x >= 0 else -1):.6g}"
+    return f"({', '.join(x if isinstance(x, str) else sized(x) for x in numbers)})"
 
 
 __all__ = ["AGREEMENT", "alike", "check", "values"]

@@ -1,6 +1,4 @@
-"""The format of the YAML files: chapters and problems from what they hold, and a sentence about
-whatever does not fit.
-"""
+"""The format of the YAML files: chapters and problems, and a sentence about what does not fit."""
 
 import math
 from pathlib import Path
@@ -27,12 +25,12 @@ def read_problem(entry: Any, path: Path) -> Problem:
     """The problem that a file such as ``p16.yaml`` describes."""
     needed, optional = (
         ("id", "title", "section", "text", "answers"),
-        ("figure", "givens", "symbols", "frame", "mistakes", "struck", "checked"),
+        ("figure", "givens", "symbols", "frame", "steps", "mistakes", "struck", "checked"),
     )
     _check_keys(entry, "a problem", needed, optional)
     _check_place(entry["id"], path)
-    if not entry["answers"] or not isinstance(entry["answers"], list):
-        raise CatalogueError(f"answers must be a list, and is {short(entry['answers'])}")
+    answered = isinstance(entry["answers"], list) and entry["answers"]
+    _require(answered, f"answers must be a list, and is {short(entry['answers'])}")
     answers = tuple(_answer(a) for a in entry["answers"])
     return Problem(
         id=entry["id"],
@@ -46,6 +44,7 @@ def read_problem(entry: Any, path: Path) -> Problem:
         answers=answers,
         mistakes=_mistakes(_named(entry, "mistakes")),
         struck=_texts(entry, "struck"),
+        steps={key: _step(key, s) for key, s in _named(entry, "steps").items()},
         checked=_checked(_named(entry, "checked"), [a.key for a in answers]),
         same_in_book=frozenset(_same_in_book(_named(entry, "mistakes"))),
     )
@@ -68,10 +67,9 @@ def _check_place(problem_id, path):
 
 def _given(name, g):
     _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure", "symbol"))
-    if not _is_number(g["value"]):
-        raise CatalogueError(
-            f"{name}: value must be a number, as in 8 or 0.6, and is {short(g['value'])}"
-        )
+    value = g["value"]
+    fault = f"{name}: value must be a number, as in 8 or 0.6, and is {short(value)}"
+    _require(_is_number(value), fault)
     read = _unit(name, g), _text(g, "means"), _range(name, g), g.get("figure", False)
     return Given(name, g["value"], *read, _latex(name, g))
 
@@ -87,36 +85,34 @@ def _answer(a):
     optional = ("unit", "of", "atol", "weight", "follow_through", "symbol")
     _check_keys(a, "an answer", ("key", "kind", "means"), optional)
     key, name, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
-    if name not in KINDS:
-        raise CatalogueError(f"{key}: kind {name!r} is none of {', '.join(sorted(KINDS))}")
+    _require(name in KINDS, f"{key}: kind {name!r} is none of {', '.join(sorted(KINDS))}")
     kind = KINDS[name]
-    if not isinstance(of, list):
-        raise CatalogueError(
-            f"{key}: of must be the list of words to choose from, and is {short(of)}"
-        )
-    if kind.has_options != bool(of):
-        raise CatalogueError(
-            f"{key}: a choice has of: [...] with its words, and no other kind has; this is a {kind}"
-        )
-    if not all(isinstance(w, str) and not set(w) & set("|\n") for w in of):
-        raise CatalogueError(
-            f"{key}: of must be a list of words without a |, and is {short(of)}; yes and no want "
-            'quotation marks: ["yes", "no"]'
-        )
-    if not _is_number(atol):
-        raise CatalogueError(f"{key}: atol must be a number, as in 1e-6, and is {short(atol)}")
+    fault = f"{key}: of must be the list of words to choose from, and is {short(of)}"
+    _require(isinstance(of, list), fault)
+    _require(
+        kind.has_options == bool(of),
+        f"{key}: a choice has of: [...] with its words, and no other kind has; this is a {kind}",
+    )
+    _require(
+        all(isinstance(w, str) and not set(w) & set("|\n") for w in of),
+        f"{key}: of must be a list of words without a |, and is {short(of)}; yes and no want "
+        'quotation marks: ["yes", "no"]',
+    )
+    fault = f"{key}: atol must be a number, as in 1e-6, and is {short(atol)}"
+    _require(_is_number(atol), fault)
     weight = a.get("weight", 1.0)
-    if not (_is_number(weight) and 0 < weight < math.inf):
-        raise CatalogueError(
-            f"{key}: weight must be a positive number, as in 2, and is {short(weight)}"
-        )
+    fault = f"{key}: weight must be a positive number, as in 2, and is {short(weight)}"
+    _require(_is_number(weight) and 0 < weight < math.inf, fault)
     follow = a.get("follow_through", 0.0)
-    if not (_is_number(follow) and 0 <= follow <= 1):
-        raise CatalogueError(
-            f"{key}: follow_through must be a number from 0 to 1, as in 0.5, and is {short(follow)}"
-        )
+    fault = f"{key}: follow_through must be a number from 0 to 1, as in 0.5, and is {short(follow)}"
+    _require(_is_number(follow) and 0 <= follow <= 1, fault)
     numbers = float(atol), float(weight), float(follow)
     return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), *numbers, _latex(key, a))
+
+
+def _step(key, s):
+    _check_keys(s, f"the step {key}", ("means",), ("unit", "section", "equation"))
+    return {name: _text(s, name) for name in s} | {"unit": _unit(key, s)}
 
 
 def _mistakes(named):
@@ -124,11 +120,9 @@ def _mistakes(named):
     for name, entry in named.items():
         if isinstance(entry, dict):
             _check_keys(entry, f"the mistake {name}", ("text",), ("same_in_book",))
-            if type(entry.get("same_in_book", False)) is not bool:
-                raise CatalogueError(
-                    f"{name}: same_in_book must be true or false, and is "
-                    f"{short(entry['same_in_book'])}"
-                )
+            same = entry.get("same_in_book", False)
+            fault = f"{name}: same_in_book must be true or false, and is {short(same)}"
+            _require(type(same) is bool, fault)
     return {
         n: _text(entry, "text") if isinstance(entry, dict) else _text(named, n)
         for n, entry in named.items()
@@ -142,57 +136,54 @@ def _same_in_book(named):
 
 def _checked(found, asked):
     for key, value in found.items():
-        if key not in asked:
-            raise CatalogueError(
-                f"checked has {key}, which is not asked for; asked for are {', '.join(asked)}"
-            )
-        if value is None or isinstance(value, dict):
-            raise CatalogueError(
-                f"checked: {key} must be a number, a formula, or a list of them, and is "
-                f"{short(value)}"
-            )
+        asks = f"asked for are {', '.join(asked)}"
+        _require(key in asked, f"checked has {key}, which is not asked for; {asks}")
+        _require(
+            value is not None and not isinstance(value, dict),
+            f"checked: {key} must be a number, a formula, or a list of them, and is {short(value)}",
+        )
     return found
 
 
 # -- parts of entries
 
 
+def _require(holds, fault):
+    """Raises the sentence where what it asks for does not hold."""
+    if not holds:
+        raise CatalogueError(fault)
+
+
 def _check_keys(entry, what, needed, optional):
-    """Refuses an entry that is not a mapping with all the ``needed`` keys and no others than these
-    and the ``optional`` ones.
-    """
+    """Refuses all but a mapping with the ``needed`` keys and perhaps ``optional`` ones."""
     keys = f"its keys are {', '.join(needed)} and, where wanted, {', '.join(optional)}"
-    if not isinstance(entry, dict):
-        raise CatalogueError(f"{what} must be written as key: value, and is {short(entry)}; {keys}")
+    fault = f"{what} must be written as key: value, and is {short(entry)}; {keys}"
+    _require(isinstance(entry, dict), fault)
     for key in entry:
-        if key not in (*needed, *optional):
-            raise CatalogueError(f"{what} has the unknown key {key!r}; {keys}")
+        _require(key in (*needed, *optional), f"{what} has the unknown key {key!r}; {keys}")
     for key in needed:
-        if key not in entry:
-            raise CatalogueError(f"{what} lacks the key {key!r}; {keys}")
+        _require(key in entry, f"{what} lacks the key {key!r}; {keys}")
 
 
 def _text(entry, key):
     """The text under a key, on one line; empty where an optional one is not there."""
     text = entry.get(key, "")
-    if not isinstance(text, str):
-        raise CatalogueError(
-            f"{key} must be a text, and is {short(text)}; put it in quotation marks"
-        )
+    fault = f"{key} must be a text, and is {short(text)}; put it in quotation marks"
+    _require(isinstance(text, str), fault)
     return " ".join(text.split())
 
 
 def _named(entry, key):
     """The mapping from names under an optional key."""
     named = entry.get(key) or {}
-    if not isinstance(named, dict):
-        raise CatalogueError(f"{key} must be written as name: value, and is {short(named)}")
+    fault = f"{key} must be written as name: value, and is {short(named)}"
+    _require(isinstance(named, dict), fault)
     for name in named:
-        if not (isinstance(name, str) and name.isidentifier()):
-            raise CatalogueError(
-                f"{key}: {name!r} is not a name: write letters, digits and _, in quotation "
-                "marks if YAML reads another thing"
-            )
+        _require(
+            isinstance(name, str) and name.isidentifier(),
+            f"{key}: {name!r} is not a name: write letters, digits and _, in quotation marks if "
+            "YAML reads another thing",
+        )
     return named
 
 
@@ -203,10 +194,8 @@ def _texts(entry, key):
 
 def _unit(name, entry):
     text = entry.get("unit", "1")
-    if not isinstance(text, str):
-        raise CatalogueError(
-            f'{name}: unit must be a text, as in mm/s or "1", and is {short(text)}'
-        )
+    fault = f'{name}: unit must be a text, as in mm/s or "1", and is {short(text)}'
+    _require(isinstance(text, str), fault)
     unit(text)
     return text
 
@@ -214,11 +203,11 @@ def _unit(name, entry):
 def _latex(name, entry):
     """How a quantity is printed, where its name does not say it: LaTeX of one symbol."""
     text = _text(entry, "symbol")
-    if "$" in text or "=" in text or text.count("{") != text.count("}"):
-        raise CatalogueError(
-            rf"{name}: symbol must be the LaTeX of one symbol without dollar signs, as in "
-            rf"'\dot\beta', and is {short(text)}"
-        )
+    _require(
+        not set("$=") & set(text) and text.count("{") == text.count("}"),
+        rf"{name}: symbol must be the LaTeX of one symbol without dollar signs, as in "
+        rf"'\dot\beta', and is {short(text)}",
+    )
     return text
 
 
@@ -231,14 +220,10 @@ def _range(name, entry):
     vary = entry.get("vary")
     if vary is None:
         return None
-    if not (
-        isinstance(vary, list)
-        and len(vary) == 2
-        and all(map(_is_number, vary))
-        and vary[0] < vary[1]
-    ):
-        raise CatalogueError(
-            f"{name}: vary must be [low, high], two numbers with the lower one first, and is "
-            f"{short(vary)}"
-        )
+    pair = isinstance(vary, list) and len(vary) == 2 and all(map(_is_number, vary))
+    _require(
+        pair and vary[0] < vary[1],
+        f"{name}: vary must be [low, high], two numbers with the lower one first, and is "
+        f"{short(vary)}",
+    )
     return tuple(vary)

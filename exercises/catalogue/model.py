@@ -174,6 +174,7 @@ class Code(Protocol):
 class Problem:
     """One problem of the book: its text, its data, and through ``code`` what it computes.
 
+    ``steps`` has unit, means, section and equation of the steps that its code computes by key.
     ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a
     text, or list of them}. ``same_in_book`` names the mistakes that give the right answer for the
     numbers of the book. ``figure`` is empty where there is none.
@@ -190,6 +191,7 @@ class Problem:
     answers: tuple[Answer, ...]
     mistakes: dict[str, str] = field(default_factory=dict)
     struck: dict[str, str] = field(default_factory=dict)
+    steps: dict[str, dict[str, str]] = field(default_factory=dict)
     checked: dict[str, Any] = field(default_factory=dict)
     same_in_book: frozenset[str] = frozenset()
 
@@ -317,9 +319,8 @@ class Problem:
     def wrong(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, dict[str, Any]]:
         """What the listed mistakes make of the answers: {mistake: {key: as from :meth:`solve`}}."""
         results = self.code.mistakes(self.base(values, one))
-        found = self._with_words(
-            lambda g: self.code.mistakes(g).values(), results.values(), values, one
-        )
+        compute = lambda g: self.code.mistakes(g).values()
+        found = self._with_words(compute, results.values(), values, one)
         return dict(zip(results, found, strict=True))
 
     def _with_words(self, compute, results, values, one):

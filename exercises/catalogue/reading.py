@@ -83,9 +83,7 @@ def select(names: Iterable[str]) -> list[Problem]:
 
 # the C parser reads a chapter 10 times faster
 class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
-    """The safe loader, which also refuses a repeated key: YAML itself would drop the
-    first without a word.
-    """
+    """The safe loader, which also refuses a repeated key: YAML would drop the first."""
 
     def construct_mapping(self, node, deep=False):
         keys = [key.value for key, _ in node.value]

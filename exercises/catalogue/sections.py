@@ -1,6 +1,4 @@
-"""The section of the book that a problem practises, with a link to it in the notebook of its
-chapter, where there is one.
-"""
+"""The section that a problem practises, with a link into the notebook of its chapter."""
 
 import json
 import re

@@ -72,9 +72,7 @@ def _entries(name, spec, only):
 
 
 def _mended(entry):
-    """The entry with whole texts: in {means: speed, positive uphill} YAML takes what follows the
-    comma for a key without a value.
-    """
+    """The entry with whole texts: YAML takes what follows a comma for a key without a value."""
 
     def whole(a):
         rest = [k for k, x in a.items() if x is None]

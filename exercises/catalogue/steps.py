@@ -1,12 +1,13 @@
 """The steps on the way to the answers of a problem: intermediate quantities in their order, each
 with its unit and the sentence that introduces it.
 
-The code of a problem lists them in ``steps(g)``, a generator of :class:`Step` in base units:
+The code of a problem computes them in ``steps(g)``, {key: value in base units}; their texts, units
+and equations stand under ``steps:`` in its YAML. With terms of a sum among them, or a :class:`Step`
+that brings its own text, it yields them:
 
-    def steps(p: Problem, values: Mapping[str, Scalar], one: Scalar = 1.0) -> list[Step]:
+    def steps(g):
         ground, arm, rod, D = arm_and_rod(g)
-        yield Step("omega_CD", rod.angular_velocity(ground), "rad/s",
-                   "angular velocity of CD in the ground", "4.9", "4.22")
+        yield "omega_CD", rod.angular_velocity(ground)
         yield from terms(D.acceleration(ground, via=arm), "a_D", "mm/s^2")
 
 A problem without ``steps`` has the terms of its answers that are named sums. ``prove`` may return
@@ -83,9 +84,7 @@ def is_zero(vector: Vector) -> bool:
 
 
 def _identifier(name, equation):
-    """The name of a term as a part of a Python name: "coriolis", and of what is named after a frame
-    "of_rod".
-    """
+    """The name of a term as part of a Python name: "coriolis"; "of_rod", after a frame."""
     plain = "".join(c if c.isalnum() else "_" for c in name).strip("_")
     return plain if name in equation.terms else f"of_{plain}"
 
@@ -105,7 +104,15 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
     the terms of its answers.
     """
     own = getattr(p.code, "steps", None)
-    return list(own(g) if own else _from_answers(p, g))
+    found = own(g) if own else _from_answers(p, g)
+    computed = found.items() if isinstance(found, dict) else found
+    return [s if isinstance(s, Step) else _with_text(p, *s) for s in computed]
+
+
+def _with_text(p, key, value):
+    if key not in p.steps:
+        raise CatalogueError(f"{p.id}: the step {key!r} is computed but not in {p.name}.yaml")
+    return Step(key, value, **p.steps[key])
 
 
 def _stated(step, p):
@@ -147,17 +154,20 @@ def _check_names(p, found):
 def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
     """What is wrong with the steps of ``p``, as sentences: their names, and their dimensions."""
     try:
-        steps(p, values)
+        computed = {s.key for s in steps(p, values)}
     except CatalogueError as error:
         return [str(error)]
-    own = getattr(p.code, "steps", None)
-    if own is None:
-        return []
+    wrong = [
+        f"the step {key} is in {p.name}.yaml but not computed"
+        for key in p.steps
+        if key not in computed
+    ]
+    if not hasattr(p.code, "steps"):
+        return wrong
     try:
-        found = list(own(p.dimensions()))
+        found = listed_steps(p, p.dimensions())
     except DimensionError as error:
         return [f"steps adds unlike quantities: {error}"]
-    wrong = []
     for s in found:
         asked = unit(s.unit).dimension
         for x in () if isinstance(s.value, str) or callable(s.value) else flat(s.value):

@@ -106,9 +106,7 @@ def objection(p: Problem, values: Mapping[str, Scalar]) -> str | None:
 
 
 def _ill_conditioned(p, values, right):
-    """Which given changes a number, or a word, by far more than it changes itself, or None.
-    Formulas are exact whatever they are.
-    """
+    """Which given changes a number or word by far more than itself, or None."""
     for given, g in p.givens.items():
         if not (g.vary and values[given]):
             continue
@@ -190,9 +188,7 @@ def _evaluated(p, values):
 
 @cache
 def _compiled(problem_id):
-    """The key and the mistakes of a problem as straight-line text; None for answers that are words
-    or counts.
-    """
+    """The key and the mistakes as straight-line text; None for words and counts."""
     return traced(problem(problem_id), _evaluated)
 
 

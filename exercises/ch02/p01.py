@@ -1,7 +1,7 @@
 """2/1: constant speed down an exponential."""
 
 from exercises.devices.plane_curve import at_constant_speed
-from exercises.tools import Sketch, Step, in_frame, mp, scaled, size
+from exercises.tools import Sketch, in_frame, mp, scaled, size
 from newton_euler import Frame, exp, moving
 from newton_euler.kinematics import at_speed, frenet_along
 
@@ -30,10 +30,7 @@ def slope_and_bend(g):
 def steps(g):
     ground, P = motion(g)
     slope, bend = slope_and_bend(g)
-    yield Step("slope", slope, "1", "slope of the curve, dy/dx, at $x_1$", "2.3")
-    yield Step("bend", bend, "1/ft", "second derivative of y by x at $x_1$", "2.3")
-    yield Step("rho", P.radius, "ft", "radius of curvature", "2.3", "2.13")
-    yield Step("e_n", P.e_n.expressed_in(ground), "1", "unit normal, to the concave side", "2.3")
+    return {"slope": slope, "bend": bend, "rho": P.radius, "e_n": P.e_n.expressed_in(ground)}
 
 
 def prove(g):

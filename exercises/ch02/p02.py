@@ -1,7 +1,7 @@
 """2/2: constant speed along a spiral."""
 
 from exercises.devices.plane_curve import at_constant_speed as proved_motion
-from exercises.tools import Sketch, Step, cross, mp, size
+from exercises.tools import Sketch, cross, mp, size
 from newton_euler import Frame, cos, moving, polar, sin
 from newton_euler.kinematics import flexure, speed_rate
 
@@ -34,24 +34,17 @@ def solve(g):
 def steps(g):
     theta_dot, theta_ddot = rates(g, g.theta)
     a = at_constant_speed(g, g.theta)[1]
-    yield Step("thetadot", theta_dot, "rad/s", r"$\dot\theta$, from the speed", "2.6", "2.17")
-    yield Step("thetaddot", theta_ddot, "rad/s^2", r"$\ddot\theta$, since the speed stays")
-    yield Step("a_r", a.x, "m/s^2", "radial component of the acceleration", "2.6", "2.18")
-    yield Step("a_theta", a.y, "m/s^2", "transverse component of the acceleration", "2.6", "2.18")
-    yield Step(
-        "rho",
-        1 / flexure(*motion(g, moving(g.theta, rate=g.one))),
-        "m",
-        "radius of curvature",
-        "2.3",
-        "2.12",
-    )
+    return {
+        "thetadot": theta_dot,
+        "thetaddot": theta_ddot,
+        "a_r": a.x,
+        "a_theta": a.y,
+        "rho": 1 / flexure(*motion(g, moving(g.theta, rate=g.one))),
+    }
 
 
 def prove(g):
-    def place(theta):
-        return [g.A * theta * mp.cos(theta), g.A * theta * mp.sin(theta), 0]
-
+    place = lambda theta: [g.A * theta * mp.cos(theta), g.A * theta * mp.sin(theta), 0]
     v, a = proved_motion(place, g.theta, g.v)
     along = sum(x * y for x, y in zip(v, a, strict=True)) / g.v
     across = size(cross(v, a)) / g.v
@@ -71,10 +64,7 @@ def mistakes(g):
 def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
-
-    def place(theta):
-        return (g.A * theta * cos(theta), g.A * theta * sin(theta), 0)
-
+    place = lambda theta: (g.A * theta * cos(theta), g.A * theta * sin(theta), 0)
     theta = 2.3  # on the first turn, where the letters have room
     O, P = (0, 0, 0), place(theta)
     s.axes(O, ground, length=3.2 * g.A, labels=["x", "y", ""])

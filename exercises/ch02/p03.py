@@ -1,6 +1,6 @@
 """2/3: a parabola with steady horizontal motion."""
 
-from exercises.tools import Sketch, Step, in_frame, mp, rate, root, second_rate
+from exercises.tools import Sketch, in_frame, mp, rate, root, second_rate
 from newton_euler import Frame, moving
 from newton_euler.kinematics import at_speed, frenet_along
 
@@ -21,7 +21,7 @@ def solve(g):
 
 def steps(g):
     ground, P = point(g)
-    yield Step("v", P.velocity(ground), "m/s", "velocity", "2.1", "2.2")
+    return {"v": P.velocity(ground)}
 
 
 def prove(g):

@@ -1,6 +1,6 @@
 """2/4: grain that falls into a chute."""
 
-from exercises.tools import Sketch, Step, root
+from exercises.tools import Sketch, root
 from newton_euler import Frame, sqrt
 
 
@@ -19,16 +19,12 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("T", fall_time(g), "s", "time in which the grain falls to the mouth", "2.1")
-    yield Step("x_far", g.d + g.w, "ft", "horizontal distance of the far edge")
+    return {"T": fall_time(g), "x_far": g.d + g.w}
 
 
 def prove(g):
     """The speed at which the grain is at the height of the mouth when it is above an edge."""
-
-    def speed(edge):
-        return root(lambda v: g.h - g.g / 2 * (edge / v) ** 2, edge / 100, 100 * edge)
-
+    speed = lambda edge: root(lambda v: g.h - g.g / 2 * (edge / v) ** 2, edge / 100, 100 * edge)
     return {"v_0": [speed(g.d), speed(g.d + g.w)]}
 
 

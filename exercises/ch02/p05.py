@@ -1,14 +1,12 @@
 """2/5: a jet of water that comes down into a trench."""
 
-from exercises.tools import Sketch, Step, mp, root
-from newton_euler import Frame, cos, pi, sin
-from newton_euler.kinematics import from_time
+from exercises.tools import Sketch, mp, root
+from newton_euler import Frame, cos, kinematics, pi, sin
 
 
 def drop(g, x, up):
     """How far the water is below the nozzle at the horizontal distance x."""
-    t = x / (g.v_0 * sin(g.phi))
-    return -from_time(lambda t: -g.g, t, v0=up)[0]
+    return -kinematics.from_time(lambda t: -g.g, x / (g.v_0 * sin(g.phi)), v0=up)[0]
 
 
 def heights(g, up):
@@ -24,21 +22,15 @@ def solve(g):
 
 
 def steps(g):
-    for name, x in (("near", g.d), ("far", g.d + g.w)):
-        time = x / (g.v_0 * sin(g.phi))
-        yield Step(f"t_{name}", time, "s", f"time to the {name} edge of the trench", "2.1")
+    u = g.v_0 * sin(g.phi)
+    return {"t_near": g.d / u, "t_far": (g.d + g.w) / u}
 
 
 def prove(g):
     """The height of the jet at an edge: the time to the ground is the root of a quadratic."""
     v, u = g.v_0 * mp.cos(g.phi), g.v_0 * mp.sin(g.phi)
-
-    def range_from(h):
-        return u * (v + mp.sqrt(v**2 + 2 * g.g * h)) / g.g
-
-    def height(x):
-        return root(lambda h: range_from(h) - x, 0, 10 * x)
-
+    range_from = lambda h: u * (v + mp.sqrt(v**2 + 2 * g.g * h)) / g.g
+    height = lambda x: root(lambda h: range_from(h) - x, 0, 10 * x)
     return {"h": [height(g.d), height(g.d + g.w)]}
 
 

@@ -1,6 +1,6 @@
 """2/6: a sprinkler on a sloping lawn."""
 
-from exercises.tools import Sketch, Step, mp, root
+from exercises.tools import Sketch, mp, root
 from newton_euler import Frame, cos, pi, sin
 
 SIDES = {"d_C": -1, "d_B": 1}  # downhill and uphill: along -x and x
@@ -33,10 +33,8 @@ def solve(g):
 
 def steps(g):
     for key, side in SIDES.items():
-        name = key[-1]
-        yield Step(f"t_{name}", time(g, side), "s", f"time of flight to {name}", "2.1")
-        height = landing(g, side).z
-        yield Step(f"z_{name}", height, "ft", f"height of {name} above A", "2.1")
+        yield f"t_{key[-1]}", time(g, side)
+        yield f"z_{key[-1]}", landing(g, side).z
 
 
 def prove(g):
@@ -62,8 +60,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = scene(g, 1)[0]
-    s = Sketch(ax, ground, plane="xz")
+    s = Sketch(ax, scene(g, 1)[0], plane="xz")
     A = (0, 0, 0)
     B, C = (landing(g, SIDES[key]).components() for key in ("d_B", "d_C"))
     s.road([tuple(1.25 * x for x in C), tuple(1.8 * x for x in B)])

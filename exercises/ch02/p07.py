@@ -1,32 +1,24 @@
 """2/7: the highest strike on a wall."""
 
 from exercises.devices import thrown_ball
-from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_height
-from exercises.tools import Step, mp
+from exercises.tools import mp
 from newton_euler import asin, atan, pi, sin
 
 
 def solve(g):
-    u = best_slope(g)
-    return {"h": at_wall(g, u)[0], "gam": atan(u)}
+    u = thrown_ball.best_slope(g)
+    return {"h": thrown_ball.at_wall(g, u)[0], "gam": atan(u)}
 
 
 def steps(g):
-    u = best_slope(g)
-    yield Step(
-        "u",
-        u,
-        "1",
-        "slope of the throw, tan(gamma), for which the height at the wall no longer grows",
-        "2.2",
-    )
-    yield Step("T", g.d / forward(g, u), "s", "time in which the ball comes to the wall", "2.2")
+    u = thrown_ball.best_slope(g)
+    return {"u": u, "T": g.d / thrown_ball.forward(g, u)}
 
 
 def prove(g):
-    gam = proved_angle(g)
+    gam = thrown_ball.proved_angle(g)
     T = g.d / (g.v_0 * mp.cos(gam))
-    return {"h": proved_height(g, gam), "gam": gam, "u": mp.tan(gam), "T": T}
+    return {"h": thrown_ball.proved_height(g, gam), "gam": gam, "u": mp.tan(gam), "T": T}
 
 
 def mistakes(g):
@@ -34,7 +26,7 @@ def mistakes(g):
     apex = 2 * quarter - asin(2 * g.g * g.d / g.v_0**2) / 2
     most = g.v_0**2 / (2 * g.g)
     return {
-        "greatest_range": {"h": at_wall(g, g.one)[0], "gam": quarter},
+        "greatest_range": {"h": thrown_ball.at_wall(g, g.one)[0], "gam": quarter},
         "apex_at_wall": {"h": most * sin(apex) ** 2, "gam": apex},
         "highest_apex": {"h": most, "gam": 2 * quarter},
         "from_vertical": {"gam": 2 * quarter - solve(g)["gam"]},

@@ -1,17 +1,10 @@
 """2/8: a ball that hits a wall as high as it can: whether it rises or falls."""
 
-from exercises.devices.thrown_ball import (
-    at_wall,
-    best_slope,
-    draw,
-    forward,
-    proved_angle,
-    proved_path,
-)
-from exercises.tools import Step, mp, rate, root
+from exercises.devices import thrown_ball as device
+from exercises.tools import mp, rate, root
 from newton_euler import atan, sqrt
 
-draw = draw
+draw = device.draw
 
 
 def sense(slope):
@@ -19,22 +12,20 @@ def sense(slope):
 
 
 def solve(g):
-    slope = at_wall(g, best_slope(g))[1]
+    slope = device.at_wall(g, device.best_slope(g))[1]
     # the height v_0^2/(2 g) - g d^2/(2 v_0^2) of 2/7 vanishes
     return {"slope": slope, "sense": lambda: sense(slope), "v_min": sqrt(g.g * g.d)}
 
 
 def steps(g):
-    u = best_slope(g)
-    h, slope = at_wall(g, u)
-    yield Step("gam", atan(u), "rad", "angle of the throw for the highest hit", "2.2")
-    yield Step("upward", slope * forward(g, u), "m/s", "upward velocity at the wall", "2.2")
-    yield Step("h", h, "m", "height of the hit, which vanishes for the least speed", "2.2")
+    u = device.best_slope(g)
+    h, slope = device.at_wall(g, u)
+    return {"gam": atan(u), "upward": slope * device.forward(g, u), "h": h}
 
 
 def prove(g):
-    gam = proved_angle(g)
-    path = proved_path(g, gam)
+    gam = device.proved_angle(g)
+    path = device.proved_path(g, gam)
     T = g.d / (g.v_0 * mp.cos(gam))
     ahead, upward = rate(path, T)
     slope = upward / ahead
@@ -54,6 +45,6 @@ def mistakes(g):
     return {
         "least_for_apex": {"v_min": sqrt(2 * g.g * g.d)},
         "apex": {"slope": 0 * right["slope"]},
-        "slope_at_O": {"slope": best_slope(g), "sense": "ascending"},
+        "slope_at_O": {"slope": device.best_slope(g), "sense": "ascending"},
         "sign": {"slope": -right["slope"], "sense": "ascending"},
     }

@@ -1,6 +1,6 @@
 """2/10: a car that speeds up in a curve."""
 
-from exercises.tools import Sketch, Step, mp, rate, root, second_rate, size
+from exercises.tools import Sketch, at_angle, rate, root, second_rate, size
 from newton_euler import Frame, moving, polar, sqrt
 
 FOOT = 0.3048  # m: who takes mi/h for ft/s
@@ -29,33 +29,15 @@ def solve(g):
 
 def steps(g):
     a = acceleration(g, speed(g), speed_rate(g))
-    yield Step(
-        "a_t",
-        speed_rate(g),
-        "ft/s^2",
-        "tangential component, the constant rate of the speed",
-        "2.3",
-        "2.14",
-    )
-    yield Step("v", speed(g), "ft/s", "speed when the car has gone s", "2.3")
-    yield Step(
-        "a_n", -a.x, "ft/s^2", "normal component, toward the centre of the curve", "2.3", "2.14"
-    )
+    return {"a_t": speed_rate(g), "v": speed(g), "a_n": -a.x}
 
 
 def prove(g):
     """The time over the stretch is its length over the mean speed; then the place in time."""
     T = g.L / ((g.v_1 + g.v_2) / 2)
-
-    def gone(t):
-        return g.v_1 * t + (g.v_2 - g.v_1) / T * t**2 / 2
-
+    gone = lambda t: g.v_1 * t + (g.v_2 - g.v_1) / T * t**2 / 2
     when = root(lambda t: gone(t) - g.s, 0, T)
-
-    def place(t):
-        angle = gone(when + t) / g.R
-        return [g.R * mp.cos(angle), g.R * mp.sin(angle), 0]
-
+    place = lambda t: at_angle(g.R, gone(when + t) / g.R)
     return {"a": size(second_rate(place)), "a_t": second_rate(gone), "v": size(rate(place))}
 
 

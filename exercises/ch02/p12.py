@@ -1,7 +1,7 @@
 """2/12: the speed of a jet from its curvature."""
 
 from exercises.devices import jet
-from exercises.tools import Step, mp, root
+from exercises.tools import mp, root
 from newton_euler import Frame, sqrt
 
 
@@ -33,10 +33,7 @@ follows = {"rho_top": lambda g, v_0: top(g, v_0)}
 
 
 def steps(g):
-    a_n = normal_acceleration(g)
-    yield Step("a_n", a_n, "ft/s^2", "normal component of the acceleration at the nozzle", "2.4")
-    v_top = solve(g)["v_0"] * direction(g)[1].x
-    yield Step("v_top", v_top, "ft/s", "speed at the highest point", "2.2")
+    return {"a_n": normal_acceleration(g), "v_top": solve(g)["v_0"] * direction(g)[1].x}
 
 
 def prove(g):

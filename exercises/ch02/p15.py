@@ -1,6 +1,6 @@
 """2/15: the radius of curvature at the bottom of a loop, from the total acceleration."""
 
-from exercises.tools import Sketch, Step, mp, rate, root, second_rate, size
+from exercises.tools import Sketch, mp, rate, root, second_rate, size
 from newton_euler import Frame, cos, frenet, sin, sqrt
 
 
@@ -17,10 +17,7 @@ def solve(g):
 
 def steps(g):
     a = g.n * g.g
-    yield Step("a", a, "ft/s^2", "magnitude of the total acceleration")
-    yield Step("a_n", airplane(g, a).acceleration.y, "ft/s^2",
-               "normal component: what is left of the total beside the tangential one, v'", "2.3",
-               "2.14")  # fmt: skip
+    return {"a": a, "a_n": airplane(g, a).acceleration.y}
 
 
 def prove(g):
@@ -55,10 +52,7 @@ def draw(g, ax):
     rho = solve(g)["rho"]
     s = Sketch(ax, ground, plane="xy")
     A, C = (0, 0, 0), (0, rho, 0)
-
-    def on_loop(angle):
-        return rho * sin(angle), rho * (1 - cos(angle)), 0
-
+    on_loop = lambda angle: (rho * sin(angle), rho * (1 - cos(angle)), 0)
     s.path([on_loop(n / 20) for n in range(-28, 29)], style="dashed")
     outline = [(-0.2, 0.09), (-0.16, 0.03), (0.12, 0.03), (0.19, 0), (0.12, -0.03), (-0.2, -0.03)]
     s.plate([(rho * x, rho * y, 0) for x, y in outline])

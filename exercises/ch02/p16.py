@@ -1,6 +1,6 @@
 """2/16: tape over two pulleys: one speed, one tangential acceleration, two curvatures."""
 
-from exercises.tools import Sketch, Step, mp, root, second_rate, size
+from exercises.tools import Sketch, at_angle, mp, root, second_rate, size
 from newton_euler import Frame, sqrt
 
 
@@ -18,37 +18,22 @@ def rim_point(r, v, a_t):
 
 def solve(g):
     v = speed(g)
-    return {
-        "v_tape": v,
-        "a_P1": rim_point(g.r_1, v, g.a_t2).norm(),
-        "a_P2": rim_point(g.r_2, v, g.a_t2).norm(),
-    }
+    a_P1, a_P2 = (rim_point(r, v, g.a_t2).norm() for r in (g.r_1, g.r_2))
+    return {"v_tape": v, "a_P1": a_P1, "a_P2": a_P2}
 
 
 def steps(g):
     v = speed(g)
-    yield Step("a_t1", rim_point(g.r_1, v, g.a_t2).y, "in/s^2",
-               "tangential component at P1: that of the tape, as at P2", "2.3", "2.14")  # fmt: skip
-    yield Step("a_n2", -rim_point(g.r_2, v, g.a_t2).x, "in/s^2",
-               "normal component at P2, of the same speed on a smaller radius", "2.3",
-               "2.14")  # fmt: skip
+    return {"a_t1": rim_point(g.r_1, v, g.a_t2).y, "a_n2": -rim_point(g.r_2, v, g.a_t2).x}
 
 
 follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
 
 
 def prove(g):
-    """The rims in time, each turned by the tape that has run over it; the speed is that with which
-    P1 has the given acceleration inward.
-    """
-
-    def acceleration(r, v):
-        def place(t):
-            angle = (v * t + g.a_t2 * t**2 / 2) / r
-            return [r * mp.cos(angle), r * mp.sin(angle), 0]
-
-        return second_rate(place)
-
+    """The rims in time, turned by the tape; at this speed P1 has the given acceleration inward."""
+    path = lambda r, v: lambda t: at_angle(r, (v * t + g.a_t2 * t**2 / 2) / r)
+    acceleration = lambda r, v: second_rate(path(r, v))
     fast = mp.mpf(100) * mp.sqrt(g.a_n1 * g.r_1 + g.a_t2 * g.r_1)
     v = root(lambda v: -acceleration(g.r_1, v)[0] - g.a_n1, 0, fast)
     first, second = acceleration(g.r_1, v), acceleration(g.r_2, v)

@@ -22,9 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """The limacon as the path of a crank of length b, at the rate omega, with another of length c/2
-    on it that is set back and turns twice as fast: 2 cos^2 = 1 + cos of twice the angle.
-    """
+    """The limacon by cranks: b at omega and c/2 at twice that, as 2 cos^2 = 1 + cos of twice."""
 
     def place(t):
         angle = g.theta + g.omega * t

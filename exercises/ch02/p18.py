@@ -1,14 +1,12 @@
 """2/18: a rocket on the radar: where it is heading, a word, and how its path is curved."""
 
-from exercises.tools import Sketch, Step, cross, mp, rate, second_rate, size
+from exercises.tools import Sketch, at_angle, cross, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.kinematics import flexure, polar
 
 
 def rocket(g):
-    """Velocity and acceleration along e_r, e_theta. The rate of r' is not measured; along the
-    path, it does not bend it.
-    """
+    """Velocity and acceleration along e_r, e_theta; r'', not measured, does not bend the path."""
     ground = Frame("ground")
     theta = moving(0 * g.one, rate=g.theta_dot, acceleration=g.theta_ddot)
     P = polar(ground, "P", moving(g.r, rate=g.r_dot), theta)
@@ -29,15 +27,12 @@ def solve(g):
 
 def steps(g):
     v, a = rocket(g)
-    yield Step("v", v, "m/s", "velocity along e_r, e_theta", "2.6", "2.17")
-    yield Step("a", a, "m/s^2", "acceleration along e_r, e_theta, with r'' = 0", "2.6", "2.18")
+    return {"v": v, "a": a}
 
 
 def prove(g):
-    def place(t):
-        r, theta = g.r + g.r_dot * t, g.theta_dot * t + g.theta_ddot * t**2 / 2
-        return [r * mp.cos(theta), r * mp.sin(theta), 0]
-
+    theta = lambda t: g.theta_dot * t + g.theta_ddot * t**2 / 2
+    place = lambda t: at_angle(g.r + g.r_dot * t, theta(t))
     v = rate(place)
     rho = size(v) ** 3 / size(cross(v, second_rate(place)))
     return {"heading": lambda: heading(v[0], v[1]), "rho": rho}
@@ -73,9 +68,7 @@ def draw(g, ax):
     s.path([on_path(far * n / 40) for n in range(-16, 25)])
     s.arc(O, (g.r, 0, 0), P, label=r"$\theta$")
     s.dimension(O, P, label="r", offset=-0.08 * g.r)
-    s.dot(O)
-    s.dot(P)
-    s.label(O, "O", offset=(-12, 10))
+    s.dot(O, "O", offset=(-12, 10))
+    s.dot(P, "P", offset=(-12, 6))
     s.label(O, "radar", offset=(-30, -14), bold=False)
-    s.label(P, "P", offset=(-12, 6))
     s.label(P, "rocket", offset=(-14, 22), bold=False)

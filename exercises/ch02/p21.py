@@ -1,13 +1,11 @@
 """2/21: a rocket that climbs vertically, seen by a radar: from one component to the whole."""
 
-from exercises.tools import Sketch, Step, mp, rate, root, second_rate
+from exercises.tools import Sketch, mp, rate, root, second_rate
 from newton_euler import Frame, moving, polar
 
 
 def rocket(g):
-    """Ground, with y up, and rocket. r' and theta'' are not measured: they enter the radial
-    velocity and the transverse acceleration, which are not used.
-    """
+    """Ground with y up, and rocket; r' and theta'' enter only components that are not used."""
     ground = Frame("ground")
     r, theta = moving(g.r, acceleration=g.r_ddot), moving(g.theta, rate=g.theta_dot)
     return ground, polar(ground, "P", r, theta)
@@ -28,24 +26,15 @@ def solve(g):
 
 def steps(g):
     v_theta, a_r = measured(g)
-    yield Step("v_theta", v_theta, "ft/s", "transverse velocity, the part cos theta of v", "2.6",
-               "2.17")  # fmt: skip
-    yield Step("a_r", a_r, "ft/s^2", "radial acceleration, the part sin theta of a", "2.6", "2.18")
+    return {"v_theta": v_theta, "a_r": a_r}
 
 
 def prove(g):
     """The vertical climb, in time, on which the radar would read what it reads."""
     away, up = g.r * mp.cos(g.theta), g.r * mp.sin(g.theta)
-
-    def height(v, a):
-        return lambda t: up + v * t + a * t**2 / 2
-
-    def elevation(y):
-        return lambda t: mp.atan2(y(t), away)
-
-    def distance(y):
-        return lambda t: mp.hypot(away, y(t))
-
+    height = lambda v, a: lambda t: up + v * t + a * t**2 / 2
+    elevation = lambda y: lambda t: mp.atan2(y(t), away)
+    distance = lambda y: lambda t: mp.hypot(away, y(t))
     fast = 100 * g.r * g.theta_dot
     v = root(lambda v: rate(elevation(height(v, 0))) - g.theta_dot, 0, fast)
     a = root(lambda a: second_rate(distance(height(v, a))) - g.r_ddot, -fast, fast)

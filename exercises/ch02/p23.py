@@ -1,6 +1,6 @@
 """2/23: a pin that moves on a straight line at constant speed, in polar coordinates."""
 
-from exercises.tools import Sketch, Step, mp, rate, second_rate
+from exercises.tools import Sketch, mp, rate, second_rate
 from newton_euler import Frame, sin
 from newton_euler.kinematics import cylindrical_frame, polar_coordinates
 
@@ -34,33 +34,20 @@ def solve(g):
 
 def steps(g):
     r, v = motion(g)
-    yield Step("r", r.x, "m", "the distance, h/sin theta", "2.6")
-    yield Step("v_A", v, "m/s", "velocity of A along $e_r$, $e_\\theta$", "2.6", "2.17")
+    return {"r": r.x, "v_A": v}
 
 
-def r_ddot(g, theta_dot):
-    """r'', from the radial acceleration, which is zero."""
-    return motion(g)[0].x * theta_dot**2
-
-
-def theta_ddot(g, r_dot, theta_dot):
-    """theta'', from the transverse acceleration, which is zero."""
-    return -2 * r_dot * theta_dot / motion(g)[0].x
-
-
-follows = {"r_ddot": r_ddot, "theta_ddot": theta_ddot}
+follows = {  # both components of the acceleration are zero
+    "r_ddot": lambda g, theta_dot: motion(g)[0].x * theta_dot**2,
+    "theta_ddot": lambda g, r_dot, theta_dot: -2 * r_dot * theta_dot / motion(g)[0].x,
+}
 
 
 def prove(g):
     """The way of A along its line, as length and direction."""
     start = g.h / mp.tan(g.theta)
-
-    def r(t):
-        return mp.hypot(start + g.v * t, g.h)
-
-    def theta(t):
-        return mp.atan2(g.h, start + g.v * t)
-
+    r = lambda t: mp.hypot(start + g.v * t, g.h)
+    theta = lambda t: mp.atan2(g.h, start + g.v * t)
     return {
         "r_dot": rate(r),
         "theta_dot": rate(theta),

@@ -1,7 +1,7 @@
 """2/24: the pin of a crank in a slotted arm, in polar coordinates."""
 
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
-from exercises.tools import Step, mp, rate, rot, second_rate, size, terms, times
+from exercises.tools import mp, rate, rot, second_rate, size, terms, times
 from newton_euler import Frame, polar
 
 
@@ -10,9 +10,7 @@ def answers(v, a):
 
 
 def of_crank(g):
-    """Velocity and acceleration of P along and across the crank, in which it is fixed: so their
-    magnitudes have no theta. As OC = CP, the crank is at 2 theta.
-    """
+    """Velocity and acceleration of P in the crank, without theta; the crank is at 2 theta."""
     ground = Frame("ground")
     C = ground.point("C", g.b, 0, 0)
     crank = ground.rotate("crank", "z", 2 * turning(g)[0], origin=C)
@@ -29,20 +27,17 @@ def motion(g, r):
 
 def solve(g):
     v, a = of_crank(g)
-    right = answers(*motion(g, turning(g)[1]))
-    return right | {"v_mag": v.norm(), "a_mag": a.norm()}
+    return answers(*motion(g, turning(g)[1])) | {"v_mag": v.norm(), "a_mag": a.norm()}
 
 
 def steps(g):
     r = turning(g)[1]
-    yield Step("r_dot", r.rate, "m/s", "rate of OP", "2.6")
-    yield Step("r_ddot", r.acceleration, "m/s^2", "second rate of OP", "2.6")
+    yield "r_dot", r.rate
+    yield "r_ddot", r.acceleration
     v, a = motion(g, r)
     yield from terms(v, "v_P", "m/s", "2.6")
     yield from terms(a, "a_P", "m/s^2", "2.6")
-    theta = turning(g)[0]
-    yield Step("omega_CP", 2 * theta.rate, "rad/s",
-               "rate of the crank CP, which is at the angle 2 theta", "2.8", "2.19")  # fmt: skip
+    yield "omega_CP", 2 * turning(g)[0].rate
 
 
 follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm()}
@@ -51,9 +46,7 @@ follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm(
 def prove(g):
     """The components by the way of P on the crank, the magnitudes by that on the arm."""
     P = crank(g)
-
-    def r(t):
-        return in_arm(g, P(t), t)[0]
+    r = lambda t: in_arm(g, P(t), t)[0]
 
     def in_slot(t):
         angle = g.theta + g.omega * t

@@ -1,7 +1,7 @@
 """2/25: the pin of a crank in a slotted arm, seen from the arm."""
 
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
-from exercises.tools import Step, minus, rate, rot, second_rate, terms, times
+from exercises.tools import minus, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving
 
 
@@ -29,9 +29,8 @@ def solve(g):
 
 def steps(g):
     ground, arm, P = arm_and_pin(g, turning(g)[1])
-    omega = arm.angular_velocity(ground).expressed_in(arm)
-    yield Step("omega_arm", omega, "rad/s", "angular velocity of the arm", "2.8", "2.19")
-    yield Step("r_P", P.position(arm), "m", "position of P in the arm", "2.10", "2.23")
+    yield "omega_arm", arm.angular_velocity(ground).expressed_in(arm)
+    yield "r_P", P.position(arm)
     right = motion(ground, arm, P)
     yield from terms(right["v_P"], "v_P", "m/s", "2.10", "2.24")
     yield from terms(right["a_P"], "a_P", "m/s^2", "2.10", "2.25")
@@ -56,18 +55,10 @@ follows = {"a_cor": a_cor, "v_P": v_P, "a_P": a_P}
 
 
 def prove(g):
-    """The pin as the crank carries it, seen from the arm. Its Coriolis term is what its
-    acceleration in the ground has beyond that in the arm and that of the place of the arm where
-    it is.
-    """
+    """The pin on its crank, seen from the arm; Coriolis is what the other terms leave over."""
     P = crank(g)
-
-    def seen(t):
-        return in_arm(g, P(t), t)
-
-    def place(t):
-        return times(rot("z", g.omega * t), P(0))
-
+    seen = lambda t: in_arm(g, P(t), t)
+    place = lambda t: times(rot("z", g.omega * t), P(0))
     a_rel, a = second_rate(seen), in_arm(g, second_rate(P))
     return {
         "v_rel": rate(seen),

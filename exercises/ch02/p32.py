@@ -1,19 +1,18 @@
 """2/32: as 2/31, while both cars change their speed."""
 
 from exercises.devices import two_cars
-from exercises.devices.two_cars import acceleration_steps, cars, figure, seen_acceleration
 
 
 def scene(g):
-    return cars(g, g.c_A, -g.c_B)
+    return two_cars.cars(g, g.c_A, -g.c_B)
 
 
 def solve(g):
-    return {"a_rel": seen_acceleration(*scene(g))}
+    return {"a_rel": two_cars.seen_acceleration(*scene(g))}
 
 
 def steps(g):
-    yield from acceleration_steps(*scene(g))
+    yield from two_cars.acceleration_steps(*scene(g))
 
 
 def prove(g):
@@ -22,9 +21,7 @@ def prove(g):
 
 
 def mistakes(g):
-    def without(*names):
-        return {"a_rel": seen_acceleration(*scene(g), *names)}
-
+    without = lambda *names: {"a_rel": two_cars.seen_acceleration(*scene(g), *names)}
     return {
         "no_alpha": without("euler"),
         "B_speeds_up": solve(g.but(c_B=-g.c_B)),
@@ -34,6 +31,6 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s, ground, long = figure(g, ax)
+    s, ground, long = two_cars.figure(g, ax)
     s.vector((-2 * long, long, 0), ground.j * g.c_A, "$c_A$", kind="acceleration")
     s.vector((g.x + 2 * long, long, 0), ground.j * g.c_B, "$c_B$", kind="acceleration")

@@ -1,7 +1,7 @@
 """2/33: a slider that passes the centre of a turning disk."""
 
 from exercises.devices.turning_plate import turning
-from exercises.tools import Sketch, Step, angular_velocity, mp, rate, rot, second_rate
+from exercises.tools import Sketch, angular_velocity, mp, rate, rot, second_rate
 from newton_euler import moving, polar
 
 
@@ -19,28 +19,18 @@ def steps(g):
     ground, disk, P = disk_and_slider(g)
     theta = moving(0, rate=g.omega, acceleration=g.alpha)
     along_slot = polar(ground, "slider", P.x[0], theta)
-    yield Step(
-        "v_polar", along_slot.velocity(ground), "in/s",
-        "velocity by radial-transverse components, with r = 0 and r' = x'", "2.6", "2.17",
-    )  # fmt: skip
-    yield Step(
-        "a_polar", along_slot.acceleration(ground), "in/s^2",
-        "acceleration by radial-transverse components, 2 r' theta' along e_theta", "2.6", "2.18",
-    )  # fmt: skip
-    omega = disk.angular_velocity(ground)
-    yield Step("omega_disk", omega, "rad/s", "angular velocity of the disk", "2.8", "2.19")
-    yield Step("v_r", P.velocity(disk), "in/s", "velocity of the slider in the disk", "2.10")
+    return {
+        "v_polar": along_slot.velocity(ground),
+        "a_polar": along_slot.acceleration(ground),
+        "omega_disk": disk.angular_velocity(ground),
+        "v_r": P.velocity(disk),
+    }
 
 
 def prove(g):
     """The path in the ground, a spiral through O, along the slot as it lies at t = 0."""
-
-    def theta(t):
-        return g.omega * t + g.alpha * t**2 / 2
-
-    def place(t):
-        return [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
-
+    theta = lambda t: g.omega * t + g.alpha * t**2 / 2
+    place = lambda t: [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
     return {
         "a": second_rate(place),
         "v_polar": rate(place),

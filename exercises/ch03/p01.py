@@ -1,8 +1,7 @@
 """3/1: the position from acceleration components that depend on time."""
 
-from exercises.tools import Sketch, Step, proofs
-from newton_euler import Frame
-from newton_euler.kinematics import from_time
+from exercises.tools import Sketch, proofs
+from newton_euler import Frame, kinematics
 
 GROUND = Frame("ground")
 
@@ -18,7 +17,7 @@ def start(g):
 
 def motion(g, t):
     """Position and velocity at the time t."""
-    along = [from_time(a, t, x) for a, x in zip(acceleration(g), start(g), strict=True)]
+    along = [kinematics.from_time(a, t, x) for a, x in zip(acceleration(g), start(g), strict=True)]
     return [GROUND.vector(*c) for c in zip(*along, strict=True)]
 
 
@@ -27,8 +26,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("v", motion(g, g.t)[1], "m/s", "velocity at the time t, the integral of a from 0 to "
-               "t, since the point starts from rest", "3.1", "3.3")  # fmt: skip
+    return {"v": motion(g, g.t)[1]}
 
 
 def prove(g):
@@ -39,9 +37,7 @@ def prove(g):
     def up_to(t, f):
         return proofs.scaled(t, proofs.mean(lambda p: f(t * (p[0] + g.one / 2)), instants))
 
-    def velocity(t):
-        return up_to(t, lambda s: [g.a0 + g.a1 * s, g.b2 * s * s, g.c3 * s**3 - g.c0])
-
+    velocity = lambda t: up_to(t, lambda s: [g.a0 + g.a1 * s, g.b2 * s * s, g.c3 * s**3 - g.c0])
     return {"r": proofs.plus([g.x0, g.y0, g.z0], up_to(g.t, velocity)), "v": velocity(g.t)}
 
 

@@ -1,6 +1,6 @@
 """3/2: velocity and acceleration on a given path; a component of the velocity."""
 
-from exercises.tools import Sketch, Step, minus, mp, size
+from exercises.tools import Sketch, minus, mp, size
 from newton_euler import Frame
 from newton_euler.kinematics import along
 
@@ -30,20 +30,12 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("length", direction(g).norm(), "1", "length of the vector n", "3.1")
-    yield Step(
-        "product", solve(g)["v"].dot(direction(g)), "m/s", "scalar product of v and n", "3.1"
-    )
+    return {"length": direction(g).norm(), "product": solve(g)["v"].dot(direction(g))}
 
 
 def prove(g):
-    """A coordinate of degree n in time obeys t x' = n x (Euler), and so t^2 x'' = n (n - 1) x; the
-    degree from doubling the time. The component from the triangle of v and n.
-    """
-
-    def place(t):
-        return [g.cx * t**2, g.cy * t**3, -g.cz * t**4]
-
+    """Of degree n in time: t x' = n x, t^2 x'' = n (n - 1) x; v_n by the triangle of v and n."""
+    place = lambda t: [g.cx * t**2, g.cy * t**3, -g.cz * t**4]
     r, n = place(g.t1), [g.nx, g.ny, g.nz]
     degree = [mp.log(y / x, 2) for x, y in zip(r, place(2 * g.t1), strict=True)]
     v = [d * x / g.t1 for d, x in zip(degree, r, strict=True)]

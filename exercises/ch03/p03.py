@@ -1,8 +1,7 @@
 """3/3: constant speed on a curve that is given by a parameter."""
 
-from exercises.tools import Sketch, Step, rate, scaled, size
-from newton_euler import Frame, moving
-from newton_euler.kinematics import at_speed
+from exercises.tools import Sketch, rate, scaled, size
+from newton_euler import Frame, kinematics, moving
 
 GROUND = Frame("ground")
 
@@ -18,7 +17,7 @@ def motion(g, q):
 
 def parameter(g):
     """q = 1 with its rates."""
-    return at_speed(curve(g), g.one, g.nu)
+    return kinematics.at_speed(curve(g), g.one, g.nu)
 
 
 def solve(g):
@@ -27,25 +26,19 @@ def solve(g):
 
 def steps(g):
     q = parameter(g)
-    yield Step("q_dot", q.rate, "1/s", "rate of q, from the speed", "3.1", "3.2")
-    yield Step("q_ddot", q.acceleration, "1/s^2", "second rate of q, since the speed is constant",
-               "3.1", "3.3")  # fmt: skip
+    return {"q_dot": q.rate, "q_ddot": q.acceleration}
 
 
 def prove(g):
     """Along the tangent, and across it as the tangent turns with the path. No rates of q."""
-
-    def along(q):
-        return rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
+    along = lambda q: rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
 
     def tangent(q):
         d = along(q)
         return scaled(1 / size(d), d)
 
-    return {
-        "v": scaled(g.nu, tangent(1)),
-        "acc": scaled(g.nu**2 / size(along(1)), rate(tangent, 1)),
-    }
+    a_n = g.nu**2 / size(along(1))
+    return {"v": scaled(g.nu, tangent(1)), "acc": scaled(a_n, rate(tangent, 1))}
 
 
 def mistakes(g):

@@ -1,9 +1,8 @@
 """3/4: constant speed on a helix, in cylindrical components."""
 
 from exercises.devices.helix import figure, helix, on_helix, unrolled
-from exercises.tools import Step, mp, rate, second_rate, terms
-from newton_euler import moving, pi
-from newton_euler.kinematics import at_speed
+from exercises.tools import mp, rate, second_rate, terms
+from newton_euler import kinematics, moving, pi
 
 
 def rise(g):
@@ -13,7 +12,7 @@ def rise(g):
 
 def angle(g):
     """theta at the instant when it is zero, with its rates."""
-    return at_speed(helix(g.a, rise(g)), 0 * g.one, g.nu)
+    return kinematics.at_speed(helix(g.a, rise(g)), 0 * g.one, g.nu)
 
 
 def motion(g, theta):
@@ -26,7 +25,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("theta_dot", angle(g).rate, "rad/s", "rate of theta, from the speed", "3.5", "3.22")
+    yield "theta_dot", angle(g).rate
     yield from terms(solve(g)["v"], "v", "m/s", "3.5")
 
 

@@ -1,9 +1,8 @@
 """3/5: acceleration of constant magnitude on a helix, uniformly and from rest."""
 
 from exercises.devices.helix import figure, on_helix
-from exercises.tools import Step, mp, proofs
-from newton_euler import asin, integral, moving, pi, sin, sqrt
-from newton_euler.kinematics import frenet
+from exercises.tools import mp, proofs
+from newton_euler import asin, integral, kinematics, moving, pi, sin, sqrt
 
 
 def rise(p):
@@ -12,9 +11,7 @@ def rise(p):
 
 
 def at_unit_rate(one, a, p):
-    """Length of path, and normal acceleration, where theta grows at 1 rad/s: the speed is c
-    theta', the tangential acceleration c theta'' and the normal one n theta'^2.
-    """
+    """Length of path c and normal acceleration n at 1 rad/s: of theta, c theta' and n theta'^2."""
     P = on_helix(a, rise(p), moving(0 * one, rate=one))
     return P.velocity(P.ground).norm(), P.acceleration(P.ground).norm()
 
@@ -28,9 +25,7 @@ def of_numbers(g):
 
 
 def formulas(g, c, n):
-    """For (c theta'')^2 + (n theta'^2)^2 = A^2, which has the constant solution and, with u =
-    theta'^2 and theta'' = u'(theta)/2, the solution u = A/n sin(2 n theta/c) from rest.
-    """
+    """(c theta'')^2 + (n theta'^2)^2 = A^2 has theta' constant, or from rest by a sine."""
     uniform = sqrt(g.A / n) * g.t
     return {
         "theta_uniform": uniform,
@@ -46,10 +41,7 @@ def times_from_rest(g, c, n):
     """
     right, scale = pi(g.one) / 2, c / sqrt(2 * n * g.A_1)
     at_half = asin(sqrt(2 * g.one) * sin(right / 4))
-
-    def time(end):
-        return scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
-
+    time = lambda end: scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
     return {"t_h": time(at_half), "t_1": time(0)}
 
 
@@ -62,21 +54,11 @@ follows = {"z_uniform": lambda g, theta_uniform: rise(g.p) * theta_uniform}
 
 def steps(g):
     c, n = of_symbols(g)
-    yield Step(
-        "c", c, "m", r"length of path for one radian: the speed is $c\dot\theta$", "3.5", "3.22"
-    )
-    yield Step("n", n, "m", r"normal acceleration at 1 rad/s: in general it is $n\dot\theta^2$",
-               "3.5", "3.23")  # fmt: skip
-    yield Step("w", 2 * n * g.theta / c, "1", r"argument of the sine in $\dot\theta^2 = (A/n)"
-               r"\sin w$, from $(c\ddot\theta)^2 + (n\dot\theta^2)^2 = A^2$", "3.5")  # fmt: skip
-    yield Step("c_1", of_numbers(g)[0], "m", "length of path for one radian, with the numbers a_1 "
-               "and p_1", "3.5", "3.22")  # fmt: skip
+    return {"c": c, "n": n, "w": 2 * n * g.theta / c, "c_1": of_numbers(g)[0]}
 
 
 def prove(g):
-    """In u = theta'^2, theta and t are integrals of du from rest to u, of which A/n is the
-    largest; the rate at an angle is a root.
-    """
+    """theta and t as integrals of u = theta'^2 from rest, at most A/n; the rate is a root."""
     c, n, h = stretch_and_bend(g.a, g.p)
     rate = proofs.root(lambda w: n * w**2 - g.A, 0, 2 * mp.sqrt(g.A / n))
     return {
@@ -102,10 +84,7 @@ def proved_times(g):
 def stretch_and_bend(a, p):
     """Sizes of the first and second derivative by theta of the helix as a path, and its rise."""
     h = p / (2 * mp.pi)
-
-    def place(s):
-        return [a * mp.cos(s), a * mp.sin(s), h * s]
-
+    place = lambda s: [a * mp.cos(s), a * mp.sin(s), h * s]
     return proofs.size(proofs.rate(place)), proofs.size(proofs.second_rate(place)), h
 
 
@@ -138,7 +117,7 @@ def draw(g, ax):
     at_P = on_helix(g.a, rise(g.p), moving(2.2, rate=1.0))
     ground = at_P.ground
     s, O, Q, P = figure(ax, ground, g.a, rise(g.p), 2.2, "a")
-    triad = frenet(at_P.velocity(ground), at_P.acceleration(ground))
+    triad = kinematics.frenet(at_P.velocity(ground), at_P.acceleration(ground))
     s.line(O, Q)
     s.line(Q, P)
     s.arc(O, (g.a, 0, 0), Q, label=r"$\theta$")

@@ -1,6 +1,6 @@
 """3/6: a point on a sphere, in spherical, cylindrical and rectangular components."""
 
-from exercises.tools import Sketch, Step, cross, mp, rate, rot, second_rate, times, transposed
+from exercises.tools import Sketch, cross, mp, rate, rot, second_rate, times, transposed
 from newton_euler import Frame, cylindrical, moving, pi, spherical, sqrt
 
 
@@ -63,28 +63,17 @@ def solve(g):
 
 def steps(g):
     r, z = distance_from_axis(g), height_above(g)
-    yield Step("r_dot", r.rate, "m/s", "rate of r, from r^2 + z^2 = R^2", "3.5", "3.22")
-    yield Step("r_ddot", r.acceleration, "m/s^2", "second rate of r", "3.5", "3.23")
-    yield Step("z_rate", z.rate, "m/s", "rate of z in terms of x and y, from x^2 + y^2 + z^2 = R^2",
-               "3.1", "3.2")  # fmt: skip
+    return {"r_dot": r.rate, "r_ddot": r.acceleration, "z_rate": z.rate}
 
 
 def prove(g):
     """OP turned by matrices and differentiated in fixed axes; its elevation by z, by x and y."""
-
-    def later(q, q_dot, q_ddot):
-        return lambda t: q + q_dot * t + q_ddot * t**2 / 2
-
+    later = lambda q, q_dot, q_ddot: lambda t: q + q_dot * t + q_ddot * t**2 / 2
     theta = later(g.theta, g.theta_dot, g.theta_ddot)
     phi = later(g.phi, g.phi_dot, g.phi_ddot)
     z = later(g.z, g.z_dot, g.z_ddot)
 
-    def raised(elevation):
-        def place(t):
-            turned = times(rot("z", theta(t)), rot("y", -elevation(t)))
-            return times(turned, [g.R, 0, 0])
-
-        return place
+    raised = lambda up: lambda t: times(rot("z", theta(t)), rot("y", -up(t)), [g.R, 0, 0])
 
     def along(axes, place):
         return [times(transposed(axes), v) for v in (rate(place), second_rate(place))]
@@ -96,10 +85,7 @@ def prove(g):
     v_sph, a_sph = along(spherical_axes, raised(phi))
     v_cyl, a_cyl = along(cylindrical_axes, raised(lambda t: mp.asin(z(t) / g.R)))
     x, y = later(g.x, g.x_dot, g.x_ddot), later(g.y, g.y_dot, g.y_ddot)
-
-    def above(t):
-        return g.R * mp.sin(mp.acos(mp.hypot(x(t), y(t)) / g.R))
-
+    above = lambda t: g.R * mp.sin(mp.acos(mp.hypot(x(t), y(t)) / g.R))
     v_z, a_z = rate(above), second_rate(above)
     return {
         "v_sph": v_sph,

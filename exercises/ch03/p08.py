@@ -1,6 +1,6 @@
 """3/8: a point that climbs faster and faster on a cylinder."""
 
-from exercises.tools import Sketch, Step, mp, rate, second_rate, size
+from exercises.tools import Sketch, mp, rate, second_rate, size
 from newton_euler import Frame, cos, cylindrical, moving, pi, sin
 from newton_euler.kinematics import along, speed_rate
 
@@ -8,11 +8,9 @@ GROUND = Frame("ground")
 
 
 def path(g):
-    def place(t):
-        turned = g.nu * t / g.r
-        return g.r * cos(turned), g.r * sin(turned), g.nu * t + g.a * t**2 / 2
-
-    return place
+    turned = lambda t: g.nu * t / g.r
+    up = lambda t: g.nu * t + g.a * t**2 / 2
+    return lambda t: (g.r * cos(turned(t)), g.r * sin(turned(t)), up(t))
 
 
 def solve(g):
@@ -31,16 +29,12 @@ def motion(g):
 
 def steps(g):
     v, a = motion(g)
-    yield Step("v", v, "m/s", "velocity along i, j, k", "3.1", "3.2")
-    yield Step("acc", a, "m/s^2", "acceleration along i, j, k", "3.1", "3.3")
+    return {"v": v, "acc": a}
 
 
 def prove(g):
     """The cylinder unrolled: the path in the plane, and how far the circle leaves its tangent."""
-
-    def unrolled(t):
-        return [g.nu * t, g.nu * t + g.a * t**2 / 2]
-
+    unrolled = lambda t: [g.nu * t, g.nu * t + g.a * t**2 / 2]
     in_plane = second_rate(unrolled, g.t)
     across = second_rate(lambda t: g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r), g.t)
     return {"speed": size(rate(unrolled, g.t)), "acc_mag": size([*in_plane, across])}
@@ -48,11 +42,7 @@ def prove(g):
 
 def mistakes(g):
     v, a = motion(g)
-
-    def added(vector):
-        level = GROUND.vector(vector.x, vector.y, 0)
-        return level.norm() + vector.z
-
+    added = lambda vector: GROUND.vector(vector.x, vector.y, 0).norm() + vector.z
     return {
         "rate_of_the_speed": {"acc_mag": speed_rate(v, a)},
         "no_centripetal": {"acc_mag": a.z},

@@ -1,39 +1,29 @@
 """3/9: the angle between velocity and acceleration, and the rate of the speed."""
 
-from exercises.devices.instant_of_motion import (
-    GROUND,
-    angle_between,
-    figure,
-    speed_and_flexure,
-    vectors,
-)
-from exercises.tools import Step
-from newton_euler import asin, cos
-from newton_euler.kinematics import speed_rate
+from exercises.devices import instant_of_motion as device
+from newton_euler import asin, cos, kinematics
 
 
 def solve(g):
-    v, a = vectors(g)
-    return {"angle": v.angle_to(a), "speed_rate": speed_rate(v, a)}
+    v, a = device.vectors(g)
+    return {"angle": v.angle_to(a), "speed_rate": kinematics.speed_rate(v, a)}
 
 
-follows = {"speed_rate": lambda g, angle: vectors(g)[1].norm() * cos(angle)}
+follows = {"speed_rate": lambda g, angle: device.vectors(g)[1].norm() * cos(angle)}
 
 
 def steps(g):
-    v, a = vectors(g)
-    yield Step("product", v.dot(a), "m^2/s^3", "scalar product of v and a", "3.2")
-    yield Step("speed", v.norm(), "m/s", "speed, the magnitude of v", "3.2", "3.12")
-    yield Step("a_size", a.norm(), "m/s^2", "magnitude of a", "3.2")
+    v, a = device.vectors(g)
+    return {"product": v.dot(a), "speed": v.norm(), "a_size": a.norm()}
 
 
 def prove(g):
     v, a = [g.v_x, g.v_y, g.v_z], [g.a_x, g.a_y, g.a_z]
-    return {"angle": angle_between(v, a), "speed_rate": speed_and_flexure(v, a)[0]}
+    return {"angle": device.angle_between(v, a), "speed_rate": device.speed_and_flexure(v, a)[0]}
 
 
 def mistakes(g):
-    v, a = vectors(g)
+    v, a = device.vectors(g)
     product = v.dot(a)
     return {
         "whole_acceleration": {"speed_rate": a.norm()},
@@ -44,6 +34,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    v, a = vectors(g)
-    s, T = figure(ax, v, a, r"$\alpha$", azimuth=-70, elevation=20)
-    s.axes(-0.9 * T * v - 0.5 * T * T * a.norm() * GROUND.k, GROUND, length=0.4 * T * v.norm())
+    v, a = device.vectors(g)
+    s, T = device.figure(ax, v, a, r"$\alpha$", azimuth=-70, elevation=20)
+    foot = -0.9 * T * v - 0.5 * T * T * a.norm() * device.GROUND.k
+    s.axes(foot, device.GROUND, length=0.4 * T * v.norm())

@@ -1,7 +1,7 @@
 """3/12: the screw-jack of 4/1, in cylindrical components."""
 
 from exercises.devices.screw_jack import figure, handle_in_time, rise, screw_in_nut
-from exercises.tools import Step, rate, second_rate, size
+from exercises.tools import rate, second_rate, size
 from newton_euler import Frame, cylindrical, moving
 
 
@@ -22,9 +22,7 @@ def solve(g):
 
 def steps(g):
     A = handle(g, rise(g))
-    v = A.velocity(A.ground)
-    yield Step("omega", g.n, "rad/s", "rate of turning in radians, theta'", "3.5")
-    yield Step("v_theta", v.y, "in/s", "component of the velocity along e_theta", "3.5", "3.22")
+    return {"omega": g.n, "v_theta": A.velocity(A.ground).y}
 
 
 def prove(g):

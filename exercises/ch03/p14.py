@@ -1,7 +1,7 @@
 """3/14: water flowing outward in a nozzle that turns about the vertical, in cylindrical terms."""
 
 from exercises.devices.nozzle import figure, nozzle_and_particle, particle_in_time
-from exercises.tools import Step, mp, rate, second_rate, size, terms
+from exercises.tools import mp, rate, second_rate, size, terms
 from newton_euler import Frame, cos, cylindrical, moving, pi, sin
 
 
@@ -20,19 +20,16 @@ def solve(g):
 
 def steps(g):
     r, z, v, a = particle(g)
-    yield Step("r", r.value, "m", "distance of the particle from the axis, d sin(gamma)", "3.5")
-    yield Step("r_dot", r.rate, "m/s", "its constant rate, nu sin(gamma)", "3.5")
-    yield Step("v_theta", v.y, "m/s", "velocity about the axis, r omega", "3.5", "3.22")
-    yield Step("z_dot", z.rate, "m/s", "upward velocity, nu cos(gamma), constant", "3.5")
+    yield "r", r.value
+    yield "r_dot", r.rate
+    yield "v_theta", v.y
+    yield "z_dot", z.rate
     yield from terms(a, "a", "m/s^2", "3.5")
 
 
 def prove(g):
     P = particle_in_time(g)
-
-    def r(t):
-        return mp.hypot(*P(t)[:2])
-
+    r = lambda t: mp.hypot(*P(t)[:2])
     v = rate(P)
     found = {"r": r(0), "r_dot": rate(r), "v_theta": v[1], "z_dot": v[2]}
     return {"speed": size(v), "acc_mag": size(second_rate(P))} | found

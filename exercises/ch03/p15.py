@@ -1,7 +1,7 @@
 """3/15: how the spherical unit vectors turn."""
 
 from exercises.devices.spherical_point import figure, place_in_time
-from exercises.tools import Step, mp, rate, spherical_axes, times
+from exercises.tools import mp, rate, spherical_axes, times
 from newton_euler import Frame, moving, pi
 from newton_euler.kinematics import spherical_frame
 
@@ -25,11 +25,8 @@ def solve(g):
 
 def steps(g):
     ground, local = axes(g)
-    up = ground.k.expressed_in(local)
-    yield Step("k", up, "1", "unit vector k along e_R, e_theta, e_phi", "3.7", "3.25")
-    omega = local.angular_velocity(ground).expressed_in(local)
-    what = "angular velocity of the unit vectors; the rate of each is Omega x e"
-    yield Step("Omega", omega, "rad/s", what, "3.7")
+    omega = local.angular_velocity(ground)
+    return {"k": ground.k.expressed_in(local), "Omega": omega.expressed_in(local)}
 
 
 def prove(g):

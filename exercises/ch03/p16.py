@@ -1,11 +1,10 @@
 """3/16: the acceleration of a point in spherical components."""
 
 from exercises.devices.spherical_point import figure, place_in_time
-from exercises.tools import Step, mp, rate, scaled, second_rate, spherical_axes, times
+from exercises.tools import mp, rate, scaled, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, moving, pi, spherical
 
 KEYS = "d_radial", "d_theta", "d_phi"
-WHAT = "R' e_R", "R theta' cos(phi) e_theta", "R phi' e_phi"
 PRODUCTS = dict.fromkeys(("coriolis_theta", "coriolis_phi", "coriolis_theta_phi"), 0.5)
 
 
@@ -24,20 +23,16 @@ def solve(g):
 def steps(g):
     """The velocity, and its three parts differentiated; the acceleration is the sum of these."""
     ground, P = point(g)
-    yield Step("v", P.velocity(ground), "m/s", "velocity, R' e_R + R times the rate of e_R",
-               "3.7", "3.26")  # fmt: skip
     R, _, phi = P.coordinates
     about = R * cos(phi) * moving(g.theta_dot, g.theta_ddot)
     parts = moving(g.R_dot, g.R_ddot), about, R * moving(g.phi_dot, g.phi_ddot)
-    for n, (key, part, what) in enumerate(zip(KEYS, parts, WHAT, strict=True)):
-        v = P.local.vector(*(part if m == n else 0 for m in range(3)))
-        yield Step(key, v.rate(ground), "m/s^2", f"time rate of change of {what}", "3.7")
+    e = P.local.i, P.local.j, P.local.k
+    rates = ((part * axis).rate(ground) for part, axis in zip(parts, e, strict=True))
+    return {"v": P.velocity(ground)} | dict(zip(KEYS, rates, strict=True))
 
 
 def prove(g):
-    def motion(*rates):
-        return lambda t: rates[0] + rates[1] * t + rates[2] * t**2 / 2
-
+    motion = lambda *rates: lambda t: rates[0] + rates[1] * t + rates[2] * t**2 / 2
     place = place_in_time(
         motion(g.R, g.R_dot, g.R_ddot),
         motion(0, g.theta_dot, g.theta_ddot),

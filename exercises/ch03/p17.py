@@ -2,7 +2,7 @@
 
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration
 from exercises.devices.telescoping_boom import boom_end, end_in_time, figure
-from exercises.tools import Step, rate, terms
+from exercises.tools import rate, terms
 from newton_euler import moving, pi
 
 
@@ -19,8 +19,8 @@ def solve(g):
 def steps(g):
     ground, A = boom(g)
     _, _, phi = A.coordinates
-    yield Step("phi", phi.value, "deg", "elevation of the boom, 90 deg - beta", "3.7")
-    yield Step("phi_dot", phi.rate, "rad/s", "rate of the elevation, -b_dot", "3.7")
+    yield "phi", phi.value
+    yield "phi_dot", phi.rate
     yield from terms(A.acceleration(ground), "a", "in/s^2", "3.7")
 
 

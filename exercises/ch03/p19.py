@@ -20,8 +20,7 @@ def steps(g):
 
 def prove(g):
     P = ride.car_in_time(g)
-    v = times(cylindrical_axes(P(0)), rate(P))
-    return {"v": v} | ride.proved_steps(g, *STEPS)
+    return {"v": times(cylindrical_axes(P(0)), rate(P))} | ride.proved_steps(g, *STEPS)
 
 
 def mistakes(g):

@@ -1,11 +1,12 @@
 """3/23: the velocity of a car of an amusement ride, from cylindrical to spherical components."""
 
 from exercises.devices import amusement_ride as ride
-from exercises.tools import Step, cylindrical_axes, rate, spherical_axes, times, transposed
+from exercises.tools import cylindrical_axes, rate, spherical_axes, times, transposed
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
 draw = ride.section
+follows = {"v": lambda g, T_phi: transformed(g, T_phi)["v"]}
 
 
 def velocity(g):
@@ -26,13 +27,9 @@ def solve(g):
     return {"T_phi": T_phi(phi.value), "v": v.expressed_in(axes)}
 
 
-follows = {"v": lambda g, T_phi: transformed(g, T_phi)["v"]}
-
-
 def steps(g):
     v, phi, _ = velocity(g)
-    yield Step("phi", phi.value, "rad", "elevation of the arm, sin(phi) = z/R", "3.7")
-    yield Step("cylindrical_v", v, "m/s", "velocity in cylindrical components", "3.5", "3.22")
+    return {"phi": phi.value, "cylindrical_v": v}
 
 
 def prove(g):

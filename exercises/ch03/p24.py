@@ -1,11 +1,12 @@
 """3/24: the acceleration of a ride's car, from spherical to cylindrical parts by the matrix."""
 
 from exercises.devices import amusement_ride as ride
-from exercises.tools import Step, cylindrical_axes, second_rate, spherical_axes, times, transposed
+from exercises.tools import cylindrical_axes, second_rate, spherical_axes, times, transposed
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
 draw = ride.section
+follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}
 
 
 def acceleration(g):
@@ -27,16 +28,10 @@ def solve(g):
     return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}
 
 
-follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}
-
-
 def steps(g):
     a, phi, _ = acceleration(g)
-    yield Step("phi", phi.value, "rad", "elevation of the arm, sin(phi) = z/R", "3.7")
-    yield Step("phi_dot", phi.rate, "rad/s", "its rate, z'/(R cos(phi))", "3.7")
-    second = "second rate of the elevation, phi'^2 tan(phi) as z'' = 0"
-    yield Step("phi_ddot", phi.acceleration, "rad/s^2", second, "3.7")
-    yield Step("spherical_a", a, "m/s^2", "acceleration in spherical components", "3.7", "3.27")
+    rates = {"phi": phi.value, "phi_dot": phi.rate, "phi_ddot": phi.acceleration}
+    return {**rates, "spherical_a": a}
 
 
 def prove(g):

@@ -2,7 +2,7 @@
 
 from exercises.devices.robot_arm import figure, robot, tip_in_time
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration
-from exercises.tools import Step, mp, rate, second_rate, size, terms
+from exercises.tools import mp, rate, second_rate, size, terms
 from newton_euler import Frame, atan2, moving, pi, spherical, sqrt
 
 
@@ -14,8 +14,7 @@ def angle_AOP(g):
 def tip(g, inside):
     """Ground, and P as the end of OP, which is lower than OA by the angle ``inside``."""
     ground = Frame("ground")
-    beta = moving(g.beta_1, g.b_dot, g.b_ddot)
-    phi = pi(g.beta_1) / 2 - beta - inside
+    phi = pi(g.beta_1) / 2 - moving(g.beta_1, g.b_dot, g.b_ddot) - inside
     R = sqrt(g.l_OA**2 + g.l_AP**2)
     return ground, spherical(ground, "P", R, moving(0, rate=g.omega), phi)
 
@@ -39,11 +38,11 @@ follows = {"acc_mag": lambda g, a: a.norm()}
 def steps(g):
     ground, P = tip(g, angle_AOP(g))
     R, _, phi = P.coordinates
-    yield Step("R", R.value, "m", "length OP, sqrt(l_OA^2 + l_AP^2), constant", "3.7")
-    yield Step("AOP", angle_AOP(g), "deg", "angle AOP, with the tangent l_AP/l_OA", "3.7")
-    yield Step("phi", phi.value, "deg", "elevation of OP, 90 deg - beta - AOP", "3.7")
-    yield Step("phi_dot", phi.rate, "rad/s", "its rate, the negative of that of beta", "3.7")
-    yield Step("phi_ddot", phi.acceleration, "rad/s^2", "its second rate, likewise", "3.7")
+    yield "R", R.value
+    yield "AOP", angle_AOP(g)
+    yield "phi", phi.value
+    yield "phi_dot", phi.rate
+    yield "phi_ddot", phi.acceleration
     yield from terms(P.acceleration(ground), "a", "m/s^2", "3.7")
 
 

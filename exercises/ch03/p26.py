@@ -2,7 +2,7 @@
 
 from exercises.devices.crane import crane, figure, tip_in_time
 from exercises.devices.spherical_point import elevation_in_time
-from exercises.tools import Step, rate, second_rate, size, spherical_axes, terms, times
+from exercises.tools import rate, second_rate, size, spherical_axes, terms, times
 from newton_euler import Frame, moving, pi, spherical
 
 
@@ -21,10 +21,10 @@ def solve(g):
 
 def steps(g):
     phi, v, a = tip(g)
-    yield Step("theta_dot", g.n, "rad/s", "rate of turning of the crane", "3.7")
-    yield Step("phi", phi.value, "deg", "elevation of the boom, 90 deg - beta", "3.7")
-    yield Step("phi_dot", phi.rate, "rad/s", "its rate, negative as the boom is lowered", "3.7")
-    yield Step("v", v, "m/s", "velocity along e_R, e_theta, e_phi", "3.7", "3.26")
+    yield "theta_dot", g.n
+    yield "phi", phi.value
+    yield "phi_dot", phi.rate
+    yield "v", v
     yield from terms(a, "a", "m/s^2", "3.7")
 
 

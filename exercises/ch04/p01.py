@@ -2,14 +2,12 @@
 
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.screw_jack import figure, handle_in_time, rise, screw_in_nut
-from exercises.tools import Step, rate, second_rate, size
+from exercises.tools import rate, second_rate, size
 
 
 def speed_and_acceleration(ground, rising, A):
-    return {
-        "speed": A.velocity(ground, via=rising).norm(),
-        "acc_mag": A.acceleration(ground, via=rising).norm(),
-    }
+    v, a = A.velocity(ground, via=rising), A.acceleration(ground, via=rising)
+    return {"speed": v.norm(), "acc_mag": a.norm()}
 
 
 def solve(g):
@@ -18,22 +16,16 @@ def solve(g):
 
 def steps(g):
     ground, rising, A = screw_in_nut(g, rise(g), g.n)
-    yield Step("omega", g.n, "rad/s", "rate of the screw, 2 pi for each turn")
-    means = "speed at which B, on the axis at the height of A, rises: one lead in each turn"
-    yield Step("v_B", rise(g), "in/s", means)
+    yield "omega", g.n
+    yield "v_B", rise(g)
     frame = "the moving frame, which rises with B and does not turn"
     yield from seen_in(rising, A, ground, "in", frame, "B, with x toward A and z up")
-    means = "velocity of A: v_B upward and v_r together, as the moving frame does not turn"
-    v = A.velocity(ground, via=rising).expressed_in(ground)
-    yield Step("v_A", v, "in/s", means, "4.8", "4.17")
+    yield "v_A", A.velocity(ground, via=rising).expressed_in(ground)
 
 
 def prove(g):
     A = handle_in_time(g)
-
-    def seen(t):  # from the axis, at the height of A
-        return [*A(t)[:2], 0]
-
+    seen = lambda t: [*A(t)[:2], 0]  # from the axis, at the height of A
     answers = {"speed": size(rate(A)), "acc_mag": size(second_rate(A))}
     return answers | {
         "v_B": rate(lambda t: A(t)[2]),
@@ -48,12 +40,11 @@ def mistakes(g):
     ground, rising, A = screw_in_nut(g, rise(g), g.n)
     v = A.velocity(ground, via=rising).terms
     coriolis = 2 * g.n * rise(g)
+    by_radian = speed_and_acceleration(*screw_in_nut(g, g.lead * g.n, g.n))
     return {
         "n_as_rad_per_s": speed_and_acceleration(*screw_in_nut(g, rise(g), g.stated("n"))),
         "circular_only": {"speed": g.a * g.stated("n")},
-        "lead_per_radian": {
-            "speed": speed_and_acceleration(*screw_in_nut(g, g.lead * g.n, g.n))["speed"]
-        },
+        "lead_per_radian": {"speed": by_radian["speed"]},
         "speeds_added": {"speed": v["origin"].norm() + v["relative"].norm()},
         "extra_coriolis": {"acc_mag": A.acceleration(ground).norm() + coriolis},
     }

@@ -27,10 +27,7 @@ follows = {"acc_mag": lambda g, a: a.norm()}
 
 def prove(g):
     P = tip_in_time(g)
-
-    def seen(t):
-        return times(rot("z", -g.omega * t), P(t))
-
+    seen = lambda t: times(rot("z", -g.omega * t), P(t))
     a = second_rate(P)
     return {"a": a, "acc_mag": size(a), "v_r": rate(seen), "a_r": second_rate(seen)}
 

@@ -9,10 +9,8 @@ from newton_euler import pi
 
 def solve(g):
     ground, house, P = crane(g)
-    return {
-        "speed": P.velocity(ground, via=house).norm(),
-        "acc_mag": P.acceleration(ground, via=house).norm(),
-    }
+    v, a = P.velocity(ground, via=house), P.acceleration(ground, via=house)
+    return {"speed": v.norm(), "acc_mag": a.norm()}
 
 
 def steps(g):
@@ -23,10 +21,7 @@ def steps(g):
 
 def prove(g):
     P = tip_in_time(g)
-
-    def seen(t):
-        return times(rot("z", -g.n * t), P(t))
-
+    seen = lambda t: times(rot("z", -g.n * t), P(t))
     v, a = rate(P), second_rate(P)
     found = {"v_P": v, "a_P": a, "v_r": rate(seen), "a_r": second_rate(seen)}
     return {"speed": size(v), "acc_mag": size(a)} | found

@@ -1,7 +1,7 @@
 """4/5: a bevel gear that rolls on a fixed gear and is driven by an equal one above it."""
 
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
-from exercises.tools import Sketch, Step, angular_velocity, in_frame, rate, rot, terms, times
+from exercises.tools import Sketch, angular_velocity, in_frame, rate, rot, terms, times
 from newton_euler.algebra import ZERO
 
 AXIS = "z"  # A is the first gear, above, B the second; C is the pinion
@@ -21,15 +21,10 @@ def steps(g):
     OC_rate, spin = meshing_rates(g, AXIS, g.omega, ZERO)
     ground, OC, _ = train(AXIS, OC_rate, spin, NAMES)
     v_A = ground.rotate("A", AXIS, rate=g.omega).point("tooth", g.R, 0, g.r).velocity(ground)
-    v_C = OC.point("centre", g.R, 0, 0).velocity(ground).expressed_in(ground)
-    means = "velocity of the tooth of A that meshes with C, and of the highest point of C"
-    yield Step("v_A", v_A.expressed_in(ground), "m/s", means, "4.4", "4.11")
-    means = "velocity of the centre of C: half of this, as the lowest point of C is at rest"
-    yield Step("v_C", v_C, "m/s", means, "4.4", "4.11")
-    means = "rate at which the line OC goes round AB, the speed of the centre over R"
-    yield Step("omega_OC", OC_rate, "rad/s", means, "4.4")
-    means = "rate of C on the axis OC: at its lowest point r times this rate and v_C cancel"
-    yield Step("omega_spin", spin, "rad/s", means, "4.4")
+    yield "v_A", v_A.expressed_in(ground)
+    yield "v_C", OC.point("centre", g.R, 0, 0).velocity(ground).expressed_in(ground)
+    yield "omega_OC", OC_rate
+    yield "omega_spin", spin
     yield from terms(solve(g)["omega_C"], "omega_C", "rad/s", "4.9")
 
 

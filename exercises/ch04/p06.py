@@ -1,16 +1,15 @@
 """4/6: an arm that turns about a vertical rod on a roller going downhill."""
 
 from exercises.devices.moving_frame import turning_of
-from exercises.tools import Sketch, Step, in_frame, minus, mp, rate, terms
+from exercises.tools import Sketch, at_angle, in_frame, minus, mp, plus, rate, terms
 from newton_euler import Frame, cos, moving, pi, sin
 
 
 def roller_and_rod(g):
     """Ground with x downhill and Z up; axes that move with O without turning; the rod about Z."""
     ground = Frame("ground")
-    O = ground.point(
-        "O", moving(0, rate=g.u * cos(g.incline)), 0, moving(0, rate=-g.u * sin(g.incline))
-    )
+    right, down = g.u * cos(g.incline), g.u * sin(g.incline)
+    O = ground.point("O", moving(0, rate=right), 0, moving(0, rate=-down))
     rod = ground.translate("carried", O).rotate("rod", "z", rate=g.omega)
     return ground, rod, rod.point("P", g.b, 0, height(g))
 
@@ -27,27 +26,15 @@ def solve(g):
 
 def steps(g):
     ground, rod, _ = roller_and_rod(g)
-    v_O = rod.origin.velocity(ground).expressed_in(ground)
-    yield Step("v_O", v_O, "ft/s", "velocity of O, down the plane", "4.8")
+    yield "v_O", rod.origin.velocity(ground).expressed_in(ground)
     yield from turning_of(rod, ground, ground, "rod", "the moving frame, fixed in the rod,")
-    r = rod.vector(g.b, 0, 0).expressed_in(ground)
-    means = "position of P from A, which is on the axis of turning and moves as O does"
-    yield Step("r", r, "ft", means, "4.8", "4.16")
+    yield "r", rod.vector(g.b, 0, 0).expressed_in(ground)
     yield from terms(solve(g)["v_P"], "v_P", "ft/s", "4.8")
 
 
 def prove(g):
-    def P(t):
-        gone = g.u * t
-        return [
-            gone * mp.cos(g.incline) + g.b * mp.cos(g.omega * t),
-            g.b * mp.sin(g.omega * t),
-            1 - gone * mp.sin(g.incline),
-        ]
-
-    def A(t):
-        return [g.u * t * mp.cos(g.incline), 0, 1 - g.u * t * mp.sin(g.incline)]
-
+    A = lambda t: [g.u * t * mp.cos(g.incline), 0, 1 - g.u * t * mp.sin(g.incline)]
+    P = lambda t: plus(A(t), at_angle(g.b, g.omega * t))
     return {"v_P": rate(P), "v_O": rate(A), "r": minus(P(0), A(0))}
 
 

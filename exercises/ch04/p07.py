@@ -1,7 +1,7 @@
 """4/7: the tip of a rotor blade that flaps harmonically."""
 
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.tools import Sketch, Step, in_frame, mp, proofs, rate, rot, second_rate, terms, times
+from exercises.tools import Sketch, in_frame, mp, proofs, rate, rot, second_rate, terms, times
 from newton_euler import Frame, at, cos, moving, sin
 
 
@@ -28,9 +28,9 @@ def solve(g):
 
 def steps(g):
     theta = flapping(g)
-    yield Step("theta", theta.value, "rad", "angle of the blade above the horizontal")
-    yield Step("theta_dot", theta.rate, "rad/s", "its rate")
-    yield Step("theta_ddot", theta.acceleration, "rad/s^2", "its second rate")
+    yield "theta", theta.value
+    yield "theta_dot", theta.rate
+    yield "theta_ddot", theta.acceleration
     ground, shaft, tip = shaft_and_tip(g, theta)
     yield from turning_of(shaft, ground, shaft, "shaft", "the moving frame, fixed in the shaft,")
     yield from seen_in(shaft, tip, shaft, "m", "the shaft", "O")
@@ -43,8 +43,7 @@ def prove(g):
         theta = g.theta_0 + g.theta_A * mp.sin(g.n * t)
         return [g.L * mp.cos(theta), 0, g.L * mp.sin(theta)]
 
-    def tip(t):
-        return times(rot("z", g.omega * t), in_shaft(t))
+    tip = lambda t: times(rot("z", g.omega * t), in_shaft(t))
 
     def theta(t):
         x, _, z = in_shaft(t)
@@ -65,6 +64,7 @@ def mistakes(g):
     theta = flapping(g)
     v, a = solve(g).values()
     too_wide = 1 / cos(theta.value)
+    steady = moving(theta.value, rate=theta.rate, acceleration=0)
     return {
         "no_coriolis": {"a_tip": a.without("coriolis")},
         "no_turning": {
@@ -76,9 +76,7 @@ def mistakes(g):
             "v_tip": v.reweighted(rotation=too_wide),
             "a_tip": a.reweighted(centripetal=too_wide),
         },
-        "no_second_rate": {
-            "a_tip": motion(g, moving(theta.value, rate=theta.rate, acceleration=0))["a_tip"]
-        },
+        "no_second_rate": {"a_tip": motion(g, steady)["a_tip"]},
     }
 
 

@@ -1,13 +1,11 @@
 """4/9: a rod with one end on an axis and the other on an ellipse."""
 
-from exercises.tools import Sketch, Step, in_frame, mp, plus, rate, scaled
+from exercises.tools import Sketch, in_frame, mp, plus, rate, scaled
 from newton_euler import Frame, cos, moving, pi, sin, solve_rates, sqrt
 
 
 def lower_end(g):
-    """x and y of the lower end: on the ellipse, and at the distance that the rod leaves, rho^2 =
-    L^2 - z^2, from the centre.
-    """
+    """x and y of the lower end: on the ellipse, at rho^2 = L^2 - z^2 from the centre."""
     rho_squared = g.L**2 - g.z_1**2
     across = g.b**2 - g.a**2
     return g.a * sqrt((g.b**2 - rho_squared) / across), g.b * sqrt((rho_squared - g.a**2) / across)
@@ -43,14 +41,8 @@ def solve(g):
 def steps(g):
     ground, A, B, _ = rod(g)
     x, y = lower_end(g)
-    rho = sqrt(g.L**2 - g.z_1**2)
-    yield Step("rho", rho, "in", "distance of the lower end B from the origin, from the length L")
-    yield Step("x", x, "in", "x of B, on the ellipse and at this distance")
-    yield Step("y", y, "in", "y of B, likewise")
     v_A, v_B = (P.velocity(ground).expressed_in(ground) for P in (A, B))
-    yield Step("v_A", v_A, "in/s", "velocity of the upper end A, given")
-    means = r"velocity of B, along the ellipse; $\mathbf{v}_B - \mathbf{v}_A$ is square to the rod"
-    yield Step("v_B", v_B, "in/s", means, "4.4", "4.11")
+    return {"rho": sqrt(g.L**2 - g.z_1**2), "x": x, "y": y, "v_A": v_A, "v_B": v_B}
 
 
 def prove(g):
@@ -63,9 +55,7 @@ def prove(g):
         phi = mp.findroot(too_long, (mp.mpf(0), mp.pi / 2), solver="anderson", maxsteps=200)
         return [g.a * mp.cos(phi), g.b * mp.sin(phi), mp.mpf(0)]
 
-    def middle(t):
-        return scaled(mp.mpf(1) / 2, plus(lower(t), [0, 0, g.z_1 + g.z_dot * t]))
-
+    middle = lambda t: scaled(mp.mpf(1) / 2, plus(lower(t), [0, 0, g.z_1 + g.z_dot * t]))
     x, y, _ = lower(0)
     found = {"x": x, "y": y, "rho": mp.hypot(x, y), "v_B": rate(lower)}
     return {"v_mid": rate(middle)} | found

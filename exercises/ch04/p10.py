@@ -3,46 +3,32 @@
 from itertools import pairwise
 
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
-from exercises.tools import Sketch, Step, angular_velocity, minus, rate, times, transposed
+from exercises.tools import Sketch, angular_velocity, minus, rate, times, transposed
 
 AXIS = "x"  # the gear of BB is the first, that of CC the second
+follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}
 
 
 def solve(g):
-    return dict(
-        zip(("Omega", "omega_A"), meshing_rates(g, AXIS, g.omega_1, g.omega_2), strict=True)
-    )
+    Omega, omega_A = meshing_rates(g, AXIS, g.omega_1, g.omega_2)
+    return {"Omega": Omega, "omega_A": omega_A}
 
 
 def steps(g):
     ground, cage, _ = train(AXIS, solve(g)["Omega"], 0)
-    speeds = []
-    for n, side, turning, axle in (1, 1, g.omega_1, "BB"), (2, -1, g.omega_2, "CC"):
-        gear = ground.rotate("gear", AXIS, rate=turning)
-        speeds.append(gear.point("tooth", side * g.r, g.R, 0).velocity(ground).z)
-        means = f"velocity along z of the gear of {axle} where the +y pinion meshes with it"
-        yield Step(f"v_{n}", speeds[-1], "m/s", means, "4.4", "4.11")
-    v = cage.point("centre", 0, g.R, 0).velocity(ground).z
-    means = r"velocity along z of the centre of the +y pinion, $(v_1 + v_2)/2$, which is $\Omega R$"
-    yield Step("v_0", v, "m/s", means, "4.4", "4.11")
-    means = (
-        r"velocity of the tooth at the gear of BB against this centre, $v_1 - v_0 = -r \omega_A$"
-    )
-    yield Step("v_10", speeds[0] - v, "m/s", means, "4.4", "4.11")
-
-
-follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}
+    rates = ground.rotate("1", AXIS, rate=g.omega_1), ground.rotate("2", AXIS, rate=g.omega_2)
+    places = zip(rates, (g.r, -g.r), strict=True)
+    v_1, v_2 = (gear.point("tooth", x, g.R, 0).velocity(ground).z for gear, x in places)
+    v_0 = cage.point("centre", 0, g.R, 0).velocity(ground).z
+    return {"v_1": v_1, "v_2": v_2, "v_0": v_0, "v_10": v_1 - v_0}
 
 
 def prove(g):
     cage, pinion = rolled(g, AXIS, g.omega_1, g.omega_2)
     in_cage = minus(angular_velocity(pinion), angular_velocity(cage))
     centre = rate(lambda t: times(cage(t), [0, g.R, 0]))[2]
-    return {
-        "Omega": angular_velocity(cage)[0],
-        "omega_A": times(transposed(cage(0)), in_cage)[1],
-        "v_0": centre,
-    }
+    omega_A = times(transposed(cage(0)), in_cage)[1]
+    return {"Omega": angular_velocity(cage)[0], "omega_A": omega_A, "v_0": centre}
 
 
 def mistakes(g):
@@ -62,13 +48,8 @@ def draw(g, ax):
     s = Sketch(ax, ground, plane="xy")
     for sign in (1, -1):
         s.shaft((sign * g.r, 0, 0), (sign * end, 0, 0))
-        cage = [
-            (0, sign * 0.8 * g.R, 0),
-            (0, sign * out, 0),
-            (side, sign * out, 0),
-            (side, sign * 0.05 * g.R, 0),
-        ]
-        for a, b in pairwise(cage):
+        cage = (0, 0.8 * g.R), (0, out), (side, out), (side, 0.05 * g.R)
+        for a, b in pairwise([(x, sign * y, 0) for x, y in cage]):
             s.rod(a, b)
     s.hinge((side, 0, 0), axis=ground.i)  # the cage turns on CC
     section(s, g, AXIS, pinion_sides=(1, -1))

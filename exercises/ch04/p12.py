@@ -9,7 +9,5 @@ follows, steps = bar_on_ball_joint.follows, bar_on_ball_joint.steps
 
 def mistakes(g):
     ground, _, A, _ = bar_on_ball_joint.joint_motion(g)
-    return {
-        **bar_on_ball_joint.mistakes(g),
-        "B_at_rest": in_frame(ground, {"v_D": -A.velocity(ground) / 2}),
-    }
+    at_rest = in_frame(ground, {"v_D": -A.velocity(ground) / 2})
+    return {**bar_on_ball_joint.mistakes(g), "B_at_rest": at_rest}

@@ -8,7 +8,5 @@ follows, steps = bar_on_ball_joint.follows, bar_on_ball_joint.steps
 
 def mistakes(g):
     other = solve(g.but(omega_x=-g.omega_x))
-    return {
-        **bar_on_ball_joint.mistakes(g),
-        "whole_omega_reversed": {key: -v for key, v in other.items()},
-    }
+    reversed_too = {key: -v for key, v in other.items()}
+    return {**bar_on_ball_joint.mistakes(g), "whole_omega_reversed": reversed_too}

@@ -1,6 +1,6 @@
 """4/14: two disks on the ends of one axle that roll in a circle."""
 
-from exercises.tools import Sketch, Step, angular_velocity, in_frame, minus, rate, rot, terms, times
+from exercises.tools import Sketch, angular_velocity, in_frame, minus, rate, rot, terms, times
 from newton_euler import Frame, solve_rates
 
 
@@ -8,13 +8,9 @@ def axle_and_disk(g):
     """The axle turns about z at the height r; disk A about x, its lowest point at rest."""
     ground = Frame("ground")
     axle = ground.rotate("axle", "z", rate=g.omega, origin=ground.point("M", 0, 0, g.r))
-
-    def disk(spin):
-        return axle.rotate("disk", "x", rate=spin, origin=axle.point("A", g.R, 0, 0))
-
-    (spin,) = solve_rates(
-        lambda spin: disk(spin).point("contact", 0, 0, -g.r).velocity(ground).y, 1
-    )
+    disk = lambda spin: axle.rotate("disk", "x", rate=spin, origin=axle.point("A", g.R, 0, 0))
+    contact = lambda spin: disk(spin).point("contact", 0, 0, -g.r)
+    (spin,) = solve_rates(lambda spin: contact(spin).velocity(ground).y, 1)
     return ground, axle, disk(spin)
 
 
@@ -25,23 +21,15 @@ def solve(g):
 
 def steps(g):
     ground, axle, disk = axle_and_disk(g)
-    v = disk.origin.velocity(ground).expressed_in(axle)
-    means = "velocity of the disk's centre A, which goes round a circle of radius R"
-    yield Step("v_A", v, "m/s", means, "4.4", "4.11")
-    spin = disk.angular_velocity(axle).expressed_in(axle)
-    means = "rate of the disk on the axle: it rolls, so that r times this rate is the speed of A"
-    yield Step("omega_spin", spin, "rad/s", means, "4.4", "4.11")
+    yield "v_A", disk.origin.velocity(ground).expressed_in(axle)
+    yield "omega_spin", disk.angular_velocity(axle).expressed_in(axle)
     yield from terms(solve(g)["omega_A"], "omega_A", "rad/s", "4.9")
 
 
 def prove(g):
     """The arc rolled along the path of radius R is as long as the arc on the rim of the disk."""
-
-    def disk(t):
-        rolled = g.R * g.omega * t
-        # going toward +y, its top leads
-        return times(rot("z", g.omega * t), rot("x", -rolled / g.r))
-
+    # going toward +y, its top leads
+    disk = lambda t: times(rot("z", g.omega * t), rot("x", -g.R * g.omega * t / g.r))
     centre = rate(lambda t: times(rot("z", g.omega * t), [g.R, 0, g.r]))
     omega = angular_velocity(disk)
     return {"omega_A": omega, "v_A": centre, "omega_spin": minus(omega, [0, 0, g.omega])}
@@ -61,16 +49,12 @@ def mistakes(g):
 
 def draw(g, ax):
     ground, axle, _ = axle_and_disk(g)
-    O, M, top = (
-        ground.point("O", 0, 0, 0),
-        ground.point("", 0, 0, g.r),
-        ground.point("", 0, 0, g.r + 0.7 * g.R),
-    )
-    A, other, contact = (
-        axle.point("A", g.R, 0, 0),
-        axle.point("", -g.R, 0, 0),
-        axle.point("", -g.R, 0, -g.r),
-    )
+    O = ground.point("O", 0, 0, 0)
+    M = ground.point("", 0, 0, g.r)
+    top = ground.point("", 0, 0, g.r + 0.7 * g.R)
+    A = axle.point("A", g.R, 0, 0)
+    other = axle.point("", -g.R, 0, 0)
+    contact = axle.point("", -g.R, 0, -g.r)
     s = Sketch(ax, ground, azimuth=-60, elevation=20)
     s.ground(O, normal=ground.k)
     s.ring(O, ground.k, g.R)

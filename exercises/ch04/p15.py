@@ -6,9 +6,7 @@ from newton_euler import Frame, cos
 
 
 def shaft_and_rod(g):
-    """Ground with y up; the shaft turns about y; the rod, along its own x, turns about the shaft's
-    z in the hinge at the origin B.
-    """
+    """Ground with y up; the shaft, about y; the rod, along its x, about the shaft's z at B."""
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "y", rate=g.omega_1)
     rod = shaft.rotate("rod", "z", angle=g.beta_1, rate=g.omega_2, acceleration=g.omega_2_dot)
@@ -17,9 +15,8 @@ def shaft_and_rod(g):
 
 def solve(g):
     ground, shaft, _, C = shaft_and_rod(g)
-    return in_frame(
-        ground, {"v_C": C.velocity(ground, via=shaft), "a_C": C.acceleration(ground, via=shaft)}
-    )
+    v, a = C.velocity(ground, via=shaft), C.acceleration(ground, via=shaft)
+    return in_frame(ground, {"v_C": v, "a_C": a})
 
 
 def steps(g):
@@ -32,13 +29,9 @@ def steps(g):
 
 
 def prove(g):
-    def seen(t):
-        beta = g.beta_1 + g.omega_2 * t + g.omega_2_dot * t**2 / 2
-        return times(rot("z", beta), [g.L, 0, 0])
-
-    def C(t):
-        return times(rot("y", g.omega_1 * t), seen(t))
-
+    beta = lambda t: g.beta_1 + g.omega_2 * t + g.omega_2_dot * t**2 / 2
+    seen = lambda t: times(rot("z", beta(t)), [g.L, 0, 0])
+    C = lambda t: times(rot("y", g.omega_1 * t), seen(t))
     found = {"r": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
     return {"v_C": rate(C), "a_C": second_rate(C)} | found
 
@@ -46,6 +39,7 @@ def prove(g):
 def mistakes(g):
     ground, shaft, rod, C = shaft_and_rod(g)
     v, a = C.velocity(ground, via=shaft), C.acceleration(ground, via=shaft)
+    inward = shaft.i * (-(g.omega_1**2) * g.L) - rod.i * (g.omega_2**2 * g.L)
     gyroscopic = rod.angular_acceleration(ground).terms["shaft x rod"]
     wrong = {
         "no_cross_in_alpha": {"a_C": a - gyroscopic.cross(C.position(rod))},
@@ -55,20 +49,16 @@ def mistakes(g):
             "v_C": v.reweighted(rotation=1 / cos(g.beta_1)),
             "a_C": a.reweighted(centripetal=1 / cos(g.beta_1)),
         },
-        "two_centripetal_only": {
-            "a_C": shaft.i * (-(g.omega_1**2) * g.L) - rod.i * (g.omega_2**2 * g.L)
-        },
+        "two_centripetal_only": {"a_C": inward},
     }
     return in_frame(ground, wrong)
 
 
 def draw(g, ax):
     ground, shaft, _, C = shaft_and_rod(g)
-    A, B, level = (
-        ground.point("A", 0, -0.8 * g.L, 0),
-        ground.point("B", 0, 0, 0),
-        ground.point("", 0.8 * g.L, 0, 0),
-    )
+    A = ground.point("A", 0, -0.8 * g.L, 0)
+    B = ground.point("B", 0, 0, 0)
+    level = ground.point("", 0.8 * g.L, 0, 0)
     s = Sketch(ax, ground, azimuth=25, elevation=15, up="y")
     s.ground(A, normal=ground.j)
     s.shaft(A, B)

@@ -1,24 +1,17 @@
 """4/17: the elbow arm of 4/16 at an acute angle, the rod leaning back over the shaft."""
 
-from exercises.devices.elbow_arm import (
-    arm_and_rod,
-    common_mistakes,
-    draw,
-    follows,
-    prove,
-    solve,
-    steps,
-)
+from exercises.devices import elbow_arm as device
 from exercises.tools import in_frame
 
-__all__ = ["draw", "follows", "mistakes", "prove", "solve", "steps"]
+solve, steps, prove = device.solve, device.steps, device.prove
+follows, draw = device.follows, device.draw
 
 
 def mistakes(g):
-    ground, arm, rod, _ = arm_and_rod(g)
+    ground, arm, rod, _ = device.arm_and_rod(g)
     outward = arm.rotate("rod", "x", angle=g.beta_1, rate=g.b_dot, origin=rod.origin)
     D = outward.point("D", 0, g.L, 0)
-    return common_mistakes(g) | in_frame(ground, {
+    return device.common_mistakes(g) | in_frame(ground, {
         "CD_outward": {
             "alpha_CD": outward.angular_acceleration(ground),
             "v_D": D.velocity(ground),

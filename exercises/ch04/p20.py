@@ -1,14 +1,12 @@
 """4/20: a rod sliding out of a cylinder that turns about two axes."""
 
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.tools import Sketch, in_frame, mp, proofs, rate, rot, second_rate, terms, times
+from exercises.tools import Sketch, in_frame, proofs, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving
 
 
 def arm_bracket_tip(g):
-    """Ground with y up; DEG turns about x; the bracket about y, from E to D, with its origin at D;
-    A on its z axis, the cylinder.
-    """
+    """Ground with y up; DEG, about x; the bracket about y with origin D; A on its z axis."""
     ground = Frame("ground")
     arm = ground.rotate("DEG", "x", rate=g.omega_1)
     bracket = arm.rotate("bracket", "y", rate=g.omega_2, origin=arm.point("D", 0, g.h, 0))
@@ -33,23 +31,11 @@ def steps(g):
 
 def prove(g):
     """The cylinder points along z at first, turns to x about ED; ED turns from y to z about x."""
-
-    def A(t):
-        out, phi, theta = g.s + g.u * t, g.omega_2 * t, g.omega_1 * t
-        along_x, across = out * mp.sin(phi), out * mp.cos(phi)
-        return [
-            along_x,
-            g.h * mp.cos(theta) - across * mp.sin(theta),
-            g.h * mp.sin(theta) + across * mp.cos(theta),
-        ]
-
-    def bracket(t):
-        return times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
-
-    found = {
-        "omega_bracket": proofs.angular_velocity(bracket),
-        "alpha_bracket": proofs.angular_acceleration(bracket),
-    }
+    DA = lambda t: times(rot("y", g.omega_2 * t), [0, 0, g.s + g.u * t])
+    A = lambda t: times(rot("x", g.omega_1 * t), proofs.plus([0, g.h, 0], DA(t)))
+    bracket = lambda t: times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
+    omega, alpha = proofs.angular_velocity(bracket), proofs.angular_acceleration(bracket)
+    found = {"omega_bracket": omega, "alpha_bracket": alpha}
     return {"v_A": rate(A), "a_A": second_rate(A)} | found
 
 

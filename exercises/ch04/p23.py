@@ -1,41 +1,32 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
+from exercises.devices import rolling_disk as device
 from exercises.devices.moving_frame import seen_in
-from exercises.devices.rolling_disk import (
-    axle_and_disk,
-    proved_steps,
-    rim_point,
-    rolling_spin,
-    rolling_steps,
-    sketch,
-    turning,
-)
 from exercises.tools import in_frame, rate, terms
 
-draw = sketch
+draw = device.sketch
 
 
 def answers(g, spin):
-    ground, axle, _, A = axle_and_disk(g, spin)
+    ground, axle, _, A = device.axle_and_disk(g, spin)
     return in_frame(axle, {"v_A": A.velocity(ground, via=axle)})
 
 
 def solve(g):
-    return answers(g, rolling_spin(g))
+    return answers(g, device.rolling_spin(g))
 
 
 def steps(g):
-    yield from rolling_steps(g)
-    _, axle, _, A = axle_and_disk(g, rolling_spin(g))
+    yield from device.rolling_steps(g)
+    _, axle, _, A = device.axle_and_disk(g, device.rolling_spin(g))
     phrase = "the moving frame, fixed in the axle"
-    yield from seen_in(
-        axle, A, axle, "m", phrase, "C, the origin of the moving frame", "r_A", False
-    )
+    start = "C, the origin of the moving frame"
+    yield from seen_in(axle, A, axle, "m", phrase, start, "r_A", False)
     yield from terms(solve(g)["v_A"], "v_A", "m/s", "4.8")
 
 
 def prove(g):
-    return {"v_A": rate(rim_point(g))} | proved_steps(g)
+    return {"v_A": rate(device.rim_point(g))} | device.proved_steps(g)
 
 
 def mistakes(g):
@@ -43,6 +34,6 @@ def mistakes(g):
     return {
         "no_turning_about_vertical": {"v_A": v.without("rotation")},
         "C_at_rest": {"v_A": v.without("origin")},
-        "spin_reversed": answers(g, -rolling_spin(g)),
-        "one_turn_each_circuit": answers(g, -turning(g)),
+        "spin_reversed": answers(g, -device.rolling_spin(g)),
+        "one_turn_each_circuit": answers(g, -device.turning(g)),
     }

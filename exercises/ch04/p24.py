@@ -1,6 +1,6 @@
 """4/24: the rotor of a helicopter that is nosing over."""
 
-from exercises.tools import Sketch, Step, angular_velocity, in_frame, minus, mp, proofs, spun, terms
+from exercises.tools import Sketch, angular_velocity, in_frame, minus, mp, proofs, spun, terms
 from newton_euler import Frame, cos, sin
 
 
@@ -18,25 +18,16 @@ def solve(g):
 
 def steps(g):
     ground, fuselage, rotor = fuselage_and_rotor(g)
-    omega = fuselage.angular_velocity(ground)
-    means = "angular velocity of the fuselage in the ground, about -x as the nose goes down"
-    yield Step("omega_fuselage", omega, "rad/s", means, "4.9", "4.19")
-    omega = rotor.angular_velocity(fuselage).expressed_in(fuselage)
-    means = "angular velocity of the rotor relative to the fuselage"
-    yield Step("omega_rotor", omega, "rad/s", means, "4.9", "4.19")
+    yield "omega_fuselage", fuselage.angular_velocity(ground)
+    yield "omega_rotor", rotor.angular_velocity(fuselage).expressed_in(fuselage)
     yield from terms(solve(g)["alpha_rotor"], "alpha_rotor", "rad/s^2", "4.9")
 
 
 def prove(g):
     """As the nose sinks the mast leans forward; the blade, right at first, turns to the nose."""
-
-    def rotor(t):
-        sunk, right = g.omega * t, [1, 0, 0]
-        return spun([0, mp.sin(sunk), mp.cos(sunk)], right, g.Omega * t)
-
-    def fuselage(t):
-        return spun([1, 0, 0], [0, mp.cos(g.omega * t), -mp.sin(g.omega * t)], 0)
-
+    mast = lambda t: [0, mp.sin(g.omega * t), mp.cos(g.omega * t)]
+    rotor = lambda t: spun(mast(t), [1, 0, 0], g.Omega * t)
+    fuselage = lambda t: spun([1, 0, 0], [0, mp.cos(g.omega * t), -mp.sin(g.omega * t)], 0)
     turning = angular_velocity(fuselage)
     return {
         "alpha_rotor": proofs.angular_acceleration(rotor),

@@ -16,9 +16,8 @@ def drums(g):
 
 def solve(g):
     ground, _, _, C = drums(g)
-    return in_frame(
-        ground, {"omega_C": C.angular_velocity(ground), "alpha_C": C.angular_acceleration(ground)}
-    )
+    omega, alpha = C.angular_velocity(ground), C.angular_acceleration(ground)
+    return in_frame(ground, {"omega_C": omega, "alpha_C": alpha})
 
 
 def steps(g):

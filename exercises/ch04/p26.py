@@ -1,6 +1,6 @@
 """4/26: the drum of a flight simulator, which tilts in a frame that turns about the vertical."""
 
-from exercises.tools import Sketch, Step, mp, proofs, rot, spun, terms, times, transposed
+from exercises.tools import Sketch, mp, proofs, rot, spun, terms, times, transposed
 from newton_euler import Frame, pi
 
 
@@ -15,12 +15,8 @@ def simulator(g):
 def turns(g):
     """Omega, theta_dot and P as vectors along the axes of the fork; each knows how it changes."""
     ground, fork, mounting, drum = simulator(g)
-    found = (
-        fork.angular_velocity(ground),
-        mounting.angular_velocity(fork),
-        drum.angular_velocity(mounting),
-    )
-    return ground, *(turn.expressed_in(fork) for turn in found)
+    pairs = (fork, ground), (mounting, fork), (drum, mounting)
+    return ground, *(one.angular_velocity(other).expressed_in(fork) for one, other in pairs)
 
 
 def alpha_of(ground, *turns):
@@ -34,24 +30,17 @@ def solve(g):
 
 def steps(g):
     _, _, mounting, _ = simulator(g)
-    e = mounting.j.expressed_in(mounting.parent)
-    means = r"direction of the drum's axis, $\cos\theta$ along y and $\sin\theta$ along z"
-    yield Step("e", e, "1", means)
     _, Omega, theta_dot, P = turns(g)
-    means = "angular velocity of the axes, which turn with the shaft"
-    yield Step("omega_axes", Omega, "rad/s", means, "4.9", "4.19")
-    omega = Omega + theta_dot + P
-    means = "angular velocity of the drum in the ground, which is Q in the last equation"
-    yield Step("omega_drum", omega, "rad/s", means, "4.9", "4.22")
+    yield "e", mounting.j.expressed_in(mounting.parent)
+    yield "omega_axes", Omega
+    yield "omega_drum", Omega + theta_dot + P
     yield from terms(solve(g)["alpha_drum"], "alpha_drum", "rad/s^2", "4.6")
 
 
 def prove(g):
-    def drum(t):
-        theta, tilting_axis = g.theta + g.theta_dot * t, [1, 0, 0]
-        e = [0, mp.cos(theta), mp.sin(theta)]
-        return times(rot("z", g.Omega * t), spun(e, tilting_axis, g.P * t))
-
+    theta = lambda t: g.theta + g.theta_dot * t
+    tilted = lambda t: spun([0, mp.cos(theta(t)), mp.sin(theta(t))], [1, 0, 0], g.P * t)
+    drum = lambda t: times(rot("z", g.Omega * t), tilted(t))
     return {
         "alpha_drum": proofs.angular_acceleration(drum),
         "omega_drum": proofs.angular_velocity(drum),

@@ -1,7 +1,7 @@
 """4/27: a disk at the end of a cranked bracket that turns about a fixed axis."""
 
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.tools import Sketch, in_frame, mp, plus, rate, rot, second_rate, terms, times
+from exercises.tools import Sketch, in_frame, plus, rate, rot, second_rate, terms, times
 from newton_euler import Frame
 
 
@@ -15,9 +15,8 @@ def bracket_and_disk(g):
 
 
 def answers(ground, bracket, _, A):
-    return in_frame(
-        ground, {"v_A": A.velocity(ground, via=bracket), "a_A": A.acceleration(ground, via=bracket)}
-    )
+    v, a = A.velocity(ground, via=bracket), A.acceleration(ground, via=bracket)
+    return in_frame(ground, {"v_A": v, "a_A": a})
 
 
 def solve(g):
@@ -35,13 +34,8 @@ def steps(g):
 
 
 def prove(g):
-    def seen(t):
-        on_disk = [g.r * mp.sin(g.omega * t), -g.r * mp.cos(g.omega * t), 0]
-        return plus([0, g.a, g.h], on_disk)
-
-    def A(t):
-        return times(rot("x", g.Omega * t), seen(t))
-
+    seen = lambda t: plus([0, g.a, g.h], times(rot("z", g.omega * t), [0, -g.r, 0]))
+    A = lambda t: times(rot("x", g.Omega * t), seen(t))
     found = {"r_A": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
     return {"v_A": rate(A), "a_A": second_rate(A)} | found
 

@@ -56,20 +56,15 @@ def steps(g):
 
 
 def prove(g):
-    def tilt(t):
-        return g.theta_1 + g.theta_dot * t
+    tilt = lambda t: g.theta_1 + g.theta_dot * t
 
     # columns: normal to the panel, along y, and from the y axis to A, from +z toward -x
     def panel(t):
         c, s = mp.cos(tilt(t)), mp.sin(tilt(t))
         return times(rot("z", g.omega * t), [[c, 0, -s], [0, 1, 0], [s, 0, c]])
 
-    def seen(t):
-        return [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))]
-
-    def A(t):
-        return times(rot("z", g.omega * t), seen(t))
-
+    seen = lambda t: [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))]
+    A = lambda t: times(rot("z", g.omega * t), seen(t))
     return {
         "omega_panel": proofs.angular_velocity(panel),
         "alpha_panel": proofs.angular_acceleration(panel),
@@ -100,17 +95,11 @@ def draw(g, ax):
     body = 0.35 * g.L
     s.box(craft.point("", 0, 0, 0), craft, (body, body, 1.4 * body))
     for near, far in ((body / 2, g.L), (-body / 2, -g.L)):
-        s.plate(
-            [
-                panel.point("", 0, y, z)
-                for y, z in ((near, g.d), (far, g.d), (far, -g.d), (near, -g.d))
-            ]
-        )
-    O, end, up = (
-        craft.point("", 0, 0, 0),
-        craft.point("", 0, g.L, 0),
-        craft.point("", 0, g.L, 0.45 * g.L),
-    )
+        corners = (near, g.d), (far, g.d), (far, -g.d), (near, -g.d)
+        s.plate([panel.point("", 0, y, z) for y, z in corners])
+    O = craft.point("", 0, 0, 0)
+    end = craft.point("", 0, g.L, 0)
+    up = craft.point("", 0, g.L, 0.45 * g.L)
     s.axes(O, craft, length=0.7 * g.L)
     s.turn(craft.point("", 0, 0, body), craft.k, label=r"$\omega$")
     s.turn(craft.point("", 0, -1.15 * g.L, 0), -craft.j, label=r"$\dot\theta$")

@@ -1,43 +1,31 @@
 """4/29: the angular acceleration of the shaft of 4/21."""
 
-from exercises.devices.universal_joint import (
-    angular_acceleration,
-    direction,
-    draw,
-    fork_and_shaft,
-    orientation,
-)
-from exercises.tools import Step, proofs, terms
+from exercises.devices import universal_joint as device
+from exercises.tools import proofs, terms
 
-__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
+draw = device.draw
 
 
 def solve(g):
-    return {"alpha_A": angular_acceleration(g)}
+    return {"alpha_A": device.angular_acceleration(g)}
 
 
 def steps(g):
-    _, fork, _ = frames = fork_and_shaft(g)
-    yield direction(g)
-    ground, _, shaft = frames
-    turns = (
-        (fork, ground, "omega_fork", "angular velocity of the fork in the ground"),
-        (shaft.parent, fork, "omega_block", "angular velocity of the block relative to the fork"),
-        (shaft, shaft.parent, "omega_shaft", "angular velocity of the shaft relative to the block"),
-    )
-    for frame, observer, key, means in turns:
-        omega = frame.angular_velocity(observer).expressed_in(fork)
-        yield Step(key, omega, "rad/s", means, "4.9", "4.19")
-    yield from terms(angular_acceleration(g), "alpha_A", "rad/s^2", "4.9", "4.26")
+    ground, fork, shaft = device.fork_and_shaft(g)
+    yield device.direction(g)
+    yield "omega_fork", fork.angular_velocity(ground).expressed_in(fork)
+    yield "omega_block", shaft.parent.angular_velocity(fork).expressed_in(fork)
+    yield "omega_shaft", shaft.angular_velocity(shaft.parent).expressed_in(fork)
+    yield from terms(device.angular_acceleration(g), "alpha_A", "rad/s^2", "4.9", "4.26")
 
 
 def prove(g):
-    shaft = orientation(g)
+    shaft = device.orientation(g)
     return {"alpha_A": proofs.angular_acceleration(shaft), "e": proofs.transposed(shaft(0))[0]}
 
 
 def mistakes(g):
-    alpha = angular_acceleration(g)
+    alpha = device.angular_acceleration(g)
     return {
         "zero": {"alpha_A": 0 * alpha},
         "no_fork_x_tilting": {"alpha_A": alpha.without("fork x block")},

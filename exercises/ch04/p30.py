@@ -1,22 +1,14 @@
 """4/30: the angular acceleration of a disk rolling in a circle, and a rim point's acceleration."""
 
+from exercises.devices import rolling_disk as device
 from exercises.devices.moving_frame import seen_in
-from exercises.devices.rolling_disk import (
-    axle_and_disk,
-    orientation,
-    proved_steps,
-    rim_point,
-    rolling_spin,
-    rolling_steps,
-    sketch,
-)
 from exercises.tools import angular_acceleration, in_frame, second_rate, terms
 
-draw = sketch
+draw = device.sketch
 
 
 def answers(g, spin):
-    ground, axle, disk, A = axle_and_disk(g, spin)
+    ground, axle, disk, A = device.axle_and_disk(g, spin)
     return in_frame(
         axle,
         {"alpha_disk": disk.angular_acceleration(ground), "a_A": A.acceleration(ground, via=axle)},
@@ -24,22 +16,22 @@ def answers(g, spin):
 
 
 def solve(g):
-    return answers(g, rolling_spin(g))
+    return answers(g, device.rolling_spin(g))
 
 
 def steps(g):
-    yield from rolling_steps(g)
+    yield from device.rolling_steps(g)
     alpha, a = solve(g).values()
     yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9")
-    _, axle, _, A = axle_and_disk(g, rolling_spin(g))
+    _, axle, _, A = device.axle_and_disk(g, device.rolling_spin(g))
     phrase = "the moving frame, fixed in the axle"
     yield from seen_in(axle, A, axle, "m", phrase, "C, the origin of the moving frame", "r_A")
     yield from terms(a, "a_A", "m/s^2", "4.8")
 
 
 def prove(g):
-    alpha, a = angular_acceleration(orientation(g)), second_rate(rim_point(g))
-    return {"alpha_disk": alpha, "a_A": a} | proved_steps(g)
+    alpha, a = angular_acceleration(device.orientation(g)), second_rate(device.rim_point(g))
+    return {"alpha_disk": alpha, "a_A": a} | device.proved_steps(g)
 
 
 def mistakes(g):
@@ -48,5 +40,5 @@ def mistakes(g):
         "zero": {"alpha_disk": 0 * right["alpha_disk"]},
         "C_not_accelerated": {"a_A": right["a_A"].without("origin")},
         "no_turning_about_vertical": {"a_A": right["a_A"].without("centripetal")},
-        "spin_reversed": {"alpha_disk": answers(g, -rolling_spin(g))["alpha_disk"]},
+        "spin_reversed": {"alpha_disk": answers(g, -device.rolling_spin(g))["alpha_disk"]},
     }

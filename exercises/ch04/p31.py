@@ -1,6 +1,6 @@
 """4/31: speed and distance from the axis of a point of a turning cylinder."""
 
-from exercises.tools import Sketch, Step, rate, rot, size, times
+from exercises.tools import Sketch, rate, rot, size, times
 from newton_euler import Frame, sqrt
 
 
@@ -14,23 +14,14 @@ def solve(g):
 
 
 def steps(g):
-    yield Step(
-        "omega",
-        g.n,
-        "rad/s",
-        r"angular speed, 2 pi for each revolution; the speed of P is $\omega r$",
-        "4.4",
-        "4.11",
-    )
+    return {"omega": g.n}
 
 
 follows = {"r": lambda g, speed: speed / g.n}
 
 
 def prove(g):
-    """The speed grows with the distance from the axis: that at the distance 1, as a numerical
-    derivative, gives r.
-    """
+    """The speed at the distance 1 from the axis, as a numerical derivative, gives r."""
     speed = size([g.v_x, 0, g.v_z])
     at_one = size(rate(lambda t: times(rot("y", g.n * t), [1, 0, 0])))
     return {"speed": speed, "r": speed / at_one}

@@ -1,11 +1,11 @@
 """4/33: a bevel gear that rolls round a turning one."""
 
 from exercises.devices import bevel_gears
-from exercises.tools import Step, in_frame
+from exercises.tools import in_frame
 
 
 def steps(g):
-    yield Step("omega_C", g.n_C, "rad/s", "rate of the gear C about z, in radians")
+    yield "omega_C", g.n_C
     yield from bevel_gears.steps(g.n, g.n_C, g.tan_gamma, r"-(n - n_C) \tan\gamma")
 
 

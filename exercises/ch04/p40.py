@@ -3,7 +3,6 @@
 from exercises.devices import disk_in_bracket as device
 
 solve, steps, prove, draw = device.whole_problem("A")
-
 follows = device.all_from_turning("A")
 
 

@@ -1,7 +1,7 @@
 """5/6: the centre of mass of half a disk by integration."""
 
 from exercises.devices.half_disk import DISK, figure, in_polar, top
-from exercises.tools import Step, proofs
+from exercises.tools import proofs
 from newton_euler import pi, sin
 
 draw = figure
@@ -24,8 +24,7 @@ def solve(g):
 
 def steps(g):
     area, first_y = moments(g)
-    yield Step("area", area, "m^2", "area of the half disk, the integral of r dr d(theta)", "5.4")
-    yield Step("Q_y", first_y, "m^3", "integral of r sin(theta) r dr d(theta)", "5.4", "5.13")
+    return {"area": area, "Q_y": first_y}
 
 
 def prove(g):

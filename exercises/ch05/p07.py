@@ -1,9 +1,7 @@
 """5/7: the centre of mass of a wire along an arc."""
 
 from exercises.devices.wire_arc import WIRE, along, figure, over
-from exercises.tools import Step
-from newton_euler import cos
-from newton_euler.bodies import sector
+from newton_euler import bodies, cos
 
 draw = figure
 
@@ -22,8 +20,7 @@ def solve(g):
 
 def steps(g):
     length, first_x = moments(g)
-    yield Step("length", length, "m", "length of the wire, the integral of R d(theta)", "5.4")
-    yield Step("Q_x", first_x, "m^2", "integral of R cos(theta) R d(theta)", "5.4", "5.13")
+    return {"length": length, "Q_x": first_x}
 
 
 def prove(g):
@@ -34,7 +31,7 @@ def prove(g):
 
 def mistakes(g):
     length, first_x = moments(g)
-    tip = sector(g.R, g.alpha, WIRE, "z", "x", density=1)
+    tip = bodies.sector(g.R, g.alpha, WIRE, "z", "x", density=1)
     return {
         "sector": {"d": tip.centre.position(WIRE)},
         "on_the_wire": {"d": WIRE.vector(g.R, 0, 0)},

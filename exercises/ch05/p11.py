@@ -4,7 +4,6 @@ from itertools import pairwise
 
 from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, figure, path, rods
 from exercises.devices.put_together import centre, sums, unweighed, walked
-from exercises.tools import Step
 
 draw = figure
 
@@ -16,8 +15,7 @@ def solve(g):
 def steps(g):
     parts = rods(pairwise(corners(g)))
     for part in parts:
-        middle = part.centre.position(CHAIN)
-        yield Step(f"d_{part.name}", middle, "m", f"middle of the rod {part.name}", "5.5")
+        yield f"d_{part.name}", part.centre.position(CHAIN)
     yield from sums(CHAIN, parts, content="length", length="m")
 
 

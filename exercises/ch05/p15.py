@@ -1,7 +1,7 @@
 """5/15: the centre of mass of four particles on light rods."""
 
 from exercises.devices.four_particles import figure, masses, particles, rods
-from exercises.tools import Step, rate, root
+from exercises.tools import rate, root
 from newton_euler import centre_of_mass
 
 draw = figure
@@ -17,22 +17,16 @@ def solve(g):
 
 def steps(g):
     ground, parts = particles(g)
-    yield Step("m", sum(m for m, _ in parts), "kg", "mass of all four particles", "5.2")
-    for _, P in parts[1:]:
-        yield Step(f"r_{P.name[-1]}", P.position(ground), "m", f"position of particle {P.name[-1]}",
-                   "5.2")  # fmt: skip
-    (m2, P2), (m3, P3), (m4, P4) = parts[1:]
-    moment = m2 * P2.position(ground) + m3 * P3.position(ground) + m4 * P4.position(ground)
-    yield Step("Q", moment, "kg*m", "sum of mass times position", "5.2", "5.4")
+    r = {f"r_{P.name[-1]}": P.position(ground) for _, P in parts[1:]}
+    first = sum(m * place for (m, _), place in zip(parts[1:], r.values(), strict=True))
+    return {"m": sum(m for m, _ in parts), **r, "Q": first}
 
 
 def prove(g):
     """On a knife edge square to each axis in turn, the weights have no moment."""
 
     def balance(*places):
-        def moment(edge):
-            return sum(m * (x - edge) for m, x in zip(masses(g), places, strict=True))
-
+        moment = lambda edge: sum(m * (x - edge) for m, x in zip(masses(g), places, strict=True))
         return root(moment, -max(places), 2 * max(places))
 
     d = [balance(0, g.a, g.a, g.a), balance(0, 0, g.b, g.b), balance(0, 0, 0, g.c)]

@@ -21,10 +21,7 @@ def steps(g):
 
 def prove(g):
     """By horizontal strips, from the parabola to x = a."""
-
-    def strips(f):
-        return proofs.integral(lambda y: f(start(g, y), y), 0, g.b)
-
+    strips = lambda f: proofs.integral(lambda y: f(start(g, y), y), 0, g.b)
     area = strips(lambda x, y: g.a - x)
     first_x, first_y = strips(lambda x, y: (g.a**2 - x**2) / 2), strips(lambda x, y: y * (g.a - x))
     return {"d": [first_x / area, first_y / area, 0]}

@@ -1,7 +1,7 @@
 """5/17: the weight at an altitude."""
 
 from exercises.devices.planet import pull
-from exercises.tools import Sketch, Step
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.dynamics import gravity_at_height
 
@@ -12,9 +12,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("r", g.R_e + g.h, "mi", "distance from the centre of the earth", "5.10")
-    yield Step("fall", solve(g)["W"] / g.W0, "1", "share of the weight that is left, (R_e/r)^2",
-               "5.10", "5.22")  # fmt: skip
+    return {"r": g.R_e + g.h, "fall": solve(g)["W"] / g.W0}
 
 
 def prove(g):

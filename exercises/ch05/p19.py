@@ -1,8 +1,7 @@
 """5/19: the degrees of freedom of two particles on one surface."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
-from newton_euler import Frame, cos, sin
-from newton_euler.dynamics import degrees_of_freedom
+from exercises.tools import Sketch, freedom, mp, mpf
+from newton_euler import Frame, cos, dynamics, sin
 
 TWO = {"P1": "particle", "P2": "particle"}
 
@@ -13,7 +12,7 @@ def f(x, y, z):
 
 
 def count(bodies, **constraints):
-    return degrees_of_freedom(bodies, constraints).count
+    return dynamics.degrees_of_freedom(bodies, constraints).count
 
 
 def solve(g):
@@ -21,18 +20,12 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(TWO), "1", "coordinates of two particles in space", "5.11")
-    yield Step(
-        "constraints", 2, "1", "constraints: f = 0 for each of the particles", "5.11", "5.28"
-    )
+    return {"coordinates": count(TWO), "constraints": 2}
 
 
 def prove(g):
     """On any surface, two numbers say where a particle is; here it is a wavy one."""
-
-    def places(*q):
-        return [x for a, b in (q[:2], q[2:]) for x in (a, b, mp.sin(a) * mp.cos(2 * b))]
-
+    places = lambda *q: [x for a, b in (q[:2], q[2:]) for x in (a, b, mp.sin(a) * mp.cos(2 * b))]
     return {"dof": freedom(places, mpf("0.3"), mpf("0.7"), mpf("-0.5"), mpf("0.1"))}
 
 
@@ -45,12 +38,8 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    space = Frame("space")
-    s = Sketch(ax, space, azimuth=35, elevation=28)
-
-    def place(x, y):
-        return x, y, 0.5 * cos(0.8 * x) * sin(0.8 * y)
-
+    s = Sketch(ax, Frame("space"), azimuth=35, elevation=28)
+    place = lambda x, y: (x, y, 0.5 * cos(0.8 * x) * sin(0.8 * y))
     ways = [n / 4 for n in range(-6, 7)]
     for a in ways[::4]:
         s.path([place(a, b) for b in ways])

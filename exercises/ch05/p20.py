@@ -1,8 +1,7 @@
 """5/20: the degrees of freedom of a pendulum: a count is an int. The length is only drawn."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
-from newton_euler import Frame
-from newton_euler.dynamics import degrees_of_freedom
+from exercises.tools import Sketch, freedom, mp, mpf
+from newton_euler import Frame, dynamics
 
 SPACE, PLANE = "particle", "particle in plane"
 
@@ -13,7 +12,7 @@ def rod(P):
 
 
 def count(kind, **constraints):
-    return degrees_of_freedom({"P": kind}, constraints).count
+    return dynamics.degrees_of_freedom({"P": kind}, constraints).count
 
 
 def solve(g):
@@ -21,8 +20,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(PLANE), "1", "coordinates of a particle in the plane", "5.11")
-    yield Step("constraints", 1, "1", "constraints: the rod keeps its length", "5.11", "5.28")
+    return {"coordinates": count(PLANE), "constraints": 1}
 
 
 def prove(g):

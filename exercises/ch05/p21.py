@@ -1,8 +1,7 @@
 """5/21: the degrees of freedom of a particle on a sphere. The radius is only drawn."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
-from newton_euler import Frame
-from newton_euler.dynamics import degrees_of_freedom
+from exercises.tools import Sketch, at_angle, freedom, mp, mpf
+from newton_euler import Frame, dynamics
 
 
 def sphere(P):
@@ -11,7 +10,7 @@ def sphere(P):
 
 
 def count(**constraints):
-    return degrees_of_freedom({"P": "particle"}, constraints).count
+    return dynamics.degrees_of_freedom({"P": "particle"}, constraints).count
 
 
 def solve(g):
@@ -20,19 +19,12 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(), "1", "coordinates of a particle in space", "5.11")
-    yield Step(
-        "constraints", 1, "1", "constraints: the distance from the centre is R", "5.11", "5.28"
-    )
+    return {"coordinates": count(), "constraints": 1}
 
 
 def prove(g):
     """By two angles, as of longitude and latitude, that say where P is."""
-
-    def place(longitude, latitude):
-        across = mp.cos(latitude)
-        return [across * mp.cos(longitude), across * mp.sin(longitude), mp.sin(latitude)]
-
+    place = lambda longitude, lat: at_angle(mp.cos(lat), longitude, mp.sin(lat))
     return {"dof": freedom(place, mpf("0.4"), mpf("-0.7"))}
 
 

@@ -1,8 +1,7 @@
 """5/23: the degrees of freedom of a ladder against a wall. The length is only drawn."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
-from newton_euler import Frame, cos
-from newton_euler.dynamics import degrees_of_freedom
+from exercises.tools import Sketch, freedom, mp, mpf
+from newton_euler import Frame, cos, dynamics
 
 
 def floor(ladder):
@@ -18,7 +17,7 @@ def wall(ladder):
 
 
 def count(**constraints):
-    return degrees_of_freedom({"ladder": "body in plane"}, constraints).count
+    return dynamics.degrees_of_freedom({"ladder": "body in plane"}, constraints).count
 
 
 def solve(g):
@@ -26,10 +25,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(), "1", "coordinates of a rigid body in the plane", "5.11")
-    yield Step("constraints", 2, "1",
-               "constraints: the lower end stays on the floor, the upper end at the wall",
-               "5.11", "5.28")  # fmt: skip
+    return {"coordinates": count(), "constraints": 2}
 
 
 def prove(g):
@@ -46,8 +42,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    s = Sketch(ax, Frame("ground"), plane="xz")
     A, B = (0.5 * g.L, 0, 0), (0, 0, 0.75**0.5 * g.L)
     # along the wall down, then along the floor: what is fixed is on the right of the way
     s.road([(0, 0, 1.1 * g.L), (0, 0, 0), (0.9 * g.L, 0, 0)])

@@ -1,14 +1,13 @@
 """5/26: degrees of freedom, a count and a word, in a problem without numbers."""
 
-from exercises.tools import Sketch, Step, freedom, mpf
-from newton_euler import Frame
-from newton_euler.dynamics import degrees_of_freedom
+from exercises.tools import Sketch, freedom, mpf
+from newton_euler import Frame, dynamics
 
 BLOCKS = {"first": 1, "second": 1}  # one coordinate each, along the track
 
 
 def count(bodies=BLOCKS, **constraints):
-    return degrees_of_freedom(bodies, constraints).count
+    return dynamics.degrees_of_freedom(bodies, constraints).count
 
 
 def answers(dof, without):
@@ -23,13 +22,12 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("coordinates", count(), "1", "coordinates of the blocks, one along the track each")
+    return {"coordinates": count()}
 
 
 def prove(g):
     """Any distances of the blocks are possible, whatever forces it takes."""
-    dof = freedom(lambda x, y: [x, y], mpf(1), mpf(2))
-    return {"dof": dof, "without": "unchanged"}
+    return {"dof": freedom(lambda x, y: [x, y], mpf(1), mpf(2)), "without": "unchanged"}
 
 
 def mistakes(g):

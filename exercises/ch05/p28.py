@@ -1,10 +1,11 @@
 """5/28: two particles on a string through the tip of a cone. Angle and length are only drawn."""
 
-from exercises.tools import Sketch, Step, freedom, mp, mpf
+from exercises.tools import Sketch, freedom, mp, mpf
 from newton_euler import Frame, cos, sin, sqrt
 from newton_euler.dynamics import degrees_of_freedom
 
 TWO = {"P1": "particle", "P2": "particle"}
+follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
 
 
 def length(P):
@@ -44,21 +45,12 @@ def solve(g):
 
 
 def steps(g):
-    free = degrees_of_freedom(TWO).count
-    yield Step("coordinates", free, "1", "coordinates of two particles in space", "5.11")
-    yield Step("constraints", 2, "1", "constraints in both cases: cone and string", "5.11", "5.28")
-    yield Step("more", 2, "1", "further constraints in (b): P_2 stays on the vertical, x = y = 0",
-               "5.11", "5.28")  # fmt: skip
-
-
-follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
+    return {"coordinates": degrees_of_freedom(TWO).count, "constraints": 2, "more": 2}
 
 
 def prove(g):
     """By the string's length inside the cone, the angle of its line, two angles of what hangs."""
-
-    def on_cone(r, turn):
-        return [r * mp.cos(turn), r * mp.sin(turn), r]
+    on_cone = lambda r, turn: [r * mp.cos(turn), r * mp.sin(turn), r]
 
     def below(r, turn, to_x, to_y):
         hanging = 3 - r * mp.sqrt(2)

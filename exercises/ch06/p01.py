@@ -1,10 +1,11 @@
 """6/1: the resultant of three forces on a particle."""
 
-from exercises.tools import Sketch, Step, mp, root
+from exercises.tools import Sketch, mp, root
 from newton_euler import ForceSystem, Frame, atan, atan2, cos, pi, sin, where
 
 AXES = Frame("axes")
 P = AXES.point("P", 0, 0, 0)
+follows = {"R_mag": lambda g, R: R.norm(), "dir_R": lambda g, R: direction(R)}
 
 
 def pulls(g, along=cos, across=sin):
@@ -30,17 +31,12 @@ def solve(g):
 
 def steps(g):
     R = solve(g)["R"]
-    yield Step("R_x", R.x, "lb", "sum of the x components of the three forces", "6.1", "6.3")
-    yield Step("R_y", R.y, "lb", "sum of the y components of the three forces", "6.1", "6.3")
-
-
-follows = {"R_mag": lambda g, R: R.norm(), "dir_R": lambda g, R: direction(R)}
+    return {"R_x": R.x, "R_y": R.y}
 
 
 def prove(g):
     """Across its line the three forces have no resultant; the line is in the second quadrant."""
     pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
-
     line = root(lambda line: sum(F * mp.sin(theta - line) for F, theta in pairs), mp.pi / 2, mp.pi)
     size = sum(F * mp.cos(theta - line) for F, theta in pairs)
     x, y = size * mp.cos(line), size * mp.sin(line)
@@ -68,10 +64,8 @@ def draw(g, ax):
         tip = F.components()
         s.arrow(P, tip, kind="force")
         s.label(tip, f"$F_{n}$", offset=F, bold=False)
-        arc = s.around(
-            P, (radius * g.F_2, 0, 0), AXES.k, angle
-        )  # the third is more than half a turn
-        s.path(arc)
+        arc = s.around(P, (radius * g.F_2, 0, 0), AXES.k, angle)
+        s.path(arc)  # the third is more than half a turn
         at = arc[3 * len(arc) // 4 if n == 3 else len(arc) // 2]
         s.label(at, rf"$\theta_{n}$", offset=at, bold=False)
     s.dot(P, "P", offset=(9, -10))

@@ -1,8 +1,7 @@
 """6/2: the acceleration of a particle by a force."""
 
-from exercises.tools import Step, rate, root
-from newton_euler import Frame
-from newton_euler.dynamics import acceleration_by
+from exercises.tools import rate, root
+from newton_euler import Frame, dynamics
 
 AXES = Frame("axes")
 G = 32.2  # the number in ft/s^2 that a student takes
@@ -13,25 +12,18 @@ def force(g):
 
 
 def solve(g):
-    return {"a": acceleration_by(g.m, force=force(g))}
+    return {"a": dynamics.acceleration_by(g.m, force=force(g))}
 
 
 def steps(g):
-    yield Step("F", force(g), "lb", "resultant force", "6.4", "6.7")
+    return {"F": force(g)}
 
 
 def prove(g):
     """From rest, the work of each component is the kinetic energy of motion along its axis."""
-
-    def along(F):
-        def surplus(a):
-            def place(t):
-                return a * t**2 / 2
-
-            return F * place(1) - g.m * rate(place, 1) ** 2 / 2
-
-        return root(surplus, F / g.m / 10, 10 * F / g.m)
-
+    place = lambda a: lambda t: a * t**2 / 2
+    surplus = lambda F, a: F * place(a)(1) - g.m * rate(place(a), 1) ** 2 / 2
+    along = lambda F: root(lambda a: surplus(F, a), F / g.m / 10, 10 * F / g.m)
     return {"a": [along(F) for F in (g.F_x, g.F_y, g.F_z)]}
 
 

@@ -1,29 +1,24 @@
 """6/3: the force on a particle whose position is known in time."""
 
-from exercises.tools import Step, rate
-from newton_euler import Frame
-from newton_euler.dynamics import resultant_force
-from newton_euler.kinematics import along
+from exercises.tools import rate
+from newton_euler import Frame, dynamics, kinematics
 
 AXES = Frame("axes")
 G = 32.2  # the number in ft/s^2 that a student takes
 
 
 def particle(g):
-    def path(t):
-        return g.c_0 - g.c_1 * t**2, g.c_2 * t**3, g.c_3 * t**2 - g.c_4 * t
-
-    return AXES.point("P", *along(path, g.t_1))
+    path = lambda t: (g.c_0 - g.c_1 * t**2, g.c_2 * t**3, g.c_3 * t**2 - g.c_4 * t)
+    return AXES.point("P", *kinematics.along(path, g.t_1))
 
 
 def solve(g):
-    return {"F": resultant_force(g.m, particle(g).acceleration(AXES))}
+    return {"F": dynamics.resultant_force(g.m, particle(g).acceleration(AXES))}
 
 
 def steps(g):
     P = particle(g)
-    yield Step("v", P.velocity(AXES), "ft/s", "velocity at t_1, the rates of x, y, z", "6.4")
-    yield Step("a", P.acceleration(AXES), "ft/s^2", "acceleration at t_1", "6.4", "6.7")
+    return {"v": P.velocity(AXES), "a": P.acceleration(AXES)}
 
 
 def prove(g):
@@ -33,10 +28,7 @@ def prove(g):
         lambda t: g.c_2 * t**3,
         lambda t: g.c_3 * t**2 - g.c_4 * t,
     )
-
-    def force(x):
-        return rate(lambda t: g.m * rate(x, t) ** 2 / 2, g.t_1) / rate(x, g.t_1)
-
+    force = lambda x: rate(lambda t: g.m * rate(x, t) ** 2 / 2, g.t_1) / rate(x, g.t_1)
     return {"F": [force(x) for x in axes], "v": [rate(x, g.t_1) for x in axes]}
 
 

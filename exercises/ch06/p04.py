@@ -1,8 +1,7 @@
 """6/4: the force on a particle whose velocity is known in time."""
 
-from exercises.tools import Step, mp, scaled, second_rate
-from newton_euler import Frame, cos, moving, radians, sin
-from newton_euler.dynamics import resultant_force
+from exercises.tools import mp, scaled, second_rate
+from newton_euler import Frame, cos, dynamics, moving, radians, sin
 
 AXES = Frame("axes")
 
@@ -15,21 +14,17 @@ def tip(g):
 
 
 def solve(g):
-    return {"F": resultant_force(g.m, tip(g).velocity(AXES))}
+    return {"F": dynamics.resultant_force(g.m, tip(g).velocity(AXES))}
 
 
 def steps(g):
-    yield Step("a", tip(g).velocity(AXES), "m/s^2", "acceleration at t_1, the rate of v", "6.4",
-               "6.7")  # fmt: skip
+    return {"a": tip(g).velocity(AXES)}
 
 
 def prove(g):
     """Seen along j the particle circles at the radius A/omega: place, velocity, second rate."""
     radius = g.A / g.omega
-
-    def place(t):
-        return [radius * mp.sin(g.omega * t), g.B * t**3 / 3, radius * mp.cos(g.omega * t)]
-
+    place = lambda t: [radius * mp.sin(g.omega * t), g.B * t**3 / 3, radius * mp.cos(g.omega * t)]
     a = second_rate(place, g.t_1)
     return {"F": scaled(g.m, a), "a": a}
 

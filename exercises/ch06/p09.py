@@ -1,14 +1,12 @@
 """6/9: when an object begins to slip on a turning cone; all forces per unit of mass."""
 
-from exercises.tools import Sketch, Step, mp, mpf, root, rot, second_rate, times
+from exercises.tools import Sketch, mp, mpf, root, rot, second_rate, times
 from newton_euler import Frame, cos, cylindrical, moving, sin, solve_linear, sqrt, tan, where
 from newton_euler.dynamics import resultant_force, weight
 
 
 def about_to_slip(g):
-    """The highest rate, and the normal force N there, with the friction mu N up the slope. The
-    acceleration is s times that at the rate of sqrt(g/r).
-    """
+    """The highest rate and N there; a is s times that at the rate sqrt(g/r)."""
     ground = Frame("ground")
     rate = sqrt(g.g / g.r)
     P = cylindrical(ground, "P", g.r, moving(0, rate=rate), 0)
@@ -30,16 +28,11 @@ def solve(g):
 
 def steps(g):
     high, N = about_to_slip(g)
-    yield Step("N", N, "m/s^2", "normal force, per unit of mass, where it begins to slip", "6.1",
-               "6.4")  # fmt: skip
-    yield Step("F", g.mu * N, "m/s^2", "friction there, up the slope, per unit of mass", "6.1")
-    yield Step("a_n", high**2 * g.r, "m/s^2", "centripetal acceleration there", "6.1", "6.6")
+    return {"N": N, "F": g.mu * N, "a_n": high**2 * g.r}
 
 
 def prove(g):
-    """The contact force of the explicit circle, along the surface and normal to it: the object
-    slips where the first grows beyond mu times the second.
-    """
+    """The contact force on the explicit circle: it slips where the part along exceeds mu N."""
 
     def contact(omega):
         x, _, z = second_rate(lambda t: times(rot("z", omega * t), [g.r, 0, 0]))
@@ -77,9 +70,8 @@ def draw(g, ax):
     apex, rim = (0, 0, 0), (out, 0, -low)
     size = 0.16 * g.r
     x = g.r - size / 2 * sin(g.beta)  # so that the middle of the object is at r
-    surface = ground.rotate(
-        "surface", "y", g.beta, origin=ground.point("P", x, 0, -x * tan(g.beta))
-    )
+    touched = ground.point("P", x, 0, -x * tan(g.beta))
+    surface = ground.rotate("surface", "y", g.beta, origin=touched)
     P = surface.point("P", 0, 0, size / 2)
     s.ground(foot, normal=ground.k)
     s.shaft(foot, (0, 0, -low))

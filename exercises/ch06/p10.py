@@ -1,8 +1,6 @@
-"""6/10: the tension in the wire of a pendulum, held and let go; in units of its weight, with the
-length of the wire as that of length.
-"""
+"""6/10: the tension in a pendulum's wire, held and let go; weight and wire are the units."""
 
-from exercises.tools import Sketch, Step, mp, plus, rate, root, rot, second_rate, size, times
+from exercises.tools import Sketch, mp, plus, rate, root, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, polar, sin, solve_linear
 from newton_euler.dynamics import resultant_force, weight
 
@@ -30,37 +28,20 @@ def solve(g):
 
 def steps(g):
     before, after = tensions(g)
-    yield Step("T_before", before, "1", "tension before the cut over the weight", "6.1", "6.4")
-    yield Step("T_after", after, "1", "tension just after the cut over the weight: the bob is "
-               "still at rest, and v^2/r is zero", "6.1", "6.6")  # fmt: skip
+    return {"T_before": before, "T_after": after}
 
 
 def prove(g):
-    """Held: the cord is so strong that the energy is stationary there. Let go, theta = theta_0 -
-    c t^2/2 at first, with the c that keeps the energy.
-    """
-
-    def place(theta):
-        return [mp.sin(theta), -mp.cos(theta), 0]
-
-    def slope(cord):
-        def energy(theta):
-            x, y, _ = place(theta)
-            return y - cord * x
-
-        return rate(energy, g.theta)
-
+    """Held, the energy is stationary there; let go, theta_0 - c t^2/2 with the c that keeps it."""
+    place = lambda theta: [mp.sin(theta), -mp.cos(theta), 0]
+    energy = lambda cord, theta: place(theta)[1] - cord * place(theta)[0]
+    slope = lambda cord: rate(lambda theta: energy(cord, theta), g.theta)
     before = size([root(slope, 0, 1000), -1, 0])
-
-    def falling(c):
-        return lambda t: place(g.theta - c * t**2 / 2)
-
-    def power(c):  # over time, in the limit t = 0
-        return second_rate(lambda t: size(rate(falling(c), t)) ** 2 / 2 + falling(c)(t)[1])
-
+    falling = lambda c: lambda t: place(g.theta - c * t**2 / 2)
+    # over time, in the limit t = 0
+    power = lambda c: second_rate(lambda t: size(rate(falling(c), t)) ** 2 / 2 + falling(c)(t)[1])
     bob = falling(root(power, mp.mpf("0.01"), 10))
-    pull = plus(second_rate(bob), [0, 1, 0])
-    after = times(rot("z", -g.theta), pull)[1]
+    after = times(rot("z", -g.theta), plus(second_rate(bob), [0, 1, 0]))[1]
     return {"k": after / before, "T_before": before, "T_after": after}
 
 

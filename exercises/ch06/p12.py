@@ -1,22 +1,18 @@
 """6/12: a car that leaves the road at a hump."""
 
 from exercises.devices.plane_curve import at_constant_speed
-from exercises.tools import Sketch, Step, mp, root
-from newton_euler import Frame, moving, pi, sin, sqrt
+from exercises.tools import Sketch, mp, root
+from newton_euler import Frame, kinematics, moving, pi, sin, sqrt
 from newton_euler.dynamics import path_force
-from newton_euler.kinematics import frenet_along
 
 
 def road(g):
-    def path(x):
-        return x, g.b * sin(2 * pi(g.L) * x / g.L), 0
-
-    return path
+    return lambda x: (x, g.b * sin(2 * pi(g.L) * x / g.L), 0)
 
 
 def flexure(g, x):
     """The flexure of the road at x."""
-    return frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
+    return kinematics.frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
 
 
 def speed(g):
@@ -40,18 +36,14 @@ follows = {"F_dip": force}
 
 def steps(g):
     rho = 1 / flexure(g, g.L / 4)
-    yield Step("rho", rho, "m", "radius of curvature at the hump and at the dip", "6.1")
     _, F_n = path_force(g.m, speed(g), 0, flexure(g, 3 * g.L / 4))
-    yield Step("F_n", F_n, "N", "resultant force at the dip, upward", "6.1", "6.5")
+    return {"rho": rho, "F_n": F_n}
 
 
 def prove(g):
     """By the motion at constant speed: the highest has no force of the road at the hump."""
-
-    def push(x, v):
-        _, a = at_constant_speed(lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0], x, v)
-        return g.m * (g.g + a[1])
-
+    place = lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0]
+    push = lambda x, v: g.m * (g.g + at_constant_speed(place, x, v)[1][1])
     v = root(lambda v: push(g.L / 4, v), mp.sqrt(g.g * g.L) / 100, 100 * mp.sqrt(g.g * g.L))
     F = push(3 * g.L / 4, v)
     return {"v_max": v, "F_dip": F, "F_n": F - g.m * g.g}
@@ -71,10 +63,7 @@ def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     L, b = 1.0, 0.11  # the waves are drawn higher than they are
-
-    def height(x):
-        return b * sin(2 * pi(x) * x / L)
-
+    height = lambda x: b * sin(2 * pi(x) * x / L)
     xs = [L * n / 60 for n in range(-7, 86)]
     s.road([(x, height(x), 0) for x in xs])
     r = 0.018

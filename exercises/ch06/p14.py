@@ -1,6 +1,6 @@
 """6/14: a sphere on two wires, before and just after one of them is cut."""
 
-from exercises.tools import Sketch, Step, minus, mp, mpf, rate, second_rate, size
+from exercises.tools import Sketch, minus, mp, mpf, rate, second_rate, size
 from newton_euler import Frame, pi, sin, solve_linear
 
 
@@ -18,9 +18,7 @@ def before(g):
 
 
 def after(g):
-    """Newton's second law of the sphere, which can only begin to move across the wire that is left;
-    ``eta``: its acceleration across CD over that of gravity, so that m a is W times eta.
-    """
+    """Newton's second law of the sphere, which begins to move across CD at eta times g."""
     axes, _, CD = wires(g)
     return solve_linear(lambda T_CD, eta: T_CD * CD.i - g.W * axes.k - g.W * eta * CD.k)
 
@@ -30,25 +28,14 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("T_AB", before(g).T_AB, "N", "tension in AB before the cut", "6.1", "6.1")
-    yield Step("eta", -after(g).eta, "1",
-               "acceleration of the sphere just after the cut, over g: across CD and downward",
-               "6.1", "6.5")  # fmt: skip
+    return {"T_AB": before(g).T_AB, "eta": -after(g).eta}
 
 
 def prove(g):
-    """Before: virtual work while the sphere moves with AB taut. After: the pendulum CD begins to
-    move so that the height lost is kinetic energy, and the explicit motion is differentiated. Unit
-    of length is a wire, g is 1.
-    """
+    """Virtual work before; after, the fall that keeps the energy, differentiated. Wire, g: 1."""
     C = [mp.cos(g.alpha), 0, mp.sin(g.alpha)]
-
-    def with_AB(u):
-        return [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
-
-    def with_CD(u):
-        return minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])
-
+    with_AB = lambda u: [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
+    with_CD = lambda u: minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])
     height, second = rate(with_AB)[2], -rate(with_CD)[2]
     a = second_rate(lambda t: with_CD(second * t**2 / 2))
     return {

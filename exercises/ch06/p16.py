@@ -1,9 +1,8 @@
 """6/16: a particle in a tube that turns in a vertical plane."""
 
-from exercises.tools import DIGITS, Sketch, Step, mp, rate, second_rate
-from newton_euler import Frame, cosh, moving, polar, sin, sinh
+from exercises.tools import DIGITS, Sketch, mp, rate, second_rate
+from newton_euler import Frame, cosh, dynamics, moving, polar, sin, sinh
 from newton_euler.algebra import at
-from newton_euler.dynamics import reaction
 
 
 def distance(g, t):
@@ -36,7 +35,7 @@ def force(g, r=None, leave_out=()):
     """The force across the tube, for the distance as a function of time."""
     ground, P = particle(g, r or (lambda t: distance(g, t)))
     a = P.acceleration(ground).without(*leave_out)
-    return {"F_theta": reaction(g.m, a, weight=-g.m * g.g * ground.j).y}
+    return {"F_theta": dynamics.reaction(g.m, a, weight=-g.m * g.g * ground.j).y}
 
 
 def solve(g):
@@ -45,28 +44,18 @@ def solve(g):
 
 def steps(g):
     r = at(lambda t: distance(g, t), g.t)
-    yield Step("r", r.value, "m", "distance of the particle from O", "6.1", "6.6")
-    yield Step("r_dot", r.rate, "m/s", "its rate", "6.1", "6.6")
-    yield Step("F_C", 2 * g.m * r.rate * g.omega, "N",
-               "mass times the Coriolis acceleration across the tube", "6.1", "6.6")  # fmt: skip
+    return {"r": r.value, "r_dot": r.rate, "F_C": 2 * g.m * r.rate * g.omega}
 
 
 def prove(g):
-    """r as a power series in t, whose coefficients the equation along the tube gives in turn; the
-    path in the ground is then differentiated.
-    """
+    """r as a power series in t from the equation along the tube; the path is differentiated."""
     r, sine = [g.a, mp.mpf(0)], [mp.mpf(0), g.omega]  # series of r and of sin(omega t)
     for n in range(3 * DIGITS):
         both = (n + 1) * (n + 2)
         r.append((g.omega**2 * r[n] - g.g * sine[n]) / both)
         sine.append(-(g.omega**2) * sine[n] / both)
-
-    def distance_at(t):
-        return mp.polyval(r[::-1], t)
-
-    def place(t):
-        return [distance_at(t) * mp.cos(g.omega * t), distance_at(t) * mp.sin(g.omega * t)]
-
+    distance_at = lambda t: mp.polyval(r[::-1], t)
+    place = lambda t: [distance_at(t) * mp.cos(g.omega * t), distance_at(t) * mp.sin(g.omega * t)]
     x, y = second_rate(place, g.t)
     theta = g.omega * g.t
     across = g.m * (-x * mp.sin(theta) + (y + g.g) * mp.cos(theta))
@@ -94,9 +83,8 @@ def draw(g, ax):
     s.line(O, ground.i * 2 * g.a)
     wall = P.local.j * 0.07 * g.a
     for side in (1, -1):
-        s.line(
-            (side * wall).components(ground), (end + side * wall).components(ground), style="solid"
-        )
+        start, stop = (P.components(ground) for P in (side * wall, end + side * wall))
+        s.line(start, stop, style="solid")
     s.sphere(P, 0.06 * g.a)
     s.hinge(O)
     s.swing(O, end, ground.k, label=r"$\omega$")

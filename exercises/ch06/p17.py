@@ -1,6 +1,6 @@
 """6/17: a particle slides through a dip and over a crest."""
 
-from exercises.tools import Sketch, Step, cross, mp, mpf, rate, second_rate, size
+from exercises.tools import Sketch, cross, mp, mpf, rate, second_rate, size
 from exercises.tools import root as place_of
 from newton_euler import Frame, cos, sin, solve_linear, tan
 from newton_euler.dynamics import path_force, speed_after
@@ -25,11 +25,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("v_B", speed(g, g.h_B), "ft/s", "speed at B, by the work of the weight",
-               "6.1", "6.5")  # fmt: skip
-    yield Step("a_B", speed(g, g.h_B) ** 2 / g.rho_B, "ft/s^2",
-               "normal acceleration at B, upward", "6.1", "6.5")  # fmt: skip
-    yield Step("v_C", speed(g, g.h_C), "ft/s", "speed at C, in the same way", "6.1", "6.5")
+    return {"v_B": speed(g, g.h_B), "a_B": speed(g, g.h_B) ** 2 / g.rho_B, "v_C": speed(g, g.h_C)}
 
 
 def prove(g):
@@ -38,9 +34,7 @@ def prove(g):
     """
 
     def fallen(h):
-        def depth(t):
-            return g.g * t**2 / 2
-
+        depth = lambda t: g.g * t**2 / 2
         return rate(depth, place_of(lambda t: depth(t) - h, 0, 1 + h / g.g))
 
     v_B, v_C = fallen(g.h_B), fallen(g.h_C)
@@ -49,9 +43,7 @@ def prove(g):
         angle = v_B * t / g.rho_B
         return [g.rho_B * mp.sin(angle), -g.rho_B * mp.cos(angle), 0]
 
-    def in_flight(t):
-        return [v_C * t, -g.g * t**2 / 2, mpf(0)]
-
+    in_flight = lambda t: [v_C * t, -g.g * t**2 / 2, mpf(0)]
     a_B, v, a = second_rate(on_circle)[1], rate(in_flight), second_rate(in_flight)
     return {
         "F_B": g.m * (a_B + g.g),
@@ -80,8 +72,7 @@ def bend(centre, radius, first, last):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    s = Sketch(ax, Frame("ground"), plane="xz")
     rho_C = g.h_B  # the drawing's own, large enough to be smooth
     dip = bend((0, g.rho_B - g.h_B), g.rho_B, -DOWN, UP)
     (x_0, _, z_0), (x_1, _, z_1) = dip[0], dip[-1]

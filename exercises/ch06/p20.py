@@ -1,15 +1,13 @@
 """6/20: the sideways force on a car that drives south on the turning Earth."""
 
 from exercises.devices.turning_earth import RADIUS, from_above, ground_axes
-from exercises.tools import Step, mp, second_rate
+from exercises.tools import at_angle, mp, second_rate
 from newton_euler import Frame, pi
 from newton_euler.applications import earth_rate, force_near_earth
 
 
 def force(g):
-    """The resultant force on the car to first order in the Earth's rate: terms ``relative``, which
-    drives, and ``coriolis``, which here has no vertical part.
-    """
+    """The force on the car to first order; ``coriolis`` has no vertical part here."""
     ground = ground_axes(g)
     return force_near_earth(g.M, -g.v * ground.j, -g.a * ground.j, earth_rate(ground))
 
@@ -19,23 +17,16 @@ def solve(g):
 
 
 def steps(g):
-    Omega = earth_rate(ground_axes(g))
-    yield Step("Omega", Omega, "rad/s", "angular velocity of the earth", "6.10", "6.18")
-    yield Step("a_C", force(g).terms["coriolis"] / g.M, "m/s^2",
-               "Coriolis acceleration of the car", "6.9", "6.15")  # fmt: skip
+    return {"Omega": earth_rate(ground_axes(g)), "a_C": force(g).terms["coriolis"] / g.M}
 
 
 def prove(g):
-    """The explicit motion along a meridian of the round Earth, seen from the stars, and the part of
-    its acceleration to the east: that needs no first order.
-    """
+    """The explicit motion along a meridian, seen from the stars: its acceleration to the east."""
 
     def place(t):
         """Away from the axis in the first meridian plane, east of it, along the axis."""
         lat = g.lat - (g.v * t + g.a * t**2 / 2) / RADIUS
-        across = RADIUS * mp.cos(lat)
-        turned = g.omega_e * t
-        return [across * mp.cos(turned), across * mp.sin(turned), RADIUS * mp.sin(lat)]
+        return at_angle(RADIUS * mp.cos(lat), g.omega_e * t, RADIUS * mp.sin(lat))
 
     east = second_rate(place)[1]
     return {"F_side": [g.M * east, 0, 0], "a_C": [east, 0, 0]}

@@ -1,7 +1,7 @@
 """6/21: a long shot to the north, on the turning Earth."""
 
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
-from exercises.tools import Sketch, Step, mp
+from exercises.tools import Sketch, mp
 from exercises.tools import root as place_of
 from newton_euler import Frame, cos, pi, root, sin
 from newton_euler.applications import flight_time, launch_velocity, range_east
@@ -28,20 +28,14 @@ def solve(g):
 
 def steps(g):
     t, r = landing(g, elevation(g))
-    yield Step("t_f", t, "s", "time of flight", "6.10", "6.26")
-    yield Step("x_launch", r.terms["launch turned"].x, "ft",
-               "eastward part of r that comes from the launch", "6.10", "6.24")  # fmt: skip
-    yield Step("x_fall", r.terms["fall turned"].x, "ft",
-               "eastward part of r that comes from the fall", "6.10", "6.24")  # fmt: skip
+    return {"t_f": t, "x_launch": r.terms["launch turned"].x, "x_fall": r.terms["fall turned"].x}
 
 
 follows = {"x": lambda g, phi: landing(g, phi)[1].x}
 
 
 def prove(g):
-    """The height over the target without rotation says the elevation; then the free flight as it is
-    seen from the stars, as far as to the ground.
-    """
+    """The elevation from the height over the target; then the free flight, seen from the stars."""
 
     def over_target(e):
         t = g.D / (g.v_0 * mp.cos(e))
@@ -62,8 +56,7 @@ def prove(g):
 def mistakes(g):
     right = solve(g)
     t, r = landing(g, right["phi"])
-    v_y = g.v_0 * cos(right["phi"])
-    by_v_y = g.omega_e * sin(g.lat) * v_y * t**2
+    by_v_y = g.omega_e * sin(g.lat) * (g.v_0 * cos(right["phi"])) * t**2
     high = pi(g.v_0) / 2 - right["phi"]
     return {
         "sine_only": {"x": by_v_y},
@@ -75,8 +68,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="yz")
+    s = Sketch(ax, Frame("ground"), plane="yz")
     O, T = (0, 0, 0), (0, g.D, 0)
     top = 0.15 * g.D  # far more than in the problem
     s.road([(0, -0.1 * g.D, 0), (0, 1.4 * g.D, 0)])

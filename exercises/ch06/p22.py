@@ -1,7 +1,7 @@
 """6/22: where a shot straight up comes down on the turning Earth, a word and a formula."""
 
 from exercises.devices.turning_earth import flight, globe, ground_axes, shot, to_first_order
-from exercises.tools import Step, root
+from exercises.tools import root
 from newton_euler import pi
 
 
@@ -26,12 +26,9 @@ def solve(g):
 
 
 def steps(g):
-    r = way(g)
-    yield Step("t_f", 2 * g.v_0 / g.g, "s", "time of flight", "6.10", "6.26")
-    yield Step("x_launch", r.terms["launch turned"].x, "m",
-               "eastward part of r that comes from the launch", "6.10", "6.24")  # fmt: skip
-    yield Step("x_fall", r.terms["fall turned"].x, "m",
-               "eastward part of r that comes from the fall", "6.10", "6.24")  # fmt: skip
+    drift = way(g).terms
+    x_launch, x_fall = drift["launch turned"].x, drift["fall turned"].x
+    return {"t_f": 2 * g.v_0 / g.g, "x_launch": x_launch, "x_fall": x_fall}
 
 
 def prove(g):

@@ -1,10 +1,9 @@
 """6/23: the force of a locomotive on its track, on the turning Earth."""
 
 from exercises.devices.turning_earth import RADIUS, axes_turned, from_above, ground_axes
-from exercises.tools import Step, minus, plus, scaled, second_rate, times
-from newton_euler import Frame, pi, sqrt
+from exercises.tools import minus, plus, scaled, second_rate, times
+from newton_euler import Frame, dynamics, pi, sqrt
 from newton_euler.applications import coriolis_acceleration, earth_rate
-from newton_euler.dynamics import reaction
 
 
 def velocity(g, east=-1):
@@ -15,7 +14,7 @@ def velocity(g, east=-1):
 def on_track(g, v, share=1):
     """The reaction to the track's force, which carries the weight and gives the Coriolis term."""
     a = -share * coriolis_acceleration(earth_rate(v.frame), v)
-    of_track = reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
+    of_track = dynamics.reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
     # as a plain vector: its terms would be called after those of the other force
     return {"F_track": v.frame.vector(*(-of_track).components())}
 
@@ -27,17 +26,11 @@ def solve(g):
 def steps(g):
     v = velocity(g)
     Omega = earth_rate(v.frame)
-    yield Step("v_rel", v, "m/s", "velocity relative to the earth", "6.9")
-    yield Step("Omega", Omega, "rad/s", "angular velocity of the earth", "6.10", "6.18")
-    yield Step("a_C", -coriolis_acceleration(Omega, v), "m/s^2",
-               "Coriolis acceleration of the locomotive", "6.9", "6.15")  # fmt: skip
+    return {"v_rel": v, "Omega": Omega, "a_C": -coriolis_acceleration(Omega, v)}
 
 
 def prove(g):
-    """The straight motion over the ground, seen from the stars; what changes sign with the sense in
-    which the Earth turns is of first order in its rate, since the acceleration is of the second
-    degree in it.
-    """
+    """The straight motion, seen from the stars; first order is what changes sign with the rate."""
     v = scaled(g.v / (2 * g.one) ** 0.5, [-1, 1, 0])
 
     def acceleration(sense):

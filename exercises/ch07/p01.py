@@ -1,7 +1,8 @@
 """7/1: the inertia matrix of a triangle by integration."""
 
 from exercises.catalogue.proofs.digits import weighted
-from exercises.devices.inertia import matrix, turned
+from exercises.devices.inertia import matrix
+from exercises.devices.inertia_proof import turned
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
 from exercises.devices.triangular_plate import area_points, figure, height
 

@@ -1,19 +1,12 @@
 """7/2: the inertia matrix of two spheres that touch."""
 
-from exercises.devices.inertia import added, answer, matrix, of_points, steps_of, together
+from exercises.devices.inertia import answer, matrix, problem_of, together, whole
+from exercises.devices.inertia_proof import added, of_points
 from exercises.devices.satellite import SATELLITE, figure, parts, spheres
 from newton_euler.bodies import spherical_shell
 
+solve, steps = problem_of(SATELLITE, parts, "slug", "ft", "slug*ft^2", at_O=["larger sphere"])
 draw = figure
-
-
-def solve(g):
-    return answer(together(SATELLITE, parts(g)))
-
-
-def steps(g):
-    units = {"mass": "slug", "length": "ft", "inertia": "slug*ft^2"}
-    yield from steps_of(SATELLITE, parts(g), at_O=["larger sphere"], **units)
 
 
 def prove(g):
@@ -28,6 +21,6 @@ def mistakes(g):
     return {
         "no_own": answer(larger.about(SATELLITE) + transfer),
         "along_x_too": matrix(SATELLITE, (xx + transfer.moments[1], yy, zz)),
-        "R1_for_distance": answer(together(SATELLITE, parts(g, distance=g.R1))),
-        "hollow": answer(together(SATELLITE, parts(g, shape=spherical_shell))),
+        "R1_for_distance": whole(SATELLITE, parts(g, distance=g.R1)),
+        "hollow": whole(SATELLITE, parts(g, shape=spherical_shell)),
     }

@@ -1,32 +1,16 @@
 """7/3: the inertia matrix of a block and a cylinder that stands on it."""
 
 from exercises.devices.block_with_cylinder import BLOCK, figure, parts
-from exercises.devices.inertia import (
-    added,
-    answer,
-    no_products,
-    of_points,
-    raised,
-    steps_of,
-    together,
-    wrong_sign,
-)
+from exercises.devices.inertia import answer, no_products, problem_of, together, wrong_sign
+from exercises.devices.inertia_proof import added, of_points, raised
 from exercises.tools import mp, proofs
 
+solve, steps = problem_of(BLOCK, lambda g: parts(g, density=g.rho), "slug", "in", "slug*ft^2")
 draw = figure
 
 
 def inertia(g, **changed):
     return together(BLOCK, parts(g, density=g.rho, **changed))
-
-
-def solve(g):
-    return answer(inertia(g))
-
-
-def steps(g):
-    units = {"mass": "slug", "length": "in", "inertia": "slug*ft^2"}
-    yield from steps_of(BLOCK, parts(g, density=g.rho), **units)
 
 
 def prove(g):

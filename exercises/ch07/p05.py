@@ -1,41 +1,27 @@
 """7/5: the inertia matrix of a plate with six holes."""
 
-from exercises.devices.inertia import (
-    added,
-    answer,
-    no_products,
-    of_points,
-    together,
-    untransferred,
-    wrong_sign,
-)
+from exercises.devices.inertia import no_products, together, untransferred, whole, wrong_sign
+from exercises.devices.inertia_proof import added, of_points
 from exercises.devices.plate_with_holes import PLATE, figure, parts, places
-from exercises.tools import Step, mp, proofs
+from exercises.tools import mp, proofs
 
 draw = figure
 
 
 def solve(g):
-    return answer(together(PLATE, *parts(g, g.sigma)))
+    return whole(PLATE, *parts(g, g.sigma))
 
 
 def steps(g):
     (full,), holes = parts(g, g.sigma)
     own = together(PLATE, [untransferred(PLATE, hole) for hole in holes])
-    yield Step("m_full", full.mass, "kg", "mass of the plate before the holes are cut", "7.10")
-    yield Step("I_full", full.about(PLATE).matrix, "kg*m^2", "its inertia matrix at O",
-               "7.8", "7.25")  # fmt: skip
-    yield Step("m_hole", holes[0].mass, "kg", "mass of what was in one hole", "7.10")
-    yield Step("I_own", own.matrix, "kg*m^2",
-               "inertia matrices of the six about their own centres, together", "7.10")  # fmt: skip
-    yield Step(
-        "I_holes",
-        together(PLATE, holes).matrix,
-        "kg*m^2",
-        "their inertia matrices at O, together, to be subtracted",
-        "7.8",
-        "7.25",
-    )
+    return {
+        "m_full": full.mass,
+        "I_full": full.about(PLATE).matrix,
+        "m_hole": holes[0].mass,
+        "I_own": own.matrix,
+        "I_holes": together(PLATE, holes).matrix,
+    }
 
 
 def prove(g):
@@ -49,11 +35,10 @@ def prove(g):
 def mistakes(g):
     (full,), holes = parts(g, g.sigma)
     I = together(PLATE, [full], holes)
+    in_place = [untransferred(PLATE, hole) for hole in holes]
     return {
-        "holes_not_transferred": answer(
-            together(PLATE, [full], [untransferred(PLATE, hole) for hole in holes])
-        ),
-        "holes_added": answer(together(PLATE, [full, *holes])),
+        "holes_not_transferred": whole(PLATE, [full], in_place),
+        "holes_added": whole(PLATE, [full, *holes]),
         "no_product": no_products(PLATE, I),
         "plus_sign": wrong_sign(PLATE, I),
     }

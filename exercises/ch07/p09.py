@@ -1,27 +1,12 @@
 """7/9: the inertia matrix of an L-shaped block with a bore."""
 
 from exercises.devices.bored_bracket import BRACKET, block, figure, parts
-from exercises.devices.inertia import (
-    added,
-    answer,
-    no_products,
-    of_points,
-    raised,
-    steps_of,
-    together,
-)
+from exercises.devices.inertia import no_products, problem_of, together, whole
+from exercises.devices.inertia_proof import added, of_points, raised
 from exercises.tools import mp, proofs
 
+solve, steps = problem_of(BRACKET, lambda g: parts(g, g.rho), "slug", "in", "slug*in^2", holes=True)
 draw = figure
-
-
-def solve(g):
-    return answer(together(BRACKET, *parts(g, g.rho)))
-
-
-def steps(g):
-    units = {"mass": "slug", "length": "in", "inertia": "slug*in^2"}
-    yield from steps_of(BRACKET, *parts(g, g.rho), **units)
 
 
 def prove(g):
@@ -35,23 +20,19 @@ def prove(g):
         raised(proofs.disk(g.r_h, order=2), g.h_b),
         [g.x_h, g.l_y / 2, g.h_b / 2],
     )
-    return {
-        "I_O": added((1, base), (1, wall), (-1, hole)),
-        "I_base": base,
-        "I_wall": wall,
-        "I_hole": hole,
-    }
+    I = added((1, base), (1, wall), (-1, hole))
+    return {"I_O": I, "I_base": base, "I_wall": wall, "I_hole": hole}
 
 
 def mistakes(g):
     (base, wall), holes = parts(g, g.rho)
 
     def with_wall(low, high):
-        return answer(together(BRACKET, [base, block(g, "wall", g.t_w, low, high, g.rho)], holes))
+        return whole(BRACKET, [base, block(g, "wall", g.t_w, low, high, g.rho)], holes)
 
     return {
         "no_products": no_products(BRACKET, together(BRACKET, [base, wall], holes)),
-        "hole_added": answer(together(BRACKET, [base, wall, *holes])),
+        "hole_added": whole(BRACKET, [base, wall, *holes]),
         "wall_from_its_foot": with_wall(0, g.h_w),
         "corner_twice": with_wall(0, g.h_b + g.h_w),
     }

@@ -1,20 +1,13 @@
 """7/10: the inertia matrix of a figure of wire."""
 
 from exercises.devices import wire_figure
-from exercises.devices.inertia import added, along_path, answer, matrix, steps_of, together
+from exercises.devices.inertia import matrix, problem_of, together, whole
+from exercises.devices.inertia_proof import added, along_path
 from exercises.devices.wire_figure import WIRE, parts, path
 from newton_euler.bodies import disk
 
+solve, steps = problem_of(WIRE, lambda g: parts(g, g.lam), "kg", "mm", "kg*m^2", at_O=["diameter"])
 draw = wire_figure.figure
-
-
-def solve(g):
-    return answer(together(WIRE, parts(g, g.lam)))
-
-
-def steps(g):
-    units = {"mass": "kg", "length": "mm", "inertia": "kg*m^2"}
-    yield from steps_of(WIRE, parts(g, g.lam), at_O=["diameter"], **units)
 
 
 def prove(g):
@@ -30,8 +23,8 @@ def mistakes(g):
     xx, yy, zz = I.moments
     near = leg.mass * g.r**2
     return {
-        "leg_on_the_right": answer(together(WIRE, parts(g, g.lam, side=1))),
-        "half_disk": answer(together(WIRE, [sheet, diameter, leg])),
+        "leg_on_the_right": whole(WIRE, parts(g, g.lam, side=1)),
+        "half_disk": whole(WIRE, [sheet, diameter, leg]),
         "no_distance": matrix(WIRE, (xx, yy - near, zz - near), I.products),
-        "no_diameter": answer(together(WIRE, [half, leg])),
+        "no_diameter": whole(WIRE, [half, leg]),
     }

@@ -3,8 +3,8 @@
 from itertools import pairwise
 
 from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, figure, path, rods
-from exercises.devices.inertia import added, along_path, answer, together, wrong_sign
-from exercises.tools import Step
+from exercises.devices.inertia import together, whole, wrong_sign
+from exercises.devices.inertia_proof import added, along_path
 from newton_euler.bodies import particle
 
 draw = figure
@@ -15,17 +15,14 @@ def parts(g):
 
 
 def solve(g):
-    return answer(together(CHAIN, parts(g)))
+    return whole(CHAIN, parts(g))
 
 
 def steps(g):
     for rod in parts(g):
-        name = rod.name
-        yield Step(f"d_{name}", rod.centre.position(CHAIN), "m", f"middle of the rod {name}", "7.8")
-        yield Step(f"I_G_{name}", rod.inertia.matrix, "kg*m^2",
-                   f"inertia matrix of the rod {name} about its middle", "7.10")  # fmt: skip
-        yield Step(f"I_{name}", rod.about(CHAIN).matrix, "kg*m^2",
-                   f"inertia matrix of the rod {name} at O", "7.8", "7.25")  # fmt: skip
+        yield f"d_{rod.name}", rod.centre.position(CHAIN)
+        yield f"I_G_{rod.name}", rod.inertia.matrix
+        yield f"I_{rod.name}", rod.about(CHAIN).matrix
 
 
 def prove(g):
@@ -36,9 +33,7 @@ def prove(g):
 
 def mistakes(g):
     return {
-        "all_from_O": answer(together(CHAIN, rods(all_from_O(g), mass=g.m))),
-        "at_the_middles": answer(
-            together(CHAIN, [particle(g.m, part.centre) for part in parts(g)])
-        ),
+        "all_from_O": whole(CHAIN, rods(all_from_O(g), mass=g.m)),
+        "at_the_middles": whole(CHAIN, [particle(g.m, part.centre) for part in parts(g)]),
         "plus_sign": wrong_sign(CHAIN, together(CHAIN, parts(g))),
     }

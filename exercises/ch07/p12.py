@@ -1,28 +1,14 @@
 """7/12: the inertia matrix of a disk with a hole beside its centre."""
 
 from exercises.devices.disk_with_hole import DISK, figure, parts, rim
-from exercises.devices.inertia import (
-    added,
-    answer,
-    matrix,
-    of_points,
-    steps_of,
-    together,
-    turned,
-    untransferred,
-)
+from exercises.devices.inertia import matrix, problem_of, together, untransferred, whole
+from exercises.devices.inertia_proof import added, of_points, turned
 from exercises.tools import mp, proofs
 
+solve, steps = problem_of(
+    DISK, lambda g: parts(g, g.rho), "kg", "m", "kg*m^2", holes=True, at_O=["full disk"]
+)
 draw = figure
-
-
-def solve(g):
-    return answer(together(DISK, *parts(g, g.rho)))
-
-
-def steps(g):
-    units = {"mass": "kg", "length": "m", "inertia": "kg*m^2"}
-    yield from steps_of(DISK, *parts(g, g.rho), at_O=["full disk"], **units)
 
 
 def prove(g):
@@ -47,7 +33,7 @@ def mistakes(g):
     xx, yy, zz = together(DISK, [full], [hole]).moments
     transfer = hole.about(DISK).terms["transfer"].moments[1]
     return {
-        "no_offset": answer(together(DISK, [full], [untransferred(DISK, hole)])),
+        "no_offset": whole(DISK, [full], [untransferred(DISK, hole)]),
         "along_x_too": matrix(DISK, (xx - transfer, yy, zz)),
-        "hole_added": answer(together(DISK, [full, hole])),
+        "hole_added": whole(DISK, [full, hole]),
     }

@@ -1,26 +1,11 @@
 """7/13: the inertia matrix of three welded rods of different lengths."""
 
-from exercises.devices.inertia import (
-    added,
-    along_path,
-    answer,
-    no_products,
-    steps_of,
-    together,
-    wrong_sign,
-)
+from exercises.devices.inertia import no_products, problem_of, together, whole, wrong_sign
+from exercises.devices.inertia_proof import added, along_path
 from exercises.devices.welded_rods import WELDED, figure, parts, path
 
+solve, steps = problem_of(WELDED, lambda g: parts(g, density=g.rho), "kg", "m", "kg*m^2")
 draw = figure
-
-
-def solve(g):
-    return answer(together(WELDED, parts(g, density=g.rho)))
-
-
-def steps(g):
-    units = {"mass": "kg", "length": "m", "inertia": "kg*m^2"}
-    yield from steps_of(WELDED, parts(g, density=g.rho), **units)
 
 
 def prove(g):
@@ -33,8 +18,8 @@ def mistakes(g):
     I = together(WELDED, parts(g, density=g.rho))
     third = g.rho * (g.b + g.c + g.L) / 3
     return {
-        "third_at_the_bottom": answer(together(WELDED, parts(g, height=0, density=g.rho))),
-        "equal_masses": answer(together(WELDED, parts(g, mass=third))),
+        "third_at_the_bottom": whole(WELDED, parts(g, height=0, density=g.rho)),
+        "equal_masses": whole(WELDED, parts(g, mass=third)),
         "no_product": no_products(WELDED, I),
         "plus_sign": wrong_sign(WELDED, I),
     }

@@ -1,28 +1,13 @@
 """7/14: the inertia matrix of a bent plate with a hole and a round top."""
 
 from exercises.devices.bent_plate import PART, figure, parts
-from exercises.devices.inertia import (
-    added,
-    answer,
-    no_products,
-    of_points,
-    steps_of,
-    together,
-    untransferred,
-)
+from exercises.devices.inertia import no_products, problem_of, together, untransferred, whole
+from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import mp, proofs
 from newton_euler.bodies import Body
 
+solve, steps = problem_of(PART, parts, "kg", "mm", "kg*m^2", holes=True)
 draw = figure
-
-
-def solve(g):
-    return answer(together(PART, *parts(g)))
-
-
-def steps(g):
-    units = {"mass": "kg", "length": "mm", "inertia": "kg*m^2"}
-    yield from steps_of(PART, *parts(g), **units)
 
 
 def prove(g):
@@ -53,12 +38,11 @@ def prove(g):
 def mistakes(g):
     (flat, upright, top), holes = parts(g)
     edge = PART.point("edge", 0, g.w / 2, g.h_v)
+    in_place = [untransferred(PART, hole) for hole in holes]
     too_low = Body("half disk", top.mass, edge, top.inertia.moments, PART)
     return {
-        "top_on_its_edge": answer(together(PART, [flat, upright, too_low], holes)),
-        "hole_not_transferred": answer(
-            together(PART, [flat, upright, top], [untransferred(PART, hole) for hole in holes])
-        ),
+        "top_on_its_edge": whole(PART, [flat, upright, too_low], holes),
+        "hole_not_transferred": whole(PART, [flat, upright, top], in_place),
         "no_products": no_products(PART, together(PART, *parts(g))),
-        "w_as_radius": answer(together(PART, *parts(g, radius=g.w))),
+        "w_as_radius": whole(PART, *parts(g, radius=g.w)),
     }

@@ -1,6 +1,7 @@
 """7/16: the inertia matrix of a plate under a parabola by integration."""
 
-from exercises.devices.inertia import added, matrix, of_points
+from exercises.devices.inertia import matrix
+from exercises.devices.inertia_proof import added, of_points
 from exercises.devices.parabola_plate import figure, height, start
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
 from exercises.tools import proofs
@@ -24,9 +25,7 @@ def steps(g):
 
 def prove(g):
     """By horizontal strips, from the parabola to x = a."""
-
-    def width(y):
-        return g.a - start(g, y)
+    width = lambda y: g.a - start(g, y)
 
     def strip(y):
         rod = proofs.box(width(y), 0, 0, order=2)

@@ -1,10 +1,11 @@
 """7/17: the moments of inertia of a flat ring."""
 
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import annulus, disk, ring
 
 PLATE = Frame("plate")
+follows = {"I_yy": lambda g, I_xx: I_xx, "I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
 
 
 def moments(diameter, normal):
@@ -22,25 +23,15 @@ def solve(g):
 
 def steps(g):
     sheet = g.m / annulus(g.r1, g.r2, PLATE, "z", density=1).mass
-    yield Step("sigma", sheet, "kg/m^2", "mass per area, m/(pi*(r2^2 - r1^2))", "7.3")
-    for name, r, what in ("J_2", g.r2, "full disk of radius r2"), ("J_1", g.r1, "hole"):
-        yield Step(name, disk(r, PLATE, "z", density=sheet).inertia.moment("z"), "kg*m^2",
-                   f"moment about z of the {what}, pi*sigma*r^4/2", "7.3", "7.10")  # fmt: skip
+    moment = lambda r: disk(r, PLATE, "z", density=sheet).inertia.moment("z")
+    return {"sigma": sheet, "J_2": moment(g.r2), "J_1": moment(g.r1)}
 
 
 # equal diameters; and for a plate the moment about the normal is the sum of the two in it
-follows = {"I_yy": lambda g, I_xx: I_xx, "I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
-
-
 def prove(g):
     """Thin rings side by side, with the share 2 u du/(r2^2 - r1^2) of the mass in each."""
-
-    def squares(p):
-        return [p[1] ** 2, p[0] ** 2, p[0] ** 2 + p[1] ** 2]
-
-    def ring_of(u):
-        return proofs.scaled(2 * u, proofs.mean(squares, proofs.ring(u, order=2)))
-
+    squares = lambda p: [p[1] ** 2, p[0] ** 2, p[0] ** 2 + p[1] ** 2]
+    ring_of = lambda u: proofs.scaled(2 * u, proofs.mean(squares, proofs.ring(u, order=2)))
     share = g.m / (g.r2**2 - g.r1**2)
     I_xx, I_yy, I_zz = proofs.scaled(share, proofs.integral(ring_of, g.r1, g.r2))
     return {"I_xx": I_xx, "I_yy": I_yy, "I_zz": I_zz}

@@ -1,10 +1,11 @@
 """7/18: the moments of inertia of a triangular plate."""
 
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import plate, simplex
 
 PLATE = Frame("plate")  # its origin is the centre of mass
+follows = {"I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
 
 
 def corners(g):
@@ -28,18 +29,10 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("d", g.h / 3, "m", "height of the centre of mass above the base", "5.4", "5.13")
-    yield Step("I_b", about(g, -g.h / 3), "kg*m^2", "moment of inertia about the base, by strips "
-               "parallel to it", "7.3", "7.10")  # fmt: skip
-    yield Step("transfer", g.m * (g.h / 3) ** 2, "kg*m^2",
-               "what the moment about the parallel through G is smaller by, m*d^2",
-               "7.8", "7.26")  # fmt: skip
+    return {"d": g.h / 3, "I_b": about(g, -g.h / 3), "transfer": g.m * (g.h / 3) ** 2}
 
 
 # a plate: the moment about the normal is the sum of the two in it
-follows = {"I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
-
-
 def prove(g):
     """A square plate, pressed together toward its upper edge, and the mass in it with it."""
 
@@ -49,10 +42,7 @@ def prove(g):
 
     points = [pressed(*point) for point in proofs.box(2, 2, 0)]
     G = proofs.mean(lambda p: p[1], points)
-
-    def moment(f):
-        return g.m * proofs.mean(lambda p: f(p[0], p[1]), points)
-
+    moment = lambda f: g.m * proofs.mean(lambda p: f(p[0], p[1]), points)
     return {
         "I_xx": moment(lambda x, y: (y - G) ** 2),
         "I_yy": moment(lambda x, y: x**2),
@@ -64,10 +54,7 @@ def prove(g):
 
 def mistakes(g):
     right, at_base = solve(g), about(g, -g.h / 3)
-
-    def with_xx(I_xx):
-        return {"I_xx": I_xx, "I_zz": I_xx + right["I_yy"]}
-
+    with_xx = lambda I_xx: {"I_xx": I_xx, "I_zz": I_xx + right["I_yy"]}
     I_yy = plate(g.b, g.h, PLATE, "z", mass=g.m).inertia.moment("y")
     return {
         "about_the_base": with_xx(at_base),

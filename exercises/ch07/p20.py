@@ -1,7 +1,7 @@
 """7/20: the centroidal axis of a connecting rod, from its moments of inertia about two others."""
 
 from exercises.devices.connecting_rod import about_A, figure, mean_square, two_masses
-from exercises.tools import Step, mp
+from exercises.tools import mp
 from exercises.tools import root as proof_root
 from newton_euler import root, sqrt
 
@@ -24,20 +24,14 @@ def solve(g):
 def steps(g):
     r_a = solve(g)["r_a"]
     r_b = g.L - r_a
-    yield Step("apart", r_a - r_b, "mm", "r_a - r_b = (I_AA - I_BB)/(m*L), since "
-               "I_AA - m*r_a^2 = I_BB - m*r_b^2 and r_a + r_b = L", "7.8", "7.26")  # fmt: skip
-    yield Step("r_b", r_b, "mm", "distance of GG' from BB'", "7.8")
-    yield Step("I_GG", g.m * at_G(g, r_a) ** 2, "g*m^2",
-               "moment of inertia about GG', I_AA - m*r_a^2", "7.8", "7.26")  # fmt: skip
+    return {"apart": r_a - r_b, "r_b": r_b, "I_GG": g.m * at_G(g, r_a) ** 2}
 
 
 follows = {"k_G": lambda g, r_a: at_G(g, r_a)}
 
 
 def prove(g):
-    """With two mass points of the same mass, moment about AA' and centre: if they have the right
-    moment about BB' too, they are at the right place.
-    """
+    """With two mass points of the same mass, centre and moments about AA' and BB'."""
 
     def excess(r_a):
         return mean_square([g.L - x for x in two_masses(g.I_AA / g.m, r_a)]) - g.I_BB / g.m

@@ -1,7 +1,6 @@
 """7/21: the moment of inertia of a connecting rod about its other bearing."""
 
 from exercises.devices.connecting_rod import about_A, figure, mean_square, two_masses
-from exercises.tools import Step
 
 
 def solve(g):
@@ -12,18 +11,14 @@ def solve(g):
 def steps(g):
     A, G, B = about_A(g.m, g.I_AA, g.r_a, g.r_b)
     own = A.about(G)
-    yield Step("I_GG", own.moment("z"), "g*m^2", "moment of inertia about GG', I_AA - m*r_a^2",
-               "7.8", "7.26")  # fmt: skip
-    yield Step("transfer", own.about(B).terms["transfer"].moment("z"), "g*m^2",
-               "to be added for BB', m*r_b^2", "7.8", "7.26")  # fmt: skip
+    return {"I_GG": own.moment("z"), "transfer": own.about(B).terms["transfer"].moment("z")}
 
 
 def prove(g):
     """With two mass points of the same mass, moment about AA' and centre."""
     near, far = two_masses(g.I_AA / g.m, g.r_a)
     from_B = [g.r_a + g.r_b - x for x in (near, far)]
-    own = g.m * ((far - near) / 2) ** 2
-    return {"I_BB": g.m * mean_square(from_B), "I_GG": own}
+    return {"I_BB": g.m * mean_square(from_B), "I_GG": g.m * ((far - near) / 2) ** 2}
 
 
 def mistakes(g):

@@ -2,9 +2,8 @@
 
 from math import cos, pi, sin
 
-from exercises.tools import Sketch, Step, mean, mp, rot, times
-from newton_euler import Frame
-from newton_euler.bodies import Inertia
+from exercises.tools import Sketch, mean, mp, rot, times
+from newton_euler import Frame, bodies
 from newton_euler.bodies.inertia import from_second_moments
 
 BODY = Frame("body")
@@ -12,7 +11,7 @@ PLANE, LINE = "all mass in the plane x = 0", "all mass on the x axis"
 
 
 def moments(Jx, Jy, Jz):
-    return Inertia(BODY, *from_second_moments((Jx, Jy, Jz, 0, 0, 0)), tolerance=None).moments
+    return bodies.Inertia(BODY, *from_second_moments((Jx, Jy, Jz, 0, 0, 0)), tolerance=None).moments
 
 
 def gap(I_xx, I_yy, I_zz):
@@ -32,13 +31,8 @@ def solve(g):
 
 
 def steps(g):
-    for axis, I in zip("xyz", moments(g.Jx, g.Jy, g.Jz), strict=True):
-        others = " + ".join(f"J{n}" for n in "xyz" if n != axis)
-        yield Step(f"I_{axis}{axis}", I, "kg*m^2", f"moment of inertia about {axis}, {others}",
-                   "7.2", "7.10")  # fmt: skip
-    yield Step("I_xx_sym", moments(g.Jx, g.Jy, g.Jy)[0], "kg*m^2",
-               "moment of inertia about x if it is an axis of symmetry, so that Jz = Jy",
-               "7.6", "7.21")  # fmt: skip
+    xx, yy, zz = moments(g.Jx, g.Jy, g.Jz)
+    return {"I_xx": xx, "I_yy": yy, "I_zz": zz, "I_xx_sym": moments(g.Jx, g.Jy, g.Jy)[0]}
 
 
 def cloud(Jx, Jy, Jz):

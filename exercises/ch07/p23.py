@@ -1,8 +1,7 @@
 """7/23: the error of taking a far cylinder for a particle."""
 
-from exercises.tools import Sketch, Step, disk, mean, mp
-from newton_euler import Frame
-from newton_euler.bodies import cylinder
+from exercises.tools import Sketch, disk, mean, mp
+from newton_euler import Frame, bodies
 from newton_euler.bodies import ring as thin_tube
 
 END = Frame("end")
@@ -21,7 +20,7 @@ def shortfall(q, body):
 
 
 def one(g):
-    return cylinder(g.one, g.one, END, "z", mass=g.one)
+    return bodies.cylinder(g.one, g.one, END, "z", mass=g.one)
 
 
 def trend(error):
@@ -38,23 +37,14 @@ def solve(g):
 
 
 def steps(g):
-    for n, q in enumerate((g.q1, g.q2), 1):
-        own, whole = about(q, one(g))
-        if n == 1:
-            yield Step("own", own.moment("z"), "1", "moment about the cylinder's own axis, over "
-                       "m*r^2", "7.8")  # fmt: skip
-        yield Step(f"exact_{n}", whole.moment("z"), "1",
-                   f"exact moment at the {('first', 'second')[n - 1]} ratio, over m*r^2: 1/2 + q^2",
-                   "7.8", "7.26")  # fmt: skip
+    (own, first), (_, second) = about(g.q1, one(g)), about(g.q2, one(g))
+    moments = {"own": own, "exact_1": first, "exact_2": second}
+    return {key: I.moment("z") for key, I in moments.items()}
 
 
 def prove(g):
-    def whole(q):
-        return mean(lambda p: (p[0] + q) ** 2 + p[1] ** 2, disk(mp.mpf(1)))
-
-    def error(q):
-        return 1 - q**2 / whole(q)
-
+    whole = lambda q: mean(lambda p: (p[0] + q) ** 2 + p[1] ** 2, disk(mp.mpf(1)))
+    error = lambda q: 1 - q**2 / whole(q)
     return {
         "trend": lambda: trend(error),
         "err_1": error(g.q1),
@@ -65,8 +55,7 @@ def prove(g):
 
 
 def mistakes(g):
-    def errors(error):
-        return {"err_1": error(g.q1), "err_2": error(g.q2)}
+    errors = lambda error: {"err_1": error(g.q1), "err_2": error(g.q2)}
 
     def of_approximation(q):
         exact = shortfall(q, one(g))

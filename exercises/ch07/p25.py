@@ -1,6 +1,6 @@
 """7/25: a tube about a line in its outer surface."""
 
-from exercises.tools import Sketch, Step, mp, proofs
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame
 from newton_euler.bodies import cylinder, tube
 
@@ -22,10 +22,7 @@ def solve(g):
 
 def steps(g):
     part = body(g)
-    yield Step("m", part.mass, "slug", "mass, rho*pi*(ro^2 - ri^2)*lc", "7.10")
-    yield Step("own", part.inertia.moment("x"), "slug*ft^2",
-               "moment about the axis of the cylinder, m*(ro^2 + ri^2)/2", "7.10")  # fmt: skip
-    yield Step("transfer", part.mass * g.ro**2, "slug*ft^2", "to be added, m*ro^2", "7.8", "7.26")
+    return {"m": part.mass, "own": part.inertia.moment("x"), "transfer": part.mass * g.ro**2}
 
 
 def prove(g):

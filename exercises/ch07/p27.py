@@ -1,7 +1,7 @@
 """7/27: a half ring about its diameter and about an axis through the middle of its arc."""
 
 from exercises.devices.half_ring import RING, half, half_steps, mean_over_half, with_half_disk
-from exercises.tools import Sketch, Step
+from exercises.tools import Sketch
 from newton_euler import pi
 
 
@@ -12,9 +12,7 @@ def solve(g):
 
 def steps(g):
     part, _ = half(g)
-    yield Step("I_O", part.about(RING).moment("z"), "kg*m^2",
-               "moment about the normal through the centre of the circle, m*r^2",
-               "7.3", "7.10")  # fmt: skip
+    yield "I_O", part.about(RING).moment("z")
     yield from half_steps(g, "z", "the parallel to BB' through the centre of mass")
 
 

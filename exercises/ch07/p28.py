@@ -1,14 +1,13 @@
 """7/28: the cone that has the same moment of inertia about all axes through its centre of mass."""
 
-from exercises.tools import Sketch, Step, mp, proofs
-from newton_euler import Frame, root, tan
-from newton_euler.bodies import cone
+from exercises.tools import Sketch, mp, proofs
+from newton_euler import Frame, bodies, root, tan
 
 CONE = Frame("cone")  # its origin is the apex, z points to the base
 
 
 def of_height_1(g, radius):
-    return cone(radius, g.one, CONE, "z", mass=g.one)
+    return bodies.cone(radius, g.one, CONE, "z", mass=g.one)
 
 
 def angle(g, excess):
@@ -28,20 +27,16 @@ def solve(g):
 def steps(g):
     alpha = solve(g)["alpha"]
     body = of_height_1(g, tan(alpha))
-    yield Step("own", body.inertia.moment("z"), "1",
-               "moment about AA', over m*h^2: 3/10*(r/h)^2", "7.3")  # fmt: skip
-    yield Step("d", body.centre.position(CONE).z, "1",
-               "distance of the centre of mass from the apex, over h", "5.4", "5.13")  # fmt: skip
-    yield Step("at_apex", body.about(CONE).moment("x"), "1",
-               "transverse moment at the apex, over m*h^2: 3/20*(r/h)^2 + 3/5", "7.3")  # fmt: skip
-    yield Step("ratio", tan(alpha), "1", "r/h at which both moments about axes through the centre "
-               "of mass are equal, from 3/20*(r/h)^2 = 3/80", "7.8", "7.26")  # fmt: skip
+    return {
+        "own": body.inertia.moment("z"),
+        "d": body.centre.position(CONE).z,
+        "at_apex": body.about(CONE).moment("x"),
+        "ratio": tan(alpha),
+    }
 
 
 def prove(g):
-    """Disks on each other, their radius and mass growing with the distance from the apex; a wider
-    cone is the same one, stretched across.
-    """
+    """Disks that grow from the apex; a wider cone is the same one, stretched across."""
     body = [
         (3 * up**2 * share * w, [y * up, up])
         for share, (x, _, _) in proofs.box(2, 0, 0, order=3)
@@ -61,13 +56,8 @@ def prove(g):
 
 
 def mistakes(g):
-    def at_apex(body):
-        return body.inertia.moment("z") - body.about(CONE).moment("x")
-
-    def wrong_centre(body):
-        d = body.centre.position(CONE).z
-        return at_apex(body) + body.mass * (d / 3) ** 2
-
+    at_apex = lambda body: body.inertia.moment("z") - body.about(CONE).moment("x")
+    wrong_centre = lambda body: at_apex(body) + body.mass * (body.centre.position(CONE).z / 3) ** 2
     return {
         "at_the_apex": {"alpha": angle(g, at_apex)},
         "full_angle": {"alpha": 2 * solve(g)["alpha"]},

@@ -2,9 +2,8 @@
 
 from itertools import pairwise
 
-from exercises.devices import chain_of_rods
-from exercises.devices.chain_of_rods import CHAIN, corners, path, rods
-from exercises.tools import Step, proofs
+from exercises.devices.chain_of_rods import CHAIN, corners, figure, path, rods
+from exercises.tools import proofs
 from newton_euler import composite, particle
 
 
@@ -24,22 +23,17 @@ def solve(g):
 
 def steps(g):
     for part in parts(g):
-        yield Step(part.name.replace(" ", "_"), part.about(CHAIN).moment("x"), "kg*m^2",
-                   f"moment of the {part.name} about x", "7.8", "7.26")  # fmt: skip
+        yield part.name.replace(" ", "_"), part.about(CHAIN).moment("x")
     body = composite("assembly", parts(g))
     d = body.centre.position(CHAIN)
-    yield Step("d", d, "m", "centre of mass of the assembly, from O", "5.4", "5.11")
-    yield Step("transfer", body.mass * (d.y**2 + d.z**2), "kg*m^2", "what the moment about x' is "
-               "smaller by, 3*m*(d_y^2 + d_z^2)", "7.8", "7.26")  # fmt: skip
+    yield "d", d
+    yield "transfer", body.mass * (d.y**2 + d.z**2)
 
 
 def prove(g):
     """The squares of the distances from x', added up along the chain."""
     place, way, bends = path(g)
-
-    def total(f):
-        return proofs.integral(lambda s: f(place(s)), 0, way, bends)
-
+    total = lambda f: proofs.integral(lambda s: f(place(s)), 0, way, bends)
     d = proofs.scaled(1 / way, total(lambda p: p))
     square = total(lambda p: (p[1] - d[1]) ** 2 + (p[2] - d[2]) ** 2) / way
     return {"I_xp": 3 * g.m * square, "d": d}
@@ -57,7 +51,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = chain_of_rods.figure(g, ax)
+    s = figure(g, ax)
     G = composite("assembly", parts(g)).centre
     x, y, z = G.position(CHAIN).components()
     s.dot(G, "G")

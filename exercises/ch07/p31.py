@@ -1,9 +1,8 @@
 """7/31: the products of inertia of a slanting rod."""
 
 from exercises.devices.products import named
-from exercises.tools import Sketch, Step, proofs
-from newton_euler import Frame
-from newton_euler.bodies import simplex
+from exercises.tools import Sketch, proofs
+from newton_euler import Frame, bodies
 
 AXES = Frame("axes")
 PAIRS = "xy", "yz", "zx"
@@ -14,7 +13,7 @@ def ends(g):
 
 
 def rod(g):
-    return simplex(*ends(g), mass=g.m)
+    return bodies.simplex(*ends(g), mass=g.m)
 
 
 def solve(g):
@@ -23,13 +22,11 @@ def solve(g):
 
 def steps(g):
     body = rod(g)
-    yield Step("d", body.centre.position(AXES), "mm", "centre of mass, from the origin", "5.4")
+    yield "d", body.centre.position(AXES)
     transfer = body.about(AXES).terms["transfer"].products
-    for (u, v), own, moved in zip(PAIRS, body.inertia.products, transfer, strict=True):
-        yield Step(f"own_{u}{v}", own, "kg*m^2", f"product for the axes through the centre of "
-                   f"mass along {u} and {v}", "7.3", "7.10")  # fmt: skip
-        yield Step(f"transfer_{u}{v}", moved, "kg*m^2", f"to be added, m*d_{u}*d_{v}",
-                   "7.8", "7.26")  # fmt: skip
+    for pair, own, moved in zip(PAIRS, body.inertia.products, transfer, strict=True):
+        yield f"own_{pair}", own
+        yield f"transfer_{pair}", moved
 
 
 def prove(g):
@@ -37,9 +34,7 @@ def prove(g):
     A, B = [g.xA, g.yA, g.zA], [g.xB, g.yB, g.zB]
 
     def total(f):
-        def at(t):
-            return f(*(a + t * (b - a) for a, b in zip(A, B, strict=True)))
-
+        at = lambda t: f(*(a + t * (b - a) for a, b in zip(A, B, strict=True)))
         return proofs.integral(at, 0, 1)
 
     d = total(lambda *p: list(p))

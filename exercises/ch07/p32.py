@@ -1,16 +1,15 @@
 """7/32: the products of inertia of a block at a corner."""
 
 from exercises.devices.products import named
-from exercises.tools import Sketch, Step, proofs
-from newton_euler import Frame
-from newton_euler.bodies import box
+from exercises.tools import Sketch, proofs
+from newton_euler import Frame, bodies
 
 CORNER = Frame("corner")
 
 
 def block(g):
     middle = CORNER.point("G", g.a / 2, g.b / 2, -g.c / 2)
-    return box(g.a, g.b, g.c, middle, "x", mass=g.W / g.g)
+    return bodies.box(g.a, g.b, g.c, middle, "x", mass=g.W / g.g)
 
 
 def solve(g):
@@ -19,9 +18,7 @@ def solve(g):
 
 def steps(g):
     body = block(g)
-    yield Step("m", body.mass, "slug", "mass, W/g", "5.10", "5.26")
-    yield Step("d", body.centre.position(CORNER), "ft", "centre of mass, from the corner; for the "
-               "parallel axes there the products are zero", "7.8")  # fmt: skip
+    return {"m": body.mass, "d": body.centre.position(CORNER)}
 
 
 def prove(g):
@@ -29,9 +26,7 @@ def prove(g):
     m = g.W / g.g
 
     def total(f):
-        def moved(p):
-            return f(p[0] + g.a / 2, p[1] + g.b / 2, p[2] - g.c / 2)
-
+        moved = lambda p: f(p[0] + g.a / 2, p[1] + g.b / 2, p[2] - g.c / 2)
         return proofs.mean(moved, proofs.box(g.a, g.b, g.c, order=2))
 
     d = total(lambda *p: list(p))

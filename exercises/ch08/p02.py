@@ -1,56 +1,49 @@
 """8/2: a square plate on a pin and a cable, whose cable snaps."""
 
-from exercises.devices.broken_cable import (
-    acceleration_of,
-    by_energy,
-    fall_steps,
-    falls,
-    mass,
-    moment_of_weight,
-    pin_force,
-    sums,
-)
+from exercises.devices import broken_cable as device
 from exercises.tools import Sketch, box, plus, second_rate
-from newton_euler import Frame, sqrt
-from newton_euler.bodies import plate
+from newton_euler import Frame, bodies, sqrt
 
 
 def square(g):
-    return lambda frame: plate(
-        g.b, g.b, frame.point("G", g.b / 2, -g.b / 2, 0), "z", mass=mass(g), name="plate"
+    return lambda frame: bodies.plate(
+        g.b, g.b, frame.point("G", g.b / 2, -g.b / 2, 0), "z", mass=device.mass(g), name="plate"
     )
 
 
 def a_C(g, alpha):
-    return acceleration_of((g.b, -g.b, 0), alpha)
+    return device.acceleration_of((g.b, -g.b, 0), alpha)
 
 
 def answers(g, alpha):
-    return {"alpha_plate": alpha, "a_C": a_C(g, alpha), "R_A": pin_force(g, square(g), alpha)}
+    R_A = device.pin_force(g, square(g), alpha)
+    return {"alpha_plate": alpha, "a_C": a_C(g, alpha), "R_A": R_A}
 
 
 def solve(g):
-    found = falls(g, square(g))
-    right = answers(g, found.alpha)
-    return right | {"R_A": Frame("ground").vector(found.R_x, found.R_y, 0)}
+    found = device.falls(g, square(g))
+    return answers(g, found.alpha) | {"R_A": Frame("ground").vector(found.R_x, found.R_y, 0)}
 
 
 def steps(g):
-    yield from fall_steps(g, square(g), "A")
+    yield from device.fall_steps(g, square(g), "A")
 
 
 follows = {
     "a_C": lambda g, alpha_plate: a_C(g, alpha_plate),
-    "R_A": lambda g, alpha_plate: pin_force(g, square(g), alpha_plate),
+    "R_A": lambda g, alpha_plate: device.pin_force(g, square(g), alpha_plate),
 }
 
 
 def prove(g):
     points = [(u, plus(r, [g.b / 2, -g.b / 2, 0])) for u, r in box(g.b, g.b, 0, order=2)]
-    alpha, R, C, G = by_energy(g, points, [g.b, -g.b, 0], [g.b / 2, -g.b / 2, 0])
-    return {"alpha_plate": alpha, "a_C": second_rate(C), "R_A": R, "a_G": second_rate(G)} | sums(
-        g, points, "A"
-    )
+    alpha, R, C, G = device.by_energy(g, points, [g.b, -g.b, 0], [g.b / 2, -g.b / 2, 0])
+    return {
+        "alpha_plate": alpha,
+        "a_C": second_rate(C),
+        "R_A": R,
+        "a_G": second_rate(G),
+    } | device.sums(g, points, "A")
 
 
 def mistakes(g):
@@ -58,7 +51,7 @@ def mistakes(g):
     alpha, R = right["alpha_plate"], right["R_A"]
     upward = {key: -right[key] for key in ("alpha_plate", "a_C")}
     return {
-        "about_G": answers(g, moment_of_weight(g, shape) / (mass(g) * g.b**2 / 6)),
+        "about_G": answers(g, device.moment_of_weight(g, shape) / (device.mass(g) * g.b**2 / 6)),
         "arm_AG": answers(g, sqrt(2 * g.one) * alpha),  # b/sqrt(2) for b/2
         "counterclockwise": upward,
         "vertical_only": {"R_A": R.frame.vector(0, R.y, 0)},

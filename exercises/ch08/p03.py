@@ -1,8 +1,7 @@
 """8/3: a rod between two guides, let go from rest."""
 
-from exercises.tools import Sketch, Step, box, let_go, mean, mp, plus, proofs, rot, times
-from newton_euler import Frame, cos, equations_of_motion, moving, pi, sin, solve_linear
-from newton_euler.bodies import rod
+from exercises.tools import Sketch, box, let_go, mean, mp, plus, proofs, rot, times
+from newton_euler import Frame, bodies, cos, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.dynamics import ForceSystem, mass_from_weight, resultant_moment, weight
 
 
@@ -12,7 +11,7 @@ def ladder(g, alpha):
     theta = moving(g.theta, rate=0, acceleration=alpha)
     A = ground.point("A", 0, g.L * cos(theta), 0)
     frame = ground.rotate("rod", "z", angle=theta - pi(g.theta) / 2, origin=A)
-    AB = rod(g.L, frame.point("G", g.L / 2, 0, 0), "x", mass=mass_from_weight(g.W, g.g))
+    AB = bodies.rod(g.L, frame.point("G", g.L / 2, 0, 0), "x", mass=mass_from_weight(g.W, g.g))
     return ground, AB, A, frame.point("B", g.L, 0, 0)
 
 
@@ -41,13 +40,11 @@ def solve(g):
 
 def steps(g):
     ground, AB, _, _ = ladder(g, solve(g)["alpha_AB"])
-    yield Step("m", AB.mass, "slug", "mass of the rod, W/g", "6.1")
-    yield Step("I_G", AB.inertia.moments[2], "slug*ft^2",
-               "moment of inertia about z through the centre of mass G", "8.5")  # fmt: skip
-    a_G = AB.centre.acceleration(ground).expressed_in(ground)
-    yield Step("a_G", a_G, "ft/s^2",
-               "acceleration of G, from x_G = (L/2) sin(theta), y_G = (L/2) cos(theta)",
-               "2.1")  # fmt: skip
+    return {
+        "m": AB.mass,
+        "I_G": AB.inertia.moments[2],
+        "a_G": AB.centre.acceleration(ground).expressed_in(ground),
+    }
 
 
 def F_A(g, alpha_AB):
@@ -79,10 +76,7 @@ def prove(g):
         return proofs.kinetic_energy(g.W / g.g, lambda t: moved(q, t), t) + g.W * height
 
     alpha = let_go(energy)
-
-    def motion(t):
-        return moved(lambda t: alpha * t**2 / 2, t)
-
+    motion = lambda t: moved(lambda t: alpha * t**2 / 2, t)
     F_x, F_y, _ = proofs.force_needed(g.W / g.g, motion)
     return {
         "alpha_AB": alpha,

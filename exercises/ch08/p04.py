@@ -1,8 +1,7 @@
 """8/4: the forces on the connecting rod of an engine at top dead centre."""
 
-from exercises.tools import Sketch, Step, box, minus, mp, plus, proofs, root, scaled, second_rate
-from newton_euler import Frame, asin, equations_of_motion, moving, pi, sin, solve_linear
-from newton_euler.bodies import rod
+from exercises.tools import Sketch, box, minus, mp, plus, proofs, root, scaled, second_rate
+from newton_euler import Frame, asin, bodies, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.dynamics import mass_from_weight, reaction, resultant_force
 
 
@@ -15,7 +14,7 @@ def engine(g, theta=None):
     # the rod leans back to the axis of the cylinder
     link = crank.rotate("rod", "-z", angle=theta + asin(g.b / g.l * sin(theta)), origin=B)
     m = mass_from_weight(g.W_R, g.g)
-    bar = rod(g.l, link.point("G", g.l / 2, 0, 0), "x", mass=m, name="rod")
+    bar = bodies.rod(g.l, link.point("G", g.l / 2, 0, 0), "x", mass=m, name="rod")
     return ground, bar, B, link.point("O", g.l, 0, 0)
 
 
@@ -25,9 +24,7 @@ def force_at_O(g, a_O):
 
 
 def forces(g, F_x=None):
-    """F_B, F_O as a solution of solve_linear; ``F_x``: the component of F_O along the cylinder, if
-    it is not that of the piston.
-    """
+    """F_B and F_O; ``F_x``: the component of F_O along the cylinder, if not that of the piston."""
     ground, bar, B, O = engine(g)
     F_x = force_at_O(g, O.acceleration(ground)).dot(ground.i) if F_x is None else F_x
 
@@ -45,27 +42,22 @@ def solve(g):
 
 def steps(g):
     ground, bar, B, O = engine(g)
-    yield Step("m_P", mass_from_weight(g.W_P, g.g), "slug", "mass of the piston, W_P/g", "6.1")
-    yield Step("m_R", bar.mass, "slug", "mass of the connecting rod, W_R/g", "6.1")
-    omega = bar.frame.angular_velocity(ground).expressed_in(ground)
-    yield Step("omega_BO", omega, "rad/s", "angular velocity of the connecting rod", "4.8", "4.17")
-    for P, what in ((B, "B"), (O, "the piston"), (bar.centre, "the centre of mass of the rod")):
-        a = P.acceleration(ground).expressed_in(ground)
-        yield Step(f"a_{P.name}", a, "ft/s^2", f"acceleration of {what}", "4.8", "4.18")
+    yield "m_P", mass_from_weight(g.W_P, g.g)
+    yield "m_R", bar.mass
+    yield "omega_BO", bar.frame.angular_velocity(ground).expressed_in(ground)
+    for P in (B, O, bar.centre):
+        yield f"a_{P.name}", P.acceleration(ground).expressed_in(ground)
 
 
 def prove(g):
     """The explicit motion: the place of O is where the rod, of fixed length, ends on the axis."""
-
-    def B(t):
-        return [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
+    B = lambda t: [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
 
     def piston(t):
         x, y, _ = B(t)
         return [root(lambda s: (s - x) ** 2 + y**2 - g.l**2, g.l, g.l + 2 * g.b), 0, 0]
 
-    def at(share):
-        return lambda t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
+    at = lambda share: lambda t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
 
     def motion(t):
         ends = B(t), piston(t)
@@ -103,8 +95,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    theta = 0.7
-    ground, _, B, O = engine(g, theta)
+    ground, _, B, O = engine(g, 0.7)
     s = Sketch(ax, ground, plane="xy")
     A, w = (0, 0, 0), 0.13 * g.l
     x = O.position(ground).x

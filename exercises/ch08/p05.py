@@ -1,8 +1,7 @@
 """8/5: a bar that leans on the headboard of an accelerating truck."""
 
-from exercises.tools import Sketch, Step, box, mp, mpf, plus, proofs, rot, times, vanishing
-from newton_euler import Frame, cos, equations_of_motion, moving, sin, solve_linear
-from newton_euler.bodies import rod
+from exercises.tools import Sketch, box, mp, mpf, plus, proofs, rot, times, vanishing
+from newton_euler import Frame, bodies, cos, equations_of_motion, moving, sin, solve_linear
 from newton_euler.dynamics import ForceSystem, resultant_moment, weight
 
 
@@ -17,7 +16,7 @@ def limit(g, mu_B, A_at_rest=False):
         ground = Frame("ground")
         A = ground.point("A", moving(0, rate=0, acceleration=a), 0, 0)
         frame = ground.translate("truck", A).rotate("bar", "z", angle=g.theta)
-        bar = rod(g.one, frame.point("G", g.one / 2, 0, 0), "x", mass=g.one, name="bar")
+        bar = bodies.rod(g.one, frame.point("G", g.one / 2, 0, 0), "x", mass=g.one, name="bar")
         forces = ForceSystem({
             "weight": (weight(bar, ground.j, g.g), bar.centre),
             "A": (ground.vector(g.mu * N_A, N_A, 0), A),
@@ -39,28 +38,18 @@ def solve(g):
 
 def steps(g):
     found = limit(g, g.mu)
-    yield Step("n_B", found.N_B / g.g, "1",
-               "force of the headboard over the weight, N_B/W, from the moments about A",
-               "8.1", "8.9")  # fmt: skip
-    yield Step("n_A", found.N_A / g.g, "1",
-               "normal force of the bed over the weight, N_A/W = 1 - mu N_B/W",
-               "6.1", "6.4")  # fmt: skip
+    return {"n_B": found.N_B / g.g, "n_A": found.N_A / g.g}
 
 
 def prove(g):
-    """For every share of the friction that could act at B, the acceleration at which the bed can
-    just give the friction that the mass points need at A; the greatest of them.
-    """
+    """The greatest acceleration at which, for any share of friction at B, the bed can drive A."""
     length, B = mpf(1), [mp.cos(g.theta), mp.sin(g.theta), 0]
     half = [length / 2, 0, 0]
     points = [(u, times(rot("z", g.theta), plus(half, r))) for u, r in box(length, 0, 0, order=2)]
 
     def contact(a, share):
         """F_A, N_A and N_B for the unit of mass."""
-
-        def motion(t):
-            return [(u, plus([a * t**2 / 2, 0, 0], r)) for u, r in points]
-
+        motion = lambda t: [(u, plus([a * t**2 / 2, 0, 0], r)) for u, r in points]
         of_weight = -g.g * sum(u * r[0] for u, r in points)
         arm = B[1] + share * g.mu * B[0]
         N_B = (proofs.moment_needed(1, motion)[2] - of_weight) / arm

@@ -1,6 +1,6 @@
 """8/6: an unbalanced wheel that rolls down a slope and is about to jump."""
 
-from exercises.tools import Sketch, Step, mp, mpf, rate, root, second_rate, vanishing
+from exercises.tools import Sketch, mp, mpf, rate, root, second_rate, vanishing
 from newton_euler import Frame, atan2, cos, sin, solve_linear, sqrt
 from newton_euler.dynamics import acceleration_by, weight
 
@@ -29,18 +29,11 @@ def solve(g):
 
 
 def steps(g):
-    speed = solve(g)["v_min"]
-    yield Step("a_G", -upright(g).norm(), "ft/s^2",
-               "acceleration of G along the upward vertical, as its weight alone acts on it",
-               "6.1", "6.4")  # fmt: skip
-    yield Step("omega", speed / g.r, "rad/s", "angular speed of the wheel, from omega^2 e = g",
-               "4.8", "4.18")  # fmt: skip
+    return {"a_G": -upright(g).norm(), "omega": solve(g)["v_min"] / g.r}
 
 
 def contact(g, phi, square):
-    """Proof: the forces along the slope and its normal on a rolling wheel of the unit of mass, half
-    of it at either side of G, with G at phi and O moving at this squared speed.
-    """
+    """Proof: contact forces along slope and normal of a unit mass, half on each side of G."""
     v, k = mp.sqrt(square), g.r / 2
 
     def places(a):
@@ -74,12 +67,8 @@ def contact(g, phi, square):
 
 
 def prove(g):
-    """At each place of G the speed at which the normal force of the rolling wheel vanishes; and the
-    place at which the friction vanishes with it.
-    """
-
-    def square(phi):
-        return vanishing(lambda u: contact(g, phi, u)[1], g.g * g.r, 2 * g.g * g.r)
+    """The speed at which the normal force vanishes; the place where the friction does with it."""
+    square = lambda phi: vanishing(lambda u: contact(g, phi, u)[1], g.g * g.r, 2 * g.g * g.r)
 
     def friction(phi):
         F = contact(g, phi, square(phi))[0] / g.g

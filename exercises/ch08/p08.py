@@ -1,7 +1,7 @@
 """8/8: a cylinder on a slab that is suddenly accelerated, slipping and rolling."""
 
 from exercises.devices.rolling_cylinder import rolls, slips
-from exercises.tools import Sketch, Step, disk, plus, proofs, rot, second_rate, times, vanishing
+from exercises.tools import Sketch, disk, plus, proofs, rot, second_rate, times, vanishing
 from newton_euler import Frame
 
 
@@ -20,13 +20,8 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("f_min", no_slip(g).F / (g.one * g.g), "1",
-               "least coefficient of friction for which the cylinder rolls without slip, F/(m g)",
-               "8.6")  # fmt: skip
-    yield Step("a_Ga", with_slip(g, g.f_a).a, "ft/s^2",
-               "acceleration of the centre in case a, f_a g: it slips", "6.1", "6.4")  # fmt: skip
-    yield Step("a_Gb", no_slip(g).a, "ft/s^2",
-               "acceleration of the centre in case b, from a_G + r alpha = n g", "8.6")  # fmt: skip
+    f_min = no_slip(g).F / (g.one * g.g)
+    return {"f_min": f_min, "a_Ga": with_slip(g, g.f_a).a, "a_Gb": no_slip(g).a}
 
 
 def prove(g):
@@ -38,9 +33,7 @@ def prove(g):
 
     # alpha by a force at the contact of 1, from the moment that the mass points need
     by_one = vanishing(lambda alpha: proofs.moment_needed(1, motion(alpha))[2] - g.r, 0, 1 / g.r)
-
-    def turning(F):
-        return by_one * F
+    turning = lambda F: by_one * F
 
     def lag(F):
         """The acceleration of the contact behind that of the slab."""
@@ -51,18 +44,11 @@ def prove(g):
 
         return g.n * g.g - second_rate(contact)[0]
 
-    def friction(f):
-        return f * g.g if lag(f * g.g) > 0 else vanishing(lag, 0, f * g.g)
-
+    friction = lambda f: f * g.g if lag(f * g.g) > 0 else vanishing(lag, 0, f * g.g)
     F_a, F_b = friction(g.f_a), friction(g.f_b)
     f_min = vanishing(lambda f: lag(f * g.g), 0, 1)
-    return {
-        "alpha_a": turning(F_a),
-        "alpha_b": turning(F_b),
-        "a_Ga": F_a,
-        "a_Gb": F_b,
-        "f_min": f_min,
-    }
+    alphas = {"alpha_a": turning(F_a), "alpha_b": turning(F_b)}
+    return {**alphas, "a_Ga": F_a, "a_Gb": F_b, "f_min": f_min}
 
 
 def mistakes(g):

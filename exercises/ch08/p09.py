@@ -1,7 +1,7 @@
 """8/9: a disk that rolls up a slope and comes to rest."""
 
 from exercises.devices.rolling_cylinder import rolled, rolls
-from exercises.tools import Sketch, Step, force_needed, kinetic_energy, let_go, mp, vanishing
+from exercises.tools import Sketch, force_needed, kinetic_energy, let_go, mp, vanishing
 from newton_euler import Frame, cos, sin
 from newton_euler.bodies import disk, ring
 from newton_euler.kinematics.rectilinear import from_speed
@@ -25,18 +25,12 @@ def solve(g):
 def steps(g):
     found = motion(g)
     I = disk(g.a, Frame("disk"), "z", mass=g.m).inertia.moments[2]
-    yield Step("I_G", I, "slug*ft^2", "moment of inertia about the axis of the disk", "8.5")
-    yield Step("F", found.F, "lb", "friction force on the disk, positive up the slope", "8.5",
-               "8.19")  # fmt: skip
-    yield Step("a_G", found.a, "ft/s^2", "acceleration of the centre, positive up the slope", "8.5",
-               "8.15")  # fmt: skip
+    return {"I_G": I, "F": found.F, "a_G": found.a}
 
 
 def prove(g):
     """The energy at O is that of the height at P; let go there, the mass points roll back."""
-
-    def height(q):
-        return mp.sin(g.theta) * sum(u * r[0] for u, r in rolled(g.a, q))
+    height = lambda q: mp.sin(g.theta) * sum(u * r[0] for u, r in rolled(g.a, q))
 
     def energy(q, t):
         return kinetic_energy(g.m, lambda t: rolled(g.a, q(t)), t) + g.m * g.g * height(q(t))

@@ -1,27 +1,23 @@
 """8/10: a car door that swings shut as the car starts."""
 
-from exercises.tools import Sketch, Step, box, kinetic_energy, mean, mp, rate, vanishing
-from newton_euler import Frame, integral, moving, pi, solve_linear, sqrt
-from newton_euler.bodies import rod
-from newton_euler.dynamics import resultant_moment
+from exercises.tools import Sketch, box, kinetic_energy, mean, mp, rate, vanishing
+from newton_euler import Frame, bodies, dynamics, integral, moving, pi, solve_linear, sqrt
 
 
 def door(g, theta, alpha):
-    """Ground, the hinge and the door seen from above: x out of the side of the car, y forward. All
-    mass points along a vertical line of the door move alike: it is a rod in this view.
-    """
+    """Ground, hinge and door from above, x out of the car, y forward: the door is a rod."""
     ground = Frame("ground")
     hinge = ground.point("hinge", 0, moving(0 * g.b, rate=0, acceleration=g.a), 0)
     angle = moving(theta, rate=0, acceleration=alpha)  # its rate needs no moment about the hinge
     frame = ground.rotate("door", "-z", angle=angle, origin=hinge)
-    body = rod(g.b, frame.point("G", g.b / 2, 0, 0), "x", mass=g.M, name="door")
+    body = bodies.rod(g.b, frame.point("G", g.b / 2, 0, 0), "x", mass=g.M, name="door")
     return ground, frame.point("O", 0, 0, 0), body
 
 
 def moment(g, theta, alpha):
     """The moment that the door needs about the hinge, counterclockwise, by terms."""
     ground, hinge, body = door(g, theta, alpha)
-    return resultant_moment(body, ground, about=hinge)
+    return dynamics.resultant_moment(body, ground, about=hinge)
 
 
 def alpha(g, theta):
@@ -31,15 +27,9 @@ def alpha(g, theta):
 
 def answers(g, alpha):
     """The answers, from the angular acceleration at any angle."""
-
-    def speed(theta):
-        return sqrt(2 * integral(alpha, 0, theta))
-
-    return {
-        "theta_ddot": alpha(g.theta),
-        "theta_dot": speed(g.theta),
-        "omega_shut": speed(pi(g.theta) / 2),
-    }
+    speed = lambda theta: sqrt(2 * integral(alpha, 0, theta))
+    shut = speed(pi(g.theta) / 2)
+    return {"theta_ddot": alpha(g.theta), "theta_dot": speed(g.theta), "omega_shut": shut}
 
 
 def solve(g):
@@ -49,20 +39,15 @@ def solve(g):
 def steps(g):
     _, hinge, body = door(g, g.theta, 0)
     terms = moment(g, g.theta, alpha(g, g.theta)).terms
-    yield Step("I_O", body.about(hinge).moments[2], "kg*m^2", "moment of inertia about the hinge",
-               "8.5")  # fmt: skip
-    yield Step("M_ref", terms["reference"].z, "N*m",
-               "term d x m a of the acceleration of the hinge, counterclockwise seen from above",
-               "8.1", "8.9")  # fmt: skip
-    yield Step("square", 2 * integral(lambda theta: alpha(g, theta), 0, g.theta), "rad^2/s^2",
-               "square of the angular speed, twice the integral of the angular acceleration",
-               "2.1")  # fmt: skip
+    return {
+        "I_O": body.about(hinge).moments[2],
+        "M_ref": terms["reference"].z,
+        "square": 2 * integral(lambda theta: alpha(g, theta), 0, g.theta),
+    }
 
 
 def prove(g):
-    """In the car: the work of the apparent weight M a backward. In the inertial frame that moves
-    with the hinge at the instant: the hinge gives no power then.
-    """
+    """In the car, the work of the weight -M a; in the frame of the hinge, which gives no power."""
     points = [(u, x + g.b / 2) for u, (x, _, _) in box(g.b, 0, 0, order=2)]
 
     def places(angle, forward=0):
@@ -75,9 +60,7 @@ def prove(g):
     omega = speed(g.theta)
 
     def power(alpha):
-        def motion(t):
-            return places(g.theta + omega * t + alpha * t**2 / 2, g.a * t**2 / 2)
-
+        motion = lambda t: places(g.theta + omega * t + alpha * t**2 / 2, g.a * t**2 / 2)
         return rate(lambda t: kinetic_energy(g.M, motion, t))
 
     return {

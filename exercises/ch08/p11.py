@@ -35,10 +35,7 @@ def prove(g):
 def mistakes(g):
     I = inertia(g)
     mbb = g.m * g.b**2
-
-    def less(part):
-        return momentum(g, turning_body.added_to_moment(I, AXIS, -part * mbb))
-
+    less = lambda part: momentum(g, turning_body.added_to_moment(I, AXIS, -part * mbb))
     return {
         "no_products": momentum(g, turning_body.without_products(I)),
         "wrong_sign": momentum(g, turning_body.wrong_sign(I)),

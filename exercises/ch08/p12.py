@@ -1,8 +1,7 @@
 """8/12: the angular momentum of a cone that spins in a turning bracket."""
 
-from exercises.tools import Sketch, Step, in_frame, proofs
-from newton_euler import Frame, Inertia
-from newton_euler.bodies import cone
+from exercises.tools import Sketch, in_frame, proofs
+from newton_euler import Frame, Inertia, bodies
 
 
 def scene(g):
@@ -11,7 +10,7 @@ def scene(g):
     bracket = ground.rotate("bracket", "x", rate=g.omega)
     spinning = bracket.rotate("spinning", "z", rate=g.p)
     O = spinning.point("O", 0, 0, 0)
-    return ground, bracket, cone(g.r, g.b, O, "z", mass=g.m), O
+    return ground, bracket, bodies.cone(g.r, g.b, O, "z", mass=g.m), O
 
 
 def solve(g):
@@ -23,22 +22,13 @@ def steps(g):
     ground, bracket, body, O = scene(g)
     omega = body.frame.angular_velocity(ground).expressed_in(bracket)
     (_, across, _), (_, at_vertex, axial) = body.inertia.moments, body.about(O).moments
-    yield Step("omega_cone", omega, "rad/s", "angular velocity of the cone in the ground",
-               "4.3", "4.9")  # fmt: skip
-    yield Step("I_G", across, "kg*m^2",
-               "moment of inertia about a line through the centre of mass, across the axis",
-               "7.10")  # fmt: skip
-    yield Step("I_x", at_vertex, "kg*m^2", "moment of inertia about x, through the vertex",
-               "7.8", "7.25")  # fmt: skip
-    yield Step("I_z", axial, "kg*m^2", "moment of inertia about z, the axis of symmetry", "7.10")
+    return {"omega_cone": omega, "I_G": across, "I_x": at_vertex, "I_z": axial}
 
 
 def prove(g):
     """Momenta of mass points, at the share u of the way from the vertex to the base, in time."""
     base = proofs.disk(g.r)
-
-    def orientation(t):
-        return proofs.times(proofs.rot("x", g.omega * t), proofs.rot("z", g.p * t))
+    orientation = lambda t: proofs.times(proofs.rot("x", g.omega * t), proofs.rot("z", g.p * t))
 
     def over_cone(f):
         def slice_at(place):

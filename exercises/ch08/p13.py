@@ -1,7 +1,6 @@
 """8/13: a block that turns about one of its edges."""
 
 from exercises.devices import turning_body
-from exercises.devices.turning_body import about_origin, answers
 from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import box
@@ -12,7 +11,7 @@ AXIS = "y"
 
 def inertia(g):
     centre = BLOCK.point("G", g.a / 2, g.b / 2, g.c / 2)
-    return about_origin(BLOCK, [box(g.a, g.b, g.c, centre, "x", mass=g.m)])
+    return turning_body.about_origin(BLOCK, [box(g.a, g.b, g.c, centre, "x", mass=g.m)])
 
 
 solve, steps, follows = turning_body.problem_of(inertia, AXIS, "US")
@@ -28,9 +27,9 @@ def mistakes(g):
     about_centre = box(g.a, g.b, g.c, BLOCK, "x", mass=g.m).about(BLOCK)
     return {
         "no_rotation": turning_body.no_rotation(g, I, AXIS),
-        "no_products": answers(g, turning_body.without_products(I), AXIS),
-        "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
-        "about_centre": answers(g, about_centre, AXIS),
+        "no_products": turning_body.answers(g, turning_body.without_products(I), AXIS),
+        "wrong_sign": turning_body.answers(g, turning_body.wrong_sign(I), AXIS),
+        "about_centre": turning_body.answers(g, about_centre, AXIS),
     }
 
 

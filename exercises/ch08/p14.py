@@ -19,8 +19,7 @@ def steps(g):
 
 
 def prove(g):
-    names = "leg", "diameter", "half"
-    pieces = turning_body.of_wire(g.rho, *wire_figure.path(g), names)
+    pieces = turning_body.of_wire(g.rho, *wire_figure.path(g), ("leg", "diameter", "half"))
     found = turning_body.prove(g, AXIS, **pieces)
     del found["M_O_relative"], found["M_O_rotation"]  # the latter is zero: y is principal at O
     return found

@@ -1,7 +1,6 @@
 """8/15: a bent sheet that turns about one of its edges."""
 
 from exercises.devices import turning_body
-from exercises.devices.turning_body import about_origin, answers
 from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import plate
@@ -13,7 +12,7 @@ AXIS = "x"
 def inertia(g):
     level = SHEET.point("middle", g.a / 2, g.b / 2, 0)
     upright = SHEET.point("upright", g.a / 2, g.b, g.c / 2)
-    return about_origin(SHEET, [
+    return turning_body.about_origin(SHEET, [
         plate(g.a, g.b, level, "z", density=g.rho, name="level part"),
         plate(g.c, g.a, upright, "y", density=g.rho, name="upright part"),
     ])  # fmt: skip
@@ -34,9 +33,9 @@ def mistakes(g):
     near = turning_body.added_to_moment(I, AXIS, -I.terms["upright part"].mass * g.b**2)
     return {
         "no_rotation": turning_body.no_rotation(g, I, AXIS),
-        "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
-        "no_distance": answers(g, near, AXIS),
-        "no_products": answers(g, turning_body.without_products(I), AXIS),
+        "wrong_sign": turning_body.answers(g, turning_body.wrong_sign(I), AXIS),
+        "no_distance": turning_body.answers(g, near, AXIS),
+        "no_products": turning_body.answers(g, turning_body.without_products(I), AXIS),
     }
 
 

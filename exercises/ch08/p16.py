@@ -1,10 +1,8 @@
 """8/16: a right triangle that turns about one of its legs."""
 
 from exercises.devices import turning_body
-from exercises.devices.turning_body import about_origin, answers
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame
-from newton_euler.bodies import simplex
+from newton_euler import Frame, bodies
 
 PLATE = Frame("plate")
 AXIS = "z"
@@ -16,16 +14,14 @@ def corners(g):
 
 
 def inertia(g):
-    return about_origin(PLATE, [simplex(*corners(g), mass=g.m)])
+    return turning_body.about_origin(PLATE, [bodies.simplex(*corners(g), mass=g.m)])
 
 
 solve, steps, follows = turning_body.problem_of(inertia, AXIS, "US")
 
 
 def prove(g):
-    """By the mass points of a square, which is moved to the triangle: its lower edge to O, its
-    upper edge to AC.
-    """
+    """By the mass points of a square, moved to the triangle: its edges to O and to AC."""
 
     def over_plate(f):
         def weighed(place):
@@ -41,10 +37,10 @@ def mistakes(g):
     I = inertia(g)
     at_centre = turning_body.other_products(I, zx=g.m * g.b * g.h / 9)
     return {
-        "no_products": answers(g, turning_body.without_products(I), AXIS),
+        "no_products": turning_body.answers(g, turning_body.without_products(I), AXIS),
         "no_rotation": turning_body.no_rotation(g, I, AXIS),
-        "at_centre": answers(g, at_centre, AXIS),
-        "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
+        "at_centre": turning_body.answers(g, at_centre, AXIS),
+        "wrong_sign": turning_body.answers(g, turning_body.wrong_sign(I), AXIS),
     }
 
 

@@ -1,10 +1,8 @@
 """8/18: a quarter of a disk that turns about one of its straight edges."""
 
 from exercises.devices import turning_body
-from exercises.devices.turning_body import answers
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame, pi
-from newton_euler.bodies import sector
+from newton_euler import Frame, bodies, pi
 
 PLATE = Frame("plate")
 AXIS = "x"
@@ -13,7 +11,7 @@ AXIS = "x"
 def inertia(g):
     """The inertia of a sector about its line of symmetry, turned to the axes."""
     symmetric = PLATE.rotate("symmetric", "z", angle=pi(g.one) / 4)
-    quarter = sector(g.r, pi(g.one) / 4, symmetric, "z", "x", mass=g.m, name="plate")
+    quarter = bodies.sector(g.r, pi(g.one) / 4, symmetric, "z", "x", mass=g.m, name="plate")
     return quarter.about(PLATE.origin, PLATE)
 
 
@@ -28,7 +26,7 @@ def prove(g):
         def on_radius(phi):
             def weighed(place):
                 rho = g.r * (place[0] + g.one / 2)
-                return proofs.scaled(rho, f([rho * mp.cos(phi), rho * mp.sin(phi), 0]))
+                return proofs.scaled(rho, f(proofs.at_angle(rho, phi)))
 
             return proofs.mean(weighed, radii)
 
@@ -42,10 +40,10 @@ def mistakes(g):
     I = inertia(g)
     quartered = turning_body.added_to_moment(I, AXIS, -3 * I.moments[0] / 4)
     return {
-        "no_products": answers(g, turning_body.without_products(I), AXIS),
+        "no_products": turning_body.answers(g, turning_body.without_products(I), AXIS),
         "no_rotation": turning_body.no_rotation(g, I, AXIS),
-        "quartered": answers(g, quartered, AXIS),
-        "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
+        "quartered": turning_body.answers(g, quartered, AXIS),
+        "wrong_sign": turning_body.answers(g, turning_body.wrong_sign(I), AXIS),
     }
 
 

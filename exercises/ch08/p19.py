@@ -32,10 +32,8 @@ solve, steps, follows = turning_body.problem_of(inertia, AXIS)
 
 
 def prove(g):
-    bodies = [
-        turning_body.of_points(m, [(1, place)])
-        for m, place in zip(masses(g), places(g), strict=True)
-    ]
+    pairs = zip(masses(g), places(g), strict=True)
+    bodies = [turning_body.of_points(m, [(1, place)]) for m, place in pairs]
     return turning_body.prove(g, AXIS, **dict(zip(NAMES, bodies, strict=True)))
 
 

@@ -3,15 +3,14 @@
 from exercises.devices import rotor
 from exercises.tools import disk as disk_points
 from exercises.tools import rot, times
-from newton_euler import Body, pi
-from newton_euler.bodies import disk
+from newton_euler import Body, bodies, pi
 
 
 def fixed_disk(g):
     """The disk; its axes: x along the normal, y in the x, y plane of the shaft."""
     _, shaft = rotor.turning_shaft(g)
     tilted = shaft.rotate("disk", "z", angle=g.alpha)
-    return rotor.in_bearings(shaft, [disk(g.r, tilted, "x", mass=g.m)], -g.c, g.c)
+    return rotor.in_bearings(shaft, [bodies.disk(g.r, tilted, "x", mass=g.m)], -g.c, g.c)
 
 
 def solve(g):

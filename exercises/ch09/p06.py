@@ -2,8 +2,7 @@
 
 from exercises.devices import rotor
 from exercises.tools import box, mp
-from newton_euler import atan2
-from newton_euler.bodies import plate
+from newton_euler import atan2, bodies
 
 
 def fixed_plate(g):
@@ -14,7 +13,7 @@ def with_sides(g, a, b):
     """The plate, x along PQ and y along PS, with sides of which it has the moments."""
     _, shaft = rotor.turning_shaft(g)
     edges = shaft.rotate("plate", "-z", angle=atan2(g.b, g.a))
-    return rotor.in_bearings(shaft, [plate(a, b, edges, "z", mass=g.m)], -g.c, g.c)
+    return rotor.in_bearings(shaft, [bodies.plate(a, b, edges, "z", mass=g.m)], -g.c, g.c)
 
 
 def solve(g):

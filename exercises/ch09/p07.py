@@ -1,18 +1,6 @@
 """9/7: a disk that spins on a bent arm."""
 
-from exercises.devices.spinning_disk import (
-    answers,
-    balance,
-    disk_rate,
-    following,
-    force,
-    momentum,
-    no_rotation,
-    prove_spinning,
-    spin_steps,
-    spinning,
-    with_moments_exchanged,
-)
+from exercises.devices import spinning_disk as device
 from exercises.tools import Sketch, terms
 
 
@@ -22,17 +10,17 @@ def place(g):
 
 
 def disk_on_arm(g):
-    return spinning(g, g.r, "y", "z", place(g))
+    return device.spinning(g, g.r, "y", "z", place(g))
 
 
 def in_order(d):
-    found = answers(d, "M_A")
+    found = device.answers(d, "M_A")
     return {
         "H_O": found["H_O"],
         "Hdot_O": found["Hdot_O"],
-        "F_A": force(d),
+        "F_A": device.force(d),
         "M_A": found["M_A"],
-        "balance": lambda: balance(d),
+        "balance": lambda: device.balance(d),
     }
 
 
@@ -42,24 +30,24 @@ def solve(g):
 
 def steps(g):
     d = disk_on_arm(g)
-    yield from spin_steps(d, "z")
-    yield from terms(momentum(d), "H_O", "kg*m^2/s", "7.7", "7.23")
+    yield from device.spin_steps(d, "z")
+    yield from terms(device.momentum(d), "H_O", "kg*m^2/s", "7.7", "7.23")
 
 
-follows = following("M_A", "y")
+follows = device.following("M_A", "y")
 
 
 def prove(g):
-    return prove_spinning(g, g.r, "y", "z", place(g), "M_A")
+    return device.prove_spinning(g, g.r, "y", "z", place(g), "M_A")
 
 
 def mistakes(g):
     d = disk_on_arm(g)
     return {
-        "rate_of_the_disk": disk_rate(d, "M_A"),
-        "no_rotation": {**no_rotation(d, "M_A"), "balance": "dynamic"},
-        "no_orbital": {"H_O": momentum(d).without("orbital")},
-        "moments_exchanged": answers(with_moments_exchanged(d, "z"), "M_A"),
+        "rate_of_the_disk": device.disk_rate(d, "M_A"),
+        "no_rotation": {**device.no_rotation(d, "M_A"), "balance": "dynamic"},
+        "no_orbital": {"H_O": device.momentum(d).without("orbital")},
+        "moments_exchanged": device.answers(device.with_moments_exchanged(d, "z"), "M_A"),
     }
 
 

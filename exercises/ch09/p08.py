@@ -1,49 +1,39 @@
 """9/8: a disk that spins in a turning fork."""
 
-from exercises.devices.spinning_disk import (
-    answers,
-    balance,
-    disk_rate,
-    following,
-    momentum,
-    no_rotation,
-    prove_spinning,
-    spin_steps,
-    spinning,
-)
+from exercises.devices import spinning_disk as device
 from exercises.tools import Sketch
 
 
 def disk_in_fork(g):
-    return spinning(g, g.a, "x", "y")
+    return device.spinning(g, g.a, "x", "y")
 
 
 def solve(g):
     d = disk_in_fork(g)
-    return answers(d, "M_R") | {"balance": lambda: balance(d)}
+    return device.answers(d, "M_R") | {"balance": lambda: device.balance(d)}
 
 
 def steps(g):
-    yield from spin_steps(disk_in_fork(g), "y")
+    yield from device.spin_steps(disk_in_fork(g), "y")
 
 
-follows = following("M_R", "x")
+follows = device.following("M_R", "x")
 
 
 def prove(g):
-    found = prove_spinning(g, g.a, "x", "y", (0, 0, 0), "M_R")
+    found = device.prove_spinning(g, g.a, "x", "y", (0, 0, 0), "M_R")
     del found["F_A"]  # zero, and not asked for
     return found
 
 
 def mistakes(g):
     d = disk_in_fork(g)
-    H = momentum(d)
+    H = device.momentum(d)
     return {
-        "rate_of_the_disk": disk_rate(d, "M_R"),
+        "rate_of_the_disk": device.disk_rate(d, "M_R"),
         "no_diameter": {"H_O": d.arm.vector(0, H.y, H.z)},
-        "on_the_supports": {"M_R": -answers(d, "M_R")["M_R"]},
-        "no_rotation": {**no_rotation(d, "M_R"), "balance": "both"},
+        "on_the_supports": {"M_R": -device.answers(d, "M_R")["M_R"]},
+        "no_rotation": {**device.no_rotation(d, "M_R"), "balance": "both"},
     }
 
 

@@ -1,6 +1,6 @@
 """9/9: a ring that swings out from a turning shaft."""
 
-from exercises.tools import Sketch, Step, mp, proofs
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, acos, cos, particle, pi, sin, solve_linear, sqrt
 from newton_euler.bodies import Inertia, disk, ring
 
@@ -32,13 +32,7 @@ def solve(g):
 def steps(g):
     body, A = hanging(g)
     I = body.about(A)
-    yield Step("J_n", I.moment("z"), "m^2", "moment of inertia about the normal at A, over "
-               "the mass", "7.8", "7.26")  # fmt: skip
-    yield Step("J_d", I.moment("y"), "m^2", "moment of inertia about the diameter through A, over "
-               "the mass", "7.8", "7.26")  # fmt: skip
-    yield Step("cos_beta", cos(solve(g)["beta_ring"]), "1", "cosine of the angle, "
-               "g*a/((J_n - J_d)*omega^2) by the moments about the tangent",
-               "8.2", "8.13")  # fmt: skip
+    return {"J_n": I.moment("z"), "J_d": I.moment("y"), "cos_beta": cos(solve(g)["beta_ring"])}
 
 
 # omega^2*cos(beta_ring) is the same for all rates
@@ -46,9 +40,7 @@ follows = {"omega_max": lambda g, beta_ring: g.omega * sqrt(cos(beta_ring))}
 
 
 def prove(g):
-    """By the energy in the frame of the shaft, that of the weight and of the centrifugal forces: it
-    is stationary at the angle, and has its least at 0 while its curvature there is positive.
-    """
+    """The energy in the shaft's frame is stationary; least at 0 while its curvature is positive."""
     points = [(share, (x, g.a - y)) for share, (x, y, _) in proofs.ring(g.a)]
 
     def energy(beta, omega):
@@ -60,12 +52,8 @@ def prove(g):
 
         return proofs.mean(of, points)
 
-    def slope(beta):
-        return proofs.rate(lambda t: energy(beta + t, g.omega))
-
-    def curvature(omega):
-        return proofs.second_rate(lambda t: energy(t, omega))
-
+    slope = lambda beta: proofs.rate(lambda t: energy(beta + t, g.omega))
+    curvature = lambda omega: proofs.second_rate(lambda t: energy(t, omega))
     beta = proofs.root(slope, mp.mpf("0.01"), mp.pi / 2)
     quick = 10 * mp.sqrt(g.g / g.a)
     return {

@@ -1,13 +1,7 @@
 """10/4: leading terms of the two rates of steady precession for a fast spin."""
 
-from exercises.devices.steady_precession import (
-    both_rates,
-    frames,
-    leading,
-    needed_by_rates,
-    two_rings,
-)
-from exercises.tools import Step, mp
+from exercises.devices import steady_precession as device
+from exercises.tools import mp
 from newton_euler import Inertia, cos, sin, sqrt
 from newton_euler.applications.gyroscopes import fast_spin
 
@@ -24,17 +18,11 @@ def solve(g):
 
 def steps(g):
     """The moment K psi_dot x H, H of the precession and of the spin."""
-    ground, axes = frames(g.theta)
+    ground, axes = device.frames(g.theta)
     I, K = Inertia(axes.origin, (g.I0, g.I0, g.Iz), frame=axes), ground.k.expressed_in(axes)
     A = -K.cross(I.times(K)).x
     B = g.phi_dot * K.cross(I.times(axes.k)).x
-    yield Step("A", A, "kg*m^2", r"in the moment $M = B\dot\psi - A\dot\psi^2$ for any rate of "
-               "precession, the factor of its square, with the sign changed",
-               "10.6", "10.32")  # fmt: skip
-    yield Step("B", B, "kg*m^2/s", "factor of the rate itself in that moment", "10.6", "10.32")
-    yield Step("s", sqrt(B * B - 4 * A * g.M), "kg*m^2/s",
-               r"root in $\dot\psi = (B \mp s)/(2A)$; for a fast spin it is "
-               r"$B - 2AM/B - 2A^2M^2/B^3 - \dots$", "10.6", "10.33")  # fmt: skip
+    return {"A": A, "B": B, "s": sqrt(B * B - 4 * A * g.M)}
 
 
 follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}
@@ -42,11 +30,11 @@ follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}
 
 def prove(g):
     """From the exact rates at which mass points need just the moment M, at far larger spins."""
-    points = two_rings(mp.sqrt(g.Iz), mp.sqrt(g.I0))
-    square, product = needed_by_rates(1, points, g.theta)
-    slow, fast = both_rates(1, points, g.theta, g.phi_dot, g.M)
+    points = device.two_rings(mp.sqrt(g.Iz), mp.sqrt(g.I0))
+    square, product = device.needed_by_rates(1, points, g.theta)
+    slow, fast = device.both_rates(1, points, g.theta, g.phi_dot, g.M)
     on_the_way = {"A": -square, "B": product * g.phi_dot, "s": -square * (fast - slow)}
-    return leading(1, points, g.theta, g.phi_dot, g.M) | on_the_way
+    return device.leading(1, points, g.theta, g.phi_dot, g.M) | on_the_way
 
 
 def mistakes(g):

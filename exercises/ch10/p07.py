@@ -1,6 +1,6 @@
 """10/7: a fan whose precession needs the moment of a shifted counterweight."""
 
-from exercises.tools import Sketch, Step, mean, moment_needed, plus, ring, rot, times, vanishing
+from exercises.tools import Sketch, mean, moment_needed, plus, ring, rot, times, vanishing
 from newton_euler import ForceSystem, Frame, cos, sin, solve_linear
 from newton_euler.applications.gyroscopes import normal_moment
 from newton_euler.dynamics import weight
@@ -37,29 +37,18 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("I", g.m * g.k**2, "kg*m^2", "moment of inertia of the spinning parts about the "
-               "spin axis", "10.5", "10.17")  # fmt: skip
-    yield Step("M_X", gyroscopic_moment(g), "N*m",
-               r"moment about $\mathbf{X} = \mathbf{Y} \times \mathbf{Z}$, Y up and Z "
-               r"towards the fan: $I \Omega p$ in the direction of $\mathbf{Y} \times -\mathbf{Z}$",
-               "10.9", "10.38")  # fmt: skip
-    yield Step("M_fan", -moment_of_block(g, g.b_0), "N*m", "moment of the weight of the fan about "
-               "X, which that of the block at the first distance balances", "10.9")  # fmt: skip
-    yield Step("M_block", gyroscopic_moment(g) + moment_of_block(g, g.b_0), "N*m",
-               "moment about X that the weight of the block must have", "10.9")  # fmt: skip
+    return {
+        "I": g.m * g.k**2,
+        "M_X": gyroscopic_moment(g),
+        "M_fan": -moment_of_block(g, g.b_0),
+        "M_block": gyroscopic_moment(g) + moment_of_block(g, g.b_0),
+    }
 
 
 def prove(g):
-    """From the moment that the mass points of a ring and of the block need, and that of their
-    weights; the ring is as far ahead of the post as the balance of the fan at rest tells.
-    """
-
-    def of_weights(*points):
-        return sum(m * g.g * place[2] for m, place in points)
-
-    def block(b):
-        return g.m_A, [0, 0, -b]
-
+    """The moment that mass points of ring and block need; the fan's balance at rest places it."""
+    of_weights = lambda *points: sum(m * g.g * place[2] for m, place in points)
+    block = lambda b: (g.m_A, [0, 0, -b])
     ahead = vanishing(lambda d: of_weights((g.m, [0, 0, d]), block(g.b_0)), 0, g.b_0)
     points = ring(g.k, order=2)
 

@@ -1,6 +1,6 @@
 """10/8: a motor on a turntable."""
 
-from exercises.tools import Sketch, Step, moment_needed, proofs, rot, times
+from exercises.tools import Sketch, moment_needed, proofs, rot, times
 from newton_euler import ForceSystem, Frame, solve_linear
 from newton_euler.applications import normal_moment
 
@@ -39,34 +39,27 @@ def solve(g):
 
 def steps(g):
     _, table, rotor = motor(g)
-    yield Step("I_r", g.m_r * g.k**2, "kg*m^2",
-               "moment of inertia of the rotor about its shaft", "7.4")  # fmt: skip
-    yield Step("omega_r", rotor.angular_velocity(table).expressed_in(table), "rad/s",
-               "angular velocity of the rotor relative to the turntable", "10.9")  # fmt: skip
-    yield Step("M_G", couple(g), "N*m",
-               r"moment of the supports about G, $\Omega\mathbf{y} \times (-I_r p\,\mathbf{x})$",
-               "10.9", "10.38")  # fmt: skip
-    yield Step("W", g.m * g.g, "N", "weight of the motor", "5.8", "5.26")
+    return {
+        "I_r": g.m_r * g.k**2,
+        "omega_r": rotor.angular_velocity(table).expressed_in(table),
+        "M_G": couple(g),
+        "W": g.m * g.g,
+    }
 
 
 follows = {"F_B": lambda g, F_A: g.m * g.g - F_A}
 
 
 def prove(g):
-    """What the mass points of the rotor and of the rest, which may as well be at G, need beside
-    their weight: its moment about one support is that of the force of the other.
-    """
+    """What the mass points of rotor and rest need beside their weight, about each support."""
     turned = [(share, [z, x, y]) for share, (x, y, z) in proofs.ring(g.k)]
 
     def rotor(t):
         orientation = times(rot("y", g.Omega * t), rot([-1, 0, 0], g.p * t))
         return [(share, times(orientation, place)) for share, place in turned]
 
-    def moment(x):
-        """The moment of the supports about the place x on AB."""
-        of_weight = x * g.m * g.g
-        return moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - of_weight
-
+    # of the supports, about the place x on AB
+    moment = lambda x: moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - x * g.m * g.g
     AB = g.a + g.b
     spin = proofs.angular_velocity(lambda t: rot([-1, 0, 0], g.p * t))
     return {
@@ -80,11 +73,10 @@ def prove(g):
 
 def mistakes(g):
     right = couple(g)
-    weightless = supports(g.but(g=0 * g.g), right)
     return {
         "other_sense": supports(g, -right),
         "total_mass": solve(g.but(m_r=g.m)),
-        "no_weight": weightless,
+        "no_weight": supports(g.but(g=0 * g.g), right),
         "no_gyroscopic_couple": supports(g, right * 0),
         "rpm": solve(g.but(p=g.stated("p"), Omega=g.stated("Omega"))),
     }
@@ -97,8 +89,7 @@ def draw(g, ax):
     low, thick = -h, 0.12 * h
     left, right = -g.a - 0.6 * h, g.b + 0.6 * h
     A, B, G = (-g.a, low, 0), (g.b, low, 0), (0, 0, 0)
-    middle = (left + right) / 2
-    s.box((middle, low - 1.5 * thick, 0), ground, (right - left, thick, h))
+    s.box(((left + right) / 2, low - 1.5 * thick, 0), ground, (right - left, thick, h))
     s.ground((0, low - 2.2 * h, 0), normal=ground.j)
     s.shaft((0, low - 2.2 * h, 0), (0, low - 2 * thick, 0))
     half = 0.6 * min(g.a, g.b)

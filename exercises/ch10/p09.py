@@ -1,8 +1,7 @@
 """10/9: a wheel that rolls around a post and presses harder on the floor than its weight."""
 
-from exercises.tools import Sketch, Step, moment_needed, mp, plus, proofs, rot, times
-from newton_euler import Body, ForceSystem, Frame, dynamics, solve_linear, solve_rates
-from newton_euler.bodies import disk
+from exercises.tools import Sketch, moment_needed, mp, plus, proofs, rot, times
+from newton_euler import Body, ForceSystem, Frame, bodies, dynamics, solve_linear, solve_rates
 
 
 def wheel(g, spin):
@@ -11,7 +10,7 @@ def wheel(g, spin):
     axle = ground.rotate("axle", "z", rate=g.Omega)
     turned = axle.rotate("disk", "-x", rate=spin, origin=axle.point("C", g.R, 0, 0))
     mass = dynamics.mass_from_weight(g.W, g.g)
-    return ground, axle, disk(g.r, turned, "x", mass=mass)
+    return ground, axle, bodies.disk(g.r, turned, "x", mass=mass)
 
 
 def rolling_spin(g):
@@ -51,32 +50,20 @@ def solve(g):
 def steps(g):
     spin = rolling_spin(g)
     *_, body = wheel(g, spin)
-    yield Step("spin", spin, "rad/s", "rate of the disk on its axle: it rolls, so that r times "
-               "this rate is the speed of C", "4.4", "4.11")  # fmt: skip
-    yield Step("I_s", body.inertia.moment("x"), "slug*ft^2",
-               "moment of inertia about the axle", "7.4", "8.16")  # fmt: skip
-    yield Step("M_gyro", -moment(g, spin).y, "lb*ft", "moment about the line of the hinge that "
-               r"turns the angular momentum of the spin, $I_s \Omega^2 R/r$",
-               "10.9", "10.37")  # fmt: skip
+    return {"spin": spin, "I_s": body.inertia.moment("x"), "M_gyro": -moment(g, spin).y}
 
 
 def prove(g):
-    """The mass points of the disk in time: the rim has unrolled as far as the centre has gone.
-    What they need, less what their weight gives, is the moment of the floor about the hinge.
-    """
+    """The mass points of the rolling disk in time: their moment less that of the weight."""
     m = g.W / g.g
     upright = [(share, [z, x, y]) for share, (x, y, z) in proofs.disk(g.r)]
-
-    def unrolled(t):
-        return g.R * g.Omega * t / g.r
+    unrolled = lambda t: g.R * g.Omega * t / g.r
 
     def disk_at(t):
         around, own = rot("z", g.Omega * t), rot([-1, 0, 0], unrolled(t))
         return [(u, times(around, plus([g.R, 0, 0], times(own, p)))) for u, p in upright]
 
-    def up(moment):  # about -y: it lifts C
-        return -moment[1]
-
+    up = lambda moment: -moment[1]  # about -y: it lifts C
     weight = up(proofs.mean(lambda p: proofs.cross(p, [0, 0, -g.W]), disk_at(mp.mpf(0))))
     needed = up(moment_needed(m, disk_at))
     return {

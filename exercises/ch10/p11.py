@@ -1,7 +1,7 @@
 """10/11: two disks on a rod that do not precess."""
 
 from exercises.devices.wobbling import neutral_length
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame, composite, particle, solve_linear, sqrt
 from newton_euler.bodies import disk
 
@@ -37,27 +37,17 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("I", axial(g), "kg*m^2", "moment of inertia about the rod", "7.4", "8.16")
-    yield Step("I_flat", across(g, 0 * g.r), "kg*m^2",
-               "transverse moment of inertia if both disks were in the middle",
-               "7.4", "8.16")  # fmt: skip
-    b = solve(g)["b"]
-    yield Step("I_apart", across(g, b) - across(g, 0 * g.r), "kg*m^2",
-               "what the distances b/2 of the disks add to it, 2*m*(b/2)^2; the sum must be I",
-               "7.8", "7.26")  # fmt: skip
+    flat = across(g, 0 * g.r)
+    return {"I": axial(g), "I_flat": flat, "I_apart": across(g, solve(g)["b"]) - flat}
 
 
 def prove(g):
     """The length at which the mass points turn about a slanting axis without a moment."""
     flat = proofs.disk(g.r, order=2)
-
-    def points(b):
-        return [(u / 2, [x, y, z]) for u, (x, y, _) in flat for z in (-b / 2, b / 2)]
-
+    points = lambda b: [(u / 2, [x, y, z]) for u, (x, y, _) in flat for z in (-b / 2, b / 2)]
     b = neutral_length(points, g.r)
-    I, I_flat = (
-        2 * g.m * x for x in proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[0] ** 2], flat)
-    )
+    squares = lambda p: [p[0] ** 2 + p[1] ** 2, p[0] ** 2]
+    I, I_flat = (2 * g.m * x for x in proofs.mean(squares, flat))
     apart = 2 * g.m * proofs.mean(lambda p: p[2] ** 2, points(b))
     return {"b": b, "I": I, "I_flat": I_flat, "I_apart": apart}
 

@@ -1,20 +1,17 @@
 """10/13: the moment of a rotor in a turning bracket on the shaft below it."""
 
-from exercises.tools import Sketch, Step, cross, in_frame, minus, moment_needed, proofs, rot, times
-from newton_euler import Frame, dynamics
+from exercises.tools import Sketch, cross, in_frame, minus, moment_needed, proofs, rot, times
+from newton_euler import Frame, bodies, dynamics
 from newton_euler.applications import normal_moment
-from newton_euler.bodies import cylinder
 
 
 def rotor(g):
-    """Ground with z up, the bracket with its origin at G, the cylinder. Its length does not count:
-    neither the moment about the shaft nor the gyroscopic one depends on it.
-    """
+    """Ground with z up, the bracket with its origin at G, the cylinder, of any length."""
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "z", rate=g.Omega)
     spinning = bracket.rotate("cylinder", "x", rate=g.P)
     mass = dynamics.mass_from_weight(g.W, g.g)
-    return ground, bracket, cylinder(g.r, 3 * g.r, spinning, "x", mass=mass)
+    return ground, bracket, bodies.cylinder(g.r, 3 * g.r, spinning, "x", mass=mass)
 
 
 def on_the_rotor(g, share=1):
@@ -32,12 +29,8 @@ def solve(g):
 
 def steps(g):
     _, _, body = rotor(g)
-    yield Step("I", body.inertia.moment("x"), "slug*ft^2",
-               "moment of inertia of the cylinder about its axis", "7.4", "8.16")  # fmt: skip
-    yield Step("H_spin", g.P * body.inertia.moment("x"), "slug*ft^2/s",
-               "angular momentum of the spin, along x", "10.5", "10.21")  # fmt: skip
-    yield Step("M_rotor", on_the_rotor(g), "lb*ft", "moment of the bracket on the cylinder, "
-               r"$\Omega\mathbf{z} \times I P\mathbf{x}$", "10.9", "10.38")  # fmt: skip
+    I = body.inertia.moment("x")
+    return {"I": I, "H_spin": g.P * I, "M_rotor": on_the_rotor(g)}
 
 
 def prove(g):
@@ -54,9 +47,7 @@ def prove(g):
         R = times(rot("z", g.Omega * t), rot("x", g.P * t))
         return [(u, times(R, p)) for u, p in points]
 
-    def spun(t):
-        return [(u, times(rot("x", g.P * t), p)) for u, p in points]
-
+    spun = lambda t: [(u, times(rot("x", g.P * t), p)) for u, p in points]
     of_weight = cross(minus(proofs.mean(lambda p: p, points), C), [0, 0, -g.W])
     return {
         "M_C": minus(of_weight, moment_needed(m, turned, about=C)),

@@ -1,15 +1,13 @@
 """10/14: a spinning disk that falls over on a cross shaft, and the forces of its bearings."""
 
-from exercises.tools import Sketch, Step, minus, mp, mpf, plus, proofs, rot, scaled, times
+from exercises.tools import Sketch, minus, mp, mpf, plus, proofs, rot, scaled, times
 from newton_euler import ForceSystem, Frame, kinetic_energy, particle, pi, solve_linear, sqrt
 from newton_euler.bodies import disk
 from newton_euler.dynamics import resultant_force, resultant_moment, weight
 
 
 def scene(g, rate=0, acceleration=0, spin=0, mass=1):
-    """At the level position: ground with x along the level shaft and z up, and the disk; the z of
-    the shafts points from O to the disk.
-    """
+    """Level: ground with x along the shaft, z up, and the disk; its shafts' z is from O to it."""
     ground = Frame("ground")
     level = pi(g.r) / 2
     shafts = ground.rotate("shafts", "-x", angle=level, rate=rate, acceleration=acceleration)
@@ -23,9 +21,7 @@ def as_particle(g, rate=0, acceleration=0):
 
 
 def fall(g, scene=scene):
-    """theta_dot and theta_ddot: the weight has done its work, and has the moment that the motion
-    needs about x. The spin has no part in either, and the mass cancels.
-    """
+    """theta_dot and theta_ddot, by work and moment of the weight, whatever spin and mass."""
     rate = sqrt(g.g * g.b / kinetic_energy(*reversed(scene(g, rate=1))).value)
 
     def about_x(alpha):
@@ -68,50 +64,35 @@ def steps(g):
     rate, acceleration = fall(g)
     ground, body = scene(g, rate, acceleration, g.P, g.m)
     O = ground.point("O", 0, 0, 0)
-    yield Step("I_0", body.about(O).moment("x"), "kg*m^2",
-               "moment of inertia about the level shaft", "10.5", "10.17")  # fmt: skip
-    yield Step("theta_dot", rate, "rad/s", r"rate of the fall: $I_0\dot\theta^2/2 = m g b$",
-               "11.4")  # fmt: skip
-    yield Step("theta_ddot", acceleration, "rad/s^2", r"second rate of theta, $m g b/I_0$",
-               "10.5", "10.23")  # fmt: skip
     force, moment = needed(g, rate, acceleration)
-    yield Step("R_AB", force, "N", r"sum of both bearing forces, $m\mathbf{a}_C$ less the weight",
-               "6.1", "6.1")  # fmt: skip
-    yield Step("M_z", moment.z, "N*m", "moment of the bearing forces about z, which turns the "
-               "angular momentum of the spin", "10.9", "10.38")  # fmt: skip
+    return {
+        "I_0": body.about(O).moment("x"),
+        "theta_dot": rate,
+        "theta_ddot": acceleration,
+        "R_AB": force,
+        "M_z": moment.z,
+    }
 
 
-def from_A(g, F_A):
-    """The rest of what both must give."""
-    force, _ = needed(g, *fall(g))
-    return F_A.frame.vector(*force) - F_A
-
-
-follows = {"F_B": from_A}
+follows = {"F_B": lambda g, F_A: F_A.frame.vector(*needed(g, *fall(g))[0]) - F_A}
 
 
 def prove(g):
-    """The mass points of the disk in time: the fall is the one that needs the moment of their
-    weights about x, whose work is added up; then what they need about A beside their weight is the
-    moment of the force at B, and the other way round.
-    """
+    """The disk falls by the moment of its weights, added up; each force by what the other lacks."""
     plate = proofs.disk(g.r, order=2)
 
     def body(theta, spin):
         outer, inner = rot([-1, 0, 0], theta), rot("z", spin)
         return [(u, times(outer, plus(times(inner, p), [0, 0, g.b]))) for u, p in plate]
 
-    def downward(moment):  # about -x, in which theta grows
-        return -moment[0]
+    downward = lambda moment: -moment[0]  # about -x, in which theta grows
 
     def of_weights(theta, about=(0, 0, 0)):
         arm = minus(proofs.mean(lambda p: p, body(theta, 0)), about)
         return proofs.cross(arm, [0, 0, -g.m * g.g])
 
     def moment(theta, rate, acceleration, about=(0, 0, 0)):
-        def motion(t):
-            return body(theta + rate * t + acceleration * t**2 / 2, g.P * t)
-
+        motion = lambda t: body(theta + rate * t + acceleration * t**2 / 2, g.P * t)
         return proofs.moment_needed(g.m, motion, about)
 
     level, any_angle, unit = mp.pi / 2, mpf("0.7"), g.g / g.b
@@ -119,9 +100,8 @@ def prove(g):
     at_angles = proofs.box(level, 0, 0, order=20)
     work = level * proofs.mean(lambda p: downward(of_weights(p[0] + level / 2)), at_angles)
     rate = mp.sqrt(2 * work / inertia)
-    acceleration = proofs.vanishing(
-        lambda a: downward(minus(moment(level, rate, a), of_weights(level))), 0, unit
-    )
+    lacking = lambda a: downward(minus(moment(level, rate, a), of_weights(level)))
+    acceleration = proofs.vanishing(lacking, 0, unit)
 
     def force_across(x):
         """The force at the distance c from the place x on the shaft, by the moment about x."""

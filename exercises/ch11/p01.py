@@ -1,6 +1,6 @@
 """11/1: a cart that slides down a rough chute."""
 
-from exercises.tools import Sketch, Step, minus, mp, proofs, rate, root, scaled, size, vanishing
+from exercises.tools import Sketch, minus, mp, proofs, rate, root, scaled, size, vanishing
 from newton_euler import Frame, pi
 from newton_euler.algebra.ledger import summed
 from newton_euler.dynamics import constant_force_work, speed_after, weight
@@ -23,12 +23,8 @@ def work(g, N=None):
     """The work of the weight and the friction; N: another normal force than the right one."""
     ground, chute, A, B = scene(g)
     N = normal_force(g) if N is None else N
-    return summed(
-        {
-            "weight": constant_force_work(weight(g.m, ground.j, g.g), A, B),
-            "friction": constant_force_work(-g.mu * N * chute.i, A, B),
-        }
-    )
+    forces = {"weight": weight(g.m, ground.j, g.g), "friction": -g.mu * N * chute.i}
+    return summed({name: constant_force_work(F, A, B) for name, F in forces.items()})
 
 
 def speed(g, U):
@@ -41,33 +37,27 @@ def solve(g):
 
 def steps(g):
     U = work(g).terms
-    yield Step("N", normal_force(g), "N", "normal force of the chute, m g cos(theta)", "6.1", "6.4")
-    yield Step("F_f", g.mu * normal_force(g), "N", "friction, up the chute")
-    yield Step("U_w", U["weight"], "J", "work of the weight, m g L sin(theta)", "11.4", "11.7")
-    yield Step("U_f", U["friction"], "J", "work of the friction, -F_f L", "11.4", "11.6")
-    yield Step("T_A", g.m * g.v_A**2 / 2, "J", "kinetic energy at A", "11.7", "11.13")
+    return {
+        "N": normal_force(g),
+        "F_f": g.mu * normal_force(g),
+        "U_w": U["weight"],
+        "U_f": U["friction"],
+        "T_A": g.m * g.v_A**2 / 2,
+    }
 
 
 def prove(g):
-    """The motion in time, along a line in the ground: the force that it needs beside the weight is
-    that of the chute, whose two parts are as the friction law says.
-    """
+    """The motion in time along a line; beside the weight acts the chute, by the friction law."""
     down = [mp.cos(g.theta), -mp.sin(g.theta)]
     across = [mp.sin(g.theta), mp.cos(g.theta)]
-
-    def place(a):
-        return lambda t: scaled(g.v_A * t + a * t**2 / 2, down)
+    place = lambda a: lambda t: scaled(g.v_A * t + a * t**2 / 2, down)
 
     def parts(a):
         """The parts of the force of the chute, up it and across it."""
         F = scaled(g.m, minus(proofs.second_rate(place(a)), [0, -g.g]))
         return tuple(sum(f * e for f, e in zip(F, line, strict=True)) for line in (down, across))
 
-    def excess(a):
-        along, N = parts(a)
-        return along + g.mu * N
-
-    a = vanishing(excess, 0, g.g)
+    a = vanishing(lambda a: parts(a)[0] + g.mu * parts(a)[1], 0, g.g)
     # the first time at which the cart is L away: it comes to rest beyond B, if at all
     far = 2 * g.L / g.v_A if a >= 0 else min(2 * g.L / g.v_A, -g.v_A / a)
     end = root(lambda t: size(place(a)(t)) - g.L, 0, far)
@@ -92,8 +82,7 @@ def draw(g, ax):
     long, high = 0.14 * g.L, 0.08 * g.L
     end = chute.point("end", 1.45 * g.L, 0, 0)
     s.road([chute.point("start", -0.14 * g.L, 0, 0), end])
-    cart = chute.point("cart", 0, high / 2, 0)
-    s.box(cart, chute, (long, high, high))
+    s.box(chute.point("cart", 0, high / 2, 0), chute, (long, high, high))
     s.vector(chute.point("front", long / 2, high / 2, 0), chute.i, "$v_A$")
     s.dimension(A, B, label="L", offset=-0.2 * g.L)
     x, y, _ = end.position(ground).components()

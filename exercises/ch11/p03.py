@@ -1,6 +1,6 @@
 """11/3: a car that drives up one slope and coasts up a steeper one."""
 
-from exercises.tools import Sketch, Step, minus, mp, proofs, rate, root, scaled, size, vanishing
+from exercises.tools import Sketch, minus, mp, proofs, rate, root, scaled, size, vanishing
 from newton_euler import Frame, sin, solve_linear
 from newton_euler.algebra.ledger import summed
 from newton_euler.dynamics import constant_force_work
@@ -17,21 +17,14 @@ def scene(g):
 
 def work_to_B(g):
     ground, first, _, A, B = scene(g)
-    return summed(
-        {
-            "engine": constant_force_work(g.F * first.i, A, B),
-            "weight": constant_force_work(-g.W * ground.j, A, B),
-        }
-    )
+    forces = {"engine": g.F * first.i, "weight": -g.W * ground.j}
+    return summed({name: constant_force_work(F, A, B) for name, F in forces.items()})
 
 
 def distance(g, U):
     """Along the second slope, on which the weight does the work -U."""
     ground, _, second, _, B = scene(g)
-
-    def energy(s):
-        return U + constant_force_work(-g.W * ground.j, B, second.point("P", s, 0, 0)).value
-
+    energy = lambda s: U + constant_force_work(-g.W * ground.j, B, second.point("P", s, 0, 0)).value
     return solve_linear(energy, "s").s
 
 
@@ -41,13 +34,12 @@ def solve(g):
 
 def steps(g):
     U = work_to_B(g)
-    yield Step("U_e", U.terms["engine"], "ft*lb", "work of the driving force from A to B, F s_AB",
-               "11.4", "11.6")  # fmt: skip
-    yield Step("U_w", U.terms["weight"], "ft*lb", "work of the weight from A to B, "
-               "-W s_AB sin(theta_1)", "11.4", "11.7")  # fmt: skip
-    yield Step("T_B", U.value, "ft*lb", "kinetic energy at B", "11.7", "11.14")
-    yield Step("h_2", solve(g)["s"] * sin(g.theta_2), "ft", "height gained beyond B, T_B/W",
-               "11.4", "11.7")  # fmt: skip
+    return {
+        "U_e": U.terms["engine"],
+        "U_w": U.terms["weight"],
+        "T_B": U.value,
+        "h_2": solve(g)["s"] * sin(g.theta_2),
+    }
 
 
 def prove(g):

@@ -1,15 +1,14 @@
 """11/4: a collar that slides down a quarter of a hoop into a spring."""
 
 from exercises.devices.quarter_hoop import sketch, slides, work_of_weight
-from exercises.tools import Step, until
+from exercises.tools import until
 from newton_euler import pi, sqrt
 from newton_euler.dynamics import speed_after, spring_potential
 
 
 def compression(g, v):
     """The compression at which the spring has taken the collar's energy at the speed v."""
-    T = g.m * v**2 / 2
-    return sqrt(T / spring_potential(g.k, g.one))
+    return sqrt(g.m * v**2 / 2 / spring_potential(g.k, g.one))
 
 
 def answers(g, U):
@@ -23,12 +22,12 @@ def solve(g):
 
 def steps(g):
     v, x = solve(g).values()
-    yield Step("U_w", work_of_weight(g), "J", "work of the weight from A to B, m g R",
-               "11.4", "11.7")  # fmt: skip
-    yield Step("T_B", g.m * v**2 / 2, "J", "kinetic energy at B", "11.7", "11.14")
-    yield Step("V_s", spring_potential(g.k, x), "J", "energy of the spring at the greatest "
-               "compression, equal to it", "11.12", "11.35")  # fmt: skip
-    yield Step("F_s", g.k * x, "kN", "force of the spring then", "11.12")
+    return {
+        "U_w": work_of_weight(g),
+        "T_B": g.m * v**2 / 2,
+        "V_s": spring_potential(g.k, x),
+        "F_s": g.k * x,
+    }
 
 
 follows = {"x_max": lambda g, v_B: compression(g, v_B)}

@@ -1,7 +1,7 @@
 """11/8: a particle on a light frame that swings down and stretches a spring."""
 
 from exercises.devices.spring_to_pin import pull
-from exercises.tools import Sketch, Step, minus, mp, plus, size, speed_along
+from exercises.tools import Sketch, minus, mp, plus, size, speed_along
 from newton_euler import Frame, cos, sin
 from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
 
@@ -48,29 +48,17 @@ def solve(g):
 def steps(g):
     lost, taken = energies(g)
     first, last = lengths(g)
-    yield Step("h", drop(g), "mm", "drop of the particle, b (cos(theta_0) - cos(theta_1))",
-               "11.12")  # fmt: skip
-    yield Step("U_w", lost, "J", "work of the weight, m g h", "11.4", "11.7")
-    yield Step("l_0", first, "mm", "free length of the spring, CB at theta_0", "11.12")
-    yield Step("l_1", last, "mm", "length of the spring at theta_1", "11.12")
-    yield Step("x", last - first, "mm", "stretch of the spring at theta_1", "11.12")
-    yield Step("V_s", taken, "J", "potential energy of the spring at theta_1", "11.12", "11.35")
+    return {"h": drop(g), "U_w": lost, "l_0": first, "l_1": last, "x": last - first, "V_s": taken}
 
 
 def prove(g):
     """The forces of weight and spring, added up along the circle of B."""
-
-    def circle(theta):
-        return [g.b * mp.sin(theta), 0, g.b * mp.cos(theta)]
-
+    circle = lambda theta: [g.b * mp.sin(theta), 0, g.b * mp.cos(theta)]
     C = [0, 0, g.d]
     start, end = circle(g.theta_0), circle(g.theta_1)
     first, last = size(minus(start, C)), size(minus(end, C))
     spring = pull(g.k, first, C)
-
-    def force(place):
-        return plus([0, 0, -g.m * g.g], spring(place))
-
+    force = lambda place: plus([0, 0, -g.m * g.g], spring(place))
     v = speed_along(g.m, force, circle, g.theta_0, g.theta_1)
     return {"v": v, "h": start[2] - end[2], "l_0": first, "l_1": last, "x": last - first}
 

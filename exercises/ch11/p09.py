@@ -1,7 +1,7 @@
 """11/9: a roller coaster: the seat in a loop, and a hump on which the car just stays."""
 
 from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
-from exercises.tools import Sketch, Step, force_needed, mp, speed_along
+from exercises.tools import Sketch, force_needed, mp, speed_along
 from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root
 from newton_euler.dynamics import mass_from_weight, path_force, speed_after, weight_potential
@@ -43,32 +43,21 @@ def solve(g):
 
 def steps(g):
     v_B, v_D, v_E = speeds(g)
-    yield Step("v_B", v_B, "ft/s", "speed at B, after the drop h", "11.12", "11.32")
-    yield Step("v_D", v_D, "ft/s", "speed at D, after the drop h - d", "11.12", "11.32")
-    yield Step("v_E", v_E, "ft/s", "speed at E, after the drop h - h_E", "11.12", "11.32")
-    for key, v in (("B", v_B), ("D", v_D)):
-        means = f"force toward the centre of the loop that the rider needs at {key}, m v^2/r"
-        needed = path_force(mass(g), v, 0, 2 / g.d)[1]
-        yield Step(f"F_{key}", needed, "lb", means, "6.4", "6.5")
+    needed = lambda v: path_force(mass(g), v, 0, 2 / g.d)[1]
+    return {"v_B": v_B, "v_D": v_D, "v_E": v_E, "F_B": needed(v_B), "F_D": needed(v_D)}
 
 
 def prove(g):
     """The weight added up along some track that leads from A to B, round the loop and up to E."""
     m, r = g.W / g.g, g.d / 2
-
-    def weight(place):
-        return [0, 0, -g.W]
-
+    weight = lambda place: [0, 0, -g.W]
     v_B = speed_along(m, weight, lambda q: [g.h * q, 0, g.h * (1 - q) ** 2], 0, 1)
     v_D = speed_along(m, weight, circle(r), 0, mp.pi, v_B)
     v_E = speed_along(m, weight, lambda q: [g.h * q, 0, g.h_E * q * q * (3 - 2 * q)], 0, 1, v_B)
 
     def over_crest(rho):
         """The force of the track on a car of the rider's weight."""
-
-        def along(t):
-            return [rho * mp.sin(v_E * t / rho), 0, rho * mp.cos(v_E * t / rho)]
-
+        along = lambda t: [rho * mp.sin(v_E * t / rho), 0, rho * mp.cos(v_E * t / rho)]
         return force_needed(m, lambda t: [(1, along(t))])[2] + g.W
 
     return {
@@ -103,12 +92,10 @@ def draw(g, ax):
     s.road([*fall, *hump, (far, 0, 0)])
     draw_loop(s, ground, r)
     A, B, D, E = fall[0], (0, 0, 0), (0, 0, g.d), (crest, 0, g.h_E)
-    for P in (A, B, D, E):
-        s.dot(P)
-    s.label(A, "A", offset=(4, 14))
-    s.label(B, "B", offset=(0, -16))
-    s.label(D, "D", offset=(0, 14))
-    s.label(E, "E", offset=(0, 14))
+    s.dot(A, "A", offset=(4, 14))
+    s.dot(B, "B", offset=(0, -16))
+    s.dot(D, "D", offset=(0, 14))
+    s.dot(E, "E", offset=(0, 14))
     s.line((start, 0, 0), (-level, 0, 0))
     s.dimension((start, 0, 0), A, label="h", offset=0.15 * h)
     s.dimension((0, 0, 0), (0, 0, g.d), label="d", offset=-1.3 * r)

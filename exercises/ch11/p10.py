@@ -1,7 +1,7 @@
 """11/10: the least compression of a spring that shoots a pellet round a loop."""
 
 from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
-from exercises.tools import ProofError, Sketch, Step, after, mp, mpf, until
+from exercises.tools import ProofError, Sketch, after, mp, mpf, until
 from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root, sqrt
 from newton_euler.dynamics import mass_from_weight, speed_after, spring_potential, weight_potential
@@ -35,18 +35,11 @@ def solve(g):
 def steps(g):
     v = least_speed(g, g.r)
     taken = weight_potential(mass(g), 2 * g.r, g.g)
-    yield Step("v_D", v, "ft/s", "least speed at the top, where the weight alone holds the pellet "
-               "on the circle, m v^2/r = W", "6.4", "6.5")  # fmt: skip
-    yield Step("T_D", kinetic(g, v), "ft*lb", "kinetic energy at the top", "11.7", "11.13")
-    yield Step("V_D", taken, "ft*lb", "potential energy at the top, W 2 r", "11.12", "11.34")
-    yield Step("v_B", speed_after(v, taken, mass(g)), "ft/s", "speed at the foot of the loop",
-               "11.12", "11.32")  # fmt: skip
+    return {"v_D": v, "T_D": kinetic(g, v), "V_D": taken, "v_B": speed_after(v, taken, mass(g))}
 
 
 def prove(g):
-    """Backward in time from the top, where the loop has just ceased to push: down the loop, and
-    into the spring till the pellet is at rest.
-    """
+    """Backward in time from the top, where the loop ceases to push, into the spring to rest."""
     m = g.W / g.g
     v = proved_root(lambda v: proved_contact(m, g.g, g.r, mp.pi, v), 0, 10 * mp.sqrt(g.g * g.r))
     swing = mp.sqrt(g.r / g.g)
@@ -55,16 +48,10 @@ def prove(g):
         pull = g.g / g.r * mp.sin(state[0])
         return [state[1], -float(pull) if isinstance(state[0], float) else -pull]
 
-    _, (_, rate) = until(
-        round_loop, [mp.pi, v / g.r], lambda state: state[0] - 2 * mp.pi, swing / 4
-    )
+    _, (_, rate) = until(round_loop, [mp.pi, v / g.r], lambda s: s[0] - 2 * mp.pi, swing / 4)
     v_B = rate * g.r
-    _, (x, _) = until(
-        lambda state: [state[1], -g.k / m * state[0]],
-        [mpf(0), v_B],
-        lambda state: state[1],
-        mp.sqrt(m / g.k) / 2,
-    )
+    slowing = lambda s: [s[1], -g.k / m * s[0]]
+    _, (x, _) = until(slowing, [mpf(0), v_B], lambda s: s[1], mp.sqrt(m / g.k) / 2)
 
     def gets_round(speed):
         """Whether a pellet that enters the loop with this speed touches it in all places."""

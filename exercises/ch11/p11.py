@@ -1,7 +1,7 @@
 """11/11: a collar on a hoop in a horizontal plane, pulled by a spring: the weight does no work."""
 
 from exercises.devices.spring_to_pin import pull
-from exercises.tools import Sketch, Step, minus, mp, size, speed_along
+from exercises.tools import Sketch, minus, mp, size, speed_along
 from newton_euler import Frame
 from newton_euler.dynamics import mass_from_weight, speed_after, spring_between, weight_potential
 
@@ -42,12 +42,9 @@ def solve(g):
 
 def steps(g):
     for name in "CB":
-        yield Step(f"x_{name}", length(g, name) - length(g, "A"), "in",
-                   f"stretch of the spring at {name}, P{name} - d", "11.12")  # fmt: skip
-        yield Step(f"V_{name}", energy(g, name), "ft*lb", f"potential energy of the spring at "
-                   f"{name}; at A it is zero", "11.12", "11.35")  # fmt: skip
-    m = mass_from_weight(g.W, g.g)
-    yield Step("T_C", m * g.v_C**2 / 2, "ft*lb", "kinetic energy at C", "11.7", "11.13")
+        yield f"x_{name}", length(g, name) - length(g, "A")
+        yield f"V_{name}", energy(g, name)
+    yield "T_C", mass_from_weight(g.W, g.g) * g.v_C**2 / 2
 
 
 follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g))}
@@ -55,10 +52,7 @@ follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weig
 
 def prove(g):
     """The pull of the spring, added up along the hoop."""
-
-    def hoop(phi):
-        return [-g.R * mp.cos(phi), g.R * mp.sin(phi), 0]
-
+    hoop = lambda phi: [-g.R * mp.cos(phi), g.R * mp.sin(phi), 0]
     P = [g.R + g.d, 0, 0]
     at_C, at_B = hoop(0), hoop(mp.pi / 2)
     m, spring = g.W / g.g, pull(g.k, g.d, P)
@@ -91,12 +85,10 @@ def draw(g, ax):
     s.spring(P, collar)
     s.sphere(collar, 0.08 * g.R)
     s.hinge(P)
-    for place in (O, A, B, C):
-        s.dot(place)
+    s.dot(O, "O", offset=(10, -12))
+    s.dot(A, "A", offset=(-14, -14))
+    s.dot(B, "B", offset=(0, 14))
+    s.dot(C, "C", offset=(-14, 0))
     s.dimension(A, P, label="d", offset=-0.35 * g.R)
     s.arrow(O, (-0.6 * g.R, -0.8 * g.R, 0), label="R")
-    s.label(O, "O", offset=(10, -12))
-    s.label(A, "A", offset=(-14, -14))
-    s.label(B, "B", offset=(0, 14))
-    s.label(C, "C", offset=(-14, 0))
     s.label(P, "P", offset=(16, 0))

@@ -1,7 +1,7 @@
 """11/12: a collar on a half hoop in a horizontal plane, pulled by a spring from above it."""
 
 from exercises.devices.spring_to_pin import pull
-from exercises.tools import Sketch, Step, minus, mp, size, speed_along
+from exercises.tools import Sketch, minus, mp, size, speed_along
 from newton_euler import Frame, pi
 from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
 
@@ -41,11 +41,8 @@ def solve(g):
 
 def steps(g):
     for name in "ABC":
-        l = length(g, name)
-        yield Step(f"l_{name}", l, "mm", f"length of the spring with the collar at {name}", "11.12")
-        yield Step(f"V_{name}", energy(g, name), "J",
-                   f"potential energy of the spring with the collar at {name}, stretched by "
-                   f"l_{name} - l_0", "11.12", "11.35")  # fmt: skip
+        yield f"l_{name}", length(g, name)
+        yield f"V_{name}", energy(g, name)
 
 
 follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"), g.m)}
@@ -53,10 +50,7 @@ follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"
 
 def prove(g):
     """The pull of the spring, added up along the rod."""
-
-    def rod(phi):
-        return [-g.r * mp.cos(phi), 0, g.r * mp.sin(phi)]
-
+    rod = lambda phi: [-g.r * mp.cos(phi), 0, g.r * mp.sin(phi)]
     D = [g.x_D, g.y_D, g.z_D]
     spring = pull(g.k, g.l_0, D)
     v_B = speed_along(g.m, spring, rod, 0, mp.pi / 2)
@@ -86,15 +80,13 @@ def draw(g, ax):
     s.axes(O, ground, length=0.5 * g.r)
     s.spring(D, A)
     s.sphere(A, 0.06 * g.r)
-    for place in (O, B, C, D):
-        s.dot(place)
+    s.dot(O, "O", offset=(-14, 8))
+    s.dot(B, "B", offset=(0, -16))
+    s.dot(C, "C", offset=(-12, 14))
+    s.dot(D, "D", offset=(14, 6))
     below = (g.x_D, 0, g.z_D)
     s.line(O, (g.x_D, 0, 0))
     s.dimension((g.x_D, 0, 0), below, label="$z_D$", offset=0)
     s.dimension(below, D, label="$y_D$", offset=0)
     s.dimension(O, (g.x_D, 0, 0), label="$x_D$", offset=0.5 * g.r)
-    s.label(O, "O", offset=(-14, 8))
     s.label(A, "A", offset=(-20, 8))
-    s.label(B, "B", offset=(0, -16))
-    s.label(C, "C", offset=(-12, 14))
-    s.label(D, "D", offset=(14, 6))

@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from exercises.tools import Sketch, Step, box, freedom, gradient, mean, mpf, plus, rate, scaled
+from exercises.tools import Sketch, box, freedom, gradient, mean, mpf, plus, rate, scaled
 from newton_euler import Frame, integral, work_along
 from newton_euler.dynamics import conservative_force, curl, degrees_of_freedom
 
@@ -47,9 +47,7 @@ def candidate(g):
     F = field(g)
 
     def V(*place):
-        def along(s):
-            return sum(f * q for f, q in zip(F(*(s * q for q in place)), place, strict=True))
-
+        along = lambda s: sum(f * q for f, q in zip(F(*(s * q for q in place)), place, strict=True))
         return -integral(along, 0, 1)
 
     return V
@@ -84,25 +82,18 @@ def solve(g):
 
 
 def steps(g):
-    sides = "from (0, 0, 0)", "from (a, 0, 0)", "from (a, b, 0)", "from (0, b, 0)"
-    for n, (U, side) in enumerate(zip(round_trip(g, corners(g)), sides, strict=True), 1):
-        yield Step(f"W_{n}", U, "J", f"work of F along the side of the rectangle that starts "
-                   f"{side}", "11.3", "11.5")  # fmt: skip
     P = Frame("axes").point("P", g.x, g.y, g.z)
-    slope = -conservative_force(candidate(g), P).x
-    yield Step("V_x", slope, "N", "derivative of V with respect to x", "11.9", "11.18")
+    sides = {f"W_{n}": U for n, U in enumerate(round_trip(g, corners(g)), 1)}
+    return {**sides, "V_x": -conservative_force(candidate(g), P).x}
 
 
 def prove(g):
-    """The mean of the circulation in the rectangle; the mean of the work over the segment; slopes
-    along slanted lines; and the fields that have a potential, counted.
-    """
+    """Mean circulation, mean work, slopes along slanted lines; fields with a potential, counted."""
     coefficients = [getattr(g, name) for name in NAMES]
 
     def F(r):
-        return [
-            sum(c * q for c, q in zip(coefficients[n : n + 3], r, strict=True)) for n in (0, 3, 6)
-        ]
+        rows = (coefficients[n : n + 3] for n in (0, 3, 6))
+        return [sum(c * q for c, q in zip(row, r, strict=True)) for row in rows]
 
     def circulation(r):
         """Round a place, for the unit of area."""
@@ -156,9 +147,8 @@ def mistakes(g):
 
     V = candidate(g)
     count = conditions(cross_derivatives)
-    direct = conditions(
-        lambda field: (field[0] - field[4], field[4] - field[8], field[8] - field[0])
-    )
+    pairs = (0, 4), (4, 8), (8, 0)
+    direct = conditions(lambda field: tuple(field[n] - field[m] for n, m in pairs))
     return {
         "axes_alone": answers(g, lambda x, y, z: in_three_legs(x, y, z, none, none)),
         "edges": answers(g, lambda x, y, z: in_three_legs(x, y, z, x, y)),

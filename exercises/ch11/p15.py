@@ -1,6 +1,6 @@
 """11/15: a collar that a spring drives outward on a rod, which turns freely about the vertical."""
 
-from exercises.tools import Sketch, Step, mp, until
+from exercises.tools import Sketch, mp, until
 from newton_euler import Frame, kinetic_energy, moving, particle, root, solve_rates, sqrt
 from newton_euler.dynamics import angular_momentum, spring_potential
 
@@ -69,21 +69,12 @@ follows = {
 
 
 def steps(g):
-    H = momentum(g, g.r_A, g.omega_A)
-    yield Step("H_O", H, "slug*ft^2/s", "angular momentum of the collar about the shaft, which "
-               "does not change", "7.6", "7.23")  # fmt: skip
-    for P, r in ("A", g.r_A), ("B", g.r_B):
-        yield Step(f"V_{P}", potential(g, r), "ft*lb", f"potential energy of the spring at {P}",
-                   "11.12", "11.35")  # fmt: skip
-    yield Step("E", energy(g), "ft*lb", "energy, which does not change", "11.11", "11.32")
-    yield Step("v_B", speed(g), "ft/s", "speed of the collar at B, from the energy", "11.11",
-               "11.32")  # fmt: skip
+    spring = {"V_A": potential(g, g.r_A), "V_B": potential(g, g.r_B)}
+    return {"H_O": momentum(g, g.r_A, g.omega_A), **spring, "E": energy(g), "v_B": speed(g)}
 
 
 def prove(g):
-    """A rod without mass or moment pushes the collar neither way: in the ground it moves in a plane
-    by the force of the spring alone, and its rectangular coordinates are followed in time.
-    """
+    """The collar's rectangular coordinates in time: only the spring acts on it in the plane."""
     m = g.W / g.g
 
     def rates(state):
@@ -92,8 +83,7 @@ def prove(g):
         a = -g.k * (r - g.l_0) / (m * r)
         return [*v, a * x, a * y]
 
-    def distance(state):
-        return mp.hypot(*state[:2])
+    distance = lambda state: mp.hypot(*state[:2])
 
     def outward(state):
         x, y, u, v = state

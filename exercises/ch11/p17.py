@@ -1,9 +1,8 @@
 """11/17: the kinetic energy of a rolling disk."""
 
-from exercises.tools import Sketch, Step, mp, plus, proofs, rot, times
-from newton_euler import Frame, kinetic_energy, moving, solve_rates
+from exercises.tools import Sketch, mp, plus, proofs, rot, times
+from newton_euler import Frame, dynamics, kinetic_energy, moving, solve_rates
 from newton_euler.bodies import disk, ring
-from newton_euler.dynamics import kinetic_energy_about
 
 
 def rolling(g, body):
@@ -15,9 +14,7 @@ def rolling(g, body):
         C = ground.point("C", moving(0 * g.r, rate=g.u), 0, 0)
         return ground.rotate("wheel", "z", rate=omega, origin=C)
 
-    def slip(omega):
-        return wheel(omega).point("contact", 0, -g.r, 0).velocity(ground).x
-
+    slip = lambda omega: wheel(omega).point("contact", 0, -g.r, 0).velocity(ground).x
     return ground, P, body(g.r, wheel(*solve_rates(slip, 1)), "z", mass=g.m)
 
 
@@ -33,14 +30,12 @@ def solve(g):
 def steps(g):
     ground, _, body = rolling(g, disk)
     T = energy(g, disk)
-    yield Step("omega", body.frame.angular_velocity(ground).norm(), "rad/s",
-               "angular speed of the disk: it rolls", "4.4", "4.11")  # fmt: skip
-    yield Step("I_C", body.inertia.moment("z"), "kg*m^2", "moment of inertia about the axis of the "
-               "disk", "7.4", "7.10")  # fmt: skip
-    yield Step("T_trans", T.terms["translation"], "J", "energy of the translation, m u^2/2",
-               "11.16", "11.51")  # fmt: skip
-    yield Step("T_rot", T.terms["rotation"], "J", "energy of the rotation", "11.16",
-               "11.51")  # fmt: skip
+    return {
+        "omega": body.frame.angular_velocity(ground).norm(),
+        "I_C": body.inertia.moment("z"),
+        "T_trans": T.terms["translation"],
+        "T_rot": T.terms["rotation"],
+    }
 
 
 def prove(g):
@@ -57,7 +52,7 @@ def prove(g):
 def mistakes(g):
     T = energy(g, disk)
     ground, P, body = rolling(g, disk)
-    about_contact = kinetic_energy_about(body, P, ground)
+    about_contact = dynamics.kinetic_energy_about(body, P, ground)
     return {
         "no_rotation": {"T": T.reweighted(rotation=0)},
         "hoop": {"T": energy(g, ring).value},

@@ -1,9 +1,7 @@
 """11/18: the kinetic energy of a sphere about a point of its surface, in two forms."""
 
-from exercises.tools import Sketch, Step, ball, proofs, rot, size, times, transposed
-from newton_euler import Frame, cos, moving, sin
-from newton_euler.bodies import sphere
-from newton_euler.kinematics import euler_frame
+from exercises.tools import Sketch, ball, proofs, rot, size, times, transposed
+from newton_euler import Frame, bodies, cos, kinematics, moving, sin
 
 
 def hung():
@@ -13,7 +11,7 @@ def hung():
 
 
 def body(g, axes):
-    return sphere(g.R, axes.point("G", 0, 0, g.R), mass=g.M)
+    return bodies.sphere(g.R, axes.point("G", 0, 0, g.R), mass=g.M)
 
 
 def by_components(g, axes):
@@ -23,7 +21,7 @@ def by_components(g, axes):
 def by_euler(g, axes):
     """The components in axes that do not spin, principal for a body of revolution as well."""
     ground = Frame("ground")
-    turned = euler_frame(ground, "sphere", *(
+    turned = kinematics.euler_frame(ground, "sphere", *(
         moving(angle, rate=rate)
         for angle, rate in ((0, g.psi_dot), (g.theta, g.theta_dot), (0, g.phi_dot))
     ))  # fmt: skip
@@ -54,14 +52,13 @@ def steps(g):
     axes, O = hung()
     I = body(g, axes).about(O)
     omega = by_euler(g, axes)
-    yield Step("I_z", I.moment("z"), "kg*m^2", "moment of inertia about OG", "7.4", "7.10")
-    yield Step("I_x", I.moment("x"), "kg*m^2", "moment of inertia about x and y, axes at O at "
-               "right angles to OG", "7.10", "7.26")  # fmt: skip
-    yield Step("omega_n", omega.x, "rad/s", "component of the angular velocity by Euler's angles "
-               "about the level axis at right angles to OG", "10.5", "10.19")  # fmt: skip
-    yield Step("omega_t", omega.y, "rad/s", "component at right angles to this axis and to OG",
-               "10.5", "10.19")  # fmt: skip
-    yield Step("omega_s", omega.z, "rad/s", "component along OG", "10.5", "10.19")
+    return {
+        "I_z": I.moment("z"),
+        "I_x": I.moment("x"),
+        "omega_n": omega.x,
+        "omega_t": omega.y,
+        "omega_s": omega.z,
+    }
 
 
 def prove(g):

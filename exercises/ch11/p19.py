@@ -1,7 +1,7 @@
 """11/19: the kinetic energies of two disks that roll on one shaft round the vertical."""
 
 from exercises.devices.disk_on_shaft import energy_of_disk, rolling, spinning, unrolled
-from exercises.tools import Sketch, Step
+from exercises.tools import Sketch
 from newton_euler import Body, kinetic_energy
 from newton_euler.bodies import disk
 
@@ -36,23 +36,14 @@ def spin(d):
 def steps(g):
     for name, s in places(g).items():
         d = rolling(g.Omega, g.r, s)
-        T = terms_at(g, d)
-        yield Step(f"omega_{name}", spin(d), "rad/s",
-                   f"rate at which the {name} disk turns on the shaft: it rolls", "4.4",
-                   "4.11")  # fmt: skip
-        yield Step(f"T_trans_{name}", T.terms["translation"], "J",
-                   f"energy of the translation of the {name} disk", "11.14", "11.45")  # fmt: skip
-        yield Step(f"T_rot_{name}", T.terms["rotation"], "J",
-                   f"energy of the rotation of the {name} disk, about the shaft and about its "
-                   "vertical diameter", "11.14", "11.45")  # fmt: skip
+        yield f"omega_{name}", spin(d)
+        yield f"T_trans_{name}", terms_at(g, d).terms["translation"]
+        yield f"T_rot_{name}", terms_at(g, d).terms["rotation"]
 
 
 def prove(g):
     spins = {name: unrolled(g.Omega, g.r, s) for name, s in places(g).items()}
-
-    def energy(name, s):
-        return energy_of_disk(g.M, g.r, g.Omega, spins[name], s)
-
+    energy = lambda name, s: energy_of_disk(g.M, g.r, g.Omega, spins[name], s)
     T = {name: energy(name, s) for name, s in places(g).items()}
     found = {"T_outer": T["outer"], "T_inner": T["inner"], "ratio": T["outer"] / T["inner"]}
     for name in T:
@@ -71,10 +62,7 @@ def mistakes(g):
         axial = disk(g.r, d.body, "x", mass=g.M).inertia.moment("x")
         return kinetic_energy(Body("disk", g.M, d.body, (axial, axial, axial)), d.ground).value
 
-    def one_spin(s):
-        middle = rolling(g.Omega, g.r, g.R)
-        return terms_at(g, spinning(g.Omega, spin(middle), s)).value
-
+    one_spin = lambda s: terms_at(g, spinning(g.Omega, spin(rolling(g.Omega, g.r, g.R)), s)).value
     return {
         "no_turning_of_plane": answers(g, no_turning),
         "axial_for_diameter": answers(g, alike),

@@ -1,7 +1,7 @@
 """11/20: the kinetic energy of a disk on an arm that rolls round the inside of a cylinder."""
 
 from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
-from exercises.tools import Sketch, Step, angular_velocity, mp, plus, proofs, rate, rot, size, times
+from exercises.tools import Sketch, angular_velocity, mp, plus, proofs, rate, rot, size, times
 from newton_euler import Body, acos, asin, atan, cos, kinetic_energy, pi, sin, sqrt
 
 
@@ -43,42 +43,30 @@ def solve(g):
     return {"theta": leaning(g), "omega_axial": axial(d), "T": energy(g, d).value}
 
 
-def axial_by(g, theta):
-    return turning(g) * (g.R / g.r - cos(theta))
-
-
 def energy_by(g, theta, omega_axial):
     across = turning(g) * sin(theta)
     return (g.I_a * omega_axial**2 + (g.I_t + g.M * g.c**2) * across**2) / 2
 
 
-follows = {"omega_axial": axial_by, "T": energy_by}
+follows = {"omega_axial": lambda g, theta: turning(g) * (g.R / g.r - cos(theta)), "T": energy_by}
 
 
 def steps(g):
     d = rolls(g)
-    yield Step("OP", distance(g), "in", "distance from O to the point of contact", "11.16")
-    yield Step("psi_dot", turning(g), "rad/s", "rate of the vertical plane of the arm, 2 pi f",
-               "4.4")  # fmt: skip
-    yield Step("omega_s", d.body.angular_velocity(d.shaft).norm(), "rad/s", "rate of the body "
-               "relative to this plane, about OA: it rolls", "4.9", "4.22")  # fmt: skip
-    yield Step("omega_t", d.body.angular_velocity(d.ground).expressed_in(d.shaft).z, "rad/s",
-               "component of the body's angular velocity at right angles to OA", "4.9",
-               "4.22")  # fmt: skip
     G = d.shaft.point("G", g.c, 0, 0)
-    yield Step("v_G", G.velocity(d.ground).norm(), "ft/s", "speed of G", "4.4", "4.11")
+    return {
+        "OP": distance(g),
+        "psi_dot": turning(g),
+        "omega_s": d.body.angular_velocity(d.shaft).norm(),
+        "omega_t": d.body.angular_velocity(d.ground).expressed_in(d.shaft).z,
+        "v_G": G.velocity(d.ground).norm(),
+    }
 
 
 def prove(g):
-    """The angle at which the rim just touches the wall, a rim that unrolls along the wall, and mass
-    points that have the same moments of inertia.
-    """
+    """The rim touches the wall and unrolls along it; mass points of the same inertia."""
     Omega = 2 * mp.pi * g.f
-
-    def gap(theta):
-        rim = plus([g.L, 0, 0], [0, 0, -g.r])
-        return g.R - times(rot("y", theta - mp.pi / 2), rim)[0]
-
+    gap = lambda theta: g.R - times(rot("y", theta - mp.pi / 2), [g.L, 0, -g.r])[0]
     theta = proofs.root(gap, 0, mp.pi / 4)
     up = mp.pi / 2 - theta
     spin = unrolled(Omega, g.r, g.R)
@@ -89,10 +77,7 @@ def prove(g):
     along = [(on_it, [x * one, 0, 0]) for x in (1, -1)]
     rest = [(g.M - 4 * round_it - 2 * on_it, [0, 0, 0])]
     points = [(m, plus([g.c - g.L, 0, 0], p)) for m, p in around + along + rest]
-
-    def turned(t):
-        return times(rot("z", Omega * t), rot("y", -up), rot("x", spin * t))
-
+    turned = lambda t: times(rot("z", Omega * t), rot("y", -up), rot("x", spin * t))
     omega = angular_velocity(turned)
     along_arm = [mp.sin(theta), 0, mp.cos(theta)]
     part = sum(x * e for x, e in zip(omega, along_arm, strict=True))

@@ -3,7 +3,7 @@
 import math
 
 from exercises.devices.disk_on_shaft import contact, energy_of_disk, rolling, spinning, unrolled
-from exercises.tools import Sketch, Step, angular_velocity, mp, rot, size, times
+from exercises.tools import Sketch, angular_velocity, mp, rot, size, times
 from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk
 
@@ -14,14 +14,8 @@ def shaft(g):
 
 
 def rate(g, d):
-    """The disk turns about the level line from the point of contact to the joint D, which are at
-    rest: so fast that C is carried round as the shaft does it.
-    """
-
-    def unlike(rate):
-        omega = rate * -d.ground.i
-        return (omega - g.n * d.ground.k).cross(d.C.position(d.ground)).y
-
+    """The disk turns about the level line from contact to D as fast as the shaft carries C."""
+    unlike = lambda rate: (rate * -d.ground.i - g.n * d.ground.k).cross(d.C.position(d.ground)).y
     (found,) = solve_rates(unlike, 1)
     return found
 
@@ -52,20 +46,13 @@ def solve(g):
 def steps(g):
     d = shaft(g)
     omega, I = turning(g, d), inertia(g, d)
-    yield Step("omega", rate(g, d), "rad/s", "angular speed of the disk, about the level line from "
-               "the point of contact to D, both of which are at rest", "4.4", "4.11")  # fmt: skip
-    yield Step(
-        "omega_a",
-        -omega.x,
-        "rad/s",
-        "component of the angular velocity along the shaft, from C to D",
-        "11.16",
-    )
-    yield Step("omega_t", omega.z, "rad/s", "component at right angles to the shaft", "11.16")
-    yield Step("I_a", I.moment("x"), "kg*m^2", "moment of inertia about the shaft", "7.4",
-               "7.10")  # fmt: skip
-    yield Step("I_t", I.moment("y"), "kg*m^2", "moment of inertia about an axis through D at "
-               "right angles to the shaft", "7.10", "7.26")  # fmt: skip
+    return {
+        "omega": rate(g, d),
+        "omega_a": -omega.x,
+        "omega_t": omega.z,
+        "I_a": I.moment("x"),
+        "I_t": I.moment("y"),
+    }
 
 
 def prove(g):
@@ -110,10 +97,8 @@ def draw(g, ax):
     s.ball_joint(D)
     s.line(D, P)
     reach = math.hypot(a, b)
-    s.path(
-        [(reach * math.cos(t / 20), reach * math.sin(t / 20), 0) for t in range(-14, 17)],
-        style="dashed",
-    )
+    around = [(reach * math.cos(t / 20), reach * math.sin(t / 20), 0) for t in range(-14, 17)]
+    s.path(around, style="dashed")
     s.turn((0, 0, 0.65), d.ground.k, label="n")
     s.dimension(D, C, label="b", offset=0.25)
     s.dimension(C, P, label="a", offset=0)

@@ -1,9 +1,7 @@
 """11/22: the kinetic energy of a cone that rolls round its tip."""
 
-from exercises.tools import Sketch, Step, mp, proofs
-from newton_euler import Frame, cos, sin, solve_rates, tan
-from newton_euler.bodies import cone
-from newton_euler.dynamics import kinetic_energy_about
+from exercises.tools import Sketch, mp, proofs
+from newton_euler import Frame, bodies, cos, dynamics, sin, solve_rates, tan
 
 
 def scene(g, spin):
@@ -11,9 +9,8 @@ def scene(g, spin):
     ground = Frame("ground")
     contact = ground.rotate("contact", "z", rate=g.Omega)
     axle = contact.rotate("axle", "y", angle=-g.alpha)
-    spinning = axle.rotate("cone", "x", rate=spin)
-    O = spinning.point("O", 0, 0, 0)
-    return ground, contact, cone(g.h * tan(g.alpha), g.h, O, "x", mass=g.M), O
+    O = axle.rotate("cone", "x", rate=spin).point("O", 0, 0, 0)
+    return ground, contact, bodies.cone(g.h * tan(g.alpha), g.h, O, "x", mass=g.M), O
 
 
 def rolling(g):
@@ -30,32 +27,23 @@ def rolling(g):
 
 def solve(g):
     _, ground, _, body, O = rolling(g)
-    return {"T": kinetic_energy_about(body, O, ground).value}
+    return {"T": dynamics.kinetic_energy_about(body, O, ground).value}
 
 
 def steps(g):
     spin, ground, contact, body, O = rolling(g)
     at_tip = body.about(O)
-    yield Step("spin", spin, "rad/s",
-               "rate of the cone about its axis, relative to the turning axes and positive in the "
-               "sense from tip to base; the line of contact is at rest",
-               "4.4", "4.11")  # fmt: skip
-    yield Step("omega_x", body.frame.angular_velocity(ground).expressed_in(contact).x, "rad/s",
-               "angular velocity of the cone; it has this component along the line of contact only",
-               "4.4", "4.9")  # fmt: skip
-    yield Step("I_axial", at_tip.moment("x"), "kg*m^2",
-               "moment of inertia about the axis of the cone", "7.10")  # fmt: skip
-    yield Step("I_across", at_tip.moment("y"), "kg*m^2",
-               "moment of inertia about a line through the tip, square to the axis",
-               "7.8", "7.25")  # fmt: skip
-    yield Step("I_contact", at_tip.moment(contact.i), "kg*m^2",
-               "moment of inertia about the line of contact", "7.8", "7.26")  # fmt: skip
+    return {
+        "spin": spin,
+        "omega_x": body.frame.angular_velocity(ground).expressed_in(contact).x,
+        "I_axial": at_tip.moment("x"),
+        "I_across": at_tip.moment("y"),
+        "I_contact": at_tip.moment(contact.i),
+    }
 
 
 def prove(g):
-    """The base rolls off its circumference on a circle as large as the side is long; mass points,
-    each at the share u of the way from the tip to a point of the base, in this motion.
-    """
+    """The base unrolls on a circle as large as the side is long; mass points in this motion."""
     r, side = g.h * mp.tan(g.alpha), g.h / mp.cos(g.alpha)
     base = proofs.disk(r, order=2)
     points = [
@@ -92,10 +80,7 @@ def mistakes(g):
     _, ground, contact, body, O = rolling(g)
     omega = body.frame.angular_velocity(ground).expressed_in(contact).x
     I_G, I_O = body.inertia.moment(contact.i), body.about(O).moment(contact.i)
-
-    def energy(I, rate=omega):
-        return {"T": I * rate**2 / 2}
-
+    energy = lambda I, rate=omega: {"T": I * rate**2 / 2}
     return {
         "omega_is_Omega": energy(I_O, g.Omega),
         "about_centre": energy(I_G),

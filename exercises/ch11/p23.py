@@ -1,6 +1,6 @@
 """11/23: energy and angular momentum of a turning platform with a particle that slides in it."""
 
-from exercises.tools import Sketch, Step, in_frame, mp, mpf, proofs
+from exercises.tools import Sketch, in_frame, mpf, proofs
 from newton_euler import Frame, moving, particle
 from newton_euler.bodies import disk
 from newton_euler.dynamics import kinetic_energy
@@ -30,17 +30,14 @@ def steps(g):
     ground, platform, (disk, P), _ = now = scene(g)
     of_platform, of_particle = momenta(*now)
     v_P = P.centre.velocity(ground, via=platform).expressed_in(platform)
-    yield Step("I_O", disk.inertia.moment("z"), "kg*m^2",
-               "moment of inertia of the platform about the axis", "7.10")  # fmt: skip
-    yield Step("T_M", kinetic_energy(disk, ground).value, "J", "kinetic energy of the platform",
-               "11.16", "11.53")  # fmt: skip
-    yield Step("v_P", v_P, "m/s", "velocity of the particle in the ground", "4.7", "4.17")
-    yield Step("T_m", kinetic_energy(P, ground).value, "J", "kinetic energy of the particle",
-               "11.7", "11.13")  # fmt: skip
-    yield Step("H_M", of_platform, "kg*m^2/s", "angular momentum of the platform about O",
-               "7.2", "7.12")  # fmt: skip
-    yield Step("H_m", of_particle, "kg*m^2/s", "angular momentum of the particle about O",
-               "7.1", "7.1")  # fmt: skip
+    return {
+        "I_O": disk.inertia.moment("z"),
+        "T_M": kinetic_energy(disk, ground).value,
+        "v_P": v_P,
+        "T_m": kinetic_energy(P, ground).value,
+        "H_M": of_platform,
+        "H_m": of_particle,
+    }
 
 
 def prove(g):
@@ -50,10 +47,8 @@ def prove(g):
     def platform(t):
         return [(share, proofs.times(proofs.rot("z", g.omega * t), p)) for share, p in rim]
 
-    def spiral(t):
-        r, angle = g.r + g.v * t, g.omega * t
-        return [(mpf(1), [r * mp.cos(angle), r * mp.sin(angle), mpf(0)])]
-
+    path = lambda t: proofs.at_angle(g.r + g.v * t, g.omega * t, mpf(0))
+    spiral = lambda t: [(mpf(1), path(t))]
     found = {}
     for name, m, motion in (("M", g.M, platform), ("m", g.m, spiral)):
         found[f"T_{name}"] = proofs.kinetic_energy(m, motion)
@@ -61,7 +56,7 @@ def prove(g):
     return {
         "T": found["T_M"] + found["T_m"],
         "H_O": proofs.plus(found["H_M"], found["H_m"]),
-        "v_P": proofs.rate(lambda t: spiral(t)[0][1]),
+        "v_P": proofs.rate(path),
         **found,
     }
 

@@ -2,7 +2,7 @@
 
 from math import degrees
 
-from exercises.tools import Sketch, Step, in_frame, mp, proofs
+from exercises.tools import Sketch, in_frame, mp, proofs
 from newton_euler import Frame, cos, cylindrical, moving, sin, sqrt
 from newton_euler.dynamics import gravitational_potential, speed_after
 
@@ -40,8 +40,7 @@ def answers(g, speed):
 
 
 def solve(g):
-    start = g.z_0 / g.p
-    return answers(g, speed_from(g, potential(g, from_origin(g, start))))
+    return answers(g, speed_from(g, potential(g, from_origin(g, g.z_0 / g.p))))
 
 
 follows = {"v": lambda g, speed: velocity(g, speed)}
@@ -51,28 +50,20 @@ def steps(g):
     theta = g.z_0 / g.p
     R, _, _ = tube(g, theta).coordinates
     r = from_origin(g, theta)
-    yield Step("theta_0", theta, "rad", "angle theta at the release, $z_0/p$", "3.4")
-    yield Step("R_start", R.value, "m", "distance from the z axis at the release", "3.4")
-    yield Step("r_start", r, "m", "distance from the origin O at the release", "3.4")
-    yield Step("V_start", potential(g, r), "J", "potential energy at the release", "11.10",
-               "11.24")  # fmt: skip
-    yield Step("V_end", potential(g, g.R_0), "J", "potential energy at theta = 0", "11.10",
-               "11.24")  # fmt: skip
-    yield Step("direction", -velocity(g, 1), "1",
-               "unit vector along the tube at theta = 0, toward growing theta", "3.4",
-               "3.22")  # fmt: skip
+    return {
+        "theta_0": theta,
+        "R_start": R.value,
+        "r_start": r,
+        "V_start": potential(g, r),
+        "V_end": potential(g, g.R_0),
+        "direction": -velocity(g, 1),
+    }
 
 
 def prove(g):
     """The attraction added up along the tube, in rectangular coordinates."""
-
-    def place(theta):
-        R = g.R_0 + g.q * theta
-        return [R * mp.cos(theta), R * mp.sin(theta), g.p * theta]
-
-    def force(r):
-        return proofs.scaled(-g.K * g.m / proofs.size(r) ** 3, r)
-
+    place = lambda theta: proofs.at_angle(g.R_0 + g.q * theta, theta, g.p * theta)
+    force = lambda r: proofs.scaled(-g.K * g.m / proofs.size(r) ** 3, r)
     start = proofs.root(lambda theta: place(theta)[2] - g.z_0, 0, 2 * g.z_0 / g.p)
     speed = proofs.speed_along(g.m, force, place, start, 0)
     ahead = proofs.rate(place)

@@ -3,7 +3,7 @@
 from mpmath import fp
 
 from exercises.devices.spherical_pendulum import level_motion, other_level, way
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame, solve_rates, sqrt
 from newton_euler.dynamics import speed_after, weight_potential
 
@@ -40,22 +40,13 @@ def solve(g):
 def steps(g):
     at_c = ratio(g)
     T_b = kinetic(g, at_c)
-    for depth, level in ((g.b, "b"), (g.c, "c")):
-        yield Step(f"d_{level}", sqrt(g.a**2 - depth**2), "m",
-                   f"distance of the bob from the vertical at the level {level}")  # fmt: skip
-    yield Step("ratio", at_c, "1", "kinetic energy at the level c over that at b: m d v is the "
-               "same, since string and weight have no moment about the vertical",
-               "11.7", "11.13")  # fmt: skip
-    yield Step("v_b", speed_after(0, T_b, g.m), "m/s", "speed of the bob at the level b", "11.11",
-               "11.32")  # fmt: skip
-    yield Step("v_c", speed_after(0, at_c * T_b, g.m), "m/s", "speed of the bob at the level c",
-               "11.11", "11.32")  # fmt: skip
+    distances = {f"d_{n}": sqrt(g.a**2 - depth**2) for n, depth in (("b", g.b), ("c", g.c))}
+    speeds = {"v_b": speed_after(0, T_b, g.m), "v_c": speed_after(0, at_c * T_b, g.m)}
+    return {**distances, "ratio": at_c, **speeds}
 
 
 def prove(g):
-    """The speed at the level b that makes the bob, under its weight and the string's force, have no
-    vertical velocity next at the level c: found in floats, and then more closely.
-    """
+    """The speed at b from which the bob next moves level at c: in floats, then more closely."""
 
     def miss(speed):
         kind = float if isinstance(speed, float) else g.one.__class__

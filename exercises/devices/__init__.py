@@ -1,3 +1,1 @@
-"""Devices of the book: frames, points, figure, and the same motion in time for proofs; each is
-shared by the problems that ask about it.
-"""
+"""Devices of the book, shared by problems: frames, points, figure, and the proofs' motion."""

@@ -1,6 +1,4 @@
-"""The amusement ride of 3/19 to 3/24: cars at the ends of arms of length R that are hinged at O to
-a turning shaft; a wavy track raises them to z = (h/2)(1 - cos(2 theta)).
-"""
+"""The ride of 3/19 to 3/24: cars on hinged arms R and a wavy track (h/2)(1 - cos(2 theta))."""
 
 from exercises.tools import Sketch, Step, elevation, mp, rate, second_rate, size
 from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spherical, sqrt
@@ -63,10 +61,7 @@ def proved_steps(g, *names):
         "z": lambda place: place[2],
         "phi": elevation,
     }.items():
-
-        def f(t, of=of):
-            return of(P(t))
-
+        f = lambda t, of=of: of(P(t))
         found |= {name: f(0), f"{name}_dot": rate(f), f"{name}_ddot": second_rate(f)}
     found |= {"sin_phi": P(0)[2] / size(P(0)), "cos_phi": found["r"] / size(P(0))}
     return {name: found[name] for name in names}

@@ -11,9 +11,7 @@ SIZE = 0.45  # size of a mass
 
 
 def rope(pulley, left, right):
-    """A constraint: the two runs of the rope over a pulley keep their sum, here zero; of heights
-    as ``degrees_of_freedom`` gives them.
-    """
+    """A constraint for ``degrees_of_freedom``: the heights at both ends add up to zero."""
     return left[0] + right[0] - 2 * pulley[0]
 
 

@@ -1,6 +1,4 @@
-"""The part of 5/14 and 7/14: a plate bent along y at O, with a hole in its horizontal part and a
-round top on its vertical part.
-"""
+"""The part of 5/14 and 7/14: a plate bent along y at O, with a hole and a round top."""
 
 from exercises.tools import Sketch
 from newton_euler import Frame
@@ -10,9 +8,7 @@ PART = Frame("part")
 
 
 def parts(g, radius=None, foot=None):
-    """Two rectangles and the half disk, and the hole; ``radius`` is that of the round top, ``foot``
-    the height of its straight edge.
-    """
+    """Two rectangles and the half disk, of ``radius`` with its edge at ``foot``; and the hole."""
     radius, foot = g.w / 2 if radius is None else radius, g.h_v if foot is None else foot
     middle = PART.point("middle", g.l_h / 2, g.w / 2, 0)
     upright = PART.point("upright", 0, g.w / 2, g.h_v / 2)

@@ -12,10 +12,8 @@ def gears(n, n_C, tan_gamma):
     contact = (0, tan_gamma, -1)
 
     def slip(spin):
-        tooth, gap = (
-            arm.rotate("B", "y", rate=spin).point("tooth", *contact),
-            C.point("gap", *contact),
-        )
+        tooth = arm.rotate("B", "y", rate=spin).point("tooth", *contact)
+        gap = C.point("gap", *contact)
         return (tooth.velocity(ground) - gap.velocity(ground)).x  # square to the plane of DE and OA
 
     (spin,) = solve_rates(slip, 1)
@@ -25,9 +23,8 @@ def gears(n, n_C, tan_gamma):
 def answers(n, n_C, tan_gamma):
     """The answers of both problems, along the axes of the arm."""
     ground, arm, B = gears(n, n_C, tan_gamma)
-    return in_frame(
-        arm, {"omega_B": B.angular_velocity(ground), "alpha_B": B.angular_acceleration(ground)}
-    )
+    omega, alpha = B.angular_velocity(ground), B.angular_acceleration(ground)
+    return in_frame(arm, {"omega_B": omega, "alpha_B": alpha})
 
 
 def steps(n, n_C, tan_gamma, rolling):
@@ -61,9 +58,7 @@ def proved(n, n_C, tan_gamma):
 
 
 def figure(ax, tan_gamma, C_turns):
-    """The gears with a line of contact of length 1, seen nearly square to the plane of DE and OA; C
-    is on a sleeve round DE.
-    """
+    """The gears, with a line of contact of length 1, seen nearly square to their plane."""
     gamma = atan(tan_gamma)
     ground = Frame("ground")
     O, A, D, E = (
@@ -75,11 +70,9 @@ def figure(ax, tan_gamma, C_turns):
             ("E", 0, 0, 0.8),
         )
     )
-    B, C, contact = (
-        ground.j * sin(gamma),
-        ground.k * -cos(gamma),
-        ground.vector(0, sin(gamma), -cos(gamma)),
-    )
+    B = ground.j * sin(gamma)
+    C = ground.k * -cos(gamma)
+    contact = ground.vector(0, sin(gamma), -cos(gamma))
     foot = C - ground.k * 0.65
     s = Sketch(ax, ground, azimuth=20, elevation=15)
     s.shaft(D, E)

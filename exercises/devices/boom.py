@@ -1,6 +1,4 @@
-"""An arm in a vertical plane that turns about the vertical Z; its angle beta from the upward
-vertical grows (robot arm, crane).
-"""
+"""An arm in a vertical plane that turns about Z; its angle beta from the vertical grows."""
 
 from newton_euler import Frame
 
@@ -13,8 +11,6 @@ def turning_boom(omega, beta):
 
 
 def acceleration_without_cross_product(P, ground):
-    """The acceleration of P, fixed in the boom, by way of the boom, if omega_house x omega_boom is
-    missing in the boom's alpha.
-    """
+    """a_P by way of the boom, if alpha lacks omega_house x omega_boom."""
     alpha = P.frame.angular_acceleration(ground).without("house x boom")
     return P.acceleration(ground).without("euler") + alpha.cross(P.position(P.frame))

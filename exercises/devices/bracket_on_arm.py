@@ -6,9 +6,7 @@ from newton_euler import Frame
 
 
 def arm_and_bracket(g):
-    """Ground with y up; DEG turns about y; the bracket about x, the arm's axis from E to G, with
-    its origin at C.
-    """
+    """Ground with y up; DEG, about y; the bracket, about x along EG, with its origin at C."""
     ground = Frame("ground")
     arm = ground.rotate("DEG", "y", rate=g.omega_2)
     bracket = arm.rotate("bracket", "x", rate=g.omega_1, origin=arm.point("C", g.c, 0, 0))
@@ -36,9 +34,7 @@ def motion_steps(P, ground, arm):
 
 
 def common_mistakes(P, ground):
-    """Those of both problems: P is a point of the bracket, so that its own frame's formula has the
-    terms origin and euler = alpha x r.
-    """
+    """Those of both problems; the bracket's own formula has the terms origin and euler."""
     v, a = P.velocity(ground), P.acceleration(ground)
     return in_frame(ground, {
         "C_at_rest": {f"v_{P.name}": v.without("origin"), f"a_{P.name}": a.without("origin")},
@@ -48,9 +44,7 @@ def common_mistakes(P, ground):
 
 
 def motion_in_time(g, name, up, out):
-    """Proof for a point that is at t = 0 ``up`` along y and ``out`` along z from C: cylinder
-    coordinates about the arm, then about y.
-    """
+    """Proof, of a point ``up`` and ``out`` from C: about the arm, then about y."""
 
     def seen(t):
         phi = g.omega_1 * t

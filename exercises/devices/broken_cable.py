@@ -70,25 +70,16 @@ def fall_steps(g, shape, pin):
 
 
 def by_energy(g, points, *places):
-    """Proof: alpha, by the energy of the mass ``points`` as they begin to turn; the force of the
-    pin, by their momentum; the motion in time of further places.
-    """
+    """Proof: alpha by the energy of mass ``points``, the pin by their momentum; places in time."""
 
     def energy(q, t):
-        def motion(t):
-            return [(share, times(rot("z", q(t)), r)) for share, r in points]
-
+        motion = lambda t: [(share, times(rot("z", q(t)), r)) for share, r in points]
         height = sum(share * r[1] for share, r in motion(t))
         return kinetic_energy(g.W / g.g, motion, t) + g.W * height
 
     alpha = let_go(energy)
-
-    def moves(r):
-        return lambda t: times(rot("z", alpha * t**2 / 2), r)
-
-    def motion(t):
-        return [(share, moves(r)(t)) for share, r in points]
-
+    moves = lambda r: lambda t: times(rot("z", alpha * t**2 / 2), r)
+    motion = lambda t: [(share, moves(r)(t)) for share, r in points]
     F_x, F_y, _ = force_needed(g.W / g.g, motion)
     return alpha, [F_x, F_y + g.W, 0], *map(moves, places)
 

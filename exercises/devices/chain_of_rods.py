@@ -6,8 +6,7 @@ name of the length of a rod.
 from itertools import pairwise
 
 from exercises.tools import Sketch
-from newton_euler import Frame
-from newton_euler.bodies import simplex
+from newton_euler import Frame, bodies
 
 CHAIN = Frame("chain")
 
@@ -32,16 +31,13 @@ def all_from_O(g):
 
 def rods(pairs, **matter):
     matter = matter or {"density": 1}
-    return [simplex(P, Q, name=P.name + Q.name, **matter) for P, Q in pairs]
+    return [bodies.simplex(P, Q, name=P.name + Q.name, **matter) for P, Q in pairs]
 
 
 def path(g, first="x", edge="a"):
     """Proof, along the chain: the place after a way s, the whole way, and where it has corners."""
     a = getattr(g, edge)
-
-    def place(s):
-        return in_order([min(max(s - n * a, 0), a) for n in range(3)], first)
-
+    place = lambda s: in_order([min(max(s - n * a, 0), a) for n in range(3)], first)
     return place, 3 * a, (a, 2 * a)
 
 

@@ -41,13 +41,8 @@ def steps(g, r, theta):
 
 def prove(g, r, theta):
     """The path in fixed axes x, y, then along the rod and across it."""
-
-    def place(t):
-        return times(rot("z", theta(g, t)), [r(g, t), 0, 0])
-
-    def along_rod(vector):
-        return times(rot("z", -theta(g, g.t_1)), vector)
-
+    place = lambda t: times(rot("z", theta(g, t)), [r(g, t), 0, 0])
+    along_rod = lambda vector: times(rot("z", -theta(g, g.t_1)), vector)
     return {
         "v": along_rod(rate(place, g.t_1)),
         "a": along_rod(second_rate(place, g.t_1)),

@@ -13,9 +13,7 @@ def radius(g, z):
 
 
 def tube(g, s):
-    """Proof, of the thin tube of radius s about the axis: its volume per ds, the height at which it
-    begins, on the side, and its length up to the base.
-    """
+    """Proof, of the thin tube of radius s: volume per ds, where it begins on the side, length."""
     low = g.h * s / g.r
     return 2 * mp.pi * s * (g.h - low), low, g.h - low
 

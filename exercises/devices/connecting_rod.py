@@ -1,10 +1,7 @@
-"""A connecting rod with its bearing axes AA', BB' and the centroidal axis GG' between them, all
-parallel to z in the x, z plane.
-"""
+"""A connecting rod with parallel axes AA', BB' and GG' between them, along z."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame
-from newton_euler.bodies import Inertia
+from newton_euler import Frame, bodies
 
 ROD = Frame("rod")
 
@@ -12,21 +9,14 @@ ROD = Frame("rod")
 def about_A(mass, moment, r_a, r_b):
     """The :class:`Inertia` at A, of which only the moment about AA' is known, G, and B."""
     G = ROD.point("G", r_a, 0, 0)
-    A = Inertia(ROD, (0, 0, moment), mass=mass, centre=G, tolerance=None)
+    A = bodies.Inertia(ROD, (0, 0, moment), mass=mass, centre=G, tolerance=None)
     return A, G, ROD.point("B", r_a + r_b, 0, 0)
 
 
 def two_masses(moment_per_mass, r_a):
-    """Proof: a rod with mass only at two places, as far as k from G on both sides, of the moment
-    that is known about AA'; their distances from A.
-    """
-
-    def places(k):
-        return [r_a - k, r_a + k]
-
-    def missing(k):
-        return mean_square(places(k)) - moment_per_mass
-
+    """Proof: two mass points at k from G with the moment about AA'; their distances from A."""
+    places = lambda k: [r_a - k, r_a + k]
+    missing = lambda k: mean_square(places(k)) - moment_per_mass
     k = proofs.root(missing, 0, 2 * mp.sqrt(moment_per_mass))
     return places(k)
 

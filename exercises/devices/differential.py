@@ -33,22 +33,17 @@ def train(axis, cage_rate, spin, names=("cage", "pinion")):
 
 
 def slip(g, axis, cage_rate, spin, gear_rate, side):
-    """Velocity of the pinion's tooth against that of the gear on that side (1 or -1) where they
-    touch: its component square to both axes.
-    """
+    """Velocity of the pinion's tooth against the gear on this side, square to both axes."""
     ground, _, pinion = train(axis, cage_rate, spin)
     gear = ground.rotate("gear", axis, rate=gear_rate)
     here = coordinates(axis, side * g.r, g.R)
-    difference = pinion.point("tooth", *here).velocity(ground) - gear.point(
-        "tooth", *here
-    ).velocity(ground)
+    v, w = (body.point("tooth", *here).velocity(ground) for body in (pinion, gear))
+    difference = v - w
     return getattr(difference, next_axis(next_axis(axis)))
 
 
 def meshing_rates(g, axis, first, second):
-    """Rates of the cage, and of the pinion in the cage, that let the pinion run on both gears,
-    which turn at ``first`` and ``second``.
-    """
+    """Rates of cage and pinion at which the pinion runs on gears at ``first`` and ``second``."""
     return solve_rates(
         lambda cage, spin: (
             slip(g, axis, cage, spin, first, 1),
@@ -65,28 +60,20 @@ def spin_against(g, axis, cage_rate, gear_rate, side):
 
 
 def rolled(g, axis, first, second):
-    """Orientations of cage and pinion in time, by the arcs that pass the two contacts: in the cage,
-    equal on both wheels.
-    """
+    """Orientations of cage and pinion in time, by equal arcs on both wheels at two contacts."""
 
     def angles(t):
         # R (phi - cage) = -r spin on the first side, +r spin on the second
         arcs = matrix([[-g.R, g.r], [-g.R, -g.r]])
         return mp.lu_solve(arcs, matrix([-g.R * first * t, -g.R * second * t]))
 
-    def cage(t):
-        return rot(axis, angles(t)[0])
-
-    def pinion(t):
-        return times(cage(t), rot(next_axis(axis), angles(t)[1]))
-
+    cage = lambda t: rot(axis, angles(t)[0])
+    pinion = lambda t: times(cage(t), rot(next_axis(axis), angles(t)[1]))
     return cage, pinion
 
 
 def section(s, g, axis, pinion_sides):
-    """Draw gears and pinions in the plane of their axes: parts of their pitch cones, which touch
-    along lines through the apex.
-    """
+    """Draw gears and pinions in the plane of their axes: pitch cones that touch along lines."""
 
     def wheel(corners):
         s.plate(

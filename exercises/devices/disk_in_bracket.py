@@ -71,10 +71,8 @@ def rim_motion(frames, name, r):
     """Velocity and acceleration of A or B, along the bracket's axes, by way of the bracket."""
     ground, bracket, disk = frames
     S = rim_point(disk, name, r)
-    return {
-        f"v_{name}": S.velocity(ground, via=bracket),
-        f"a_{name}": S.acceleration(ground, via=bracket),
-    }
+    v, a = S.velocity(ground, via=bracket), S.acceleration(ground, via=bracket)
+    return {f"v_{name}": v, f"a_{name}": a}
 
 
 def all_motion(frames, name, r):
@@ -163,16 +161,12 @@ def prove_turning(g):
         _, phi, axle = in_time(g, t)
         return spun(axle, [0, 0, 1], phi)
 
-    return {
-        "omega_disk": proofs.angular_velocity(disk),
-        "alpha_disk": proofs.angular_acceleration(disk),
-    }
+    omega, alpha = proofs.angular_velocity(disk), proofs.angular_acceleration(disk)
+    return {"omega_disk": omega, "alpha_disk": alpha}
 
 
 def prove_rim(g, name):
-    """The same motion of A or B, from its place in the ground as a function of time: its angle on
-    the rim grows from +z toward +x.
-    """
+    """The same motion from the place in time: the angle on the rim grows from +z toward +x."""
     start = {"A": 0, "B": mp.pi / 2}[name]
 
     def seen(t):
@@ -208,11 +202,9 @@ def figure(g, ax, rim="AB", omega_name=r"\omega"):
 
 def _draw_fork(s, bracket, disk, r, omega, P):
     """The disk between the arms of a fork, its centre above the shaft."""
-    C, middle, foot = (
-        disk.origin,
-        bracket.point("", 0, 0, -1.4 * r),
-        bracket.point("", 0, 0, -2.2 * r),
-    )
+    C = disk.origin
+    middle = bracket.point("", 0, 0, -1.4 * r)
+    foot = bracket.point("", 0, 0, -2.2 * r)
     for y in (-0.7 * r, 0.7 * r):
         end, corner = bracket.point("", 0, y, 0), bracket.point("", 0, y, -1.4 * r)
         s.rod(C, end)

@@ -68,15 +68,12 @@ def rim_steps(g, name):
 
 
 def rim_from_turning(name):
-    """``follows`` of the velocity and the acceleration of C or D, by the disk as a rigid body about
-    its centre, which is at rest.
-    """
+    """``follows`` of v and a of C or D: the disk is rigid, its centre at rest."""
 
     def r(g, frame):
         return frame.vector(*(g.r if e else 0 for e in PLACES[name]))
 
-    def v(g, omega_disk):
-        return omega_disk.cross(r(g, omega_disk.frame))
+    v = lambda g, omega_disk: omega_disk.cross(r(g, omega_disk.frame))
 
     def a(g, omega_disk, alpha_disk):
         return acceleration_of(omega_disk, alpha_disk, r(g, omega_disk.frame))
@@ -85,13 +82,9 @@ def rim_from_turning(name):
 
 
 def pin_and_axis(gone_round, risen):
-    """Proof, directions in the ground: of the horizontal pin of A in B, which has gone round, and
-    of the disk's axis, which has risen from +y.
-    """
-    pin, level = (
-        [mp.cos(gone_round), mp.sin(gone_round), 0],
-        [-mp.sin(gone_round), mp.cos(gone_round), 0],
-    )
+    """Proof: the pin of A in B, which has gone round, and the axis, risen from +y."""
+    pin = [mp.cos(gone_round), mp.sin(gone_round), 0]
+    level = [-mp.sin(gone_round), mp.cos(gone_round), 0]
     return pin, plus(scaled(mp.cos(risen), level), [0, 0, mp.sin(risen)])
 
 
@@ -121,10 +114,8 @@ def prove_rim(g, name):
     def place(t):
         pin, axis = pin_and_axis(g.omega_1 * t, g.omega_2 * t)
         c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), proofs.cross(pin, axis)
-        return {
-            "C": plus(scaled(c, up), scaled(s, pin)),
-            "D": plus(scaled(c, pin), scaled(-s, up)),
-        }[name]
+        C, D = plus(scaled(c, up), scaled(s, pin)), plus(scaled(c, pin), scaled(-s, up))
+        return {"C": C, "D": D}[name]
 
     omega, alpha = prove_turning(g.omega_1, g.omega_2, g.omega_3)
     omega_A, alpha_A = prove_carrier(g.omega_1, g.omega_2)

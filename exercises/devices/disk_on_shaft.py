@@ -1,6 +1,4 @@
-"""A body of revolution about a shaft that turns about the vertical z, 11/16 and 11/19 to 11/21: it
-spins on the shaft, or rolls with its rim; its kinetic energy, and that of mass points.
-"""
+"""A body of revolution on a shaft that turns about z (11/16, 11/19 to 11/21), its energy."""
 
 from dataclasses import dataclass
 
@@ -64,9 +62,7 @@ def carried(points, Omega, spin, L, rise=0):
 
 
 def unrolled(Omega, radius, path):
-    """Proof, the spin of a body whose rim unrolls along a circle of radius ``path`` round z: in
-    each turn of the shaft the arcs on rim and circle are equally long.
-    """
+    """Proof, the spin of a rim that unrolls along a circle of radius ``path``: equal arcs."""
     turn = 2 * mp.pi / Omega  # time
     return -2 * mp.pi * path / radius / turn
 

@@ -17,9 +17,7 @@ def area_of_ring(g, phi, width=None):
 
 
 def shadow(g, s):
-    """Proof, the area of the shell per ds over the circle of radius s in the plane of the rim, and
-    its height: it is steeper than that plane by the factor R/z.
-    """
+    """Proof, area per ds over the circle of radius s, steeper by R/z than its plane; and z."""
     z = mp.sqrt(g.R**2 - s**2)
     return 2 * mp.pi * s * g.R / z, z
 

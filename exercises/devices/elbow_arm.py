@@ -56,14 +56,9 @@ def prove(g):
         beta = g.beta_1 + g.b_dot * t
         return [0, g.b - g.L * mp.cos(beta), g.L * mp.sin(beta)]
 
-    def D(t):
-        return times(rot("z", g.omega * t), in_arm(t))
-
-    answers = {
-        "alpha_CD": proofs.angular_acceleration(rod),
-        "v_D": rate(D),
-        "a_D": proofs.second_rate(D),
-    }
+    D = lambda t: times(rot("z", g.omega * t), in_arm(t))
+    alpha = proofs.angular_acceleration(rod)
+    answers = {"alpha_CD": alpha, "v_D": rate(D), "a_D": proofs.second_rate(D)}
     return answers | {"omega_CD": proofs.angular_velocity(rod), "v_r": rate(in_arm)}
 
 

@@ -7,9 +7,7 @@ DISK = Frame("disk")
 
 
 def in_polar(g, power, f, element=lambda r: r):
-    """The integral over the area of r^power f(theta), f a tuple of functions: over r times over
-    theta; ``element`` is the area per dr dtheta.
-    """
+    """The integral of r^power f(theta), a tuple, over the area; ``element`` is dA/(dr dtheta)."""
     over_r = integral(lambda r: element(r) * r**power, 0, g.R)
     over_theta = integral(f, 0, pi(g.one))
     return tuple(over_r * x for x in over_theta)

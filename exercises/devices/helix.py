@@ -15,28 +15,21 @@ def on_helix(radius, rise, theta):
 
 
 def unrolled(radius, rise, speed, start=0):
-    """Proof, the place in time at constant speed from the angle ``start``: unrolled from its
-    cylinder the helix is a straight line, the hypotenuse over one turn of the circle and its rise.
-    """
+    """Proof, the place at constant speed: unrolled, the helix is the hypotenuse over its circle."""
     turn = 2 * mp.pi * radius
     along = mp.hypot(turn, 2 * mp.pi * rise)
 
     def place(t):
         turns = speed * t / along
         theta = start + 2 * mp.pi * turns
-        return [
-            radius * mp.cos(theta),
-            radius * mp.sin(theta),
-            rise * start + 2 * mp.pi * rise * turns,
-        ]
+        up = rise * (start + 2 * mp.pi * turns)
+        return [radius * mp.cos(theta), radius * mp.sin(theta), up]
 
     return place
 
 
 def figure(ax, ground, radius, rise, theta, name, turns=1.25):
-    """The helix with the radius ``name`` on its cylinder, which hides nothing, and P at ``theta``;
-    returns sketch, centre of the foot, foot of P, P.
-    """
+    """The helix on its cylinder, and P at ``theta``: (sketch, foot of the axis, foot of P, P)."""
     s = Sketch(ax, ground, azimuth=35, elevation=22)
     high = 2 * pi() * rise * turns
     for z in (0, high):

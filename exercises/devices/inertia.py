@@ -1,12 +1,6 @@
-"""Inertia matrices of bodies that are put together of parts, from which others may be cut out, or
-integrated; and proofs that know neither a table of solids nor the parallel axis theorem: the
-angular momenta of mass points in a body that turns.
-"""
+"""Inertia matrices of bodies put together of parts, others cut out, or integrated."""
 
-from itertools import pairwise
-
-from exercises.catalogue.proofs.digits import weighted
-from exercises.tools import Step, proofs
+from exercises.tools import Step
 from newton_euler.bodies import Body, Inertia
 
 
@@ -23,6 +17,19 @@ def together(frame, parts, removed=()):
 def answer(I):
     """The answer from an :class:`Inertia`."""
     return {"I_O": I.matrix}
+
+
+def whole(frame, parts, removed=()):
+    """The answer from bodies."""
+    return answer(together(frame, parts, removed))
+
+
+def problem_of(frame, parts, mass, length, inertia, holes=False, at_O=()):
+    """``solve`` and ``steps`` about ``parts(g)``; with ``holes``, a pair of these and holes."""
+    bodies = lambda g: parts(g) if holes else (parts(g),)
+    units = {"mass": mass, "length": length, "inertia": inertia}
+    steps = lambda g: steps_of(frame, *bodies(g), at_O=at_O, **units)
+    return (lambda g: whole(frame, *bodies(g))), steps
 
 
 def untransferred(frame, part):
@@ -61,37 +68,3 @@ def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=()):
                    f"centre of mass of the {part.name}, from O", "7.8")  # fmt: skip
         yield Step(f"I_{key}", part.about(frame).matrix, inertia,
                    f"inertia matrix of the {part.name} at O", "7.8", "7.25")  # fmt: skip
-
-
-def turned(place):
-    """Proof, of a unit mass: the columns are its angular momenta r x (e x r) about O when it turns
-    at unit rate about each of the axes.
-    """
-    axes = [1, 0, 0], [0, 1, 0], [0, 0, 1]
-    return proofs.transposed([proofs.cross(place, proofs.cross(e, place)) for e in axes])
-
-
-def of_points(mass, points, at=(0, 0, 0)):
-    """Proof, the matrix at O of this mass, spread as ``points`` about the place ``at``."""
-    return added((mass, proofs.mean(lambda place: turned(proofs.plus(place, at)), points)))
-
-
-def added(*weighed):
-    """Proof, the sum of pairs (factor, matrix), each times its factor."""
-    factors, matrices = zip(*weighed, strict=True)
-    return weighted(factors, matrices)
-
-
-def raised(points, length):
-    """Proof, mass points that are spread along z too, over this length about where they are."""
-    along = proofs.box(0, 0, length, order=2)
-    return [(u * v, proofs.plus(p, q)) for u, p in points for v, q in along]
-
-
-def along_path(density, place, way, corners):
-    """Proof, the matrices at O of the pieces of a wire of this mass per length; ``place(s)`` is the
-    place after the way s on it, and ``corners`` are the ways to the ends of the pieces before the
-    last.
-    """
-    ends = pairwise([0, *corners, way])
-    return [added((density, proofs.integral(lambda s: turned(place(s)), *pair))) for pair in ends]

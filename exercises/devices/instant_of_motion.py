@@ -19,10 +19,7 @@ def later_velocity(v, a):
 def speed_and_flexure(v, a):
     """Proof, the rate of the speed, and the turning of the tangent for each length of path."""
     velocity = later_velocity(v, a)
-
-    def tangent(t):
-        return scaled(1 / size(velocity(t)), velocity(t))
-
+    tangent = lambda t: scaled(1 / size(velocity(t)), velocity(t))
     return rate(lambda t: size(velocity(t))), size(rate(tangent)) / size(v)
 
 
@@ -34,9 +31,7 @@ def angle_between(v, a):
 
 
 def figure(ax, v, a, angle, **view):
-    """The path near P, with v, a and the name of the angle between them, if it has one; returns the
-    sketch and the time in which a would change v by its own size.
-    """
+    """The path near P with v and a: (sketch, the time in which a changes v by its size)."""
     s = Sketch(ax, v.frame, **view)
     T = v.norm() / a.norm()
     s.path([v * (T * n / 20) + a * (T * n / 20) ** 2 / 2 for n in range(-16, 20)])

@@ -11,10 +11,7 @@ def motion(g, ground, v):
 
 def proved_radius(g, v_0, slope, x):
     """Proof: the radius of curvature of the curve z(x), which leaves A with this slope."""
-
-    def z(x):
-        return slope * x - g.g / 2 * (1 + slope**2) * (x / v_0) ** 2
-
+    z = lambda x: slope * x - g.g / 2 * (1 + slope**2) * (x / v_0) ** 2
     return (1 + rate(z, x) ** 2) ** 1.5 / abs(second_rate(z, x))
 
 

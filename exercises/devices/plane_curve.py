@@ -11,10 +11,7 @@ def at_constant_speed(curve, q, speed):
     acceleration has no part along the velocity. It is linear in q''.
     """
     q_dot = speed / size(rate(lambda t: curve(q + t)))
-
-    def acceleration(q_ddot):
-        return second_rate(lambda t: curve(q + q_dot * t + q_ddot * t**2 / 2))
-
+    acceleration = lambda q_ddot: second_rate(lambda t: curve(q + q_dot * t + q_ddot * t**2 / 2))
     v = rate(lambda t: curve(q + q_dot * t))
     before, after = (acceleration(n * q_dot) for n in (0, 1))
     along = [sum(x * y for x, y in zip(v, a, strict=True)) for a in (before, after)]

@@ -1,6 +1,4 @@
-"""A thin plate between the x axis, a curve y = height(x) above it, and a vertical line or a zero of
-the curve: its integrals over vertical strips (5/1, 5/16, 7/1, 7/16).
-"""
+"""A plate between the x axis and y = height(x), by vertical strips (5/1, 5/16, 7/1, 7/16)."""
 
 from exercises.tools import Step
 from newton_euler import Frame, integral

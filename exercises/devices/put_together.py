@@ -1,6 +1,4 @@
-"""Bodies put together of parts, from which others may be cut out: their centre of mass from those
-of the parts, and proofs that know no parts: by slices, and along a wire.
-"""
+"""Bodies of parts, others cut out: centres from those of the parts; proofs by slices and wires."""
 
 from exercises.tools import Step, mp, proofs
 from newton_euler import centre_of_mass
@@ -15,13 +13,8 @@ def centre(frame, parts, removed=()):
 
 
 def problem_of(frame, parts, holes=False, **units):
-    """``solve`` and ``steps`` of a problem about the bodies ``parts(g)``, with ``holes`` a pair of
-    those and the ones cut out; ``units`` as for :func:`steps_of`.
-    """
-
-    def bodies(g):
-        return parts(g) if holes else (parts(g),)
-
+    """``solve`` and ``steps`` about ``parts(g)``; with ``holes``, a pair of these and holes."""
+    bodies = lambda g: parts(g) if holes else (parts(g),)
     return (lambda g: centre(frame, *bodies(g)), lambda g: steps_of(frame, *bodies(g), **units))
 
 
@@ -86,7 +79,5 @@ def chord(distance, radius):
 
 
 def walked(path, length, breaks):
-    """Proof, of a wire: the mean place of one who walks along all of it; ``path(s)`` is the place
-    after the way s, and has its corners at ``breaks``.
-    """
+    """Proof, of a wire: the mean of ``path(s)`` over all the way s, with corners at ``breaks``."""
     return proved("length", length, proofs.integral(path, 0, length, breaks))

@@ -1,6 +1,4 @@
-"""A collar on a smooth quarter of a hoop in a vertical plane (11/4, 11/5): the centre O is the
-origin of the ground, x to the right, y up; A is left of O, B straight below it.
-"""
+"""A collar on a smooth quarter hoop (11/4, 11/5): O the origin, y up; A left, B below."""
 
 from exercises.tools import Sketch, minus, mp, plus, until
 from newton_euler import Frame, pi
@@ -20,9 +18,7 @@ def work_of_weight(g):
 
 
 def slides(g, pull=lambda place: [0, 0]):
-    """Proof, (time, speed at B) by the motion in time from rest at A; ``pull``: a force beside the
-    weight, of the place in the plane.
-    """
+    """Proof, (time, speed at B), in time from rest at A; ``pull(place)``: a further force."""
 
     def rates(state):
         angle, u = state

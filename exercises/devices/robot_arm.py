@@ -6,9 +6,7 @@ from newton_euler import moving
 
 
 def robot(g):
-    """Ground with Z up; the base, which turns, with x outward in the plane of the arms; P in their
-    frame: OA along z, AP along x.
-    """
+    """Ground with Z up; the base, x outward; P in their frame: OA along z, AP along x."""
     ground, base, arms = turning_boom(g.omega, moving(g.beta_1, g.b_dot, g.b_ddot))
     return ground, base, arms.point("P", g.l_AP, 0, g.l_OA)
 

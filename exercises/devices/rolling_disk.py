@@ -10,9 +10,7 @@ def turning(g):
 
 
 def axle_and_disk(g, spin):
-    """Axes that turn about y with the axle, at the disk's centre; in them the disk turns about z,
-    outward; the point A of its rim.
-    """
+    """Axes that turn about y with the axle; the disk, about z, outward; A on its rim."""
     ground = Frame("ground")
     arm = ground.rotate("axle", "y", rate=turning(g))
     axle = arm.translate("axes at C", arm.point("C", 0, 0, g.R))
@@ -48,24 +46,18 @@ def rolling_steps(g):
 
 def proved_steps(g):
     """Proof, what of this is found from the motion."""
-
-    def outward(t):
-        return times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
-
+    outward = lambda t: times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
     turning = [0, 2 * mp.pi / g.T, 0]
     spin = minus(proofs.angular_velocity(orientation(g)), turning)
     return {"v_C": rate(outward), "omega_spin": spin}
 
 
 def orientation(g):
-    """Proof, the disk's orientation in time: the centre goes the arc R theta and the rim unrolls as
-    much, A going down at first.
-    """
+    """Proof, in time: the centre goes the arc R theta, the rim unrolls as much, A down at first."""
 
     def disk(t):
         theta = 2 * mp.pi * t / g.T
-        unrolled = g.R * theta / g.r
-        return times(rot("y", theta), rot([0, 0, -1], unrolled))
+        return times(rot("y", theta), rot([0, 0, -1], g.R * theta / g.r))
 
     return disk
 
@@ -89,11 +81,9 @@ def rim_point(g):
 def sketch(g, ax, with_A=True):
     """The figure of all three; the point A is in it where it is asked for."""
     ground, axle, _, A = axle_and_disk(g, rolling_spin(g))
-    C, origin, foot = (
-        axle.point("C", 0, 0, 0),
-        ground.point("origin", 0, 0, 0),
-        ground.point("foot", 0, -g.r, 0),
-    )
+    C = axle.point("C", 0, 0, 0)
+    origin = ground.point("origin", 0, 0, 0)
+    foot = ground.point("foot", 0, -g.r, 0)
     top, contact = ground.point("top", 0, 1.2 * g.r, 0), axle.point("contact", 0, -g.r, 0)
     s = Sketch(ax, ground, azimuth=-125, elevation=20, up="y")
     s.ground(foot, normal=ground.j)

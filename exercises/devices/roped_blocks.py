@@ -14,9 +14,7 @@ from newton_euler.dynamics import mass_from_weight, resultant_force, weight
 
 @dataclass
 class Block:
-    """A block of the mass ``m``; the rope pulls it along ``line``, a face pushes it along
-    ``normal``, where there is one.
-    """
+    """A block: the rope pulls it along ``line``, a face pushes it along ``normal``, if any."""
 
     name: str
     m: object
@@ -40,17 +38,14 @@ def on_face(g, name, W, angle, toward=1):
 
 
 def motion(g, A, B):
-    """The accelerations a_A and a_B along the pull of the rope, its tension T and the forces N_A
-    and N_B of the faces: a solution of ``solve_linear``.
-    """
+    """a_A and a_B along the pull of the rope, tension T, N_A and N_B, by ``solve_linear``."""
     pushed = [b for b in (A, B) if b.normal]
 
     def laws(a_A, a_B, T, *pushes):
         N = {b.name: N * b.normal for b, N in zip(pushed, pushes, strict=True)}
         equations = {"rope": A.runs * a_A + B.runs * a_B}
         for b, a in ((A, a_A), (B, a_B)):
-            pull = T * (b.pulls * b.line)
-            F = weight(b.m, b.line.frame.j, g.g) + pull
+            F = weight(b.m, b.line.frame.j, g.g) + T * (b.pulls * b.line)
             F = F + N[b.name] if b.name in N else F
             equations[b.name] = resultant_force(b.m, a * b.line) - F
         return equations
@@ -81,10 +76,7 @@ def by_energy(g, W_A, W_B, places, reach):
 
     def gain(W, place, a):
         """The gain in energy of a block in the first unit of time, s = a t^2/2 from rest."""
-
-        def moved(t):
-            return place(a * t**2 / 2)
-
+        moved = lambda t: place(a * t**2 / 2)
         up = minus(moved(1), moved(0))[1]
         return W / g.g * sum(v**2 for v in rate(moved, 1)) / 2 + W * up
 
@@ -98,9 +90,7 @@ def by_energy(g, W_A, W_B, places, reach):
 
 
 def face_force(g, W, place, a, pull):
-    """Proof: the force of a face on a block that moves as ``place(s)``, s = a t^2/2, while the rope
-    pulls it on with the force ``pull``, negative if back.
-    """
+    """Proof: the force of a face on a block at ``place(s)``, s = a t^2/2; ``pull`` of the rope."""
 
     ahead = minus(place(1), place(0))
     F = scaled(W / g.g, plus(second_rate(lambda t: place(a * t**2 / 2)), [0, g.g]))
@@ -108,9 +98,7 @@ def face_force(g, W, place, a, pull):
 
 
 def draw_wedge(ax, left, right=None):
-    """A wedge with A on its left face, the pulley at its top, and B on its right face, or hanging
-    beside it; ``left`` and ``right``: the angle and its label.
-    """
+    """A wedge with A on its left, B on its right face or hanging; angles with their labels."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     height, half, long = 0.55, 0.09, 0.13  # of the wedge; half sizes of a block
@@ -120,9 +108,7 @@ def draw_wedge(ax, left, right=None):
     s.road([(foot[0] - half, -height, 0), (heel[0] + 3 * half, -height, 0)])
 
     def block(name, angle, run, side=1, thick=2):
-        """Its middle at ``run`` from the top; ``side`` of the line on which it lies. Returns where
-        the rope is fixed.
-        """
+        """Its middle at ``run`` from the top, on this ``side``; returns the rope's end."""
         face = ground.rotate(f"line of {name}", "z", angle)
         place = face.point(name, -run, side * half, 0)
         s.box(place, face, (2 * long, thick * half, 2 * half))

@@ -1,6 +1,4 @@
-"""A body on a light shaft that turns at a constant rate in two bearings, 9/1 to 9/6: angular
-momentum, its rate, bearing forces and state of balance. Axes of the shaft: x from A to B.
-"""
+"""A body on a shaft in two bearings, 9/1 to 9/6: H, its rate, forces, balance; x from A to B."""
 
 from dataclasses import dataclass
 
@@ -91,16 +89,13 @@ def force_steps(r):
 
 def following(rotor_of):
     """``follows`` of a problem whose :class:`Rotor` is ``rotor_of(g)``."""
-
-    def Hdot_O(g, H_O):
-        return (H_O.frame.i * g.omega).cross(H_O)
+    Hdot_O = lambda g, H_O: (H_O.frame.i * g.omega).cross(H_O)
 
     def F_A(g, Hdot_O):
         r = rotor_of(g)
         right, axes = answers(r), Hdot_O.frame
         off = Hdot_O - axes.vector(*right["Hdot_O"])
-        length = (r.B - r.A).x
-        return axes.vector(*right["F_A"]) + axes.i.cross(off) / length
+        return axes.vector(*right["F_A"]) + axes.i.cross(off) / (r.B - r.A).x
 
     def F_B(g, F_A):
         right, axes = answers(rotor_of(g)), F_A.frame
@@ -162,9 +157,7 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
         R = rot("x", g.omega * t)
         return [(mass, times(R, place)) for mass, place in points]
 
-    def momentum(t):
-        return proofs.angular_momentum(1, carried, t=t)
-
+    momentum = lambda t: proofs.angular_momentum(1, carried, t=t)
     _, y, z = proofs.moment_needed(1, carried, (a, 0, 0))
     F_B = [0, z / (b - a), -y / (b - a)]
     _, y, z = proofs.moment_needed(1, carried, (b, 0, 0))

@@ -1,13 +1,12 @@
 """The satellite of 5/2 and 7/2: two spheres that touch, the larger about O, x through both."""
 
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame
-from newton_euler.bodies import sphere
+from newton_euler import Frame, bodies
 
 SATELLITE = Frame("satellite")
 
 
-def parts(g, distance=None, shape=sphere):
+def parts(g, distance=None, shape=bodies.sphere):
     far = SATELLITE.point("centre", g.R1 + g.R2 if distance is None else distance, 0, 0)
     return [
         shape(g.R1, SATELLITE, mass=g.m1, name="larger sphere"),

@@ -1,8 +1,6 @@
-"""The screw-jack of 4/1 (and 3/12): its screw rises in the fixed nut by one lead in each turn; A is
-the end of its handle.
-"""
+"""The screw-jack of 4/1 (and 3/12): one lead up in each turn; A is the end of its handle."""
 
-from exercises.tools import Sketch, mp
+from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Frame, cos, moving, pi, sin
 
 
@@ -12,23 +10,15 @@ def rise(g):
 
 
 def screw_in_nut(g, rise, n):
-    """Ground with Z up along the screw; a frame at B that rises with it; the point A of the screw,
-    which turns in that frame.
-    """
+    """Ground with Z up; a frame at B that rises with the screw; A, which turns in it."""
     ground = Frame("ground")
     rising = ground.translate("rising", ground.point("B", 0, 0, moving(0, rate=rise)))
-    screw = rising.rotate("screw", "z", rate=n)
-    return ground, rising, screw.point("A", g.a, 0, 0)
+    return ground, rising, rising.rotate("screw", "z", rate=n).point("A", g.a, 0, 0)
 
 
 def handle_in_time(g):
     """Proof, the place of A in time: a circle about the axis, and the lead times the turns made."""
-
-    def A(t):
-        turns = g.n * t / (2 * mp.pi)
-        return [g.a * mp.cos(g.n * t), g.a * mp.sin(g.n * t), g.lead * turns]
-
-    return A
+    return lambda t: at_angle(g.a, g.n * t, g.lead * g.n * t / (2 * mp.pi))
 
 
 def figure(g, ax, ground, rising, A):

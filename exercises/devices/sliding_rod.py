@@ -10,16 +10,9 @@ def about(name, side, **rates):
     problem about it; ``side``: -1 or 1, along i from A. ``rates`` as for :func:`end`, functions
     of g.
     """
-
-    def place(g):
-        return side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}")
-
-    def given(g):
-        return {rate: of(g) for rate, of in rates.items()}
-
-    def this_end(g):
-        return end(g, name, *place(g), **given(g))
-
+    place = lambda g: (side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}"))
+    given = lambda g: {rate: of(g) for rate, of in rates.items()}
+    this_end = lambda g: end(g, name, *place(g), **given(g))
     return (
         this_end,
         lambda g: motion(*this_end(g)),
@@ -30,9 +23,7 @@ def about(name, side, **rates):
 
 
 def end(g, name, x, y, alpha=None, a_r=None):
-    """Ground, and the end of the rod at x, y from A. ``alpha``: growth of the clockwise rate;
-    ``a_r``: of the speed of the rod in the bracket.
-    """
+    """Ground, and the rod's end; ``alpha``: growth of the clockwise rate, ``a_r``: of the speed."""
     ground, bracket = turning("bracket", -g.omega, None if alpha is None else -alpha)
     return ground, bracket.point(name, moving(x, rate=g.u, acceleration=a_r), y, 0)
 

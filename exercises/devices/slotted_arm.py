@@ -1,6 +1,6 @@
 """The slotted arm of 2/24, 2/25 turns about O; the pin P of a crank CP slides in it; OC = CP."""
 
-from exercises.tools import Sketch, mp, rot, times
+from exercises.tools import Sketch, at_angle, plus, rot, times
 from newton_euler import Frame, cos, moving, sin
 
 
@@ -11,15 +11,8 @@ def turning(g):
 
 
 def crank(g):
-    """Proof, the place of P in time: as an angle at the circumference is half that at the centre,
-    the crank is at 2 theta.
-    """
-
-    def P(t):
-        angle = 2 * (g.theta + g.omega * t)
-        return [g.b + g.b * mp.cos(angle), g.b * mp.sin(angle), 0]
-
-    return P
+    """Proof, P in time: the angle at the centre is twice that at the circumference."""
+    return lambda t: plus([g.b, 0, 0], at_angle(g.b, 2 * (g.theta + g.omega * t)))
 
 
 def in_arm(g, vector, t=0):

@@ -31,9 +31,7 @@ def sine_of_descent(m, radius, rate, g, share=1):
 
 
 def rates(g):
-    """Of the place and velocity, along x, y and z upward: the force toward O is such that the
-    distance stays, r.a + v^2 = 0; g is the acceleration of gravity.
-    """
+    """Of the state, z upward: the force toward O keeps the distance, r.a + v^2 = 0."""
 
     def of(state):
         r, v = state[:3], state[3:]

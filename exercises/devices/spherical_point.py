@@ -1,20 +1,14 @@
-"""A point with its spherical angles and unit vectors (3/15, 3/16; its motion is also proof for
-3/17, 3/18, 3/25 and 3/26): theta from x in the x, y plane, phi the elevation above it.
-"""
+"""A point with spherical angles (3/15, 3/16; a proof for others): phi is the elevation."""
 
-from exercises.tools import Sketch, elevation, mp, second_rate, spherical_axes, times
-from newton_euler import Frame, cos, sin
-from newton_euler.kinematics import spherical_frame
+from exercises.tools import Sketch, at_angle, elevation, mp, second_rate, spherical_axes, times
+from newton_euler import Frame, cos, kinematics, sin
 
 
 def place_in_time(R, theta, phi):
     """Proof, the place in time; the coordinates are functions of time."""
-
-    def P(t):
-        c = R(t) * mp.cos(phi(t))
-        return [c * mp.cos(theta(t)), c * mp.sin(theta(t)), R(t) * mp.sin(phi(t))]
-
-    return P
+    across = lambda t: R(t) * mp.cos(phi(t))
+    up = lambda t: R(t) * mp.sin(phi(t))
+    return lambda t: at_angle(across(t), theta(t), up(t))
 
 
 def local_acceleration(A, t=0):
@@ -30,7 +24,7 @@ def elevation_in_time(A):
 def figure(g, ax, distance="", theta=0.9):
     """The figure, with the elevation of g and the name of OP; the azimuth is not asked about."""
     ground = Frame("ground")
-    axes = spherical_frame(ground, theta, g.phi)
+    axes = kinematics.spherical_frame(ground, theta, g.phi)
     s = Sketch(ax, ground, azimuth=40, elevation=20)
     c = cos(g.phi)
     O, P = (0, 0, 0), tuple(axes.i.components(ground))

@@ -1,6 +1,4 @@
-"""A thin disk that spins in an arm or fork, which turns about a shaft through O, 9/7 and 9/8: its
-angular momentum about O, and what the supports of the shaft must give.
-"""
+"""A disk that spins in an arm about a shaft through O, 9/7 and 9/8: H_O, and what supports give."""
 
 from dataclasses import dataclass
 
@@ -22,9 +20,7 @@ class SpinningDisk:
 
 
 def spinning(g, radius, shaft, spin, C=(0, 0, 0)):
-    """The arm turns about its axis ``shaft``, the disk in the arm about the axis ``spin`` through
-    the point C of the arm, with O at the arm's origin.
-    """
+    """The arm turns about ``shaft`` through O, the disk in it about ``spin`` through C."""
     ground = Frame("ground")
     arm = ground.rotate("arm", shaft, rate=g.omega_1)
     turned = arm.rotate("disk", spin, rate=g.omega_2, origin=arm.point("C", *C))
@@ -51,9 +47,7 @@ def momentum(d):
 
 
 def answers(d, couple):
-    """H_O, its rate, and under the key ``couple`` the moment of the supports about O, which is
-    that rate since O is at rest (8.11).
-    """
+    """H_O, its rate, and as ``couple`` the moment about O, at rest, which is that rate (8.11)."""
     H = momentum(d)
     Hdot = H.rate(d.ground)
     return in_frame(d.arm, {"H_O": H, "Hdot_O": Hdot, couple: Hdot})
@@ -108,9 +102,7 @@ def following(couple, shaft):
 
 
 def prove_spinning(g, radius, shaft, spin, C, couple):
-    """From the mass points of the disk, carried round in time; the couple is the moment of what
-    each of them needs, m a. The force is under the key F_A.
-    """
+    """From the disk's mass points in time: the moment of what each needs, m a; force: F_A."""
     turned = {"x": lambda x, y, z: [z, x, y], "y": lambda x, y, z: [y, z, x],
               "z": lambda x, y, z: [x, y, z]}[spin]  # fmt: skip
     points = [(share * g.m, turned(*place)) for share, place in disk(radius)]
@@ -119,9 +111,7 @@ def prove_spinning(g, radius, shaft, spin, C, couple):
         outer, inner = rot(shaft, g.omega_1 * t), rot(spin, g.omega_2 * t)
         return [(m, times(outer, plus(C, times(inner, p)))) for m, p in points]
 
-    def momentum(t):
-        return proofs.angular_momentum(1, carried, t=t)
-
+    momentum = lambda t: proofs.angular_momentum(1, carried, t=t)
     H, Hdot, force = momentum(0), rate(momentum), proofs.force_needed(1, carried)
     reach = sum(m * (size(C) + size(p)) for m, p in points)
     rests = size(force) < SMALL * g.omega_1**2 * reach

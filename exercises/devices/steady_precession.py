@@ -7,8 +7,7 @@ no moment of inertia, no equation of a gyroscope.
 """
 
 from exercises.tools import mean, moment_needed, mp, mpf, plus, ring, root, rot, times
-from newton_euler import Frame, euler_frame
-from newton_euler.dynamics import weight
+from newton_euler import Frame, dynamics, euler_frame
 
 
 def frames(theta, psi=0, phi=0, name="top"):
@@ -20,7 +19,7 @@ def frames(theta, psi=0, phi=0, name="top"):
 def weight_moment(m, g, ground, axes, r):
     """The moment of the weight of m at r k, about O and the line of nodes (10.30)."""
     G = axes.point("G", 0, 0, r)
-    return (G - axes.origin).cross(weight(m, ground.k, g)).expressed_in(axes).x
+    return (G - axes.origin).cross(dynamics.weight(m, ground.k, g)).expressed_in(axes).x
 
 
 # -- proof
@@ -77,10 +76,7 @@ def both_rates(m, points, theta, phi_dot, moment):
     Time is counted in that of 1 rad of spin: the rate is x, and the spin 1.
     """
     square, product = needed_by_rates(m, points, theta)
-
-    def surplus(x):
-        return square * x * x + product * x - moment / phi_dot**2
-
+    surplus = lambda x: square * x * x + product * x - moment / phi_dot**2
     middle = -product / (2 * square)
     high = middle
     while surplus(high / 2) > 0:  # the slow one may be smaller by many digits
@@ -96,8 +92,5 @@ def leading(m, points, theta, phi_dot, moment):
     slow, fast = both_rates(m, points, theta, fastest * phi_dot, moment)
     psi_slow = fastest * slow
     less = faster * both_rates(m, points, theta, faster * phi_dot, moment)[0]
-    return {
-        "psi_slow": psi_slow,
-        "psi_fast": fast / fastest,
-        "eps_slow": faster**2 * (less / psi_slow - 1),
-    }
+    eps = faster**2 * (less / psi_slow - 1)
+    return {"psi_slow": psi_slow, "psi_fast": fast / fastest, "eps_slow": eps}

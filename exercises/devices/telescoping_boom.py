@@ -1,6 +1,4 @@
-"""The telescoping boom OA of 3/17 and 3/18 on a vertical shaft: it turns with the shaft, is raised
-or lowered, and its length changes.
-"""
+"""The telescoping boom OA of 3/17 and 3/18, on a vertical shaft that turns."""
 
 from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving, pi, spherical

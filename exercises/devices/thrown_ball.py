@@ -1,8 +1,7 @@
 """The ball of 2/7 and 2/8, thrown at a vertical wall as high as can be: path, proof, figure."""
 
 from exercises.tools import Sketch, mp, rate, root
-from newton_euler import Frame, moving, sqrt
-from newton_euler.kinematics import from_time
+from newton_euler import Frame, kinematics, moving, sqrt
 
 
 def at_wall(g, u):
@@ -10,7 +9,7 @@ def at_wall(g, u):
     x for the time: over x, the slope falls at the rate g over the square of the forward velocity.
     """
     forward_squared = g.v_0**2 / (1 + u**2)
-    return from_time(lambda x: -g.g / forward_squared, g.d, v0=u)
+    return kinematics.from_time(lambda x: -g.g / forward_squared, g.d, v0=u)
 
 
 def forward(g, u):
@@ -44,15 +43,11 @@ def proved_path(g, gam):
 
 def draw(g, ax):
     """The thrower at O, the wall, the place hit; and of the path only the beginning."""
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    s = Sketch(ax, Frame("ground"), plane="xz")
     u = best_slope(g)
     h, _ = at_wall(g, u)
     vx = forward(g, u)
-
-    def place(x):
-        return (x, 0, u * x - g.g / 2 * (x / vx) ** 2)
-
+    place = lambda x: (x, 0, u * x - g.g / 2 * (x / vx) ** 2)
     O, hit, foot = (0, 0, 0), (g.d, 0, h), (g.d, 0, 0)
     s.road([(g.d, 0, -0.1 * h), (g.d, 0, 1.3 * h)])
     s.line(O, foot)

@@ -2,13 +2,12 @@
 
 from exercises.devices.steady_precession import frames, of_weights, two_rings, weight_moment
 from exercises.tools import Sketch, Step, mean
-from newton_euler import pi, sqrt
-from newton_euler.dynamics import mass_from_weight
+from newton_euler import dynamics, pi, sqrt
 
 
 def data(g):
     """Moments of inertia about O and the moment of the weight, named as in the engine."""
-    m = mass_from_weight(g.W, g.g)
+    m = dynamics.mass_from_weight(g.W, g.g)
     ground, axes = frames(g.theta)
     M = weight_moment(m, g.g, ground, axes, g.c)
     return {"I0": m * g.k_x**2, "I": m * g.k_z**2, "theta": g.theta, "moment": M}

@@ -1,24 +1,15 @@
-"""The telescoping boom AB of a repair truck (2/26 to 2/29): it turns in a vertical plane about A,
-its elevation theta falling; the truck stands, or drives the way the boom points.
-"""
+"""The telescoping boom AB of a truck (2/26 to 2/29), which stands or drives; theta falls."""
 
-from exercises.tools import Sketch, Step, in_frame, mp, plus, proofs, rate, rot, second_rate, terms
+from exercises.tools import Sketch, Step, at_angle, in_frame, plus, proofs, rate, rot, terms
 from newton_euler import Frame, moving, pi
 
 UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}
 
 
 def moving_with(**rates):
-    """The boom as a function of g, and ``solve``, ``steps`` and ``prove`` of its motion; ``rates``
-    as for :func:`boom`, functions of g.
-    """
-
-    def given(g):
-        return {name: of(g) for name, of in rates.items()}
-
-    def scene(g):
-        return boom(g, **given(g))
-
+    """The boom, ``solve``, ``steps`` and ``prove``; ``rates`` as for :func:`boom`, of g."""
+    given = lambda g: {name: of(g) for name, of in rates.items()}
+    scene = lambda g: boom(g, **given(g))
     return (
         scene,
         lambda g: motion(*scene(g)),
@@ -43,9 +34,8 @@ def boom(g, L_ddot=0, alpha=0, theta=0, v=0, a=0):
 
 def motion(ground, arm, B):
     """The answers, in the axes of the boom."""
-    return in_frame(
-        arm, {"v_B": B.velocity(ground, via=arm), "a_B": B.acceleration(ground, via=arm)}
-    )
+    v, a = B.velocity(ground, via=arm), B.acceleration(ground, via=arm)
+    return in_frame(arm, {"v_B": v, "a_B": a})
 
 
 def boom_steps(ground, arm, B):
@@ -63,33 +53,21 @@ def boom_steps(ground, arm, B):
 
 
 def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
-    """B in the ground, forward and up, in time. The answers are along the boom of the instant, so
-    that any theta will do for a truck that stands.
-    """
+    """B in time, forward and up; along the boom of the instant any theta will do."""
+    elevation = lambda t: theta - g.omega * t + alpha * t**2 / 2
+    A = lambda t: [v * t + a * t**2 / 2, 0, 0]
 
-    def elevation(t):
-        return theta - g.omega * t + alpha * t**2 / 2
-
-    def A(t):
-        return [v * t + a * t**2 / 2, 0, 0]
-
-    def B(t):
-        L = g.L + g.L_dot * t + L_ddot * t**2 / 2
-        return plus(A(t), [L * mp.cos(elevation(t)), L * mp.sin(elevation(t)), 0])
-
-    def along_boom(vector, t=0):
-        return proofs.times(proofs.transposed(rot("z", elevation(t))), vector)
-
-    def in_boom(t):
-        return along_boom(proofs.minus(B(t), A(t)), t)
-
+    L = lambda t: g.L + g.L_dot * t + L_ddot * t**2 / 2
+    B = lambda t: plus(A(t), at_angle(L(t), elevation(t)))
+    along_boom = lambda vector, t=0: proofs.times(proofs.transposed(rot("z", elevation(t))), vector)
+    in_boom = lambda t: along_boom(proofs.minus(B(t), A(t)), t)
     return {
         "v_B": along_boom(rate(B)),
-        "a_B": along_boom(second_rate(B)),
+        "a_B": along_boom(proofs.second_rate(B)),
         "omega_boom": [0, 0, rate(elevation)],
-        "alpha_boom": [0, 0, second_rate(elevation)],
+        "alpha_boom": [0, 0, proofs.second_rate(elevation)],
         "v_r": rate(in_boom),
-        "a_r": second_rate(in_boom),
+        "a_r": proofs.second_rate(in_boom),
     }
 
 

@@ -135,10 +135,7 @@ def of_wire(density, place, way, corners, names):
 def prove_momentum(g, axis, **parts):
     """The momenta of the mass points on their circles have moments about O; inertia adds up."""
     n, across = "xyz".index(axis), ["xyz".index(u) for u in ACROSS[axis]]
-
-    def square(place):
-        return [sum(place[k] ** 2 for k in across)]
-
+    square = lambda place: [sum(place[k] ** 2 for k in across)]
     squares = {f"I_{axis}{axis}_{name}": over(square)[0] for name, over in parts.items()}
     found = {"H_O": _moment(parts, rot_about(axis, g.omega), rate)}
     found[f"I_{axis}{axis}"] = sum(squares.values())
@@ -149,9 +146,7 @@ def prove_momentum(g, axis, **parts):
 
 
 def prove(g, axis, **parts):
-    """As above, and the forces on the mass points have their moments too; of its terms, the one is
-    found by letting the body turn from rest.
-    """
+    """As above, with the moments of the forces; a single term from a start at rest."""
     M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), proofs.second_rate)
     from_rest = _moment(parts, rot_about(axis, 0, g.alpha), proofs.second_rate)
     found = prove_momentum(g, axis, **parts)

@@ -1,6 +1,4 @@
-"""A body that slides straight along i on a plate, which turns in its plane about the fixed point A:
-what the welder of 2/34 and 2/35 and the rod of 2/36 to 2/39 share.
-"""
+"""A body that slides along i on a plate that turns about A: the welder, the rod of 2/36."""
 
 from exercises.tools import Step, in_frame, mp, proofs, rate, rot, second_rate, terms
 from newton_euler import Frame
@@ -48,9 +46,7 @@ def proof(name, plate, theta, x, y):
         c, s = mp.cos(theta(t)), mp.sin(theta(t))
         return [x(t) * c - y(t) * s, x(t) * s + y(t) * c, 0]
 
-    def turned(t):
-        return rot("z", theta(t))
-
+    turned = lambda t: rot("z", theta(t))
     return {
         f"v_{name}": rate(P),
         f"a_{name}": second_rate(P),

@@ -1,6 +1,4 @@
-"""The two cars of 2/30 to 2/32, on curves that bend away from each other: what the occupants of A,
-who turn with their car, see of B.
-"""
+"""The cars of 2/30 to 2/32, on curves that bend apart: what those in A see of B."""
 
 from exercises.tools import Sketch, Step, minus, mp, proofs, rate, rot, second_rate, times
 from newton_euler import Frame, cos, moving, sin
@@ -78,25 +76,16 @@ def acceleration_steps(ground, car, B):
 
 
 def prove(g, a_A=0, a_B=0):
-    """Both cars on their circles in time; B along the axes of the car A, which turn, and the rates
-    of these coordinates: the velocities, and the accelerations.
-    """
-
-    def angle(a):
-        return lambda t: (g.v * t + a * t**2 / 2) / g.R
+    """Both cars in time; B along the turning axes of A, and the rates of these coordinates."""
+    angle = lambda a: lambda t: (g.v * t + a * t**2 / 2) / g.R
 
     def on_circle(centre, phi, side):
         return lambda t: [centre + side * g.R * mp.cos(phi(t)), side * g.R * mp.sin(phi(t)), 0]
 
     phi = angle(a_A)
     A, B = on_circle(-g.R, phi, 1), on_circle(g.x + g.R, angle(a_B), -1)
-
-    def seen(t):
-        return times(proofs.transposed(rot("z", phi(t))), minus(B(t), A(t)))
-
-    def turned(t):
-        return rot("z", phi(t))
-
+    seen = lambda t: times(proofs.transposed(rot("z", phi(t))), minus(B(t), A(t)))
+    turned = lambda t: rot("z", phi(t))
     velocities = {
         "v_rel": rate(seen),
         "omega_A": proofs.angular_velocity(turned),
@@ -119,9 +108,7 @@ def draw(g, ax):
 
 
 def figure(g, ax):
-    """The plan view: the sketch, the ground and half the length of a car. How far the curves are
-    drawn goes with the distance of the cars.
-    """
+    """The plan view: sketch, ground, half a car's length; curves as far as the cars are apart."""
     ground, _, _ = cars(g)
     s = Sketch(ax, ground, plane="xy")
     far, A, B = 1.3 * g.x / (g.R + 0.3 * g.x), (0, 0, 0), (g.x, 0, 0)

@@ -1,15 +1,11 @@
-"""The universal joint of 4/21 and 4/29: a shaft that spins in a block, which tilts in a fork, which
-turns about the vertical.
-"""
+"""The joint of 4/21 and 4/29: a shaft spins in a block, tilted in a fork that turns."""
 
 from exercises.tools import Sketch, Step, in_frame, mp, rot, spun, times
 from newton_euler import Frame
 
 
 def fork_and_shaft(g):
-    """Ground with z up; the fork turns about z; the block about the fork's -x axis, as gamma grows;
-    the shaft about the block's z axis, e.
-    """
+    """Ground, z up; the fork, about z; the block, about its -x; the shaft, about e."""
     ground = Frame("ground")
     fork = ground.rotate("fork", "z", rate=g.Omega)
     block = fork.rotate("block", "-x", angle=g.gamma_1, rate=-g.gamma_rate)
@@ -36,9 +32,7 @@ def direction(g):
 
 
 def orientation(g):
-    """Proof: the shaft's orientation in time, turned about e from the pin on; then all goes round
-    with the fork.
-    """
+    """Proof, in time: turned about e from the pin on; then all goes round with the fork."""
 
     def shaft(t):
         gamma, pin = g.gamma_1 - g.gamma_rate * t, [1, 0, 0]

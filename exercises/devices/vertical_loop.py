@@ -1,20 +1,14 @@
-"""A particle on the inside of a smooth vertical loop, as in 11/9 and 11/10: the force of the track
-on it, the same for the proof, and the loop drawn.
-"""
+"""A particle inside a smooth vertical loop, 11/9 and 11/10: its contact, proof, figure."""
 
 from exercises.tools import force_needed, mp, plus
-from newton_euler import Frame, moving, pi
-from newton_euler.dynamics import reaction
-from newton_euler.kinematics import polar
+from newton_euler import Frame, dynamics, kinematics, moving, pi
 
 
 def track_force(m, g, r, phi, v):
-    """The force of the track, and the direction to the centre, where the radius is at ``phi`` from
-    the downward vertical and the speed is ``v``. Ground: y up.
-    """
+    """The track's force and the direction to the centre, ``phi`` from down, y up, at ``v``."""
     ground = Frame("ground")
-    P = polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
-    N = reaction(m, P.acceleration(ground), weight=-m * g * ground.j)
+    P = kinematics.polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
+    N = dynamics.reaction(m, P.acceleration(ground), weight=-m * g * ground.j)
     return N, (P - ground.origin) * (-1 / r)
 
 
@@ -30,9 +24,7 @@ def circle(r):
 
 
 def proved_contact(m, g, r, phi, v):
-    """Proof: what the particle needs toward the centre beside its weight. The growth of the speed
-    is along the track and does not enter.
-    """
+    """Proof: what is needed toward the centre beside the weight, whatever the speed's rate."""
     needed = force_needed(m, lambda t: [(1, circle(r)(phi + v / r * t))])
     track = plus(needed, [0, 0, m * g])
     return track[2] * mp.cos(phi) - track[0] * mp.sin(phi)

@@ -29,13 +29,8 @@ def parts(g, height=None, **matter):
 
 
 def path(g):
-    """Proof, from the end of the first rod through O to the end of the third: the place after a way
-    s, the whole way, and where it has corners.
-    """
-
-    def place(s):
-        return [max(s - g.b - g.c, 0), max(g.b - s, 0), min(max(s - g.b, 0), g.c)]
-
+    """Proof, from end to end through O: the place after a way s, the whole way, its corners."""
+    place = lambda s: [max(s - g.b - g.c, 0), max(g.b - s, 0), min(max(s - g.b, 0), g.c)]
     return place, g.b + g.c + g.L, (g.b, g.b + g.c)
 
 

@@ -6,15 +6,9 @@ from newton_euler import moving
 
 
 def about(name, side):
-    """The tip ``name`` as a function of g, and ``solve``, ``steps``, ``prove``, ``mistakes`` and
-    ``draw`` of a problem about it; ``side``: 1 above A, -1 below.
-    """
-
-    def place(g):
-        return getattr(g, f"x_{name}"), side * getattr(g, f"y_{name}")
-
-    def this_tip(g):
-        return tip(g, name, *place(g))
+    """The tip as a function of g, solve, steps, prove, mistakes, draw; ``side``: 1 above A."""
+    place = lambda g: (getattr(g, f"x_{name}"), side * getattr(g, f"y_{name}"))
+    this_tip = lambda g: tip(g, name, *place(g))
 
     def prove(g):
         x, y = place(g)

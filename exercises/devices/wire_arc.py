@@ -23,8 +23,7 @@ def along(g, f):
             v = u + t
             return [g.R * (1 - v * v) / (1 + v * v), 2 * g.R * v / (1 + v * v), 0]
 
-        ds = proofs.size(proofs.rate(place))
-        return weighted([ds], [f(place(0))])
+        return weighted([proofs.size(proofs.rate(place))], [f(place(0))])
 
     steepest = mp.sin(g.alpha) / (1 + mp.cos(g.alpha))
     return proofs.integral(per_slope, -steepest, steepest)

@@ -1,6 +1,6 @@
 """The wire of 5/10, 7/10, 8/14: a half circle about O, its diameter along x, a leg at its left."""
 
-from exercises.tools import Sketch, mp
+from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Frame
 from newton_euler.bodies import half_ring, rod
 
@@ -18,9 +18,7 @@ def parts(g, density=1, side=-1):
 
 
 def path(g):
-    """Proof, down the leg, along the diameter and back round the half circle: the place after a
-    way s, the whole way, and where it has corners.
-    """
+    """Proof, leg, diameter, half circle: the place after a way s, the whole way, its corners."""
     foot, bend = g.c, g.c + 2 * g.r
 
     def place(s):
@@ -28,8 +26,7 @@ def path(g):
             return [-g.r, 0, g.c - s]
         if s < bend:
             return [s - foot - g.r, 0, 0]
-        turned = (s - bend) / g.r
-        return [g.r * mp.cos(turned), g.r * mp.sin(turned), 0]
+        return at_angle(g.r, (s - bend) / g.r)
 
     return place, bend + mp.pi * g.r, (foot, bend)
 

@@ -1,6 +1,4 @@
-"""A body of revolution about z that spins freely with a slight wobble, 10/10 to 10/12; proofs find
-the moment that its mass points need in an explicit steady precession.
-"""
+"""A body about z that spins freely and wobbles, 10/10 to 10/12; proofs by mass points."""
 
 from exercises.devices.steady_precession import needed
 from exercises.tools import mp, mpf, vanishing
@@ -33,8 +31,5 @@ def neutral_length(points, unit):
     unit : any length; the moment is a sum of squares of the heights and of radii, and so the
         moments at this length and at its double tell it for all
     """
-
-    def moment(share):
-        return needed(1, points(unit * mp.sqrt(share)), mpf(WOBBLE), 1, 0)
-
+    moment = lambda share: needed(1, points(unit * mp.sqrt(share)), mpf(WOBBLE), 1, 0)
     return unit * mp.sqrt(vanishing(moment, 1, 4))

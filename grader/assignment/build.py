@@ -1,29 +1,38 @@
 """Writes the source notebook of an assignment into a course folder."""
 
 import contextlib
+import shutil
 from collections.abc import Collection
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 from exercises import catalogue
 from exercises.catalogue import CatalogueError, Problem, problems
 
-from ..course import Course, read_roster, write_json
+from ..course import Course, load_json, read_roster, write_json
 from ..course.creation import new_course, refuse_existing, write_pinned
 from ..sandbox import CELL_SECONDS, SECONDS
+from .cells import own_metadata
 from .figures import figure_png
+from .merge import Merged, merged
 from .notebook import build_notebook
 
 
 @dataclass(frozen=True)
 class Built:
-    """The course, the source notebook, the number of new students, and how the roster was read."""
+    """The course, the source notebook, the number of new students, and how the roster was read.
+
+    merged, backup : what an update has kept of the notebook that was there, and its copy
+    """
 
     course: Course
     path: Path
     enrolled: int = 0
     read_as: str = ""
+    merged: Merged | None = None
+    backup: Path | None = None
 
 
 def select_problems(chapter: str, only: Collection[str]) -> list[Problem]:
@@ -49,15 +58,17 @@ def build_assignment(
     id_column: str | None = None,
 ) -> Built:
     """Write the source notebook of a chapter, or of the problems ``only``, into a new course, or
-    with ``update`` into an existing one.
+    with ``update`` into an existing one. A notebook that is there is merged with what has changed
+    (:mod:`~grader.assignment.merge`), and keeps its problems unless ``only`` names them.
 
     students : path of a roster as CSV; id_column : the header of its ids. bar : a ``rich`` progress
         bar. name, exchange : of a new course
     """
-    selected, title = select_problems(chapter, only), catalogue.chapter(chapter).title
-    roster = read_roster(students, id_column) if students else None
     if not update:
         refuse_existing(course_path)
+    selected = select_problems(chapter, only or (_built(course_path, chapter) if update else ()))
+    title = catalogue.chapter(chapter).title
+    roster = read_roster(students, id_column) if students else None
     opened = (
         contextlib.nullcontext(Course(course_path))
         if update
@@ -66,12 +77,35 @@ def build_assignment(
     # drawn before the folder is made, so that a failure leaves nothing behind
     figures = _figures(selected, bar)
     with opened as course:
-        path = course.source(chapter)
-        write_json(path, build_notebook(selected, title, CELL_SECONDS, SECONDS, figures=figures))
+        notebook = build_notebook(selected, title, CELL_SECONDS, SECONDS, figures=figures)
+        kept, backup = _write(course, chapter, notebook)
         enrolled = course.enrol(roster.students) if roster else 0
     if update:
         write_pinned(course.path)  # a course of an earlier version has none
-    return Built(Course(course_path), path, enrolled, roster.read_as if roster else "")
+    read_as = roster.read_as if roster else ""
+    return Built(Course(course_path), course.source(chapter), enrolled, read_as, kept, backup)
+
+
+def _write(course, chapter, notebook):
+    """Write a source notebook, merged with the one that is there: (what was merged, its copy)."""
+    path, base = course.source(chapter), course.built(chapter)
+    kept = backup = None
+    if path.exists():
+        there = load_json(path.read_bytes())
+        kept = merged(load_json(base.read_bytes()) if base.exists() else notebook, there, notebook)
+        backup = course.path / "backup" / f"{chapter} {datetime.now():%Y-%m-%d %H.%M.%S.%f}.ipynb"
+        backup.parent.mkdir(mode=0o700, exist_ok=True)
+        shutil.copy(path, backup)
+    write_json(path, kept.notebook if kept else notebook)
+    write_json(base, notebook)
+    return kept, backup
+
+
+def _built(course_path, chapter):
+    """The problems of the assignment that the last build wrote, () if there is none."""
+    base = Course(course_path).built(chapter)
+    cells = load_json(base.read_bytes())["cells"] if base.exists() else ()
+    return tuple(dict.fromkeys(p for c in cells if (p := own_metadata(c).get("problem"))))
 
 
 def _figures(selected: list[Problem], bar: Any) -> dict[str, bytes | None]:

@@ -10,6 +10,12 @@ from rich.panel import Panel
 from .shared import COURSE, FOLDER, PROBLEMS, console, progress_bar
 
 UNSANDBOXED = 3  # exit code
+ID_COLUMN = click.option(
+    "--id-column",
+    metavar="HEADER",
+    help="The column of the roster that holds the ids; they must be the names under which the "
+    "students log in, if they use nbgrader's exchange. Default: the first of the usual ones.",
+)
 STUDENTS = click.option(
     "--student", "students", multiple=True, help="Only this student; may be repeated."
 )
@@ -23,12 +29,7 @@ STUDENTS = click.option(
     type=click.Path(exists=True, dir_okay=False),
     help="The roster: a CSV file as Canvas, Moodle, Gradescope or a registrar exports it.",
 )
-@click.option(
-    "--id-column",
-    metavar="HEADER",
-    help="The column of the roster that holds the ids; they must be the names under which the "
-    "students log in, if they use nbgrader's exchange. Default: the first of the usual ones.",
-)
+@ID_COLUMN
 @PROBLEMS
 @click.option("--due", metavar="'2027-01-31 23:59 Europe/Berlin'", help="The due date.")
 @click.option("--name", help="The name of a new course; default: that of the folder.")
@@ -41,7 +42,8 @@ STUDENTS = click.option(
 @click.option(
     "--update",
     is_flag=True,
-    help="Add the assignment to a course that exists; replaces a source notebook of the same name.",
+    help="Add the assignment to a course that exists, or bring one that is there up to date: what "
+    "you changed in its source notebook stays, and a copy of it is kept in COURSE/backup.",
 )
 def build(
     chapter: str,
@@ -78,17 +80,62 @@ def build(
     if students:
         click.echo(f"Enrolled {built.enrolled} students ({built.read_as})")
     click.echo(f"Wrote {built.path}")
+    if built.merged:
+        _report_merge(built.merged, built.backup, course.built(chapter))
     click.echo(
         f"Next:  cd {shlex.quote(str(course.path))} && nbgrader generate_assignment {chapter} && "
         f"nbgrader release_assignment {chapter}"
     )
     if not (enrolled := len(course.roster())):
         click.echo(
-            "The roster is empty: add students first (build --update --students roster.csv), "
-            "since every student gets different numbers."
+            "The roster is empty: add students first (python -m grader enrol roster.csv), since "
+            "every student gets different numbers."
         )
     else:
         click.echo(f"{enrolled} students are on the roster of the course {course.name}.")
+
+
+def _report_merge(merged, backup, written):
+    click.echo(f"What was there before is in {backup}")
+    for names, what in (
+        (merged.kept, "Kept as you changed it: "),
+        (merged.conflicts, f"Changed by you and by the exercises (their text is in {written}): "),
+        (merged.removed, "Taken out, since it is not among the problems now: "),
+    ):
+        if names:
+            click.echo(what + ", ".join(names))
+
+
+@click.command()
+@click.argument("roster", type=click.Path(exists=True, dir_okay=False))
+@COURSE
+@ID_COLUMN
+def enrol(roster: str, course_path: Path, id_column: str | None) -> None:
+    """Add the students of a roster to a course, and change nothing else.
+
+    Students who are in the course already keep their numbers and scores. Those who join after an
+    assignment was released get their copies by: personal ASSIGNMENT --student ID --exchange
+    """
+    from ..course import Course, read_roster
+
+    course, read = Course(course_path), read_roster(roster, id_column)
+    new = course.enrol(read.students)
+    click.echo(f"Enrolled {new} students ({read.read_as})")
+    click.echo(f"{len(course.roster())} students are on the roster of the course {course.name}.")
+
+
+@click.command()
+@click.argument("assignment")
+@click.argument("when", metavar="'2027-01-31 23:59 Europe/Berlin'")
+@COURSE
+def due(assignment: str, when: str, course_path: Path) -> None:
+    """Set the due date of an assignment for everybody, and change nothing else."""
+    from ..course import Course
+    from ..course.due import due_date, set_due
+
+    course, found = Course(course_path), due_date(when)
+    set_due(course, assignment, found)
+    click.echo(f"Due {found:%Y-%m-%d %H:%M} UTC")
 
 
 @click.command()
@@ -275,8 +322,9 @@ def take_in(assignment: str, archive: Path, course_path: Path, replace: bool, ti
     """Take students' work from a zip archive, without nbgrader's exchange.
 
     ARCHIVE is what a learning platform gives as "download all submissions". A notebook is a
-    student's if its name, or that of its folder, holds their id or their whole name and nobody
-    else's; the table lists the matches. Exit code 1 if a file was left out.
+    student's if its folder, or where it has none its name, holds their id or their whole name and
+    nobody else's: of a name that a platform numbered, what comes before and with the numbers. The
+    table lists the matches. Exit code 1 if a file was left out.
     """
     from ..course import Course
     from ..course import take_in as take

@@ -16,7 +16,8 @@ TEMPLATES = Path(__file__).with_name("templates")
 FETCH = Path(__file__).parents[1] / "assignment" / "fetch.py"
 MADE = {  # the files that a build writes
     UNFINISHED, ".course_secret", ".gitignore", "course.json", "gradebook.db",
-    "gradebook.db-journal", "nbgrader_config.json", "nbgrader_config.py", "source", "student",
+    "built", "gradebook.db-journal", "nbgrader_config.json", "nbgrader_config.py", "source",
+    "student",
 }  # fmt: skip
 
 

@@ -129,6 +129,10 @@ class Course:
         """The path of an assignment's source notebook."""
         return self.path / "source" / assignment / f"{assignment}.ipynb"
 
+    def built(self, assignment: str) -> Path:
+        """The path of the source notebook as the last build would have written it afresh."""
+        return self.path / "built" / f"{assignment}.ipynb"
+
     def released_path(self, assignment: str) -> Path:
         """The path of the notebook that nbgrader generated for release."""
         return self.path / "release" / assignment / f"{assignment}.ipynb"

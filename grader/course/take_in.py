@@ -6,13 +6,16 @@ and never used as a path, links are not followed, and sizes are counted while re
 """
 
 import contextlib
+import lzma
 import re
 import stat
 import unicodedata
 import zipfile
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
+from itertools import takewhile
 from pathlib import Path, PurePosixPath
 from typing import TypedDict
 
@@ -24,7 +27,10 @@ MAX_BYTES = 64 * 2**20  # of one notebook, the most that the grader reads
 MAX_TOTAL = 4 * 2**30  # bytes of all notebooks
 MAX_ENTRIES = 20_000
 # what zipfile raises; NotImplementedError for a compression that it does not know
-UNREADABLE = zipfile.BadZipFile, NotImplementedError, EOFError
+UNREADABLE = zipfile.BadZipFile, NotImplementedError, EOFError, zlib.error, lzma.LZMAError, OSError
+# folders into which platforms and nbgrader pack all work; besides, that of the assignment
+PACKED = ["submissions"], ["submitted"], ["work"]
+OF_ONE = re.compile(r"_\d+_assignsubmission_")  # the folder of one student's work, from Moodle
 
 
 class Names(TypedDict):
@@ -54,8 +60,9 @@ def take_in(
     """Put each notebook of a zip archive into COURSE/submitted, as its student's work; returns
     :class:`TakenIn`.
 
-    A file is a student's if its name, or that of its folder, holds their id or their whole name,
-    and nobody else's.
+    A file is a student's if the folder that a platform gave it, or where it has none its name,
+    holds their id or their whole name, and nobody else's. Platforms number the work: what comes
+    after the numbers is a name that a student chose, and nobody's.
     replace : also where the student has already handed in. times : the times of the files in the
         archive, read as UTC, are those of submission; otherwise none is kept, and nobody is late.
     """
@@ -94,11 +101,71 @@ def _words(text):
     return WORDS.findall(plain.casefold())
 
 
-def owners(name: str, students: Mapping[str, Names]) -> list[str]:
-    """The students whose id or whole name is in the name of a file or of its folder."""
-    # Canvas joins the parts of a name: doejane_4711_815_work.ipynb
-    places = [_words(part) for part in PurePosixPath(name.removesuffix(".ipynb")).parts]
-    return [s for s, own in students.items() if any(_is_named(own, place) for place in places)]
+def owners(name: str, students: Mapping[str, Names], shared: int = 0) -> list[str]:
+    """The students whose id or whole name is in the name of a file's folders, or of the file where
+    it has no folder of its own. In a folder of nobody no file is anybody's.
+
+    shared : how many of its folders all files of the archive have
+    """
+    *folders, own = PurePosixPath(name.removesuffix(".ipynb")).parts
+    if folders[shared:] and not _named_in(folders[shared], students):
+        return []
+    places = folders if folders[shared:] else [*folders, own]
+    return list(dict.fromkeys(s for place in places for s in _named_in(place, students)))
+
+
+def _named_in(place, students):
+    words = _numbered(place)
+    return [s for s, own in students.items() if _is_named(own, words)]
+
+
+def _numbered(part):
+    """The words up to the numbers that a platform wrote, two at the most: not what follows them, as
+    "_assignsubmission_file_" and the name that a student gave the file.
+    """
+    words = _words(part)
+    first = next((n for n, word in enumerate(words) if word.isdigit()), len(words))
+    second = first + 1 < len(words) and words[first + 1].isdigit()
+    return words[: first + 1 + second]
+
+
+def _shared(names):
+    """How many folders all of these files have, as far as these may hold the work of several."""
+    folders = [PurePosixPath(name).parts[:-1] for name in names]
+    levels = zip(*folders, strict=False)
+    return sum(1 for _ in takewhile(lambda x: len({*x}) == 1 and not OF_ONE.search(x[0]), levels))
+
+
+def _identifying(names, students, packed, shared):
+    """The students without ids that are words of a folder of all, or stand in the names of the work
+    of several others: common words, which say nothing of an owner.
+    """
+    beside: dict[str, set[str]] = {s: set() for s in students}
+    for name in names:
+        fits = owners(name, students, shared)
+        for s in fits:
+            beside[s].update(fits)
+    common = {s for s, others in beside.items() if len(others - {s}) > 1}
+    return {
+        s: {**own, "ids": [i for i in own["ids"] if s not in common and i not in packed]}
+        for s, own in students.items()
+    }
+
+
+def _owned(names, assignment, students):
+    """{name of a file: the students whose it may be}."""
+    packed, shared = (*PACKED, _words(assignment)), _shared(names)
+    students = _identifying(names, students, packed, shared)
+    found = {name: owners(name, students, shared) for name in names}
+    lead = PurePosixPath(names[0]).parts[:shared] if names else ()
+    if any(_words(part) not in packed and not _named_in(part, students) for part in lead):
+        # the folder of all files may be that of one student who is not on the roster
+        loose = [name for name in names if len(PurePosixPath(name).parts) == shared + 1]
+        whose = {s for name in loose for s in found[name]}
+        if len(whose) < 2:
+            inside = {s for part in lead for s in _named_in(part, students)}
+            found |= {name: [s for s in found[name] if s in inside] for name in loose}
+    return found
 
 
 def _is_named(own, words):
@@ -121,12 +188,11 @@ def _chosen(entries, assignment, students, result):
     refused: one named after another student must not replace that one's work.
     """
     found = {}
-    for entry in entries:
-        if entry.is_dir():
-            continue
-        why = _refusal(entry)
-        fits = [] if why else owners(entry.filename, students)
-        if len(fits) == 1:
+    files = [(e, _refusal(e)) for e in entries if not e.is_dir()]
+    owned = _owned([e.filename for e, why in files if not why], assignment, students)
+    for entry, why in files:
+        fits = owned.get(entry.filename, [])
+        if len(fits) == 1 and not why:
             found.setdefault(fits[0], []).append(entry)
             continue
         whose = f"several students: {', '.join(fits)}" if fits else "nobody on the roster"
@@ -171,8 +237,12 @@ def _write(course, assignment, archive, chosen, replace, times, result):
         if same_student(student) in present and not replace:
             result.kept.append((student, entry.filename))
             continue
-        with archive.open(entry) as f:
-            content = f.read(MAX_BYTES + 1)  # the size stated in an archive may be wrong
+        try:
+            with archive.open(entry) as f:
+                content = f.read(MAX_BYTES + 1)  # the size stated in an archive may be wrong
+        except UNREADABLE as error:
+            result.refused.append((entry.filename, f"it is damaged: {error}"))
+            continue
         total += len(content)
         if len(content) > MAX_BYTES or total > MAX_TOTAL:
             why = "it is larger than it says, or all together are too large"

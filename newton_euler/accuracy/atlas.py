@@ -25,10 +25,8 @@ ANSWERS = {
 
 
 def write_atlas(folder, names=None, quick=False, progress=lambda fraction, words: None):
-    """The path of the page, after measuring and drawing all charts, or those of the ``names``.
-
-    A chart that cannot be made, as where a package is missing, is named on the page with the
-    reason.
+    """The path of the page, after drawing all charts, or those of the ``names``. A chart that
+    cannot be made is named on the page with the reason.
     """
     folder.mkdir(parents=True, exist_ok=True)
     wanted = [charts()[name] for name in names or charts()]

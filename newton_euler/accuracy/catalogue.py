@@ -84,9 +84,7 @@ def slug(name: str) -> str:
 
 
 def chart_named(name: str) -> Chart:
-    """The chart of this name, in which hyphens may stand for blanks; :class:`ArgumentError` lists
-    all names if there is none.
-    """
+    """The chart of this name (hyphens may stand for blanks); :class:`ArgumentError` lists all."""
     known = {slug(n): chart for n, chart in charts().items()}
     if not isinstance(name, str) or slug(name) not in known:
         raise ArgumentError(f"there is no chart {name!r}; there are {'; '.join(charts())}")

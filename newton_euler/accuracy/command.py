@@ -19,11 +19,7 @@ from .measurements.honesty import PATIENCE, honesty, table, write_csv
 from .measurements.work_precision import NAMES, QUICK, TOLERANCES
 
 HONESTY, ATLAS = "honesty", "atlas"
-SETTINGS = {
-    "help_option_names": ["-h", "--help"],
-    "max_content_width": 110,
-    "show_default": True,
-}
+SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110, "show_default": True}
 FILE = click.Path(path_type=Path, dir_okay=False)
 FOLDER = click.Path(path_type=Path, file_okay=False)
 
@@ -155,30 +151,17 @@ def _picture(context, parameter, path):
 
 @click.command(HONESTY, context_settings=SETTINGS)
 @click.option(
-    "--scene",
-    "scenes",
-    multiple=True,
-    callback=_scenes,
-    metavar="NAME",
-    show_default="all",
+    "--scene", "scenes", multiple=True, callback=_scenes, metavar="NAME", show_default="all",
     help="This scene, as in --list of the charts; may be repeated.",
-)
+)  # fmt: skip
 @click.option(
-    "--methods",
-    default="",
-    callback=_methods,
-    metavar="A,B",
-    show_default="all",
+    "--methods", default="", callback=_methods, metavar="A,B", show_default="all",
     help='Only these, as "auto,dop853".',
-)
+)  # fmt: skip
 @click.option(
-    "--out",
-    "path",
-    default=f"charts/{HONESTY}.png",
-    type=FILE,
-    callback=_picture,
+    "--out", "path", default=f"charts/{HONESTY}.png", type=FILE, callback=_picture,
     help="The picture; all runs are written beside it as CSV.",
-)
+)  # fmt: skip
 @click.option(
     "--longest", default=PATIENCE, type=click.FloatRange(0),
     help="Seconds; a method whose run takes longer is asked for no more digits of that scene.",

@@ -15,8 +15,7 @@ from .measurements.comparisons import measured_ways
 
 @checked
 def show_chart(name: str, quick: bool = True, tolerance: float | None = None) -> DrawnChart:
-    """Measure, draw and display the chart of this name with a caption that is generated from what
-    was measured; returns it, with its ``points`` and its ``caption``.
+    """Measure, draw and display the chart of this name; it has ``points`` and a ``caption``.
 
     name : as ``python -m newton_euler.accuracy --list`` prints it: "top", "models of top"
     quick : fewer tolerances and methods, coarse maps: a few seconds
@@ -43,16 +42,13 @@ def compare(
     exact: Scalar | Sequence[Scalar],
     title: str = "ways to one result",
 ) -> DrawnChart:
-    """Measure, draw and display the cost and the error of several ways to one result, with a
-    caption that is generated from what was measured; returns it, with its ``points``.
+    """Measure, draw and display cost and error of several ways to one result; the chart.
 
     ways : {name: a function without arguments}, which returns a number, or a Vector or sequence of
         numbers
-    exact : the result, of at least 20 digits (``mpmath.mpf``) or as exact numbers
+    exact : the result, of at least 20 digits (``mpmath.mpf``) or as exact numbers; errors are
+        distances from it, relative to its size
     title : what is computed
-
-    The error is the distance from ``exact``, relative to its size. What a first call takes more is
-    the time to prepare.
 
     >>> import math, mpmath
     >>> ways = {"product": lambda: 1.1 * 1.1, "power": lambda: math.pow(1.1, 2)}

@@ -43,6 +43,7 @@ class Equation:
     kind : what the sum is, as "acceleration"
     number, symbol : its number in the book, and its LaTeX symbol
     terms : by name, a term as (text, LaTeX), for those whose name is not enough
+    other : (text, LaTeX) of a term that is not listed; its name becomes the index
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -54,6 +55,7 @@ class Equation:
     number: str
     symbol: str
     terms: dict
+    other: tuple[str, str]
 
 
 @cache
@@ -69,10 +71,12 @@ def equation(kind: str) -> Equation:
     with Path(__file__).with_name("equations.toml").open("rb") as file:
         found = tomllib.load(file)[kind]
     terms = {name: tuple(texts) for name, texts in found.get("terms", {}).items()}
-    return Equation(kind, found["number"], found["symbol"], terms)
+    other = found.get("other", ("", f"{{{found['symbol']}}}"))  # braces: it may have an index
+    return Equation(kind, found["number"], found["symbol"], terms, tuple(other))
 
 
 T = TypeVar("T")
+NOISE = 1e-14  # of the largest component: anything smaller is round-off and printed as 0
 
 
 class Terms(dict[str, T], Generic[T]):
@@ -231,8 +235,7 @@ class Explanation:
             raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        # components below round-off of the largest are shown as 0
-        noise = 1e-14 * max(
+        noise = NOISE * max(
             (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)),
             default=0.0,
         )
@@ -241,7 +244,8 @@ class Explanation:
 
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
-        names = [f"{n}  {self.equation.terms.get(n, ('',))[0]}".rstrip() for n in self.terms]
+        known, other = self.equation.terms, self.equation.other
+        names = [f"{n}  {known.get(n, other)[0]}".rstrip() for n in self.terms]
         names.append("sum")
         width = max(map(len, names))
         vectors = [*self.terms.values(), self.vector]
@@ -265,7 +269,9 @@ class Explanation:
         # braces, since a symbol as M_B has an index already
         total = f"{{{symbol}}}" + f"_{{{latex_text(self.ledger.subject)}}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
-        formulas = [known[n][1] if n in known else _product(n, symbol) for n in self.terms]
+        formulas = [
+            known[n][1] if n in known else _product(n, self.equation.other[1]) for n in self.terms
+        ]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
         values = [*self.terms.items(), ("sum", self.vector)]
@@ -282,8 +288,7 @@ def _product(name, symbol):
     cross product of two rates.
     """
     parts = name.split(" x ")
-    # the symbol may have an index of its own, and then needs the braces
-    symbol = rf"{{{symbol}}}" if len(parts) == 1 else r"\boldsymbol{\omega}"
+    symbol = symbol if len(parts) == 1 else r"\boldsymbol{\omega}"
     return r"\times".join(rf"{symbol}_{{{latex_text(part)}}}" for part in parts)
 
 

@@ -225,9 +225,7 @@ def _largest(values):
 
 
 def _cramer(matrix, right):
-    """The solution of linear equations over scalars of any kind: Cramer's rule, which needs neither
-    a pivot nor a comparison.
-    """
+    """The solution for scalars of any kind by Cramer's rule: no pivot, no comparison."""
     every = tuple(range(len(matrix)))
 
     @cache
@@ -425,9 +423,7 @@ class _Equation:
 
 
 def _equations(conditions, count):
-    """The conditions as equations with names: "force" of a scalar, "force.x" of a Vector, numbers
-    for those without a name.
-    """
+    """The conditions as equations with names: "force.x" of a Vector, numbers without one."""
     if not isinstance(conditions, Mapping):
         parts = conditions if isinstance(conditions, (tuple, list)) else (conditions,)
         conditions = {f"equation {n}": x for n, x in enumerate(parts, 1)}
@@ -547,9 +543,7 @@ class _Elimination:
         self.rows[pivot] = row
 
     def _pivot(self, row, noise):
-        """The unknown with the largest coefficient at every instant; None if all are rounding
-        errors.
-        """
+        """The unknown with the largest coefficient at every instant; None if all are round-off."""
         smallest = self._relative(row, min_abs)
         best = max(range(self.count), key=smallest.__getitem__)
         if smallest[best] > noise:
@@ -638,9 +632,7 @@ def _instant_by_instant(equations, names):
 
 
 def _of_expressions(equations, found):
-    """The determined unknowns as formulas, from the equations that the elimination of numbers in
-    their place found to be independent.
-    """
+    """The determined unknowns as formulas, from the equations found to be independent."""
 
     def occurs(c):
         known = None if c is ZERO else probe(c)

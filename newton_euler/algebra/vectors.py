@@ -11,7 +11,16 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .jets import Moving, moving
-from .ledger import Equation, Explanation, Ledger, NamedTerms, Terms, latex_number, latex_text
+from .ledger import (
+    NOISE,
+    Equation,
+    Explanation,
+    Ledger,
+    NamedTerms,
+    Terms,
+    latex_number,
+    latex_text,
+)
 from .pickles import Computed
 from .scalars import (
     ZERO,
@@ -196,6 +205,10 @@ class Vector(Scaled, NamedTerms):
         c = tuple(ZERO if is_numeric(x) and max_abs(x) <= noise else x for x in self.c)
         return Vector(c, self.frame)
 
+    def _without_noise(self):
+        """The vector as it is printed: components below round-off of the largest are 0."""
+        return self.rounded(NOISE * max((max_abs(x) for x in self.c if is_numeric(x)), default=0.0))
+
     def cleared(self) -> "Vector":
         """The vector without the components that are expressions and vanish whatever their symbols
         are; its terms stay.
@@ -219,7 +232,7 @@ class Vector(Scaled, NamedTerms):
         return f"Vector({', '.join(map(shown, self))} in {self.frame.name})"
 
     def __str__(self):
-        return f"[{', '.join(map(short, self))}] in {self.frame.name}"
+        return f"[{', '.join(map(short, self._without_noise()))}] in {self.frame.name}"
 
     def _repr_latex_(self):
         return f"${self.latex()}$"
@@ -227,7 +240,7 @@ class Vector(Scaled, NamedTerms):
     def latex(self) -> str:
         """The vector as a LaTeX formula, in the unit vectors of its frame."""
         text = ""
-        for x, hat in zip(self, (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}"), strict=True):
+        for x, hat in zip(self._without_noise(), self.frame.hats, strict=True):
             if not is_zero(x):
                 number = latex_number(x, 5)
                 sign = "+" if text and not number.startswith("-") else ""

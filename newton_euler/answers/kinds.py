@@ -84,8 +84,9 @@ class Kind:
     def readings(
         self, tree: Any, form: Stated, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
-        """What an answer in JSON may mean: several answers of a vector that is given in several
-        frames, none of something that is not of this kind. Raises :class:`~.trees.TreeError`.
+        """What an answer in JSON may mean: of a vector that is given in several frames, its
+        components in each, of which :func:`~.frames.counted` finds those that count; none of
+        something that is not of this kind. Raises :class:`~.trees.TreeError`.
 
         symbols : {name: array of the points at which formulas are compared}
         """
@@ -204,11 +205,12 @@ class VectorKind(Kind):
                 faults.append(error)
                 budget[0] = left  # what is not read takes nothing from the rest
                 continue
-            if tree not in found.values():
+            if tree not in found.values() or frame.parent is None:
                 found[_distinct(frame.name, found)] = tree
         if not found:
             raise faults[0]
-        return found if len(found) > 1 else next(iter(found.values()))
+        first, *others = found.values()
+        return found if any(tree != first for tree in others) else first
 
     def readings(self, tree, form, symbols, budget):
         if not isinstance(tree, dict) or not 0 < len(tree) <= FRAMES:

@@ -10,6 +10,7 @@ from typing import Any, Protocol
 from .causes import BOOK, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
 from .forms import Form
+from .frames import counted
 from .kinds import Kind
 from .messages import one_line
 from .perturbed import Perturbed
@@ -102,10 +103,13 @@ def judge(
         return Judged("unreadable", f"cannot be read: {one_line(str(error))}")
     if factor != 1:
         readings = [tuple(tuple(factor * x for x in point) for point in r) for r in readings]
-    for given in readings:
-        if asked.kind.is_right(given, numbers.key[asked.key], asked.atol):
-            return Judged("right", "right", given)
-    return Judged("wrong", "not right", readings[0] if readings else None)
+    key = numbers.key[asked.key]
+    axes = ((int(c.name), points) for c, points in numbers.wrong(asked.key) if c.group == "axes")
+    right = counted(readings, key, asked, axes)
+    if right is not None:
+        return Judged("right", "right", right)
+    wrong = [given for given in readings if not asked.kind.is_right(given, key, asked.atol)]
+    return Judged("wrong", "not right", wrong[0] if wrong else None)
 
 
 @dataclass(frozen=True)

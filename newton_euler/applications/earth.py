@@ -1,12 +1,10 @@
 """Motion as seen from the rotating Earth (6.8)-(6.11): ground frames, apparent weight, projectiles,
 weather.
 
-*Ground axes* at a place: i to the east, j to the north, k up, away from the Earth's centre; the
-Earth is a uniform sphere. Latitude is in rad, north positive; an azimuth runs from east toward
-north, an elevation upward from the horizontal. ``rate`` is the Earth's, in rad/s; lengths and ``g``
-are in any one unit of length, only the constants below are in metres. ``g`` is the acceleration by
-attraction alone, downward; a vector ``gravity`` may be the :func:`effective_gravity`, which
-contains the centrifugal part.
+*Ground axes*: i east, j north, k up, away from the centre of a uniform sphere. Angles in rad:
+latitude, north positive; azimuth from east toward north; elevation from the horizontal. ``rate`` is
+the Earth's, rad/s; units of length are any, only the constants below are in metres. ``g`` is the
+acceleration by attraction alone; a vector ``gravity`` may be the :func:`effective_gravity`.
 
 >>> from newton_euler import Frame, radians
 >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
@@ -54,11 +52,8 @@ class EarthError(NewtonEulerError, ValueError):
 def earth_frame(
     stars: Frame, rate: Scalar = EARTH_RATE, turned: Scalar = 0, name: str = "earth"
 ) -> Frame:
-    """The frame of the Earth in ``stars``, a frame that does not rotate; both have their origin in
-    its centre.
-
-    Axes at longitude 0 on the equator: i to the east, j to the north (the axis of rotation), k up.
-    ``turned`` : the angle of rotation so far, rad.
+    """The frame of the Earth in ``stars``, which does not rotate, ``turned`` (rad) so far; origin
+    in its centre, axes as at longitude 0 on the equator: i east, j north, k up.
 
     >>> from newton_euler import Frame
     >>> stars = Frame("stars")
@@ -76,10 +71,8 @@ def ground_frame(
     radius: Scalar = EARTH_RADIUS,
     name: str = "ground",
 ) -> Frame:
-    """The ground axes at a place, as a frame with its origin there: i east, j north, k up.
-
-    ``earth`` is from :func:`earth_frame`; ``latitude`` in rad, north positive, ``longitude`` in
-    rad, east positive. Raises :class:`EarthError` for a latitude beyond the poles (degrees?).
+    """The ground axes at a place, with their origin there, in the frame by :func:`earth_frame`;
+    longitude positive east. Raises :class:`EarthError` for a latitude beyond the poles (degrees?).
 
     >>> from newton_euler import Frame
     >>> ground = ground_frame(earth_frame(Frame("stars"), 7e-5), 0.0, radius=6.4e6)
@@ -107,10 +100,8 @@ def _check_latitude(latitude):
 
 @checked
 def earth_rate(ground: Frame) -> Vector:
-    """The angular velocity of the Earth (6.18), rad/s: (0, rate cos(latitude), rate sin(latitude))
-    along ground axes.
-
-    The root of the tree of ``ground`` counts as inertial.
+    """The angular velocity of the Earth (6.18), (0, rate cos(latitude), rate sin(latitude)) along
+    ground axes; the root of the tree of ``ground`` counts as inertial.
     """
     return ground.angular_velocity(ground.tree[0])
 
@@ -126,10 +117,8 @@ def earth_rate3(latitude: Scalar, rate: Scalar = EARTH_RATE) -> Triple:
 
 
 def attraction3(r: Triple, g: Scalar, radius: Scalar) -> Triple:
-    """The acceleration by the attraction of the Earth, as a triple along ground axes, at the triple
-    ``r`` from the ground's origin (5.22).
-
-    g : at the distance ``radius`` from the centre
+    """The attraction of the Earth (5.22) as an acceleration at ``r`` from the ground's origin,
+    triples along ground axes; ``g`` is that at ``radius`` from the centre.
 
     >>> attraction3((0, 0, 1.0), 9.0, 2.0)
     (0, 0, -4.0)
@@ -141,9 +130,7 @@ def attraction3(r: Triple, g: Scalar, radius: Scalar) -> Triple:
 
 
 def centrifugal3(r: Triple, omega: Triple, radius: Scalar) -> Triple:
-    """The centrifugal acceleration -omega x (omega x rho), as a triple along ground axes, at the
-    triple ``r`` from the ground's origin.
-    """
+    """-omega x (omega x rho), as a triple along ground axes, at ``r`` from the ground's origin."""
     return cross3(cross3(omega, _from_centre(r, radius)), omega)
 
 
@@ -172,9 +159,8 @@ def effective_gravity(g: Scalar, ground: Frame) -> Vector:
     """The acceleration of a body released at rest, g' = -g k - a_B (6.11), along ground axes: the
     direction of a plumb line, and the g of a balance.
 
-    Its terms are the ``attraction`` and the ``centrifugal`` part. The book's apparent g, g - R
-    omega^2 cos(latitude)^2, is its component down; ``g'.angle_to(-ground.k)`` is the deflection of
-    the plumb line, toward the equator.
+    Terms: ``attraction``, ``centrifugal``. The book's apparent g, g - R omega^2 cos(latitude)^2, is
+    its component down; ``g'.angle_to(-ground.k)`` the deflection of the plumb line.
 
     >>> from newton_euler import Frame
     >>> print(effective_gravity(9.82, ground_frame(earth_frame(Frame("stars")), 1.5)))
@@ -187,9 +173,7 @@ def effective_gravity(g: Scalar, ground: Frame) -> Vector:
 @checked
 def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
     """The force N of the ground on a body of mass ``m`` at rest on it (6.13), along ground axes;
-    without rotation m g k (6.14).
-
-    Terms: ``weight``, and ``rotation``, which keeps the body on its circle.
+    terms ``weight``, m g k (6.14), and ``rotation``, which keeps the body on its circle.
 
     >>> from newton_euler import Frame
     >>> ground = ground_frame(earth_frame(Frame("stars"), 1e-4), 0.0, radius=6.4e6)
@@ -222,11 +206,8 @@ def coriolis_acceleration(omega: Vector, v: Vector) -> Vector:
 
 @checked
 def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
-    """The acceleration of a projectile seen from the ground (6.16), where its velocity is ``v``:
-    gravity - 2 omega x v.
-
-    All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless
-    ``gravity`` is the effective one.
+    """The acceleration of a projectile with the velocity ``v``, seen from the ground (6.16): the
+    terms ``gravity`` and ``coriolis``; only the effective gravity has those in omega^2.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -257,9 +238,7 @@ def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
 
 
 def launch_direction(azimuth: Scalar, elevation: Scalar) -> Triple:
-    """The direction of a shot (6.17) as a triple along ground axes; azimuth from east toward
-    north.
-    """
+    """The direction of a shot (6.17), along ground axes; azimuth from east toward north."""
     return cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)
 
 
@@ -281,9 +260,8 @@ def projectile_position(t: Scalar, launch: Vector, gravity: Vector, omega: Vecto
 
     launch, gravity, omega : Vectors, the velocity of the shot, the acceleration of free fall, the
         Earth's angular velocity
-    Returns a Vector along the axes of ``launch``, with the terms ``launch``, ``fall``,
-    ``launch turned`` and ``fall turned``. The error is of the second order in the rotation, about
-    (2 omega t)^2/6 of the way; see :func:`projectile_to_order`.
+    terms : ``launch``, ``fall``, ``launch turned``, ``fall turned``
+    The error is about (2 omega t)^2/6 of the way; see :func:`projectile_to_order`.
 
     >>> from newton_euler import Frame, radians
     >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
@@ -309,9 +287,7 @@ def _along(frame, *vectors):
 
 
 def coriolis_series(v: Triple, g: Triple, w: Triple, factors: Iterable[tuple]) -> Triple:
-    """The sum of (-2 w x)^n (a v + b g) over the pairs (a, b) of ``factors``, n = 0, 1, ..., of
-    triples: by Horner's scheme.
-    """
+    """The sum over (a, b) in ``factors`` of (-2 w x)^n (a v + b g), triples: Horner's scheme."""
     *rest, total = (add3(scale3(a, v), scale3(b, g)) for a, b in factors)
     for term in reversed(rest):
         total = add3(term, cross3(scale3(-2, w), total))
@@ -319,9 +295,7 @@ def coriolis_series(v: Triple, g: Triple, w: Triple, factors: Iterable[tuple]) -
 
 
 def _integrals(t, m, order):
-    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: each factor -2 w x goes with one
-    integration.
-    """
+    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: one integration each."""
     powers = list(accumulate(range(1, m + order + 2), lambda power, k: power * t / k, initial=1))
     return list(pairwise(powers[m:]))
 
@@ -449,9 +423,8 @@ def range_east(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH
 
 @checked
 def range_error(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
-    """The relative error (R_0 - R)/R_0 of the range to the east without rotation (6.31); the book
-    has 100 times this, in per cent. Negative below 60 degrees, where the rotation lengthens the
-    shot.
+    """The relative error (R_0 - R)/R_0 of the range to the east without rotation (6.31), in the
+    book in per cent; negative below 60 degrees, where the rotation lengthens the shot.
 
     >>> round(range_error(100.0, 0.7853981633974483, 10.0), 6)
     -0.000688
@@ -514,8 +487,8 @@ def gradient_wind(
     a cyclone: counterclockwise seen from above in the north, clockwise in the south.
 
     pressure_gradient : G, over the density, m/s^2; positive about a low, negative about a high
-    v solves v^2/radius + 2 omega |sin(latitude)| v = G; on a large circle it is the geostrophic
-    wind. Raises :class:`EarthError` for a high with a steeper gradient than any wind can balance.
+    v^2/radius + 2 omega |sin(latitude)| v = G. Raises :class:`EarthError` for a high with a steeper
+    gradient than any wind can balance.
 
     >>> round(gradient_wind(1e-3, 500e3, 0.8), 2), round(gradient_wind(-1e-3, 500e3, 0.8), 2)
     (8.26, -12.59)

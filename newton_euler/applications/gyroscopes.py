@@ -10,10 +10,6 @@ k/sin(theta). Gravity enters as ``mgr``, weight times distance of G from the fix
 if G lies on the side of k; its moment is mgr sin(theta) (10.30). Any other moment M about the line
 of nodes is given as ``moment``. Angles are in rad, rates in rad/s, other units any consistent ones.
 
-The quadratic equation of steady precession (10.33) is solved without cancellation: results are
-exact to round-off also as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity
-and the slow one to its limit (10.37).
-
 >>> found = steady_precession(I0=0.02, I=0.01, theta=1.0, spin=100.0, mgr=0.5)
 >>> round(found.slow, 6), round(found.fast, 4)
 (0.501358, 184.5802)
@@ -70,11 +66,9 @@ class InstantaneousAxis:
 
 @checked
 def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
-    """The instantaneous axis of rotation of a rigid body, seen from ``observer`` (10.1).
-
-    body : the frame of the body. The ``point`` is that of the axis nearest to its origin. In a
-    motion with no point at rest the axis is that of the screw. Raises :class:`GyroError` if the
-    body does not turn.
+    """The instantaneous axis of the body with the frame ``body``, seen from ``observer`` (10.1); of
+    the screw if no point is at rest. Its ``point`` is that nearest to the body's origin. Raises
+    :class:`GyroError` if the body does not turn.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
@@ -102,14 +96,10 @@ def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
 
 @checked
 def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
-    """The angular momentum H about the fixed point or G, in the frame {i, j, k} that precesses and
-    nutates without spinning (10.21); it knows its rate.
+    """The angular momentum H about the fixed point or G (10.21), which knows its rate, in {i, j,
+    k}, the ``parent`` of the frame ``body``, made by :func:`newton_euler.euler_frame`.
 
-    body : the frame of the body, made by :func:`newton_euler.kinematics.rotations.euler_frame`, so
-        that {i, j, k} is ``body.parent``
-
-    >>> from newton_euler import Frame, moving
-    >>> from newton_euler.kinematics.rotations import euler_frame
+    >>> from newton_euler import Frame, euler_frame, moving
     >>> ground = Frame("ground")
     >>> top = euler_frame(ground, "top", 0.0, 0.0, moving(0.0, rate=100.0))
     >>> gyro_momentum(top, ground, 0.02, 0.01).z
@@ -123,16 +113,12 @@ def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
 
 @checked
 def gyro_moment(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
-    """The moment for a motion, about the fixed point or G (10.20)-(10.25), (10.27), in {i, j, k},
-    the frame ``body.parent``.
-
-    body : made by :func:`newton_euler.kinematics.rotations.euler_frame` of angles that are
-        :func:`newton_euler.moving`, with both rates
+    """The moment for a motion, about the fixed point or G, in {i, j, k} (10.20)-(10.25), (10.27).
+    body : as for :func:`gyro_momentum`, by angles that are moving, with both rates
     terms : ``acceleration``, the rate of H seen in {i, j, k}; ``precession`` Omega x [I] Omega;
         ``gyroscopic`` Omega x I phi' k
 
-    >>> from newton_euler import Frame, moving, pi
-    >>> from newton_euler.kinematics.rotations import euler_frame
+    >>> from newton_euler import Frame, euler_frame, moving, pi
     >>> ground = Frame("ground")
     >>> level = euler_frame(ground, "rotor", moving(0.0, rate=2.0), pi()/2, moving(0.0, rate=100.0))
     >>> round(gyro_moment(level, ground, 0.02, 0.01).x, 12)  # I psi' phi' (10.37)
@@ -176,9 +162,7 @@ def _check_moments(I0, I):
 
 
 def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None) -> None:
-    """Raises :class:`GyroError` unless a body can have I0 and I, and one of its two rates about the
-    axis is given.
-    """
+    """Raises :class:`GyroError` unless I0 and I are possible and one rate is given."""
     _check_moments(I0, I)
     if (spin is None) == (omega_z is None):
         raise GyroError(
@@ -283,10 +267,10 @@ def steady_precession(
     Give either ``spin`` phi', relative to the precessing plane, or ``omega_z``, the whole rate
     about the axis; and either ``mgr`` or ``moment``. With a = (I0 - I) cos(theta), h = I phi' (or a
     = I0 cos(theta), h = I omega_z) and c = mgr or moment/sin(theta) the rates solve a psi'^2 - h
-    psi' + c = 0. They are taken from q = (h + sgn(h) sqrt(h^2 - 4 a c))/2 as c/q and q/a, sums of
-    equal signs: right to round-off for every a, while the printed root (10.33) loses its digits as
-    a -> 0 and is 0/0 there. An expression for h is taken as different from zero. Raises
-    :class:`GyroError` where no rate is real (arrays: at any instant), with the least spin needed.
+    psi' + c = 0. They are c/q and q/a with q = (h + sgn(h) sqrt(h^2 - 4 a c))/2: right to round-off
+    also as a -> 0, where the printed root (10.33) is 0/0. An expression for h is taken as not zero.
+    Raises :class:`GyroError` where no rate is real (arrays: at any instant), with the least spin
+    needed.
 
     >>> import math
     >>> level = steady_precession(0.02, 0.01, math.pi/2, spin=100.0, mgr=0.5)
@@ -421,10 +405,9 @@ def nutation_stiffness(
     """The square of the angular frequency (rad/s)^2 of small nutations about a steady precession
     under gravity; stable where it is positive.
 
-    psi'^2 sin^2(theta) + (I omega_z/I0 - 2 psi' cos(theta))^2: the curvature of the effective
-    potential, divided by I0, while I omega_z and the momentum about the vertical stay what they
-    are. It is a sum of squares: every steady precession of a tilted top is stable. Where the moment
-    is not that of gravity, mgr sin(theta), or the precession is enforced, it does not hold.
+    psi'^2 sin^2(theta) + (I omega_z/I0 - 2 psi' cos(theta))^2, the curvature of the effective
+    potential over I0: a sum of squares, so every steady precession of a tilted top is stable. It
+    does not hold for other moments than gravity's, or where the precession is enforced.
 
     >>> nutation_stiffness(0.02, 0.01, 0.0, 0.0, 100.0)
     2500.0
@@ -436,9 +419,7 @@ def nutation_stiffness(
 
 @dataclass(frozen=True)
 class FastSpin:
-    """The leading terms (10.34) for a fast spin, and their relative errors, positive where a term
-    is too large.
-    """
+    """The leading terms (10.34) for a fast spin, and their relative errors, signed."""
 
     slow: Scalar
     fast: Scalar
@@ -453,9 +434,8 @@ def fast_spin(
     """The approximate precession rates for a fast spin: mgr/(I phi') and I phi'/((I0 - I)
     cos(theta)) (10.34).
 
-    With eps = mgr (I0 - I) cos(theta)/(I phi')^2 and s = sqrt(1 - 4 eps) the relative errors are -2
-    eps/(1 + s) and 4 eps/(1 + s)^2, to leading order -eps and eps, here without approximation;
-    :class:`GyroError` where no precession is real, or the spin is zero.
+    Relative errors -2 eps/(1 + s) and 4 eps/(1 + s)^2, eps = mgr (I0 - I) cos(theta)/(I phi')^2, s
+    = sqrt(1 - 4 eps); :class:`GyroError` where no precession is real, or the spin is zero.
 
     >>> found = fast_spin(0.02, 0.01, 1.0, 100.0, mgr=0.5)
     >>> round(found.slow, 6), round(found.slow_error, 6)
@@ -470,12 +450,8 @@ def fast_spin(
     eps = c / h * (a / h)
     # the errors by 1 + s: 1 - s would cancel for a fast spin, where s is nearly 1
     once = 1 + sqrt(_discriminant(a, h, c, I, "spin")) / sqrt(h * h)
-    return FastSpin(
-        to_plain(c / h),
-        to_plain(_quotient(h, a, math.inf)),
-        to_plain(-2 * eps / once),
-        to_plain(4 * eps / (once * once)),
-    )
+    found = c / h, _quotient(h, a, math.inf), -2 * eps / once, 4 * eps / (once * once)
+    return FastSpin(*map(to_plain, found))
 
 
 # -- without a moment
@@ -501,10 +477,9 @@ class FreePrecession:
 @checked
 def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreePrecession:
     """The steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)).
-
-    Direct if I < I0, retrograde if I > I0. Raises :class:`GyroError` if I = I0 or theta = pi/2:
-    then the body has no spin, and turns about K as a whole. For the approach to this use
-    ``omega_z``: psi' = I omega_z/(I0 cos(theta)), which has a limit.
+    Raises :class:`GyroError` if I = I0 or theta = pi/2: then the body has no spin, and turns about
+    K as a whole. For the approach to this use ``omega_z``: psi' = I omega_z/(I0 cos(theta)), which
+    has a limit.
 
     >>> football = free_precession(3.0, 1.0, 0.5, 10.0)
     >>> round(football.rate, 4), football.sense
@@ -540,8 +515,7 @@ class SleepingTop:
     critical : the least whole rate omega_z, rad/s
     margin : (omega_z/critical)^2, infinite if it is stable without spin
     stable : True or False, None for expressions
-    growth : the rate at which a small tilt grows, 1/s, zero if stable: by exp(growth T) over the
-        time T. Near the threshold a finite simulation cannot decide, the criterion can
+    growth : the rate at which a small tilt grows, 1/s, zero if stable
     """
 
     critical: Scalar
@@ -554,9 +528,8 @@ class SleepingTop:
 def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> SleepingTop:
     """The stability of a top that spins upright (theta = 0): stable if (I omega_z)^2 >= 4 I0 mgr.
 
-    It is stable at the threshold itself: there the effective potential is of fourth order, with a
-    minimum. A small tilt x + i y obeys I0 z'' - i I omega_z z' - mgr z = 0. For a body that hangs
-    (theta = pi) mgr is negative, and it is stable at every rate.
+    Also at the threshold, where the effective potential is of fourth order. A small tilt z = x + i
+    y obeys I0 z'' - i I omega_z z' - mgr z = 0. A body that hangs has mgr < 0 and is always stable.
 
     >>> top = sleeping_top(0.02, 0.01, 0.5, 30.0)
     >>> top.critical, top.margin, top.stable

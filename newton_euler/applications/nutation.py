@@ -1,10 +1,9 @@
 """The limits of nutation of a top, from its state at one instant (10.24), (10.25).
 
-With I omega_z and the momentum about the vertical constant, the energy makes u = cos(theta) move in
-a cubic potential: u'^2 = f(u), and the limits are the two roots of f in [-1, 1]. Solving f(u) = 0
-directly loses half of the digits at small nutations and near the vertical. Here the third root is
-computed, which is far from both, and the limits from it: their distances from the initial state,
-and from the vertical, without cancellation.
+The energy makes u = cos(theta) move in a cubic potential, u'^2 = f(u), between two roots of f in
+[-1, 1], which lose half of their digits at small nutations and near the vertical if f(u) = 0 is
+solved. Here the third root is computed, far from both, and from it their distances from the initial
+state and from the vertical, without cancellation.
 
 >>> released = {"theta": 1.0, "theta_rate": 0.0, "precession": 0.0, "spin": 100.0}
 >>> found = nutation(0.02, 0.01, mgr=0.5, **released)
@@ -149,10 +148,7 @@ def turning_points(
 
 def _third_root(e, spin, cross, rest, mgr):
     """The root zeta >= 0 of (zeta - e) zeta (zeta + 2 mgr) = spin zeta^2 - cross mgr zeta + rest
-    mgr^2; the two others are not positive.
-
-    The trigonometric solution (Viete) for the root of largest size, which is well-conditioned, and
-    the remaining quadratic for the two others, of opposite signs.
+    mgr^2: Viete's solution for the largest root, a quadratic for the two others.
     """
     a, b, c = 2 * mgr - e - spin, mgr * (cross - 2 * e), -rest * (mgr * mgr)
     square = (a * a - 3 * b) / 9
@@ -207,9 +203,7 @@ def _classify(theta_min, theta_max, at_min, at_max, scale, tolerance, pi):
 
 
 def _period(x, y):
-    """2 pi over the arithmetic-geometric mean of the square roots of F/((v - v1)(v2 - v)) 2/I0 at
-    both limits; infinite where one is 0.
-    """
+    """2 pi over the mean of sqrt(F/((v - v1)(v2 - v)) 2/I0) at both limits; inf where 0."""
     none = where(x > 0, where(y > 0, 1, 0), 0) == 0
     x, y = (sqrt(where(none, 1, value)) for value in (x, y))
     for _ in range(16):  # it converges quadratically: enough for hundreds of digits

@@ -1,15 +1,14 @@
 """Rotation about a fixed axis (chapter 9): the bearing forces of a rotor, its static and dynamic
 imbalance, and its balancing.
 
-A rotor is a :class:`~newton_euler.bodies.body.Body` that turns about the line AB of two bearings,
-Points at rest. The unit vector e points from A to B, and every rate and moment about
-the shaft is positive in the right-hand sense about e. O is a point of the axis, the bearings lie at
--a and b from it, l = a + b. With F the rate of momentum less the weight, and N the rate of angular
-momentum about O less the moment of the weight, both bearings follow at once:
+A rotor turns about the line AB of two bearings, Points at rest. The unit vector e points from A to
+B, rates and moments are right-handed about it. O is a point of the axis, the bearings lie at -a and
+b from it, l = a + b. With F the rate of momentum less the weight, and N that of angular momentum
+about O less the moment of the weight,
 
     A = e x (N - b e x F)/l,   B = -e x (N + a e x F)/l,   A_e + B_e = e . F,   M = e . N
 
-which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces act ON the shaft.
+which are (9.3), (9.6), (9.9), (9.10) for any direction. Forces act ON the shaft.
 
 >>> from newton_euler import Frame
 >>> from newton_euler.bodies.solids import disk
@@ -82,16 +81,14 @@ def reactions(
     A, B : the bearings, Points of the axis, fixed in the body or in a frame of the shaft
     gravity : the acceleration of gravity, a Vector (m/s^2); None: the dead weight is left out, as
         in (9.3)
-    about : the point O of the axis for the terms; default: the foot of the centre of mass. The sums
-        do not depend on it.
+    about : the point O of the axis for the terms; default: the foot of the centre of mass
     terms of A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance
         of G; ``dynamic``, from omega^2 and the products of inertia about O; ``static_euler`` and
         ``dynamic_euler``, the same from the angular acceleration
     Raises :class:`RotorError` if the bearings coincide, if ``about`` is off the axis, or if body
     and bearings move otherwise than about AB.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.body import particle
+    >>> from newton_euler import Frame, particle
     >>> ground = Frame("ground")
     >>> shaft = ground.rotate("shaft", "z", rate=2.0, acceleration=3.0)
     >>> A, B = shaft.point("A", 0, 0, -1.0), shaft.point("B", 0, 0, 1.0)
@@ -175,9 +172,7 @@ def _on_axis(body, A, e, length, about):
 
 
 def _check_motion(body, A, e, length, ground):
-    """Raises :class:`RotorError` unless A rests and the body turns about the axis; expressions
-    pass.
-    """
+    """Raises :class:`RotorError` unless A rests and the body turns about the axis."""
     w, alpha = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground)
     for name, vector, scale in (
         ("its angular velocity", w.cross(e), w.norm()),
@@ -214,13 +209,9 @@ class Imbalance:
 
 @checked
 def imbalance(body: Body, A: Point, B: Point, about: Point | None = None) -> Imbalance:
-    """The static and dynamic imbalance of a body for the axis AB. For scalars of every kind.
+    """The static and dynamic imbalance for the axis AB; ``about`` as for :func:`reactions`.
 
-    about : the point O of the axis for the products of inertia; default: the foot of G, where they
-        are those about G
-
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.body import particle
+    >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.origin, shaft.point("B", 0, 0, 1.0)
     >>> found = imbalance(particle(2.0, shaft.point("P", 0.1, 0, 0.4)), A, B, about=A)
@@ -308,15 +299,8 @@ def balance(
     total = where(to_plain(total) < to_plain(floor), floor, total)
     eccentricity = e / body.mass
     offset, tilt = max_abs(eccentricity / sqrt(total / body.mass)), max_abs(product / total)
-    return Balance(
-        offset <= tolerance,
-        tilt <= tolerance,
-        max_abs(eccentricity),
-        max_abs(product),
-        offset,
-        tilt,
-        tolerance,
-    )
+    sizes = max_abs(eccentricity), max_abs(product), offset, tilt, tolerance
+    return Balance(offset <= tolerance, tilt <= tolerance, *sizes)
 
 
 # -- balancing
@@ -332,8 +316,7 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
     With U and P the static imbalance and the products of inertia about A, at z1 and z2: U1 = (P -
     z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1). Raises :class:`RotorError` if the planes coincide.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.body import particle
+    >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.origin, shaft.point("B", 0, 0, 4.0)
     >>> [U.x for U in corrections(particle(2.0, shaft.point("P", 0.5, 0, 1.0)), A, B, (2.0, 3.0))]
@@ -366,12 +349,10 @@ def balancing_masses(
     planes : as for :func:`corrections`
     radius : their distance from the axis (m), one number or a pair; their masses follow
     mass : their mass (kg), one number or a pair; their distances follow. Give one of the two.
-    ``composite("balanced", [body, *weights])`` has no dynamic reactions. Where no weight is needed
-    it has mass (or radius) zero. A hole of the same mass on the opposite side is equivalent. Raises
-    :class:`RotorError` for a radius or mass that is not positive.
+    Where no weight is needed it has mass (or radius) zero. A hole of the same mass on the opposite
+    side is equivalent. Raises :class:`RotorError` for a radius or mass that is not positive.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.body import particle
+    >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.origin, shaft.point("B", 0, 0, 4.0)
     >>> rotor = particle(2.0, shaft.point("P", 0.5, 0, 1.0))
@@ -403,9 +384,7 @@ def balancing_masses(
 
 
 def _weight(name, U, A, e, z, given, at_radius):
-    """The weight of ``U`` (kg m), in the plane at ``z`` from A, at a given radius or of a given
-    mass.
-    """
+    """The weight of ``U`` (kg m) in the plane at ``z`` from A, at a given radius or mass."""
     length = scalar(U.norm())
     if is_zero(length):
         step = U * 0

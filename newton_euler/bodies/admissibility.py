@@ -24,9 +24,7 @@ PRODUCTS = ("xy", "yz", "zx")
 
 
 class MassError(NewtonEulerError, ValueError):
-    """Masses, dimensions or moments of inertia that no body has, or a mass or centre that is needed
-    and was not given.
-    """
+    """Data that no body has, or a mass or centre that is needed and was not given."""
 
 
 def positive(x: Scalar, what: str) -> None:
@@ -41,9 +39,7 @@ def positive(x: Scalar, what: str) -> None:
 
 
 def not_negative(x: Scalar, what: str) -> None:
-    """Raises :class:`MassError` if ``x``, a number, or an element of it is negative or not finite;
-    ``what`` is its name.
-    """
+    """Raises :class:`MassError` if the number ``x``, or an element, is negative or not finite."""
     if type(x) is float and 0 <= x < inf:
         return
     x = without_rates(x)
@@ -79,9 +75,7 @@ def _refuse_moment(moments, n):
 
 
 def check(I: Any, tolerance: float, slack: float) -> None:
-    """Raises :class:`MassError` if no body can have the inertia ``I``, see
-    :meth:`newton_euler.bodies.inertia.Inertia.check`.
-    """
+    """Raises :class:`MassError` if no body can have ``I``, see :meth:`.inertia.Inertia.check`."""
     if I.mass is not None and is_numeric(I.mass) and not is_positive(I.mass):
         raise MassError(
             f"the mass is {to_plain(I.mass)}; it must be positive (a removed part is subtracted: "
@@ -94,10 +88,8 @@ def check(I: Any, tolerance: float, slack: float) -> None:
 
 
 def _check_integrals(I, tolerance, slack):
-    """The integrals J_xx of x^2 … must be at least zero, and bound the products.
-
-    I = tr(J) - J; J is that of some masses if its principal minors are at least zero. Each minor
-    is compared with its rounding: ``small`` for each factor, the others at most ``largest``.
+    """The principal minors of J, I = tr(J) - J, must be at least zero, but for rounding: ``small``
+    for each factor, the others at most ``largest``.
     """
     largest = max(map(max_abs, I.moments + I.products))
     small, largest = tolerance * largest + slack, max(slack, largest)
@@ -144,9 +136,7 @@ def _below(x, bound):
 
 
 def round_off(mass: Scalar, points: Iterable[Point], frame: Frame) -> float:
-    """A bound of the error by rounding in moments of this mass at the points: 100 round-offs of
-    m r^2; 0 for expressions.
-    """
+    """The rounding of moments of this mass: 100 round-offs of m r^2; 0 for expressions."""
     if not is_numeric(mass):
         return 0.0
     coordinates = (x for P in points for x in P.position(frame).c)

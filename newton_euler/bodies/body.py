@@ -1,11 +1,7 @@
 """Rigid bodies: mass, centre of mass, inertia, momentum and angular momentum (chapters 5 and 7).
 
-A :class:`Body` has a name, a mass, a centre of mass and an inertia matrix, or is composed of
-others. ``body.about(P)`` is its :class:`newton_euler.bodies.inertia.Inertia` about any point; the
-sign convention of the products stands there. The solids of Appendix B are in
-:mod:`newton_euler.bodies.solids`, bodies given by a formula in
-:mod:`newton_euler.bodies.parametric`, principal axes in :mod:`newton_euler.bodies.principal_axes`.
-Units: any consistent ones; in SI kg, m, kg m^2.
+The sign convention of the products is that of :class:`newton_euler.bodies.inertia.Inertia`. Units:
+any consistent ones; in SI kg, m, kg m^2.
 
     L = m v_G, F = dL/dt        body.momentum(ground), .rate(ground)             (5.2), (5.8), (7.5)
     H_G = I omega               body.angular_momentum(ground)                    (7.12)
@@ -35,8 +31,7 @@ class Body:
     inertia : three principal moments about G along the axes of the frame, or an :class:`Inertia`
         about any point
     frame : the frame fixed in the body; default: that of ``inertia``, or the one in which G is
-        given. (``rotor.origin`` is a point of the *parent* of rotor, in which it may move; for a
-        body that turns with rotor give ``rotor`` itself, or ``rotor.point(...)``.)
+        given (``rotor.origin`` is a point of the *parent* of rotor: give ``rotor`` itself for G)
 
     >>> from newton_euler import Frame
     >>> body = Frame("wheel")
@@ -101,9 +96,7 @@ class Body:
 
     @checked
     def check(self, tolerance: float = 1e-9) -> "Body":
-        """The body itself if its mass and inertia are possible; :class:`MassError` otherwise, see
-        :meth:`Inertia.check`.
-        """
+        """The body itself; :class:`MassError` if it is impossible, see :meth:`Inertia.check`."""
         self.inertia.check(tolerance)
         return self
 
@@ -118,9 +111,8 @@ class Body:
     def angular_momentum(self, observer: Frame, about: Point | None = None) -> Vector:
         """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23).
 
-        It is the *relative* angular momentum of the book (7.6), of velocities relative to B; equal
-        to the absolute one if B is fixed in ``observer``. Its rate is
-        ``body.angular_momentum(ground).rate(ground)``.
+        It is the *relative* angular momentum (7.6), equal to the absolute one if B is fixed in
+        ``observer``.
         terms : ``orbital``, ``own``
         """
         own = self.inertia.times(self.frame.angular_velocity(observer))

@@ -1,7 +1,6 @@
 """The inertia matrix (chapter 7): moments and products of inertia about any point, along any axes.
 
-**The sign convention** of the book: the *products of inertia* are the plain
-integrals (7.9), (7.10)
+**The sign convention** of the book: the *products of inertia* are the plain integrals (7.9), (7.10)
 
     I_xy = integral of x y dm,   I_yz = integral of y z dm,   I_zx = integral of z x dm
 
@@ -133,12 +132,9 @@ class Inertia(Scaled, NamedTerms):
     def times(self, omega: Vector) -> Vector:
         """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
 
-        omega : the angular velocity of the body, a Vector in any related frame
-        H has a rate if omega has one: the entries are taken as constant in the frame of the matrix,
-        and ``H.rate(ground)`` is I alpha + omega_frame x H. The frame need not be fixed in the body
-        if the entries stay constant in it, as for a symmetric body in a frame that precesses
-        without spinning. About the centre of mass, or about a point fixed in body and ground, H is
-        the angular momentum of the whole motion; for other points :meth:`Body.angular_momentum`
+        H has a rate if omega has one, I alpha + omega_frame x H: the entries are taken as constant
+        in the frame of the matrix, also where that precesses without spinning. H is that of the
+        whole motion about G or a point fixed in body and ground; else :meth:`Body.angular_momentum`
         adds the motion of G.
         """
         rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
@@ -156,8 +152,7 @@ class Inertia(Scaled, NamedTerms):
     def moment(self, axis: str | Vector) -> Scalar:
         """The moment of inertia about an axis through ``point``: n . I n.
 
-        axis : "x", "y", "z", or a Vector of any length along it. For an axis through another point
-            use ``I.about(P).moment(axis)``.
+        axis : "x", "y", "z", or a Vector of any length along it
 
         >>> from newton_euler import Frame
         >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
@@ -189,9 +184,8 @@ class Inertia(Scaled, NamedTerms):
         """The inertia matrix about another point, along the same axes: the parallel axis theorem
         (7.25), (7.26) between any two points.
 
-        Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes
-        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y). The changes are
-        formed from d2 - d1, without cancellation.
+        With d1, d2 the vectors from them to G, I_xx changes by m (d2y^2 - d1y^2 + d2z^2 - d1z^2)
+        and I_xy by m (d2x d2y - d1x d1y), without cancellation.
         terms : ``own``, the matrix about the first point, and ``transfer``, the change
 
         >>> from newton_euler import Frame
@@ -216,10 +210,8 @@ class Inertia(Scaled, NamedTerms):
         return out
 
     def expressed_in(self, frame: Frame) -> "Inertia":
-        """The same inertia along the axes of ``frame`` at this instant: R I R^T.
-
-        The result is exactly the same for a body of revolution that is turned about its axis and
-        for a sphere.
+        """The same inertia along the axes of ``frame`` at this instant: R I R^T; of a sphere, or a
+        body of revolution turned about its axis, exactly the same.
         """
         if frame is self.frame:
             return self
@@ -274,16 +266,12 @@ class Inertia(Scaled, NamedTerms):
 
     @property
     def terms(self) -> "Terms[Inertia]":  # type: ignore[override]
-        """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite body;
-        empty if it is no sum.
-        """
+        """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite."""
         return self._terms
 
     @checked
     def reweighted(self, /, **factors: Scalar) -> "Inertia":
-        """The sum of its terms, each times the factor given for it (default: 1), as a wrong model
-        would give it. Mass and centre stay.
-        """
+        """The sum of its terms times their ``factors`` (default: 1), as by a wrong model."""
         weighted = self.terms.weighted(factors)
         moments = sum3(scale3(factor, term.moments) for factor, term in weighted)
         return self._like(moments, sum3(scale3(factor, term.products) for factor, term in weighted))
@@ -294,9 +282,9 @@ class Inertia(Scaled, NamedTerms):
     def check(self, tolerance: float = 1e-9, slack: float = 0.0) -> "Inertia":
         """The inertia itself, if some body can have it; :class:`MassError` otherwise.
 
-        Mass is positive, and so are the integrals of x^2, y^2, z^2, hence the triangle inequality
-        of the moments along any axes; the products are bounded by Schwarz's inequality; the same
-        must hold about G. Expressions are not checked.
+        Mass and the integrals of x^2, y^2, z^2 are positive, hence the triangle inequality of the
+        moments; Schwarz's inequality bounds the products; all also about G. Expressions are not
+        checked.
         tolerance : relative to the largest moment; rounded data of a thin plate may need more
         slack : added to that, the round-off of earlier subtractions
         """
@@ -335,9 +323,7 @@ SECOND_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
 def from_second_moments(second: Sequence[Scalar]) -> tuple[tuple, tuple]:
-    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z,
-    z x over the mass.
-    """
+    """Moments (7.9) and products (7.10) from the integrals of x x, y y, z z, x y, y z, z x."""
     xx, yy, zz, *products = second
     return (yy + zz, zz + xx, xx + yy), tuple(products)
 
@@ -358,9 +344,7 @@ def _equal(a, b):
 
 
 def together(parts: Iterable, frame: Frame, name: str = "G") -> tuple[Scalar, Point]:
-    """Total mass and centre of parts that have a mass and a centre; the centre moves in ``frame``
-    as they do.
-    """
+    """Total mass and centre of parts; the centre moves in ``frame`` as they do."""
     mass, first = ZERO, ZERO3
     for part in parts:
         mass = mass + part.mass

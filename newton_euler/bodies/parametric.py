@@ -1,13 +1,11 @@
 """Bodies given by a formula: mass, centre of mass and inertia as integrals over curves, surfaces
 and volumes (5.12), (5.13), (7.10).
 
-A shape is a function ``position`` of one, two or three parameters, with the limits of each. The
-element of length, area or volume follows from its derivatives, so any coordinates are possible:
-Cartesian, polar, spherical, or others that fit the body.
+A shape is a function ``position`` of one, two or three parameters, in any coordinates, with the
+limits of each.
 
-Floats are integrated by SciPy's adaptive cubature, with an error estimate, and an error if it does
-not reach the required accuracy; arrays, mpf, dimensions and traced numbers by products of Gauss
-rules; with symbols, or ``exact=True``, SymPy finds the formulas.
+Floats are integrated by SciPy's adaptive cubature, with an error estimate; arrays, mpf, dimensions
+and traced numbers by Gauss rules; with symbols, or ``exact=True``, SymPy finds the formulas.
 """
 
 from collections.abc import Callable
@@ -69,11 +67,9 @@ def integrated(
         it
     mass, density : the mass, or the density per length, area or volume, a number or a function of
         x, y, z; if both are given the density is relative
-    exact : by SymPy, also where limits or density hold symbols, which are taken as positive. The
-        root in lengths and areas must keep its sign: a parametrisation that folds back raises an
-        error
-    rtol : required accuracy; roots at the limits, as in y = -sqrt(r^2 - x^2) … sqrt(r^2 - x^2), do
-        no harm
+    exact : by SymPy, also where limits or density hold symbols, which are taken as positive; a
+        parametrisation that folds back raises an error
+    rtol : required accuracy; roots at the limits, as in y = -sqrt(r^2 - x^2), do no harm
     Raises :class:`MassError` if the integrals do not converge to ``rtol``.
 
     >>> from newton_euler import Frame, cos, sin
@@ -151,9 +147,7 @@ def _tangents(position, parameters):
 
 
 def _spanned(tangents):
-    """The vector whose length is the content: the tangent, or the cross product of two; of three
-    tangents the triple product.
-    """
+    """The vector whose length is the content: a tangent, a cross or a triple product."""
     if len(tangents) == 3:
         return dot3(tangents[0], cross3(tangents[1], tangents[2]))
     return tangents[0] if len(tangents) == 1 else cross3(*tangents)
@@ -223,10 +217,8 @@ def _numeric(position, limits, weigh, rtol, name):
 
 
 def _parameters(limits, unit):
-    """The parameters for unit coordinates t in (0, 1), and their step per step of those.
-
-    By the substitution 3 t^2 - 2 t^3, whose rate vanishes at both ends, roots at the limits become
-    smooth.
+    """The parameters for t in (0, 1), and their step per step of t, by 3 t^2 - 2 t^3: its rate
+    vanishes at both ends, which makes roots at the limits smooth.
     """
     parameters, step = [], 1
     for (a, b), t in zip(limits, unit, strict=True):
@@ -294,13 +286,8 @@ def _exact(position, limits, weigh, name):
         return f
 
     rho = sympy.sympify(weigh(*place))
-    parts = (
-        1,
-        rho,
-        *(rho * x for x in place),
-        *(rho * place[a] * place[b] for a, b in SECOND_MOMENTS),
-    )
-    return (ZERO,) * 3, [total(f) for f in parts], 0.0
+    first, second = (rho * x for x in place), (rho * place[a] * place[b] for a, b in SECOND_MOMENTS)
+    return (ZERO,) * 3, [total(f) for f in (1, rho, *first, *second)], 0.0
 
 
 def _exact_content(tangents):

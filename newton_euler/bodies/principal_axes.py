@@ -1,9 +1,9 @@
 """Principal moments and axes of inertia (7.4-7.6), their accuracy, and the symmetries of a matrix.
 
-Order and sign are always the same, so that two runs and two machines agree: moments ascending; the
-component of largest size of the first and of the second axis is positive (of several equally large
-ones the first); the third axis makes them right-handed. Where moments are equal within round-off,
-any axes in their plane are principal; those nearest to the axes of the frame are returned.
+Order and sign are always the same: moments ascending; the largest component of the first and of the
+second axis (of several equally large ones the first) is positive; the third axis makes them
+right-handed. Where moments are equal within round-off, the axes nearest to those of the frame are
+returned.
 
 Expressions cannot be ordered by size, unless they are numbers times one common factor. If the
 matrix is diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn
@@ -64,23 +64,17 @@ class Principal:
 
     @property
     def rotation(self) -> tuple:
-        """The matrix whose columns are the principal axes: it takes principal components to
-        components in the frame of the inertia.
-        """
+        """The matrix whose columns are the principal axes, in the frame of the inertia."""
         return tuple(zip(*(axis.components() for axis in self.axes), strict=True))
 
     @property
     def determined(self) -> tuple[bool, ...]:
-        """For each axis: True if its gap is at least 4 times the noise, so that the data determine
-        it within about 0.25 rad.
-        """
+        """By axis, True if its gap is 4 times the noise: it is known within about 0.25 rad."""
         return tuple(max_abs(turn) < 0.245 for turn in self.turns)  # atan(1/4) = 0.24498
 
     @checked
     def frame(self, name: str = "principal") -> Frame:
-        """A new frame along the principal axes, fixed in the frame of the inertia; for numbers, not
-        for expressions.
-        """
+        """A new frame along the principal axes, fixed in that of the inertia; numbers only."""
         axis, angle = axis_angle(self.rotation)
         return self.inertia.frame.rotate(name, axis, angle)
 
@@ -114,13 +108,11 @@ def principal(inertia: Any, noise: float | None = None) -> Principal:
     """Principal moments and axes of an :class:`Inertia` (7.18)-(7.20).
 
     noise : relative error of its entries, as 5e-4 for three digits; for the report only
-    Floats and arrays go through numpy.linalg.eigh, mpf through mpmath; exact numbers keep exact
-    roots where the characteristic polynomial has them; expressions get explicit formulas. Errors of
-    the moments: a few round-offs of the largest moment; of the axes: those divided by the relative
-    gap.
+    Exact numbers keep exact roots where the characteristic polynomial has them; expressions get
+    formulas. Errors of the moments: a few round-offs of the largest; of the axes: those divided by
+    the relative gap.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> p = Inertia(Frame("body").origin, (8.0, 11.0, 11.0), (3.0, 0.0, -3.0)).principal()
     >>> [round(float(x), 12) for x in p.moments]
     [5.0, 11.0, 14.0]
@@ -228,9 +220,7 @@ def _unit(v):
 
 
 def _by_sympy(rows):
-    """Exact moments and axes; None where the characteristic polynomial (7.20) has other roots than
-    fractions and square roots of them.
-    """
+    """Exact moments and axes; None unless the roots of (7.20) are fractions or their roots."""
     import sympy
 
     M = sympy.Matrix([[sympy.nsimplify(x, rational=True) for x in row] for row in rows])
@@ -261,9 +251,7 @@ def _of_expressions(rows):
 
 
 def _block(rows, u, v):
-    """One product I_uv is left: the larger moment along u turned by half of atan2(-2 I_uv, I_uu -
-    I_vv).
-    """
+    """One product I_uv is left: the larger moment at atan2(-2 I_uv, I_uu - I_vv)/2 from u."""
     mean, half, entry = (rows[u][u] + rows[v][v]) / 2, (rows[u][u] - rows[v][v]) / 2, rows[u][v]
     radius, angle = sqrt(half * half + entry * entry), atan2(entry, half) / 2
     out, axes = [rows[n][n] for n in range(3)], list(UNIT_AXES)
@@ -275,11 +263,8 @@ def _block(rows, u, v):
 
 
 def _of_full_matrix(rows):
-    """The real roots of the characteristic equation (7.20), ascending, I = q + 2 p cos(phi), and
-    axes normal to two rows of [I] - I[1] (7.18).
-
-    Only for moments that all differ, in a matrix whose first two rows stay independent when a
-    moment is subtracted.
+    """The roots I = q + 2 p cos(phi) of (7.20), ascending, and axes normal to two rows of [I] -
+    I[1] (7.18), for moments that all differ and rows that stay independent.
     """
     q = (rows[0][0] + rows[1][1] + rows[2][2]) / 3
     d = _less(rows, q)
@@ -338,8 +323,7 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     tolerance : products and differences below it times the largest moment count as zero
     Expressions count as zero or equal only where their form shows it.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> s = Inertia(Frame("body").origin, (2.0, 2.0, 3.0)).symmetry()
     >>> s.kind, s.axes, s.planes
     ('top', ('x', 'y', 'z'), ('yz', 'zx', 'xy'))

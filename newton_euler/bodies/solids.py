@@ -422,26 +422,20 @@ def _sine_ratios(half_angle):
 
 
 def _of_revolution(name, point, axis, m, axial, across, along=ZERO):
-    """The body with these moments about G, along ``axis`` and at right angles to it; G lies
-    ``along`` from ``point``.
-    """
+    """The body with moments about G along ``axis`` and across; G lies ``along`` from ``point``."""
     return _placed(name, point, axis, m, (axial, across, across), along)
 
 
 def _placed(name, point, axis, m, moments, along=ZERO):
-    """The body with these moments about G, along ``axis`` and the two axes that follow it; G lies
-    ``along`` from ``point``.
-    """
+    """The body with moments about G along ``axis`` and the next two; G ``along`` from ``point``."""
     n, sign = axis_index(axis)
     turned = tuple(moments[(k - n) % 3] for k in range(3))
     return Body(name, m, _shifted(name, place(point, name), n, sign * along), turned)
 
 
 def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
-    """A flat body symmetric about ``toward``.
-
-    polar : its moment about ``axis`` through ``middle``
-    flatness : (second moment along ``toward`` - that across it)/polar
+    """A flat body symmetric about ``toward``; ``polar``: its moment about ``axis`` through
+    ``middle``; ``flatness``: (second moment along ``toward`` - that across it)/polar.
     """
     n, _ = axis_index(axis)
     t, sign = axis_index(toward or AXES[(n + 1) % 3])

@@ -67,18 +67,15 @@ class Animation:
         return f"{text}: {self.alt}" if self.alt else text
 
     def _repr_mimebundle_(self, **_):
-        """What Jupyter shows: the page; where HTML cannot be shown (print), the first picture with
-        its alt text.
-        """
+        """What Jupyter shows: the page; or in print the first picture with its alt text."""
         first = base64.b64encode(self.pictures[0]).decode()
         about = {"alt": self.alt or repr(self), "width": self.size[0], "height": self.size[1]}
         data = {"text/html": self.html(), "image/png": first, "text/plain": repr(self)}
         return data, {"image/png": about}
 
     def html(self) -> str:
-        """The body of the page. Without scripts (in a notebook that is not trusted) it shows the
-        first picture; for a reader who prefers reduced motion it waits at the first picture until
-        it is played. It is printed as its first picture.
+        """The body of the page. Without scripts, in print, and until it is played for a reader who
+        prefers reduced motion, it shows the first picture.
         """
         return self._page().partition("<body>\n")[2].partition("\n</body>")[0]
 
@@ -106,9 +103,7 @@ class Animation:
             raise AnimationError(f"an animation is saved as .html or .gif; got {path.name!r}")
 
     def _save_gif(self, path):
-        """Write a GIF. Its times are whole hundredths of a second, and viewers show no picture for
-        less than two: pictures that come sooner are left out.
-        """
+        """Write a GIF without pictures within 0.02 s: viewers would show them longer."""
         from PIL import Image
 
         shown, starts = [], []
@@ -155,8 +150,8 @@ def animate(
     alt : what the animation shows, in words, for those who cannot see it
     progress : called with (steps done, number of steps) after each step, for a progress bar
 
-    Raises :class:`AnimationError` for times that do not increase, and for too many or too large
-    pictures. An example stands at the head of this module.
+    Raises :class:`AnimationError` for times that do not increase, and for too many or large
+    pictures.
     """
     if not isinstance(alt, str):
         raise AnimationError(f"alt says in words what is shown; got {clipped(alt)}")
@@ -200,9 +195,7 @@ def _figure(draw, t, size, dpi):
 
 
 def _pictures(figures):
-    """Each figure as a PNG, by one renderer, which keeps fonts and formulas. Hinting is off: a
-    letter fitted to the pixel grid would change its shape as it moves.
-    """
+    """Each figure as a PNG, by one renderer; unhinted letters keep their shape as they move."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import RendererAgg
     from PIL import Image

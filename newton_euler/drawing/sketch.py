@@ -1,10 +1,7 @@
-"""Figures: scenes of frames, vectors, bodies and dimension lines, true to scale, in an orthographic
-projection.
-
-A :class:`Sketch` records drawing commands. :meth:`Sketch.finish`, which runs by itself when the
-figure is shown or saved, projects everything onto a plain 2-D Axes, draws far before near, and puts
-each label where it covers least. Bodies are to scale; symbols (joints, arrows, axes, dimension
-lines) have sizes in points of the printed page.
+"""Figures true to scale: a :class:`Sketch` records drawing commands; :meth:`Sketch.finish`, which
+runs by itself when the figure is shown or saved, projects everything onto a plain 2-D Axes, draws
+far before near, and puts each label where it covers least. Bodies are to scale; symbols (joints,
+arrows, axes, dimension lines) have sizes in points of the page.
 
 ``elements`` has what can be drawn, ``page`` how it comes onto the page, ``vocabulary`` a picture of
 everything (``python -m newton_euler.drawing``), ``animation`` animations of sketches.

@@ -1,6 +1,5 @@
-"""Everything that a sketch can draw, each with the lines that draw it: the page for authors that
-``python -m newton_euler.drawing`` writes, and the examples that the tests draw. vocabulary.txt has
-the entries, vocabulary.html the page around them.
+"""Everything that a sketch can draw, with the lines that draw it: the page that ``python -m
+newton_euler.drawing`` writes. vocabulary.txt has the entries, vocabulary.html the page.
 """
 
 import base64

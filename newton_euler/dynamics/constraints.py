@@ -1,9 +1,8 @@
 """Degrees of freedom under holonomic constraints (5.11), by the rank of the constraints; redundant
 constraints are named.
 
-A body has coordinates of its own (Table 5-1); a constraint is a function of them that must vanish
-(5.28). Constraints are independent if their Jacobian has full rank at a general configuration;
-derivatives are exact (no step size).
+A constraint is a function of the bodies' coordinates that must vanish (5.28). Constraints are
+independent if their Jacobian has full rank at a general configuration; derivatives are exact.
 """
 
 import inspect
@@ -142,9 +141,7 @@ class _System:
         return [(name, _number(name, x)) for name, x in self.equations(list(map(float, q)))]
 
     def jacobian(self, q):
-        """Rows of equations, columns of coordinates; each column from one evaluation with numbers
-        that carry their derivative.
-        """
+        """The Jacobian, equations by coordinates; a column is one evaluation with derivatives."""
         import numpy as np
 
         columns = []
@@ -155,9 +152,7 @@ class _System:
         return np.array(columns).T.reshape(-1, self.size)
 
     def settled(self, near=0.0, spread=1.0):
-        """The configuration, meeting the constraints, to which Newton's method of least change
-        leads from a random start near ``near``, the same each time.
-        """
+        """A configuration that meets the constraints, by Newton's method from a fixed start."""
         import numpy as np
 
         start = q = near + spread * np.random.default_rng(5).normal(size=self.size)
@@ -181,9 +176,7 @@ class _System:
         return q
 
     def _check_gradients(self, start, q):
-        """Raises :class:`ConstraintError` for a constraint whose gradient vanishes wherever it
-        holds, as x**2 + y**2 = 0: its rank is not that of its zeros.
-        """
+        """Raises :class:`ConstraintError` where a gradient vanishes, as for x**2 + y**2 = 0."""
         import numpy as np
 
         before, after = (np.linalg.norm(self.jacobian(p), axis=1) for p in (start, q))
@@ -216,9 +209,7 @@ class _System:
         return q
 
     def rank(self, q, tolerance):
-        """The number of independent constraints, and by name how many equations of each lie in the
-        span of those before (Gram and Schmidt).
-        """
+        """The number of independent constraints, and by name of equations that depend on others."""
         import numpy as np
 
         basis, redundant = np.zeros((0, self.size)), {}

@@ -1,9 +1,7 @@
 """Kinetic energy and the energy equation (11.12)-(11.14), (11.26)-(11.33), (11.36)-(11.53).
 
 Velocities are those in an inertial frame. A sum keeps its terms by name, in an
-:class:`~newton_euler.algebra.ledger.Amount`: the kinetic energy those of translation and rotation,
-or of each body; the energy balance of a motion every potential and every work. Units: any
-consistent ones; in SI J and W.
+:class:`~newton_euler.algebra.ledger.Amount`. Units: any consistent ones; in SI J and W.
 
     change of T = U                            speed_after(v0, U, m)                       (11.14)
     change of T + V = U of the other forces    audit(kinetic, t0, t1, potentials, powers)  (11.29),
@@ -72,11 +70,8 @@ def kinetic_energy(bodies: Body | Iterable[Body], observer: Frame) -> Amount:
 
 @checked
 def kinetic_energy_about(body: Body, point: Point, observer: Frame) -> Amount:
-    """The kinetic energy T = omega.H_B/2 of a body that turns about its point B, at rest (11.52),
-    (11.53): fixed, as a pivot, or at this instant, as the contact in rolling.
-
-    point : a Point that coincides with B now
-    Raises :class:`EnergyError` if the point of the body there moves.
+    """The kinetic energy T = omega.H_B/2 of a body that turns about its point B, at rest now
+    (11.52), (11.53), which coincides with ``point``; :class:`EnergyError` if it moves.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import rod
@@ -233,15 +228,13 @@ class Audit:
 
     @property
     def energy(self) -> Scalar:
-        """The change of E = T + V (11.30): U^n (11.31), zero for a conservative system (11.32),
-        (11.49).
-        """
+        """The change of E = T + V (11.30): U^n (11.31); zero if conservative (11.32), (11.49)."""
         return to_plain(scalar(self.kinetic) + value_of(summed(self.potentials)))
 
     @checked
     def heat(self, *names: str) -> Scalar:
-        """The change of internal energy, -U^n (11.33), by the forces named, as friction and drag;
-        without names by all that have no potential.
+        """The change of internal energy, -U^n (11.33), by the forces named, or all without
+        potential.
         """
         unknown = [n for n in names if n not in self.works]
         if unknown:
@@ -253,9 +246,7 @@ class Audit:
 
     @checked
     def balances(self, rtol: float = 1e-9) -> bool:
-        """True if the residual is within ``rtol`` of the largest energy of the motion, and ten
-        times the estimated error of the integrals.
-        """
+        """True if the residual is within ``rtol`` of the largest energy and ten times ``error``."""
         # ten times: the estimates of quadrature can be too small; products of numbers below 1e-300
         # underflow and have few digits or none
         return _magnitude(self.residual) <= rtol * self.largest + 10 * self.error + 1e-300

@@ -23,13 +23,11 @@ def euler_moment(
     principal.
 
     omega, alpha : angular velocity and acceleration of the body, Vectors
-    turning : Omega, the angular velocity of the frame of ``inertia``, where that is not fixed in
-        the body: as for a symmetric body the frame that precesses without spinning, in which the
-        matrix stays the same. Default: omega
+    turning : Omega, the angular velocity of the frame of ``inertia`` where that is not fixed in the
+        body, as one that precesses without spinning; default: omega
     terms : ``relative``, I times the rate of omega seen in that frame; ``rotation``, Omega x H
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.inertia import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> frame = Frame("frame")
     >>> wheel = Inertia(frame, (2.0, 2.0, 3.0))
     >>> omega = frame.vector(0, 0, 10.0)  # stays along z of a frame that turns about x
@@ -60,8 +58,7 @@ def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
     Raises :class:`MassError` if the axes of the matrix are not principal: then the equations do not
     apply.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.inertia import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> body = Frame("body")
     >>> inertia = Inertia(body, (1.0, 2.0, 2.5))
     >>> euler_moments(inertia, body.vector(1.0, 2.0, 3.0), body.vector(0, 0, 4.0))
@@ -98,8 +95,7 @@ def angular_acceleration(
     Raises :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod
     about its own.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.inertia import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> body = Frame("body")
     >>> inertia = Inertia(body, (1.0, 2.0, 2.5))
     >>> angular_acceleration(inertia, body.vector(1.0, 2.0, 3.0), body.vector(3.0, -4.5, 12.0))
@@ -124,8 +120,7 @@ def fixed_line_momentum(inertia: Inertia, rate: Scalar, axis: str = "z") -> Vect
 
     rate : omega, about ``axis`` ("x", "y", "z", or "-z" ...) of the frame of the matrix
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.inertia import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> fixed_line_momentum(Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0)), 10.0)
     Vector(-10.0, -5.0, 40.0 in body)
     """
@@ -143,8 +138,7 @@ def fixed_line_moment(
     rate, acceleration : omega (rad/s) and alpha (rad/s^2) about ``axis`` of the frame of the matrix
     terms : ``relative`` with alpha, ``rotation`` with omega^2
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.inertia import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> fixed_line_moment(Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0)), 2.0, 3.0)
     Vector(-1.0, -5.5, 12.0 in body)
     """
@@ -166,8 +160,7 @@ def planar_moment(inertia: Inertia, acceleration: Scalar, axis: str = "z") -> Sc
     Raises :class:`MassError` if a product of inertia with the axis is left: then moments across the
     axis are needed too.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.bodies.inertia import Inertia
+    >>> from newton_euler import Frame, Inertia
     >>> planar_moment(Inertia(Frame("body"), (2.0, 3.0, 5.0), (1.0, 0, 0)), 2.0)
     10.0
     """
@@ -194,9 +187,7 @@ def _check_principal(inertia, axes, law, instead):
 
 
 def _divided(inertia, c):
-    """I^-1 c; structural zeros of the matrix drop out, so that without products each component is
-    one division.
-    """
+    """I^-1 c; without products each component is one division, as structural zeros drop out."""
     if c is ZERO3:
         return c
     rows = [

@@ -1,9 +1,8 @@
 """Force systems (8.1, 8.7): forces at points and couples, their resultant, their moment about any
 point, the wrench.
 
-Forces act on a rigid body only by the resultant force and the moment about one point: systems that
-agree in both are equivalent, and a force may be moved if the couple of its moment is added (8.20).
-Forces may hold unknowns of :func:`newton_euler.algebra.linear.solve_linear`.
+Systems that agree in force and moment are equivalent; a force may be moved if the couple of its
+moment is added (8.20). Forces may hold unknowns of :func:`newton_euler.solve_linear`.
 
 >>> from newton_euler import Frame
 >>> ground = Frame("ground")
@@ -32,9 +31,7 @@ class ForceError(FrameError):
 
 @dataclass(frozen=True)
 class Force:
-    """A force at a point (of application, or any point of its line): ``vector`` in N, ``point`` a
-    Point.
-    """
+    """A force, ``vector`` in N, at the Point ``point`` of its line of action."""
 
     vector: Vector
     point: Point
@@ -46,9 +43,7 @@ class Force:
 
     @checked
     def moment(self, about: Point | Frame) -> Vector:
-        """The moment about a Point or the origin of a Frame: d x F, d from there to the point of
-        the force (8.4); N m.
-        """
+        """The moment d x F about a Point or the origin of a Frame, d from there (8.4); N m."""
         d = self.point - place(about, "the point that the moment is about")
         return d.expressed_in(self.vector.frame).cross(self.vector)
 
@@ -122,9 +117,7 @@ class ForceSystem:
 
     @checked
     def moment(self, about: Point | Frame) -> Vector:
-        """The moment of all forces and couples about a Point or the origin of a Frame (8.7), with
-        their moments by name as terms.
-        """
+        """The moment of all about a Point or the origin of a Frame (8.7), with each as a term."""
         about = place(about, "the point that the moment is about")
         moments = [(p.name, p.moment(about)) for p in self.parts]
         subject = f"about {about.name}"
@@ -139,9 +132,7 @@ class ForceSystem:
 
     @checked
     def equivalent(self, other: "ForceSystem", tolerance: float = 1e-9) -> bool:
-        """True if the other system has the same resultant force and moment, to ``tolerance`` times
-        the magnitudes in both (8.20). For numbers.
-        """
+        """True if force and moment are the same to ``tolerance`` times the magnitudes (8.20)."""
         about = self._some_point(other)
         forces = max((_size(f.vector) for f in (*self._forces(), *other._forces())), default=0.0)
         moments = max((_size(p.moment(about)) for p in (*self.parts, *other.parts)), default=0.0)
@@ -152,9 +143,7 @@ class ForceSystem:
         )
 
     def _noise(self, about):
-        """The round-off of the moments: of each force, that of its magnitude times the coordinates
-        of the points.
-        """
+        """The round-off of the moments: of each force, that of its size times coordinates."""
         arm = lambda P: _size(P.position(self.frame))  # noqa: E731
         sizes = (_size(f.vector) * (arm(f.point) + arm(about)) for f in self._forces())
         return ROUND_OFF * sum(sizes)

@@ -11,9 +11,8 @@ with Omega it is dH/dt + Omega x H, which is (8.12) for the frame of the body. T
 vanishes for B = G (8.10), for B at rest or at constant velocity (8.11), and for d along a_B.
 
 *Motion given, which forces?* :func:`newton_euler.dynamics.newton.resultant_force` and
-:func:`resultant_moment`. *Forces given, or some of them?* :func:`equations_of_motion` writes (8.21)
-for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equations are in
-:mod:`newton_euler.dynamics.euler`. Units: any consistent ones; in SI kg, m, s, N.
+:func:`resultant_moment`. *Forces given?* :func:`equations_of_motion` writes (8.21) for
+:func:`newton_euler.solve_linear`. Units: any consistent ones; in SI kg, m, s, N.
 """
 
 from typing import Any
@@ -34,8 +33,7 @@ def angular_momentum(body: Body, observer: Frame, about: Point | Frame | None = 
     about : G (default), a Point fixed in the body, in the ground, or moving in any way, or a Frame
         for its origin
     About a point of the body it is I omega with the matrix about that point (7.12); about another
-    point H_G + d x m Dd/Dt (7.23). See also :meth:`newton_euler.bodies.body.Body.angular_momentum`,
-    which has the latter as terms for every point.
+    H_G + d x m Dd/Dt (7.23), the terms of :meth:`newton_euler.bodies.body.Body.angular_momentum`.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import rod
@@ -56,9 +54,7 @@ def _point(body, about):
 
 
 def _is_fixed(point, body):
-    """True if the point and the mass centre are given as fixed in the frame of the body; a particle
-    may move in the frame that stands for its own.
-    """
+    """True if the point and the mass centre are given as fixed in the frame of the body."""
     return all(P.frame is body.frame and all(x.rests() for x in P.x) for P in (point, body.centre))
 
 
@@ -72,8 +68,7 @@ def resultant_moment(
     observer : an inertial frame
     about : G (default), or any Point B, however it moves, or a Frame for its origin
     via : the frame in which H is differentiated, and whose components the result has; default: that
-        of the body. It may turn differently from the body, as the frame that precesses without
-        spinning
+        of the body
     terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of
         ``via``; unless about G, ``reference``, d x m a_B
 
@@ -110,9 +105,7 @@ def _about_fixed_point(body, observer, B, via):
 
 
 def _about_any_point(body, observer, B, via):
-    """The moment and its terms; in their sum DH_G/Dt + d x m a_G the motion of B cancels, so that
-    its rates need not be known.
-    """
+    """The moment and its terms; in the sum DH_G/Dt + d x m a_G the motion of B cancels."""
     own = angular_momentum(body, observer).expressed_in(via).rate(observer)
     a = body.centre.acceleration(observer)
 
@@ -145,17 +138,15 @@ def equations_of_motion(
     """The Newton-Euler equations (8.21) of one body, as Vectors that must vanish: for
     :func:`newton_euler.algebra.linear.solve_linear`.
 
-    forces : all external forces, a :class:`newton_euler.dynamics.force_systems.ForceSystem` or the
-        parts of one, as {"pin": (R, P)}; they and the motion of the body may hold unknowns:
-        accelerations and reactions
+    forces : all external forces, a :class:`.ForceSystem` or the parts of one, as {"pin": (R, P)};
+        they and the motion of the body may hold unknowns
     about : G (default), or any Point; a point where unknown forces act keeps them out of the moment
         equation
     Returns a dict of two Vectors in the frame of ``observer``, "force on beam" and "moment on beam
     about G", each the forces' part less that of the motion. The equations of several bodies are
     joined as first | second, which keeps all of them where bodies share a name.
 
-    >>> from newton_euler import Frame
-    >>> from newton_euler.algebra.linear import solve_linear
+    >>> from newton_euler import Frame, solve_linear
     >>> from newton_euler.bodies.solids import rod
     >>> ground = Frame("ground")
     >>> def beam_let_go(R, alpha):  # 6 kg and 2 m, pinned at its end, released at this instant

@@ -1,9 +1,8 @@
 """Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system: forces
 from the motion, and the motion from forces.
 
-*Motion given, which forces?* Describe the motion as a point in the system of your choice,
-``polar(ground, "P", r, theta)``, ``spherical(…)``, ``frenet(v, a)``, ``ground.point(…)``, ask it
-for its acceleration in an inertial frame, and pass this to :func:`resultant_force` or
+*Motion given, which forces?* Pass the acceleration of a point by ``polar(ground, "P", r, theta)``,
+``frenet(v, a)``, ``ground.point(…)`` … in an inertial frame to :func:`resultant_force` or
 :func:`reaction`.
 
 *Forces given, which motion?* :func:`acceleration_by` in an inertial frame,
@@ -48,15 +47,11 @@ def _mass(m):
 
 @checked
 def resultant_force(m: Scalar, a: Vector) -> Vector:
-    """The resultant external force on a body of mass ``m`` whose mass centre has the acceleration
-    ``a``: F = m a (6.1).
+    """The resultant external force F = m a (6.1), ``a`` the acceleration of the mass centre in an
+    inertial frame. Its terms, times m, are those of the force: (6.5), (6.6), (6.8), (6.9), or by
+    way of a moving frame (6.10).
 
-    a : a Vector, the acceleration in an inertial frame. Its terms, each times m, are the terms of
-        the force: those of (6.5), (6.6), (6.8), (6.9) or, for an acceleration by way of a moving
-        frame, (6.10).
-
-    >>> from newton_euler import Frame, moving
-    >>> from newton_euler.kinematics.coordinates import polar
+    >>> from newton_euler import Frame, moving, polar
     >>> ground = Frame("ground")
     >>> P = polar(ground, "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
     >>> F = resultant_force(4.0, P.acceleration(ground))
@@ -82,7 +77,7 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     [0, 0, 21.62] in ground
     """
     parts = [("inertia", _mass(m) * a), *((name, -F) for name, F in known.items())]
-    subject = f"to {', '.join(known) or 'no other force'}"
+    subject = f"with {', '.join(known)} known" if known else "alone"
     return named_sum("reaction", subject, parts, a.frame)
 
 
@@ -149,11 +144,9 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
         second rates that it has are replaced
     forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
     Returns a tuple, one for each coordinate. Raises :class:`SingularError` where the coordinates
-    are singular (r = 0, the pole): a scale factor is zero, and a finite force may need an infinite
-    rate.
+    are singular (r = 0, the pole).
 
-    >>> from newton_euler import Frame, moving
-    >>> from newton_euler.kinematics.coordinates import polar
+    >>> from newton_euler import Frame, moving, polar
     >>> P = polar(Frame("ground"), "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
     >>> coordinate_accelerations(4.0, P, cord=(-72.0, 12.0, 0.0))
     (0.0, 0.0)

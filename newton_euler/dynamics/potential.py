@@ -1,10 +1,9 @@
 """Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field, if it
 has one.
 
-A force that depends on the place alone has a potential V, with F = -grad V, if its work round every
-closed path is zero. In a region without holes this is so where its curl is zero; round a hole, as
-round an axis on which the force does not exist, the circulation must be zero too, which the book
-does not say. Units: any consistent ones; in SI J.
+F(x, y, z) = -grad V if its work round every closed path is zero: its curl must be zero, and, which
+the book does not say, the circulation round each hole of the region, as an axis on which F does not
+exist. Units: any consistent ones; in SI J.
 """
 
 from collections.abc import Callable, Sequence
@@ -36,9 +35,7 @@ from .work import work_along
 
 
 class NoPotential(WorkError):
-    """A force field has no potential: its ``curl`` at the ``place`` is not zero, or its
-    ``circulation``, the work round a loop.
-    """
+    """A field without potential: ``curl`` at ``place``, or ``circulation`` round a loop, not 0."""
 
     def __init__(self, message, place=None, curl=None, circulation=None):
         super().__init__(message)
@@ -192,10 +189,8 @@ class Potential:
     """The potential of ``force``, zero at ``base``: a function of x, y, z, the integral along the
     straight line from the base (11.20).
 
-    Of numbers by quadrature (a SymPy number is one: for an exact value pass symbols and
-    substitute); of SymPy expressions by formulas, which may not terminate; of moving coordinates
-    with the rate of V, which is -F.v (11.19), so that ``gradient(V, P)`` and
-    ``at(lambda t: V(*place(t)), t)`` work.
+    Of numbers by quadrature; of SymPy expressions by formulas, which may not terminate; of moving
+    coordinates with the rate of V, -F.v (11.19).
     """
 
     force: Callable
@@ -243,8 +238,8 @@ def find_potential(
         package; symbols in it count as numbers of their own
     base : where V is zero; straight lines from it must stay where the force exists
     box : the region in which the field is used, three pairs (low, high)
-    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region,
-        as round an axis on which the force does not exist; a hole is not found without its loop
+    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region; a
+        hole is not found without its loop
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
         and of the work round a loop, relative to size of F times length. A spot check: a curl that
         is zero at these places alone passes.

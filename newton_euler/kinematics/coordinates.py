@@ -9,9 +9,8 @@ spherical            (e_R, e_theta, e_phi): turned about z by theta, then up by 
                      phi above the x, y plane (not the polar angle from z); the point is at
                      (R, 0, 0)
 
-So the one formula for relative motion (4.18) gives all accelerations, and their terms are those of
-the book. Rectangular components (3.1)-(3.3) are those of an ordinary point:
-``ground.point("P", x, y, z).acceleration(ground)``.
+So the one formula for relative motion (4.18) gives all accelerations, with the terms of the book.
+Rectangular components (3.1)-(3.3): ``ground.point("P", x, y, z).acceleration(ground)``.
 """
 
 from collections.abc import Callable
@@ -54,7 +53,9 @@ def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k
     >>> cylindrical_frame(ground, moving(0.5, rate=2.0)).i.rate(ground)
     Vector(0, 2.0, 0 in e_r, e_theta, k)
     """
-    return ground.rotate(name, "z", theta)
+    axes = ground.rotate(name, "z", theta)
+    axes.hats = (r"\hat{e}_r", r"\hat{e}_\theta", r"\hat{k}")
+    return axes
 
 
 @checked
@@ -72,7 +73,9 @@ def spherical_frame(
     >>> axes.i.rate(ground).components()  # along e_R, e_theta, e_phi
     (0, 2.0, 3.0)
     """
-    return ground.rotate(f"azimuth of {name}", "z", theta).rotate(name, "-y", phi)
+    axes = ground.rotate(f"azimuth of {name}", "z", theta).rotate(name, "-y", phi)
+    axes.hats = (r"\hat{e}_R", r"\hat{e}_\theta", r"\hat{e}_\phi")
+    return axes
 
 
 # -- points by their coordinates
@@ -278,11 +281,8 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
 
 @checked
 def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
-    """(r, theta, z) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
-    given: (3.18), (3.22), (3.23) solved for them.
-
-    Arguments and result as for :func:`polar_coordinates`. Raises :class:`SingularError` on the z
-    axis.
+    """(r, theta, z) and their rates as by :func:`polar_coordinates`: (3.18), (3.22), (3.23) solved
+    for them. Raises :class:`SingularError` on the z axis.
 
     >>> ground = Frame("ground")
     >>> v = ground.vector(5.0, 6.0, 7.0)
@@ -296,11 +296,8 @@ def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None
 
 @checked
 def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
-    """(R, theta, phi) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
-    given: (3.24), (3.26), (3.27) solved for them.
-
-    Arguments and result as for :func:`polar_coordinates`; phi is the elevation, in (-pi/2, pi/2).
-    Raises :class:`SingularError` at the poles (the z axis) and at the origin.
+    """(R, theta, phi) and their rates as by :func:`polar_coordinates`, phi the elevation in (-pi/2,
+    pi/2): (3.24), (3.26), (3.27) solved. Raises :class:`SingularError` at poles and origin.
 
     >>> ground = Frame("ground")
     >>> v = ground.vector(5.0, 6.0, 7.0)
@@ -333,10 +330,8 @@ def _off_the_axis(r, where):
 
 
 def _with_rates(make, q, frame, v, a):
-    """The coordinates ``q`` with their rates, from the scale factors: q_i' = v_i / h_i, then q_i''
-    from the difference of ``a`` and the acceleration with q'' = 0.
-
-    make : function of (frame, name, *coordinates) that returns the :class:`CoordinatePoint`
+    """The coordinates ``q`` with their rates: q_i' = v_i / h_i, then q_i'' from the difference of
+    ``a`` and the acceleration with q'' = 0.
     """
     scratch = Frame("axes")
     v, a = (None if u is None else Vector(u.expressed_in(frame).c, scratch) for u in (v, a))

@@ -1,10 +1,8 @@
 """Components in any orthogonal coordinates from their position function alone (3.4), and gradients
 (A.22).
 
-The book takes five steps: choose coordinates; write x, y, z in them; find the unit vectors;
-differentiate; substitute. Only the first two are left to the user. The unit vector of a coordinate
-is the direction in which the point moves if that coordinate alone increases: e_i = (dr/dq_i)/h_i,
-with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
+The unit vector of a coordinate is the direction in which the point moves if that coordinate alone
+increases: e_i = (dr/dq_i)/h_i, with the *scale factor* h_i = abs(dr/dq_i).
 """
 
 from collections.abc import Callable, Sequence
@@ -40,8 +38,8 @@ def curvilinear(
     """The point with the coordinates q1, q2, q3 in the system with the position function
     ``position``.
 
-    position : function of three scalars that returns (x, y, z) along the axes of ``ground``,
-        written with the functions of this package
+    position : function of three scalars, of functions of this package, that returns (x, y, z) in
+        ``ground``
     q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3
         right-handed
     names : of the coordinates, for the names of terms
@@ -49,9 +47,8 @@ def curvilinear(
     each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of
     ``position`` or of the rates are left out.
 
-    Raises :class:`SingularError` where a scale factor is below round-off (a pole, an axis), so that
-    a unit vector does not exist, and for coordinates that are not orthogonal or not right-handed
-    there.
+    Raises :class:`SingularError` where a scale factor is below round-off (a pole, an axis), and for
+    coordinates that are not orthogonal or not right-handed there.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
@@ -70,27 +67,17 @@ def curvilinear(
     local = Triad(
         f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q))
     )
+    local.hats = (r"\hat{e}_1", r"\hat{e}_2", r"\hat{e}_3")
     terms = {
         "velocity": lambda P: _velocity_terms(P, columns, names),
         "acceleration": lambda P: _acceleration_terms(P, position, columns, names),
     }
-    return CoordinatePoint(
-        name,
-        ground,
-        position(*q),
-        ground,
-        local,
-        q,
-        tuple(map(to_plain, factors)),
-        "curvilinear",
-        terms,
-    )
+    x, factors = position(*q), tuple(map(to_plain, factors))
+    return CoordinatePoint(name, ground, x, ground, local, q, factors, "curvilinear", terms)
 
 
 def tangents(position: Callable, q: Sequence[Scalar]) -> tuple:
-    """dr/dq_1, dr/dq_2, dr/dq_3, each a triple, of the position function at the coordinates ``q``;
-    moving if they are.
-    """
+    """dr/dq_1, dr/dq_2, dr/dq_3, triples, of the position at ``q``; moving if ``q`` is."""
     return tuple(tuple(_rate(x) for x in position(*_seeded(q, n))) for n in range(3))
 
 
@@ -144,9 +131,7 @@ def _velocity_terms(P, columns, names):
 
 
 def _acceleration_terms(P, position, columns, names):
-    """The terms of sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij, with subscripts for
-    partial derivatives of the position.
-    """
+    """The terms of sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij (partials of r)."""
     q = P.coordinates
     values = tuple(x.value for x in q)
     rows = zip(names, q, columns, strict=True)
@@ -171,10 +156,10 @@ def gradient(f: Callable, P: Point) -> Vector:
     """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, by exact derivatives.
 
     f : function of the coordinates by which P is given, written with the functions of this package:
-        x, y, z along the axes of its frame, or polar, cylindrical, spherical or other orthogonal
-        coordinates for a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
-    The result is along the axes of P's frame, or along P's local axes e_i, where it is the sum of
-    (df/dq_i)/h_i e_i. Its unit is that of f per length.
+        x, y, z in its frame, or those of a
+        :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
+    The result is along the axes of P's frame, or along P's local axes: the sum of (df/dq_i)/h_i
+    e_i.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

@@ -2,9 +2,7 @@
 
 A frame is placed in its parent by a turn about one axis and by its origin. From these steps follow
 orientation, angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and
-acceleration (4.18), (4.29) of any point seen from any frame. Rates are computed along the chain of
-frames, each in the axes of its own frame, and no expression is differentiated, so that results are
-fast and formulas short.
+acceleration (4.18), (4.29) of any point seen from any frame, without differentiating expressions.
 """
 
 import os
@@ -66,6 +64,7 @@ class Frame:
     """
 
     parent: Any  # a Frame, or None for the root
+    hats: tuple[str, str, str] = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")  # unit vectors
 
     def __init__(
         self,
@@ -119,9 +118,7 @@ class Frame:
 
     @property
     def tree(self) -> "list[Frame]":
-        """All frames that descend from the same ground and are still in use, in the order of their
-        creation, the ground first.
-        """
+        """All frames in use that descend from the same ground, oldest first."""
         return [f for f in (r() for r in list(self._relatives)) if f is not None]
 
     # -- making frames, points and vectors
@@ -164,15 +161,11 @@ class Frame:
         return Frame(name, self, origin=self._place(origin))
 
     def point(self, name: str, x: Scalar, y: Scalar, z: Scalar) -> "Point":
-        """The point with coordinates (x, y, z) from the origin of this frame; fixed in the frame
-        unless they are :func:`moving`.
-        """
+        """The point at (x, y, z) from the origin; fixed in the frame unless they are moving."""
         return Point(name, self, _same_shape(map(moving, (x, y, z)), f"the coordinates of {name}"))
 
     def vector(self, x: Scalar, y: Scalar, z: Scalar) -> Vector:
-        """The vector with these components along the axes of this frame; fixed in the frame unless
-        they are :func:`moving`.
-        """
+        """The vector with these components; fixed in the frame unless they are :func:`moving`."""
         return _moving_vector(_same_shape(map(moving, (x, y, z)), "the components"), self)
 
     i = property(lambda self: self.vector(1, 0, 0), doc="unit vector of the first axis")
@@ -181,9 +174,7 @@ class Frame:
 
     @property
     def origin(self) -> "Point":
-        """The origin, a Point of the parent, in which it may move; of this frame itself if it has
-        no parent.
-        """
+        """The origin: a Point of the parent, or of this frame if it has none."""
         if self._origin is None and self.parent:
             here = Point(f"origin of {self.name}", self.parent, (_REST,) * 3)
             here.origin_of = self.name
@@ -227,9 +218,7 @@ class Frame:
     # -- orientation
 
     def common(self, other: "Frame") -> "Frame":
-        """The nearest frame from which both this one and ``other`` descend, one of them included;
-        :class:`FrameError` if they share none.
-        """
+        """The nearest common ancestor, or one of the two; :class:`FrameError` without one."""
         if not isinstance(other, Frame):
             raise FrameError(
                 f"expected a frame, as in {self.name}.rotate('arm', 'z'), got {other!r}"
@@ -385,9 +374,7 @@ class Frame:
 
 
 def _how_to_join(one, other):
-    """Advice for two frames without a common ancestor. Two trees with the same names usually come
-    from a function that was called twice.
-    """
+    """Advice for two frames without a common ancestor, often by a function called twice."""
     first, second = ((f, *f._above) for f in (one, other))
     alike = next((f.name for f in first if f.name in {s.name for s in second}), None)
     if alike is None:
@@ -516,13 +503,9 @@ class Point:
         total = add3(add3(add3(add3(origin.c, relative.c), coriolis), euler), centripetal)
 
         def terms():
-            return {
-                "origin": origin,
-                "relative": relative,
-                "coriolis": Vector(coriolis, via),
-                "euler": Vector(euler, via),
-                "centripetal": Vector(centripetal, via),
-            }
+            turned = {"coriolis": coriolis, "euler": euler, "centripetal": centripetal}
+            others = {name: Vector(c, via) for name, c in turned.items()}
+            return {"origin": origin, "relative": relative, **others}
 
         return Vector(total, via, None, self._ledger("acceleration", observer, via, terms))
 
@@ -566,9 +549,7 @@ def _origin_velocity(via, observer):
 
 
 def _origin_acceleration(via, observer):
-    """Acceleration of the origin of ``via`` seen from ``observer``; where observer descends from
-    via, (4.18) solved for a_r.
-    """
+    """Acceleration of ``via``'s origin seen from ``observer``, where need be by (4.18) for a_r."""
     seat, observers = via._origin_frame, observer._origin_frame
     if seat is observers:
         return Vector(ZERO3, via)

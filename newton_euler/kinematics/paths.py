@@ -53,9 +53,7 @@ def along(path: Callable, q: Scalar) -> tuple:
 
 
 def derivatives(path: Callable, q: Scalar) -> tuple:
-    """The position on the path and its first, second and third derivative by the parameter, each a
-    triple; ``q`` is a plain number.
-    """
+    """The position at ``q``, a plain number, and its three derivatives by it, triples."""
     one = integer_like(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
     orders = []
     # a jet of jets: the rate of the second rate is the third derivative
@@ -204,8 +202,7 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
     jerk : da/dt; only needed for the torsion
 
     Raises :class:`SingularError` at rest, and where v x a is below round-off (a straight path, an
-    inflection), so that e_n does not exist. Terms of ``v`` and ``a`` that cancel add to the
-    round-off.
+    inflection), to which terms of ``v`` and ``a`` that cancel add.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -264,6 +261,7 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     tau = None if jerk is None else -dot3(turn, jerk) / (area * area)
     turning = None if tau is None else (lambda: ((-tau * speed, ZERO, f * speed), None))
     triad = Triad(f"e_t, e_n, e_b of {name}", ground, (e_t, cross3(e_b, e_t), e_b), turning)
+    triad.hats = (r"\hat{e}_t", r"\hat{e}_n", r"\hat{e}_b")
     return Frenet(triad, speed, to_plain(dot3(v, a) / speed), to_plain(f), tau)
 
 

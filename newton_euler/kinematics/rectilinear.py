@@ -1,9 +1,8 @@
 """Motion along a line from its acceleration as a function of time, of velocity or of position
 (chapter 2, with one coordinate).
 
-From a = dv/dt and v = dx/dt follows a = v dv/dx. Each function here integrates one of these once or
-twice, to the accuracy of the numbers given, which may be of any kind. With symbols, which have no
-sign, the motion is taken to go forward and to reach the requested value.
+Each function integrates a = dv/dt, v = dx/dt or a = v dv/dx to the accuracy of the numbers given,
+of any kind. With symbols the motion is taken to go forward and to reach the value.
 """
 
 from collections.abc import Callable

@@ -1,20 +1,18 @@
 """Finite rotations (chapters 4 and 10): direction cosines, Euler's theorem, quaternions, Euler
 angles 3-1-3.
 
-A *rotation matrix* R is three rows of three scalars. It takes components in the turned axes to
-components in the fixed ones, and with them it turns vectors: its columns are the turned axes, and
-``frame.rotation(ground)`` is one. The book's matrix A of direction cosines (4.1) is its transpose.
-All functions here use R, except :func:`direction_cosines`, which returns A.
+A *rotation matrix* R, three rows of three, takes components in the turned axes to components in the
+fixed ones: its columns are the turned axes, and ``frame.rotation(ground)`` is one. The book's A
+(4.1), which only :func:`direction_cosines` returns, is its transpose.
 
 A *quaternion* is (q0, q1, q2, q3), scalar part first: cos(angle/2), then sin(angle/2) times the
 axis. It too takes body components to ground components; q and -q are the same rotation. *Euler
 angles* are (psi, theta, phi), in the order of turning: precession about Z, nutation about the line
 of nodes, spin about the body's z axis (10.2). Angles are in radians.
 
-Functions that build a rotation work over scalars of every kind. Those that read one
-(``axis_angle``, ``quaternion_from_matrix``, ``euler_angles``) compare values: they take floats,
-mpf, arrays (each entry of shape (N,), one for each instant), SymPy numbers, and the values of
-moving numbers, and raise :class:`ScalarError` for expressions.
+Those that read a rotation (``axis_angle``, ``quaternion_from_matrix``, ``euler_angles``) compare
+values: they take numbers of all kinds and arrays of shape (N,) as entries, and raise
+:class:`ScalarError` for expressions.
 """
 
 from collections.abc import Sequence
@@ -48,9 +46,7 @@ Triple = Sequence[Scalar] | Vector
 
 
 class RotationError(NewtonEulerError, ValueError):
-    """A matrix that is no rotation, a quaternion or axis of length zero, or Euler rates where they
-    are singular.
-    """
+    """A matrix that is no rotation, a zero quaternion or axis, or singular Euler rates."""
 
 
 # -- matrices of three rows
@@ -132,8 +128,7 @@ def direction_cosines(frame: Frame, ground: Frame) -> tuple:
     """The book's A (4.1), whose entries are the cosines of the angles between the axes of ``frame``
     (rows) and of ``ground`` (columns).
 
-    A takes components in ``ground`` to components in ``frame`` (4.7); it is the transpose of
-    ``frame.rotation(ground)``, which turns the vectors.
+    A takes components in ``ground`` to components in ``frame`` (4.7).
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -332,9 +327,8 @@ def quaternion_from_matrix(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """The unit quaternion of a rotation matrix, its scalar part not negative; at an angle of pi,
     the sign of :func:`axis_angle`.
 
-    Of the four formulas, each with another component as divisor, the one with the largest divisor
-    is taken at each instant (S. W. Shepperd, Quaternion from rotation matrix, J. Guidance and
-    Control 1, 223, 1978). Errors as for :func:`checked_rotation`.
+    By that of four formulas which has the largest divisor (S. W. Shepperd, J. Guidance and Control
+    1, 223, 1978). Errors as for :func:`checked_rotation`.
 
     >>> quaternion_from_matrix(((1, 0, 0), (0, -1, 0), (0, 0, -1)))
     (0, 1.0, 0, 0)
@@ -464,10 +458,8 @@ def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
 
 @checked
 def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Scalar]) -> tuple:
-    """The angular velocity in body components (10.12), rad/s, from the angles (rad) and ``rates`` =
-    (psi', theta', phi') (rad/s).
-
-    psi has no influence; it is a parameter so that the three angles can be passed together.
+    """The angular velocity in body components (10.12), rad/s, from the angles, of which psi has no
+    influence, and ``rates`` = (psi', theta', phi').
 
     >>> euler_body_rates(0.0, 0.0, 0.0, (2.0, 0.5, 3.0))
     (0.5, 0.0, 5.0)
@@ -512,9 +504,8 @@ def unwound(
     """Angles known modulo a turn, made continuous by their rates; steps of many turns are allowed.
 
     angles (rad), rates (rad/s), times (s) : of shape (N,)
-    Whole turns are added that fit best to the mean of the two rates of each step. Raises
-    :class:`RotationError` where more than a quarter of a turn is left over: then the number of
-    turns is not determined by these samples.
+    Whole turns are added to fit the mean of the two rates of each step. Raises
+    :class:`RotationError` where more than a quarter of a turn is left over.
 
     >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
     [0.0, 7.283185, 14.566371]
@@ -542,10 +533,8 @@ def euler_frame(
     """The frame ``name``, placed in ``parent`` by three successive turns (10.2): psi about z, theta
     about the new x, phi about the new z.
 
-    psi, theta, phi : rad, numbers or :func:`moving`
-    origin : a Point of ``parent``
-    The frame between them, ``.parent``, is the book's {i, j, k} that precesses and nutates without
-    spinning.
+    The angles are numbers or :func:`moving`; ``origin`` is a Point of ``parent``. The frame
+    ``.parent`` of the result is the book's {i, j, k}, which precesses and nutates without spinning.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")

@@ -1,8 +1,6 @@
 """Frames given by their axes, such as the unit vectors of a path or of a coordinate system.
 
-A :class:`Triad` is a :class:`~newton_euler.kinematics.frames.Frame` made from its three axes
-instead of a turn about one; vectors can be expressed in it as in any other frame. The functions
-below measure whether a direction is determined, or only round-off.
+The functions below measure whether a direction is determined, or only round-off.
 """
 
 from collections.abc import Callable, Sequence
@@ -63,9 +61,7 @@ class Triad(Frame):
 
 
 class _Turning:
-    """Angular velocity and acceleration of a :class:`Triad`, in place of an angle; computed on
-    demand.
-    """
+    """Angular velocity and acceleration of a :class:`Triad`; computed on demand."""
 
     def __init__(self, frame, turning):
         self.frame, self.turning = frame, turning or (lambda: (None, None))
@@ -88,9 +84,7 @@ class _Turning:
 
 
 def turning_of(axes: Sequence[Sequence[Any]]) -> tuple[tuple, tuple]:
-    """Angular velocity and acceleration, each along the axes, of axes with :class:`Moving`
-    components: omega_1 = e_2' . e_3, and so on.
-    """
+    """Angular velocity and acceleration, along moving axes: omega_1 = e_2' . e_3, and so on."""
     moved = [tuple(Moving(x.rate, x.acceleration) for x in axis) for axis in axes]
     omega = [as_moving(dot3(moved[(n + 1) % 3], axes[(n + 2) % 3])) for n in range(3)]
     return tuple(x.value for x in omega), tuple(x.rate for x in omega)

@@ -12,11 +12,12 @@ from typing import Any
 from .error_estimates import error_by_comparison, relative_shift, reported_error
 from .events import EventError
 from .knots import knots
-from .methods.base import MAX_STEPS, LengthError
+from .methods.base import LengthError
 from .methods.exact import estimated_error, within
 from .methods.table import METHODS, Method
 from .model import ModelError
 from .prepared import PreparedModel
+from .sizes import far_states, forced_error, reproduced, settled, small
 from .solution import AccuracyError, Cost, Motion, MotionError
 from .trajectory import Trajectory
 
@@ -24,6 +25,7 @@ from .trajectory import Trajectory
 # paid off
 HEYOKA_BREAK_EVEN = 0.5
 FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate enough
+MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
 
@@ -84,7 +86,8 @@ class Run:
     progress: Callable | None = None
     step: float | None = None
     preparing: float = 0.0
-    max_steps: float = MAX_STEPS
+    max_steps: float = math.inf
+    long: bool = False  # see :meth:`briefly`
     calls: int = 0
     started: float = field(default_factory=perf_counter)
 
@@ -133,6 +136,8 @@ class Run:
                 if not method.series and not refused and type(error) is MotionError:
                     raise
                 refused.append(error)
+                if self.long and type(error) is AccuracyError:
+                    break  # no other method rounds less
         known = [error for error in refused if type(error) is AccuracyError] or refused
         raise min(known, key=lambda error: error.reached.error)
 
@@ -187,7 +192,11 @@ class Run:
 
         The run is compared with another one, unless a run close to it was.
         """
-        trajectory = self.trajectory(method, self.rtol / method.tolerance_ratio)
+        trajectory = self.briefly(self.trajectory, method, self.rtol / method.tolerance_ratio)
+        if self.long:
+            trajectory = self.trajectory(method, method.min_tolerance)
+        if isinstance(trajectory.failed, LengthError):
+            return self.motion(trajectory, method, math.nan)
         if trajectory.failed:
             return self.calibrated(method)
 
@@ -213,25 +222,40 @@ class Run:
         """
         begun, least, scaled = perf_counter(), method.min_tolerance, method.series
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
+        if method.series and self.long:
+            tolerance = least
         coarse = method.other(tolerance)
-        before = self.compared(method, coarse, tolerance, None, scaled)
+        comparison = method, coarse, tolerance, None, scaled
+        run = self.briefly if heyoka else lambda f, *arguments: f(*arguments)
+        before = run(self.compared, *comparison)
+        if heyoka and self.long:
+            try:
+                return self.by(METHODS["taylor"])
+            except AccuracyError:
+                raise
+            except MotionError:  # a series may end where this method does not
+                before = self.compared(*comparison)
         if isinstance(before.failed, LengthError):
             return self.motion(before, method, math.nan)
-        known = None if before.failed else before.sizes()
+        before, known = self.resolved(before, method, coarse, tolerance, scaled)
         # of order 8: the number of steps grows as tolerance**(-1/8)
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
+        forced = forced_error(*known[:2], before.count) if known else 0.0
+        if forced > self.rtol:
+            motion = self.motion(before, method, forced)
+            raise AccuracyError(self.far_refusal(motion, known), motion)
         for _ in range(MAX_REFINEMENTS):
             trajectory = self.trajectory(method, tolerance, known, scaled)
-            error = error_by_comparison(before, trajectory, method)
+            error = forced + error_by_comparison(before, trajectory, method)
             if error <= self.rtol or trajectory.failed:
                 break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound
                 before = self.compared(method, 10 * tolerance, tolerance, known, scaled)
-                error = min(error, error_by_comparison(before, trajectory, method))
+                error = min(error, forced + error_by_comparison(before, trajectory, method))
                 break
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
@@ -239,8 +263,41 @@ class Run:
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, reported_error(error, self.rtol))
         if not error <= self.rtol:
-            raise AccuracyError(self.refusal(motion), motion)
+            far = 10 * forced > error
+            why = self.far_refusal(motion, known) if far else self.refusal(motion)
+            raise AccuracyError(why, motion)
         return motion
+
+    def resolved(self, before, method, coarse, fine, scaled):
+        """The first trajectory and its sizes, None if it failed; where a state is so small that
+        these may be those of its error, another one by the sizes that were found.
+        """
+        known = None
+        for _ in range(MAX_REFINEMENTS):
+            last, known = known, None if before.failed else before.sizes()
+            if not known or not (last or small(*known[:2])):
+                return before, known
+            if last and settled(last[0], known[0]):
+                break
+            before = self.compared(method, coarse, fine, known, scaled)
+        again = self.compared(method, fine, fine, known, scaled)
+        if not again.failed:
+            ends = before.segments[-1].x1, again.segments[-1].x1
+            apart = [abs(u - v) for u, v in zip(*ends, strict=False)]
+            sizes = reproduced(known, again.sizes(), apart, self.rtol)
+            if sizes != known[0]:
+                known = sizes, *known[1:]
+                before = self.compared(method, coarse, fine, known, scaled)
+        return before, known
+
+    def briefly(self, run, *arguments):
+        """The trajectory ``run(*arguments)``, which stops if it would take many steps: the motion
+        is ``long``.
+        """
+        most, self.max_steps = self.max_steps, min(MANY_STEPS, self.max_steps)
+        trajectory = run(*arguments)
+        self.max_steps, self.long = most, isinstance(trajectory.failed, LengthError)
+        return trajectory
 
     def trajectory(self, method, tolerance, *more):
         """The trajectory at one tolerance."""
@@ -274,6 +331,17 @@ class Run:
         if trajectory.failed:
             raise MotionError(f"{ended}; see .reached of this error", motion)
         return motion
+
+    def far_refusal(self, motion, known):
+        """The message for a motion that is too far from the origin for the digits of a float."""
+        small_one, large = far_states(self.system, self.t0, self.state, *known[:2])
+        place = f"{self.system.model._state(self.state)[large]:.6g}"
+        return (
+            f"{self.system.model.name}: {small_one} is small beside the round-off of {large} = "
+            f"{place}, which makes an error of about {motion.error:.1g} of its size, and rtol = "
+            f"{self.rtol:g} was requested; take the distance from {place} as the state in place of "
+            f"{large}"
+        )
 
     def refusal(self, motion):
         """The message for a motion whose error is above the rtol."""

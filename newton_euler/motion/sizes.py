@@ -4,9 +4,12 @@ each state, but the rate of nutation of a steady precession is zero, and has an 
 
 import math
 
-# fraction of its natural size below which a state is not judged relative to its own size
+# fraction of its natural size above which the scale of a state is not below this fraction either
 NATURAL_PART = 1e-3
 ROUND_OFF = 2e-16  # that its rate brings into a state, as a fraction of its natural size
+# multiples of that: what is below the first is nothing else, as the rate of nutation of a steady
+# precession; the second is the error that it makes
+NOTHING, FORCED = 300.0, 10.0
 TIME_SAFETY = 3.0  # on the error by round-off of the time; measured
 
 
@@ -47,6 +50,68 @@ def natural_sizes(system, points, sizes, span):
         if all(s or not n or 1e-3 < n < 1e3 for s, n in zip(sizes, natural, strict=True)):
             break
     return natural, with_time
+
+
+def small(sizes, natural):
+    """The numbers of the states that are small by cancellation, though not nothing but round-off,
+    as the speed on a spring far from the origin.
+    """
+    rows = enumerate(zip(sizes, natural, strict=True))
+    return [k for k, (s, n) in rows if NOTHING * ROUND_OFF * n < s <= NATURAL_PART * n]
+
+
+def least_scales(sizes, natural, own):
+    """What the error of each state is relative to at least: for those that are small by
+    cancellation a part of their own size; see :func:`natural_sizes`.
+
+    own : fraction of the size of a state below which its errors do not count
+    """
+    scales = [max(own * s, NATURAL_PART * n) for s, n in zip(sizes, natural, strict=True)]
+    for k in small(sizes, natural):
+        scales[k] = NATURAL_PART * sizes[k]
+    return scales
+
+
+def reproduced(known, again, apart, rtol):
+    """The sizes ``known``, with room for the error of a state that is no more than its error: one
+    of the size of round-off, or whose size depends on the tolerance.
+
+    known, again : as :meth:`~newton_euler.motion.trajectory.Trajectory.sizes` returns them, at two
+        tolerances
+    apart : by how much the last states differ
+    """
+    found, natural = list(known[0]), known[1]
+    for k, (size, other, n) in enumerate(zip(found, again[0], natural, strict=True)):
+        nothing = NOTHING * ROUND_OFF * n
+        noise = size < nothing or (apart[k] > size / 3 and size < 100 * nothing)
+        if size <= NATURAL_PART * n and (noise or not 0.5 < other / size < 2.0):
+            made = max(FORCED * ROUND_OFF * n, min(size, other))
+            found[k] = min(made / (rtol * NATURAL_PART), n)
+    return tuple(found)
+
+
+def settled(before, after):
+    """True if no size has become less than half."""
+    return before is not None and all(2 * b >= a for a, b in zip(before, after, strict=True))
+
+
+def forced_error(sizes, natural, steps):
+    """The error, relative to their sizes, that round-off forces on states that are small by
+    cancellation, over so many steps.
+    """
+    ratios = [natural[k] / sizes[k] for k in small(sizes, natural)]
+    return FORCED * ROUND_OFF * max(ratios, default=0.0) * (1 + steps / 100) ** 0.5
+
+
+def far_states(system, t, x, sizes, natural):
+    """The names of the state that is smallest by cancellation, and of the one whose distance from
+    the origin is the reason.
+    """
+    names, known = system.model.states, small(sizes, natural)
+    worst = max(known, key=lambda k: natural[k] / sizes[k])
+    columns = _derivatives(system, t, x, [s or 1.0 for s in sizes], 1.0)
+    made = [abs(c[worst]) * s for c, s in zip(columns, sizes, strict=False)]
+    return names[worst], names[made.index(max(made))]
 
 
 def _derivatives(system, t, x, scale, span):

@@ -56,8 +56,8 @@ class Motion:
     ended : how it ended, in words; ``cost`` : a :class:`Cost`
     times, states : those of the samples; ``states["theta"]`` is an array, nan in a segment that has
         no such state
-    error : the estimated error at the end, of the worst state relative to its largest value, or to
-        a thousandth of what its coupling to the others would make of it; nan with a fixed step
+    error : the estimated error at the end, of the worst state relative to its largest value, see
+        ``rtol`` of :func:`~newton_euler.motion.integration.integrate`; nan with a fixed step
     drift : for each invariant, by name, its largest change over the samples, relative to its
         largest value
 

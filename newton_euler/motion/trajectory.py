@@ -11,7 +11,7 @@ from .methods.base import SMALLEST_SCALE, LengthError, StepError, Stepper
 from .methods.table import METHODS
 from .model import ModelError
 from .prepared import prepared_model
-from .sizes import NATURAL_PART, ROUND_OFF, natural_sizes
+from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 
 # steps between two searches for events: few at first, since an event may come soon, then more,
 # since a search has a fixed cost
@@ -100,25 +100,27 @@ class Trajectory:
         and the times that no step may pass over.
         """
         nothing, series = (0.0,) * len(x), self.method.series
+        own = KINKED_PART if system.traced.kinks else OWN_PART
         if self.method.closed:
             return nothing, nothing, ()
         stops = () if self.step else knots(system, self.origin, self.goal)
         if series and not self.scaled:
             return nothing, nothing, stops
-        if self.known and not self.segments:
+        # what was seen of the first segment holds for others only where it is needed
+        alike = self.known and len(self.known[0]) == len(x)
+        if alike and (not self.segments or small(*self.known[:2])):
             sizes, natural, noise = self.known
+            floors = least_scales(sizes, natural, own)
+            likely = [max(s, f / NATURAL_PART) for s, f in zip(sizes, floors, strict=True)]
         else:
-            sizes = nothing
-            start = tuple(map(abs, x))
-            natural, noise = natural_sizes(system, [(t, x)], start, self.goal - t)
-            if not self.segments:
-                self.natural = natural, noise
+            natural, noise = natural_sizes(system, [(t, x)], tuple(map(abs, x)), self.goal - t)
+            floors, likely = [NATURAL_PART * n for n in natural], natural
+        if not self.segments:
+            self.natural = natural, noise
         # the stepper adds the sizes that the states have had so far, since a small error of a state
         # that is still small may grow with it
-        own = KINKED_PART if system.traced.kinks else OWN_PART
-        floors = [max(own * s, NATURAL_PART * n) for s, n in zip(sizes, natural, strict=True)]
         if series:  # the sizes that the states will have
-            self.units = tuple(map(max, map(abs, x), sizes, natural))
+            self.units = tuple(map(max, map(abs, x), likely))
         floors = tuple([f or SMALLEST_SCALE for f in floors])
         return floors, tuple([ROUND_OFF * n for n in noise]), stops
 
@@ -225,7 +227,10 @@ class Trajectory:
         count, states = len(self.segments), a.system.model.states
         if count != len(other.segments) or states != b.system.model.states:
             return 1.0
-        scales = [v or 1.0 for v in map(max, a.stepper.scales, b.stepper.scales)]
+        # of values the smaller one: one of the two runs may have gone astray
+        a_b, floors = (a.stepper, b.stepper), (a.stepper.floors, b.stepper.floors)
+        values = map(min, *(stepper.scales for stepper in a_b))
+        scales = [max(v) or 1.0 for v in zip(values, *floors, strict=True)]
 
         def apart(x, y):
             return max([abs(u - v) / s for u, v, s in zip(x, y, scales, strict=True)])

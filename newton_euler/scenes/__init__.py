@@ -37,16 +37,12 @@ def __getattr__(name):
 
 
 def scene(name: str) -> catalogue.Scene:
-    """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists all names if
-    no scene has it.
-    """
+    """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists all names."""
     return _found("SCENES", name)
 
 
 def ladder(name: str, **given: object) -> Ladder:
-    """The :class:`~newton_euler.scenes.ladders.Ladder` of this name, for its default values, or
-    those ``given``: parameters, start and t by name.
-    """
+    """The ladder of this name, with its default values or those ``given``, as ``start`` and t."""
     return _found("LADDERS", name).make(**given)
 
 

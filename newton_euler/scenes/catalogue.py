@@ -15,10 +15,8 @@ LADDERS: "dict[str, Scene]" = {}
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene: its ``name``, ``section`` of the book and ``description``; ``make()`` returns the
-    Model, the time at which to end, and the start.
-
-    For a ladder of models, ``make(**given)`` returns the Ladder.
+    """A scene: ``name``, ``section`` of the book, ``description``; ``make()`` returns the Model,
+    the end time and the start; of a ladder, ``make(**given)`` the Ladder.
     """
 
     name: str
@@ -33,11 +31,9 @@ class Scene:
 
 
 def scene(section, name, description, t=None, start=None, ladder=False, **values):
-    """A decorator that registers the model which a function returns for these ``values``, with the
-    time ``t`` at which to end, and the ``start``.
-
-    With ``ladder=True`` the function returns a :class:`~newton_euler.scenes.ladders.Ladder`, and
-    all of its parameters have default values.
+    """A decorator that registers the model which a function returns for these ``values``, until
+    ``t`` from ``start``; with ``ladder=True`` a ladder, whose function has default values for all
+    parameters.
     """
     table = LADDERS if ladder else SCENES
     if name in table:

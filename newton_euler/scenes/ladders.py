@@ -1,11 +1,9 @@
-"""Ladders of models: the models of one scene from the coarsest to the fullest, and the choice of
-the cheapest one that is accurate enough.
+"""Ladders: the models of one scene from the coarsest to the fullest, and the cheapest that is
+accurate enough.
 
-The rungs of a ladder may have different states, but from the states of each the same quantity is
-*observed*, as the position of a shot or the angle of a top. The error of a rung is the largest
-distance, over the whole time, between its prediction and that of the fullest rung. Each model names
-what it leaves out, with a bound of the error where one is known. The error of a rung without a
-bound, or whose bound is too large, is measured.
+Rungs may have different states, but the same quantity is *observed*, as the position of a shot. The
+error of a rung is its largest distance, over the whole time, from the fullest. Each model names
+what it leaves out, with a bound of the error where one is known; else the error is measured.
 
 >>> from newton_euler.scenes import ladder
 >>> choice = smallest(ladder("projectile"), 1.0)  # metre
@@ -58,9 +56,7 @@ class Rung(Portable):
 
     @checked_but("t")
     def bound(self, t: float) -> float:
-        """The bound of the error until ``t``, by what the model neglects: inf if it names nothing,
-        or something without a bound.
-        """
+        """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
             raise ModelError(
@@ -129,9 +125,7 @@ class Ladder:
         names: Sequence[str],
         *models: Model,
     ) -> "Ladder":
-        """The ladder of models that have the same states, and so the same start; what is observed
-        are the states of these ``names``.
-        """
+        """The ladder of models with the same states: these ``names`` are observed."""
         observed = observed_states(*names)
         return cls(name, of, t, tuple(Rung(model, start, observed) for model in models))
 
@@ -150,9 +144,7 @@ class Ladder:
 
     @checked
     def observe(self, rung: Rung, rtol: float) -> "ndarray":
-        """What is observed of a rung, an array (components, instants) over the time of the ladder,
-        from states with the relative error ``rtol``.
-        """
+        """What is observed of a rung, an array (components, instants), at this ``rtol``."""
         import numpy as np
 
         from ..motion.integration import integrate
@@ -171,20 +163,15 @@ class Ladder:
 
     @checked
     def error(self, rung: Rung, accuracy: float = 0.0) -> float:
-        """The error of a rung against the fullest one: the largest distance of what is observed,
-        over the whole time, in the ladder's unit.
-
-        accuracy : of this error; the default is the best that can be reached
-        The error of a rung that cannot be integrated to the end, as angles through a singular
-        position, is infinite.
+        """The largest of :meth:`distances`, in the ladder's unit; infinite for a rung that cannot
+        be integrated to the end. ``accuracy`` : of this error; by default the best that can be
+        reached.
         """
         return float(self.distances(rung, accuracy).max())
 
     @checked
     def distances(self, rung: Rung, accuracy: float = 0.0) -> "ndarray":
-        """How far what is observed of a rung is from that of the fullest one at each of the
-        instants, an array; the largest is the :meth:`error`.
-        """
+        """The distance from the fullest rung at each of the instants; the largest is the error."""
         import numpy as np
 
         if rung is self.fullest:
@@ -204,9 +191,7 @@ class Ladder:
         return np.where(np.isnan(far), math.inf, far)  # nan where an exact solution ends
 
     def _kept(self, accuracy, rungs, compute):
-        """The value computed before for these rungs with at least this accuracy, if what their
-        functions read is the same; otherwise it is computed now.
-        """
+        """The value computed with this accuracy or better, while what its functions read holds."""
         key = tuple(rungs)  # by identity: a rung of another ladder may have the same name
         known = self._found.get(key)
         if known is None or known[1] > accuracy or not known[2].hold():
@@ -221,9 +206,7 @@ class Ladder:
 
 @dataclass(frozen=True)
 class Evidence:
-    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if unknown),
-    and its ``error`` (None if not needed).
-    """
+    """The ``bound`` of a rung's error (inf if unknown), and its ``error`` (None if not needed)."""
 
     bound: float
     error: float | None
@@ -259,13 +242,12 @@ class Choice:
 
 @checked
 def smallest(ladder: Ladder, tolerance: float) -> Choice:
-    """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit),
-    with the evidence: a :class:`Choice`.
+    """The cheapest rung whose error stays within ``tolerance``, in the ladder's unit: a
+    :class:`Choice`.
 
-    The rungs are tried from the cheapest on. A rung is accepted if the bound of what it neglects,
-    which costs nothing to compute, is small enough, or if its motion is near enough to that of the
-    fullest rung. The bound of the fullest rung itself, if it has one, is added to every error;
-    :class:`ModelError` if that is too large.
+    From the cheapest on, a rung is accepted if the bound of what it neglects is small enough, or
+    its motion near enough to that of the fullest. The bound of the fullest itself, if it has one,
+    is added; :class:`ModelError` if that is too large.
 
     >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))

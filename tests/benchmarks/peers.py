@@ -34,9 +34,7 @@ UPRIGHT = [1.0, 0.0, 0.0, 0.0]
 
 @dataclass(frozen=True)
 class Rival:
-    """``run(setting)`` returns the last state, of which ``observed`` is compared; ``settings`` from
-    the loosest on; ``prepared`` in seconds.
-    """
+    """``run(setting)``: the last state; ``settings`` from the loosest on; ``prepared`` in seconds."""
 
     run: Callable
     observed: Callable
@@ -57,9 +55,7 @@ def quiet():
 
 
 def prepared(make, observed, settings=TOLERANCES):
-    """The rival that ``make`` makes, run once: what that takes is mostly derivation and
-    compilation.
-    """
+    """The rival that ``make`` makes, run once: mostly derivation and compilation."""
     begun = perf_counter()
     with quiet():
         run = make()
@@ -68,9 +64,7 @@ def prepared(make, observed, settings=TOLERANCES):
 
 
 def loosest(rival, exact, wanted):
-    """The first setting with which the rival is accurate enough, and its true error; None where
-    there is none.
-    """
+    """The first setting that is accurate enough, and its true error; None where there is none."""
     with quiet():
         errors = ((setting, rival.error(setting, exact)) for setting in rival.settings)
         return next((pair for pair in errors if pair[1] <= wanted), None)
@@ -85,9 +79,7 @@ def have(*modules):
 
 
 def axis(x):
-    """The height cos(theta) of the top's axis and its rate over the spin, of (q0 ... q3, w_x, w_y,
-    ...) in any frame that goes with the axis.
-    """
+    """The height cos(theta) of the top's axis, and its rate over the spin, in any frame of the axis."""
     a, b, c, d, wx, wy = x[:6]
     rate = 2 * (wy * (b * d - a * c) - wx * (c * d + a * b))
     return np.array([a * a + d * d - b * b - c * c, rate / SPIN])
@@ -205,9 +197,7 @@ def heyoka_free(full=True):
 
 
 def kanes_method(weight):
-    """A body that turns about a fixed point, in angles 3-1-3 and body rates: KanesMethod, and its
-    constants, of which m, g, r are for the weight.
-    """
+    """A body about a fixed point, angles 3-1-3 and body rates: KanesMethod, and its constants."""
     import sympy.physics.mechanics as me
     from sympy import cos, sin, symbols
 
@@ -232,9 +222,7 @@ def kanes_method(weight):
 
 
 def pydy_system(constants, start, t):
-    """PyDy's System with compiled equations; the constants are three moments, and for a weight m,
-    g, r.
-    """
+    """PyDy's System, compiled; constants: three moments, and m, g, r for a weight."""
     from pydy.system import System
 
     kane, symbols = kanes_method(weight=len(constants) > 3)
@@ -246,9 +234,7 @@ def pydy_system(constants, start, t):
 
 
 def first_top_by_sympy():
-    """From the equations of the top to its motion by Kane's method, lambdify and solve_ivp, within
-    about 1e-6.
-    """
+    """From equations to motion by Kane's method, lambdify and solve_ivp, within 1e-6."""
     from scipy.integrate import solve_ivp
     from sympy import lambdify
 
@@ -318,9 +304,7 @@ def top_rivals():
 
 
 def free_rivals():
-    """Those that are installed, by name. PyDy's angles begin with the body's y axis upwards, and so
-    never come near their singular place.
-    """
+    """Those installed, by name; PyDy's angles begin far from their singular place."""
     angles, moments = [0.0, math.pi / 2, 0.0, *FREE], (1.0, 2.0, 3.0)
     heyokas = {
         "full model": lambda: (heyoka_free(), [*UPRIGHT, *FREE]),

@@ -73,9 +73,7 @@ def with_tests(notebook, values):
 
 
 def plain_course(course, students, values, folder):
-    """nbgrader's API, configured as it comes, for a course in ``folder`` with the work of these
-    students.
-    """
+    """nbgrader's API, as it comes, for a course in ``folder`` with the work of these students."""
     from nbgrader.api import Gradebook
     from nbgrader.apps import NbGraderAPI
     from nbgrader.coursedir import CourseDirectory

@@ -38,9 +38,7 @@ def disk_acceleration(phi, omega, domega, p, dp, R, r):
 
 
 def chain_acceleration(angles, L):
-    """Five links, turning about z and x by turns; the acceleration of the tip in components of the
-    last link.
-    """
+    """Five links about z and x by turns: the tip's acceleration along the last one."""
     frame = ground = Frame("ground")
     for n, angle in enumerate(angles):
         origin = frame.point("O", L, 0, 0) if n else None
@@ -157,9 +155,7 @@ def cold_derivations():
 
 
 def medians(cases, repeat):
-    """Seconds a call of each case: the cases take turns, and each round's ``repeat`` calls count as
-    one measurement.
-    """
+    """Seconds a call of each case: they take turns, and ``repeat`` calls are one measurement."""
     times = {name: [] for name in cases}
     for case in cases.values():
         case()
@@ -244,9 +240,7 @@ def test_many_instants_are_faster_than_lambdify(scene, numpy_gains, heyoka_gains
 
 
 def disk_by_numpy(phi, omega, domega, p, dp, R, r):
-    """The same acceleration as one writes it with arrays of three: np.cross for every product
-    (components in the disk).
-    """
+    """As one writes it with arrays of three: np.cross for every product."""
     s, c = np.sin(phi), np.cos(phi)
     k = np.array([0.0, -s, c])  # the vertical, in components of the disk
     e = np.array([0.0, 1.0, 0.0])

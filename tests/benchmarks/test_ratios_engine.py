@@ -18,9 +18,7 @@ ROUNDS = 5
 
 
 def top_by_engine(symbols):
-    """psi'', theta'', phi'' of the heavy top from M = mgr sin(theta) i, in symbols of the library
-    given.
-    """
+    """psi'', theta'', phi'' of the heavy top from M = mgr sin(theta) i, in the library's symbols."""
     from newton_euler import Frame, euler_frame, moving, sin, solve_rates
     from newton_euler.applications import gyro_moment
 

@@ -38,9 +38,7 @@ def values():
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory, values):
-    """A course in which everyone has handed in: every other student all right, the others with a
-    term left out wherever one can be.
-    """
+    """Every other student is right, the others left a term out wherever one can be."""
     from grader.assignment import build_assignment
     from grader.course import read_json, write_json
     from grader.demo import sample_students as sample
@@ -84,9 +82,7 @@ def processors():
 
 @pytest.fixture(scope="module")
 def theirs(course, values, tmp_path_factory):
-    """(seconds, processor's seconds) of nbgrader's default autograde for a notebook; the points
-    that it gives are ours.
-    """
+    """(seconds, processor's seconds) of nbgrader's default autograde for a notebook."""
     folder = tmp_path_factory.mktemp("plain")
     api = plain_course(course, STUDENTS[:THEIRS], values, folder)
     api.autograde("ch04", STUDENTS[0], force=True)  # imports

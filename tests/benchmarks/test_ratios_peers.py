@@ -102,9 +102,7 @@ def fitted(scene, wanted):
 
 @cache
 def competitors(scene, wanted):
-    """All that take part, by name: what to call, true error, setting, seconds until ready. Ours are
-    called "ours: method, model".
-    """
+    """By name ("ours: method, model"): what to call, true error, setting, seconds until ready."""
     out = {}
     for words, (model, t, start, observed) in own(scene).items():
         for method in ("exact", "taylor", "dop853"):
@@ -151,9 +149,7 @@ def quick(scene, wanted):
 
 
 def _ours(model, t, start, wanted, method):
-    """A run that is prepared, as heyoka's integrator and the compiled right-hand sides of the
-    others are; no record.
-    """
+    """A prepared run without a record, as the others' compiled right-hand sides are."""
     run = prepare(model, wanted, method)
     return lambda: run(t, start)
 
@@ -236,9 +232,7 @@ def test_a_smaller_model_or_closed_form_is_faster_than_heyoka_on_the_full_model(
 
 
 def compared(title, call, own_error, rival, exactly):
-    """What ours costs over heyoka alone where that is as accurate as ours: at the loosest setting
-    with twice our true error or less.
-    """
+    """Ours over heyoka alone at the loosest setting with twice our true error or less."""
     setting, error = peers.loosest(rival, exactly, 2 * own_error) or (rival.settings[-1], own_error)
     us, them = timed(call, _theirs(rival, setting), runs=25)
     beside(title, us, own_error, them, error)
@@ -315,9 +309,7 @@ def test_samples_for_an_animation_cost_little_more_than_heyokas_own_grid(wanted)
 
 @cache
 def swept(wanted):
-    """1000 tops of different spin: seconds by heyoka's batch mode, by ours, and by SciPy (one top,
-    a thousand times its time).
-    """
+    """1000 tops: seconds by heyoka's batch mode, by ours, and by SciPy (one, times a thousand)."""
     import heyoka as hy
 
     spins, width = np.linspace(6.0, 10.0, 1000), hy.recommended_simd_size()

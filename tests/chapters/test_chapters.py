@@ -204,9 +204,7 @@ def test_every_formula_is_closed(path):
 
 
 def executed(path, where, missing=()):
-    """The notebook, run in a clean kernel that finds the engine and, of this repository, nothing
-    else.
-    """
+    """The notebook, run in a clean kernel that finds the engine and nothing else."""
     client = pytest.importorskip("nbclient").NotebookClient
     (where / "newton_euler").symlink_to(ROOT / "newton_euler", target_is_directory=True)
     absent = "".join(f"sys.modules[{name!r}] = None\n" for name in missing)

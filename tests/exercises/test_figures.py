@@ -67,18 +67,15 @@ def test_4_31_shows_the_end_face_on_which_P_is(seed):
     assert sketch.drawn.depth(face.normal) / np.linalg.norm(face.normal) > 1 / 3
 
 
-@pytest.mark.parametrize(
-    ("problem_id", "rates"),
-    [
-        ("2/15", {"v", r"$\dot v$"}),
-        ("2/32", {"v", "$c_A$", "$c_B$"}),
-        ("2/37", {r"$\omega$", r"$\alpha$", "u"}),
-        ("2/38", {r"$\omega$", "d", "u"}),
-        ("4/8", {"$v_A$", "$v_B$", "$a_A$", r"$\omega_x$"}),
-        ("11/3", {"W", "F"}),
-        ("11/20", {"f"}),
-    ],
-)
+@pytest.mark.parametrize(("problem_id", "rates"), [
+    ("2/15", {"v", r"$\dot v$"}),
+    ("2/32", {"v", "$c_A$", "$c_B$"}),
+    ("2/37", {r"$\omega$", r"$\alpha$", "u"}),
+    ("2/38", {r"$\omega$", "d", "u"}),
+    ("4/8", {"$v_A$", "$v_B$", "$a_A$", r"$\omega_x$"}),
+    ("11/3", {"W", "F"}),
+    ("11/20", {"f"}),
+])  # fmt: skip
 def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
     ax = Figure(figsize=(5.2, 4)).add_subplot()
     p = problem(problem_id)

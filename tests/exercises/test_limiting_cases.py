@@ -25,9 +25,7 @@ def test_4_33_gear_that_turns_with_the_arm_does_not_turn_the_other():
 
 
 def test_4_9_can_be_built_with_every_number_that_can_be_drawn():
-    """The rod reaches from the axis to the ellipse where x and y are positive, keeps its length, and
-    its lower end goes along the tangent.
-    """
+    """The rod reaches the ellipse, keeps its length, and slides along the tangent."""
     p = problem("4/9")
     low, high = p.givens["z_1"].vary
     for n in range(51):

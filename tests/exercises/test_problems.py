@@ -50,9 +50,7 @@ def without_the_engine(prove):
 
 @pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: f"{named(p)}_holds")
 def test_problem(p, monkeypatch):
-    """Solved and proved alike in floats and in 50 digits, the proof without the engine; right in
-    its units, and every mistake away from the key.
-    """
+    """In floats and in 50 digits, without the engine; right in its units, mistakes off the key."""
     # the code first: a module may make its axes when it is loaded
     monkeypatch.setattr(p.code, "prove", without_the_engine(p.code.prove))
     assert check(p, seeds=2) == []
@@ -107,9 +105,7 @@ def test_formulas_are_exact_and_short(p):
 
 
 def is_the_same(p, x, y):
-    """Whether two formulas are equal. A magnitude is a root whose radicand SymPy may not see to be
-    a square: then if their squares are, and they themselves for some numbers.
-    """
+    """Equal, or, for roots whose radicand is no square to SymPy, of equal squares and numbers."""
     if sympy.simplify(x - y) == 0:
         return True
     numbers = symbol_values(p, random.Random(1))

@@ -42,10 +42,7 @@ class OfAstropy(np.ndarray):
 @cache
 def quantities():
     """{name: value}: what has a unit; those of pint and astropy where they are installed."""
-    found = {
-        "like pint": OfPint(2.0),
-        "like astropy": np.array([1.0, 2.0]).view(OfAstropy),
-    }
+    found = {"like pint": OfPint(2.0), "like astropy": np.array([1.0, 2.0]).view(OfAstropy)}
     try:
         import pint
 

@@ -15,7 +15,6 @@ PYTHONS_OWN = (
     "takes 0 positional arguments",
 )
 
-
 PATIENCE = 30.0  # seconds for a call: the machine may be busy
 
 

@@ -34,9 +34,7 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(scope="session", autouse=True)
 def schema_asked_once():
-    """nbgrader starts a process, three seconds of one, to ask for its own newest schema whenever a
-    gradebook is made.
-    """
+    """nbgrader starts a process of three seconds to ask for its own newest schema."""
     from grader.course.folder import _without_slow_imports
 
     with _without_slow_imports():
@@ -48,9 +46,7 @@ def schema_asked_once():
 
 @pytest.fixture(scope="session")
 def demo_course(tmp_path_factory):
-    """The demo on five problems: released, fetched, submitted, collected, graded; {"course",
-    "said", "code"}.
-    """
+    """The demo on five problems, graded; {"course", "said", "code"}."""
     folder = tmp_path_factory.mktemp("demo") / "mechanics"
     only = [x for p in PROBLEMS for x in ("--problem", p)]
     code, said = grader("demo", "--course", folder, *only)
@@ -103,9 +99,7 @@ def harvester():
 
 
 class _Shared:
-    """In place of a Harvester of its own for every call of grade: the session's, which costs no
-    start.
-    """
+    """The session's harvester in place of one for every call of grade: it costs no start."""
 
     def __init__(self, harvester):
         self.harvester, self.count, self.run = harvester, 1, harvester.run

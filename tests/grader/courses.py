@@ -16,9 +16,7 @@ REPOSITORY = Path(__file__).parents[2]
 
 
 def environment(**more):
-    """The environment for a command line: this Python's nbgrader, this repository's grader,
-    nobody's configuration.
-    """
+    """This Python's nbgrader, this repository's grader, nobody's configuration."""
     own = {
         "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
         "PYTHONPATH": str(REPOSITORY),
@@ -48,12 +46,7 @@ def ran(done):
 
 
 def nbgrader(*arguments, cwd, timeout=180, memory=None, **more):
-    """nbgrader's command line in a folder: (exit code, everything it said); ``memory`` is the
-    largest address space that it may have, in bytes.
-
-    It runs in a fork of a process that has imported nbgrader, which takes two seconds of every
-    command.
-    """
+    """(exit code, output) of its command line in a fork that has imported it; ``memory`` in bytes."""
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(["nbgrader.apps.nbgraderapp"])
     with tempfile.NamedTemporaryFile() as output:
@@ -131,9 +124,7 @@ def submit(course, student, notebook, assignment="ch04", name=None):
 
 
 def change_source(course, change, assignment="ch04", copies=True):
-    """Do what an instructor does: ``change(cells)`` of the source notebook, in place, then generate
-    it again and make the personal copies, unless asked not to.
-    """
+    """``change(cells)`` of the source notebook, generated again with the personal copies."""
     from grader.assignment import make_personal_copies
 
     path = course.source(assignment)

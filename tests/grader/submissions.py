@@ -11,9 +11,7 @@ RIGHT = {"ada": 11, "ben": 6, "cleo": 4, "eve": 9, "mallory": 0}
 
 
 def work(course, student, **changed):
-    """A right notebook of this student; ``changed`` replaces the text of answer cells, as
-    p4_16="...").
-    """
+    """A right notebook of this student; ``changed`` replaces answer cells, as p4_16="...")."""
     own = read(course.personal_path("ch04", student))
     problems = problems_of(own)
     values = course.values("ch04", student, problems)

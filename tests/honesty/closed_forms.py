@@ -26,9 +26,7 @@ def driven(mp, w, f, q, x, v, t):
 
 
 def _pendulum(mp, k, theta, omega):
-    """Square of the modulus, phase at the start, and the rate of the phase, of theta'' = -k
-    sin(theta).
-    """
+    """Square of the modulus, phase at the start and its rate, of theta'' = -k sin(theta)."""
     half = mp.sin(theta / 2)
     m, w = half * half + omega * omega / (4 * k), mp.sqrt(k)
     if m < 1:
@@ -38,10 +36,7 @@ def _pendulum(mp, k, theta, omega):
 
 
 def pendulum(mp, k, theta, omega, t):
-    """theta'' = -k sin(theta), from -pi < theta < pi.
-
-    Theta, which counts the turns, and its rate.
-    """
+    """theta'' = -k sin(theta), from -pi < theta < pi: theta, which counts turns, and its rate."""
     m, phase, rate = _pendulum(mp, k, theta, omega)
     u = phase + rate * t
     if m < 1:
@@ -66,9 +61,7 @@ def pendulum_zeros(mp, k, theta, omega, t):
 
 
 def free_body(mp, moments, rates, t):
-    """Euler's equations without moments, by Jacobi's functions (Landau and Lifshitz, Mechanics,
-    37); I1 < I2 < I3, off the separatrix.
-    """
+    """By Jacobi's functions (Landau and Lifshitz, 37); I1 < I2 < I3, off the separatrix."""
     a, b, c = moments
     energy = sum(i * w * w for i, w in zip(moments, rates, strict=True))
     momentum = sum((i * w) ** 2 for i, w in zip(moments, rates, strict=True))
@@ -92,10 +85,7 @@ def free_body(mp, moments, rates, t):
 
 
 def kepler(mp, gm, place, velocity, t):
-    """An ellipse about a centre of attraction.
-
-    Place and velocity in its plane, by the eccentric anomaly that is passed (Battin, 4.3).
-    """
+    """Place and velocity on an ellipse by the eccentric anomaly that is passed (Battin, 4.3)."""
     x, y = place
     u, v = velocity
     r = mp.sqrt(x * x + y * y)
@@ -124,9 +114,7 @@ def kepler(mp, gm, place, velocity, t):
 
 
 def crossings_of_a_spring(T):
-    """The function (mp, s, p) of the times up to T at which a spring let go at ``s.x`` is at
-    ``p.line``.
-    """
+    """(mp, s, p) -> the times up to T at which a spring let go at ``s.x`` is at ``p.line``."""
 
     def times(mp, s, p):
         n, a = mp.sqrt(p.k), mp.acos(p.line / s.x)

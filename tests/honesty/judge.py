@@ -21,6 +21,7 @@ TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
 # the floor that the docstring of integrate states: no state is judged relative to less than this in
 # its unit
 UNIT = 1e-6
+NOTHING = 1e-13  # of its natural size: a smaller state is nothing but round-off
 GROSS = 10.0  # times what was asked for and what was estimated: then an answer is silently wrong
 EPS = 2.0**-53
 LAX = 1e3  # times the round-off of the start: an error that can be reached by any sound method
@@ -78,17 +79,12 @@ class Run:
 
     @property
     def covers(self):
-        """True if the estimate is not below the true error.
-
-        None if there is no estimate, or no answer.
-        """
+        """Whether the estimate is not below the true error; None without an estimate or answer."""
         return None if not self.returned or self.estimate is None else self.estimate >= self.error
 
     @property
     def ratio(self):
-        """The estimate over the true error, which is not better known than to half a unit of the
-        last place.
-        """
+        """The estimate over the true error, known to half a unit of the last place."""
         return None if self.covers is None else self.estimate / max(self.error, EPS)
 
     @property
@@ -104,11 +100,11 @@ def true_error(state, true, sizes, natural, unit=UNIT):
     """The error of a state: the largest difference of one of its numbers from the truth, over the
     largest size of that number on the way.
 
-    No size is smaller than ``unit``, 1e-6 in its unit, as ``integrate`` says; nor, whatever the
-    unit, than a thousandth of the natural size that its coupling to the others gives it
-    (:func:`~tests.honesty.references.scales`): a rate of nutation that is zero cannot be known
-    relative to nothing. With ``unit=0`` only the latter remains, and the error is the same in
-    metres and in parsecs.
+    No size is smaller than ``unit``, 1e-6 in its unit, as ``integrate`` says; nor, where it is no
+    more than the round-off of the natural size that its coupling to the others gives it, than a
+    thousandth of that (:func:`~tests.honesty.references.scales`): a rate of nutation that is zero
+    cannot be known relative to nothing. With ``unit=0`` only the latter remains, and the error is
+    the same in metres and in parsecs.
 
     state : floats; true : decimal numbers as text. inf if a number is not finite.
 
@@ -117,7 +113,10 @@ def true_error(state, true, sizes, natural, unit=UNIT):
     """
     if len(state) != len(true) or not all(map(math.isfinite, state)):
         return math.inf
-    known = scales(sizes, natural)
+    known = [
+        s if s > NOTHING * n else k
+        for s, n, k in zip(sizes, natural, scales(sizes, natural), strict=True)
+    ]
     differences = (float(abs(Fraction(x) - Fraction(y))) for x, y in zip(state, true, strict=True))
     return max(d / max(s, unit) if d else 0.0 for d, s in zip(differences, known, strict=True))
 
@@ -227,9 +226,7 @@ def _compared(case, truth, end, estimate, inside, found, asked):
 
 
 def _asked(case, truths, method, way, rtol, integrate, prepare):
-    """The answers by member, each (end, estimate, states inside, events), and the name of the
-    method taken.
-    """
+    """The answers by member, (end, estimate, states inside, events), and the method's name."""
     way = way.removesuffix(WITHOUT).removesuffix(", ")
     if way == PREPARED:
         end = tuple(prepare(case.model, rtol, method)(case.t_end, case.start))
@@ -249,10 +246,7 @@ def _asked(case, truths, method, way, rtol, integrate, prepare):
 
 
 def _batch(case, truths, method, count, rtol, integrate):
-    """A motion among others that start one per cent off, first, in the middle and last.
-
-    Or those of a case that is many motions itself.
-    """
+    """A motion among others a per cent off, first, in the middle and last; or a case's own many."""
     import numpy as np
 
     if case.count > 1:
@@ -359,10 +353,7 @@ def _change(case, truth, way, rtol, answers, methods):
 def in_two_threads(
     case, truth, rtol=1e-9, calls=THREAD_RUNS, seconds=1.0, prepare=prepare, integrate=integrate
 ):
-    """Two threads that ask for two motions of one model at the same time.
-
-    How many answers differ from those that each gets alone: a :class:`Change` for each way to ask.
-    """
+    """Answers that differ from those of each thread alone: a :class:`Change` a way to ask."""
     other = tuple(x * (1 + 2.0**-10) for x in case.start)
     motion = lambda start: integrate(case.model, case.span, start, rtol, events=case.events)
     ways = {

@@ -12,10 +12,7 @@ class TimeUp(BaseException):
 
 @contextmanager
 def limited(seconds):
-    """Raise :class:`TimeUp` in what is inside after so many seconds.
-
-    Without an effect outside the main thread, where signals do not arrive.
-    """
+    """Raise :class:`TimeUp` inside after so many seconds; in the main thread only."""
     if threading.current_thread() is not threading.main_thread() or not hasattr(
         signal, "setitimer"
     ):

@@ -169,9 +169,7 @@ def _text(x):
 
 
 def _first(case):
-    """The motion by the first way, the name of the way, and a function that follows it from a start
-    changed a little.
-    """
+    """The motion by the first way, its name, and a function that follows it from near the start."""
     if case.exact:
         with mp.workdps(EXACT_DIGITS):
             return _closed(case, None), "closed form", lambda seed: _closed(case, seed)
@@ -199,9 +197,7 @@ def _second(case, found, sizes, natural, seconds):
 
 
 def _distance(a, b, sizes, natural):
-    """The largest difference of two motions at the times of comparison, each state relative to its
-    size.
-    """
+    """The largest difference at the times of comparison, each state relative to its size."""
     counts = len(a.states), len(b.states)
     if counts[0] != counts[1]:
         raise NoReferenceError(f"times of comparison reached by two ways: {counts}")
@@ -272,9 +268,7 @@ def _jacobian(f, x, steps):
 
 
 class _Problem:
-    """The rates as ``f(t, *states, *parameters, *branches)``, and the functions that are watched,
-    as ``g(t, *states, *parameters)``.
-    """
+    """Rates ``f(t, *states, *parameters, *branches)``; watched ``g(t, *states, *parameters)``."""
 
     def __init__(self, case):
         self.case, model, branches = case, case.model, case.branches
@@ -359,9 +353,7 @@ def _closed(case, seed):
 
 
 def _residual(case, sizes, natural):
-    """How far the derivative of a closed form is from the rates, relative to the largest rates, and
-    its beginning from the start.
-    """
+    """How far the derivative of a closed form is from the rates, and its start from the start."""
     span, f = case.t_end - case.t0, case.model.compiled_rhs(*case.model.parameters)
     with mp.workdps(EXACT_DIGITS):
         x, p = _given(case, None)
@@ -393,9 +385,7 @@ def _followed(case, stepper, digits, seed=None):
 
 
 class _Integration:
-    """One integration by a stepper, which changes a branch at each zero of a switch and records the
-    events.
-    """
+    """By a stepper that changes a branch at a zero of a switch and records the events."""
 
     def __init__(self, case, stepper, x, p):
         problem = stepper.problem
@@ -407,10 +397,7 @@ class _Integration:
         self._sides(x)
 
     def _first_signs(self, x):
-        """The branches at the start.
-
-        Where a switch is zero there, the one into which the motion goes.
-        """
+        """The branches at the start; at a zero of a switch, the one into which the motion goes."""
         t = self.stepper.t
         for i in range(self.problem.switches):
             g = self._g(i, t, x)
@@ -429,10 +416,7 @@ class _Integration:
         self.stepper.put(t, x, self.signs)
 
     def _sides(self, x, but=None):
-        """The sign of each event's function before the next look.
-
-        None at a zero, as just after the event ``but``.
-        """
+        """The sign of each event's function before the next look; None just after the event ``but``."""
         self.side = [None] * len(self.problem.watched)
         for i in range(self.problem.switches, len(self.side)):
             g = self._g(i, self.stepper.t, x)
@@ -460,10 +444,7 @@ class _Integration:
         return out
 
     def _looked(self):
-        """Look through the last step for the first zero of a function.
-
-        If it is a switch, go back there and change the branch.
-        """
+        """Go back to the first zero in the last step, and change the branch at a switch."""
         stepper, h = self.stepper, float(self.stepper.h)
         begun, first = float(stepper.before[0]), self.problem.switches
         hits = [hit for i in range(len(self.problem.watched)) for hit in self._zeros(i, h, begun)]
@@ -498,10 +479,7 @@ class _Integration:
         return float(b - a) / (2 * d)
 
     def _looks(self, i, h, begun):
-        """Times in the last step and values of function i there.
-
-        They are so many that twice as many show no more extrema.
-        """
+        """Times and values of function i, so many that twice as many show no more extrema."""
         if not self.stepper.dense:
             return [h], [self._float(i, h, begun)]
         parts, turns = INSIDE, None
@@ -562,10 +540,7 @@ class _Integration:
         return (u, sign * gu) if gu < gv else (v, sign * gv)
 
     def _root(self, i, a, b, sign):
-        """The zero between a and b, before which the function has this sign.
-
-        False position by the Illinois rule.
-        """
+        """The zero between a and b by false position (Illinois); before it the sign is this."""
         t0, inside = self.stepper.before[0], self.stepper.inside
         value = lambda tau: self._g(i, t0 + tau, inside(tau))
         a, b = mp.mpf(a), mp.mpf(b)

@@ -105,10 +105,7 @@ def table(runs):
 
 
 def by_subject(runs, row="auto"):
-    """One way by the subject of the families, the worst first.
-
-    Pairs of subject and :class:`Line`.
-    """
+    """Pairs of subject and :class:`Line` of one way, the worst first."""
     subjects = defaultdict(list)
     for r in runs:
         if r.row == row or (r.tags[0] == "batch" and r.method == row and "without" not in r.way):
@@ -118,10 +115,7 @@ def by_subject(runs, row="auto"):
 
 
 def worst(runs, count=20):
-    """The answers that are wrong by most against what was asked and estimated.
-
-    Of each case and way only the worst.
-    """
+    """The answers most wrong against what was asked and estimated, one a case and way."""
     missed, first = [r for r in runs if r.outcome == "missed"], {}
     for r in sorted(missed, key=lambda r: -r.error / max(r.rtol, r.estimate or 0.0)):
         first.setdefault((r.case, r.row), r)
@@ -157,9 +151,7 @@ def _draw(path, runs):
 
 
 def write(folder, found, lines):
-    """The table, the runs and the changes as CSV, all of it as JSON, and the chart of honesty, into
-    a folder.
-    """
+    """The table, runs and changes as CSV, all as JSON, and the chart, into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
     runs, changes = [r for f in found for r in f.runs], [c for f in found for c in f.changes]
     for name, records in (("table", lines), ("runs", runs), ("changes", changes)):

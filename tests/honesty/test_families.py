@@ -20,11 +20,9 @@ ALL = [*FAMILIES, *HOLDOUT]
 FIRST = {n: draw(n, 0, 0) for n in ALL}
 
 
-@pytest.mark.parametrize(
-    ("known", "least", "subjects"),
-    [(FAMILIES, 48, SUBJECTS), (HOLDOUT, 45, OF_THE_HOLDOUT)],
-    ids=["known", "holdout"],
-)
+@pytest.mark.parametrize(("known", "least", "subjects"), [
+    (FAMILIES, 48, SUBJECTS), (HOLDOUT, 45, OF_THE_HOLDOUT),
+], ids=["known", "holdout"])  # fmt: skip
 def test_there_are_families_of_every_subject_each_described(known, least, subjects):
     assert len(known) >= least
     assert {tag for f in known.values() for tag in f.tags} >= subjects
@@ -66,9 +64,7 @@ def test_every_draw_has_a_start_with_finite_rates_a_positive_time_and_knots_insi
 
 
 def somewhere(case, chance):
-    """A random state and a time: each state of either sign, up to five times its value at the
-    start or that of a parameter.
-    """
+    """A random state and time, up to five times the start's values or a parameter's."""
     p = (case.written_out or case.model).parameters
     sizes = [1.0, *(abs(x) for x in p.values() if x)]
     x = tuple(

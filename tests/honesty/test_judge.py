@@ -42,17 +42,11 @@ def fake(case, truth, off, estimate, method="fake"):
     return lambda *_, **__: motion
 
 
-@pytest.mark.parametrize(
-    ("off", "estimate", "outcome", "covers", "silent"),
-    [
-        (1e-8, 1e-7, "met", True, False),
-        (1e-8, 1e-9, "met", False, False),  # accurate enough, but the estimate is below the error
-        (5e-6, 1e-7, "missed", False, False),
-        (1e-4, 1e-12, "missed", False, True),  # silently wrong
-        (1e-4, 1e-3, "missed", True, False),  # wrong, and the estimate shows it
-        (math.nan, 1e-12, "missed", False, True),
-    ],
-)
+@pytest.mark.parametrize(("off", "estimate", "outcome", "covers", "silent"), [
+    (1e-8, 1e-7, "met", True, False), (1e-8, 1e-9, "met", False, False),
+    (5e-6, 1e-7, "missed", False, False), (1e-4, 1e-12, "missed", False, True),
+    (1e-4, 1e-3, "missed", True, False), (math.nan, 1e-12, "missed", False, True),
+])  # fmt: skip
 def test_an_estimate_below_the_true_error_is_caught(
     off, estimate, outcome, covers, silent, pendulum
 ):
@@ -79,14 +73,10 @@ def test_a_prepared_run_and_a_batch_without_an_estimate_are_judged_by_what_was_a
     assert judged(*pendulum, way="batch of 64", integrate=batch).silent
 
 
-@pytest.mark.parametrize(
-    ("raised", "outcome"),
-    [
-        (ModelError("cannot be had"), "refused"),
-        (ZeroDivisionError("0/0"), "raw"),
-        (KeyError("x"), "raw"),
-    ],
-)
+@pytest.mark.parametrize(("raised", "outcome"), [
+    (ModelError("cannot be had"), "refused"), (ZeroDivisionError("0/0"), "raw"),
+    (KeyError("x"), "raw"),
+])  # fmt: skip
 def test_a_refusal_in_words_is_distinguished_from_a_raw_error(raised, outcome, pendulum):
     def run(*_, **__):
         raise raised

@@ -56,11 +56,7 @@ class Plan:
 
 @dataclass
 class CaseResult:
-    """What came of one case.
-
-    ``runs``, ``changes``, its condition and the ways of its references; ``dropped`` says why there
-    is none.
-    """
+    """``runs``, ``changes``, condition and ways of references; ``dropped``: why there is none."""
 
     case: str
     runs: list = field(default_factory=list)
@@ -71,10 +67,7 @@ class CaseResult:
 
 
 def results(cases, plan, jobs=2):
-    """A :class:`CaseResult` for each case (family, seed, number), as they are finished.
-
-    Whoever stops asking ends the processes that still run.
-    """
+    """A :class:`CaseResult` a case as they are finished; who stops asking ends the processes."""
     stopped = threading.Event()
     with ThreadPoolExecutor(jobs) as pool:
         waiting = [pool.submit(run_case, case, plan, stopped) for case in cases]
@@ -106,10 +99,7 @@ def run_case(case, plan, stopped=None):
 
 
 def _judge_in_processes(case, tags, plan, without, found, stopped):
-    """All calls.
-
-    A process that hangs is ended, and another goes on after the call at which it hung.
-    """
+    """All calls; after a process that hangs another goes on."""
     skipped, patience = [], plan.seconds + GRACE
     for _ in range(RESTARTS + 1):
         current = killed = None

@@ -39,7 +39,6 @@ examples:
 Exit code 1 if not all were killed.
 """
 
-
 NO_TEST = "  (no test runs it)"
 LATE = "  (its tests take longer than --seconds)"
 

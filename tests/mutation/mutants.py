@@ -65,9 +65,7 @@ def mutants(tree: ast.AST) -> list[Mutant]:
 
 
 def _places(node, statement, always) -> Iterator[tuple]:
-    """The nodes below this one, each with its statement, and whether that always runs; not
-    annotations.
-    """
+    """The nodes below, each with its statement and whether that always runs; no annotations."""
     for field, value in ast.iter_fields(node):
         if field in ("annotation", "returns", "decorator_list"):
             continue

@@ -126,9 +126,7 @@ class Target:
         return sorted(chosen, key=self.seconds.get)
 
     def killed(self, mutant, tests: list[str], limit: float) -> bool | None:
-        """True if one of the tests fails with the mutant, or they take ten times as long as without
-        it; None if they take longer than the limit, but that may be their usual time.
-        """
+        """Whether a test fails or takes ten times as long; None beyond the limit, perhaps as usual."""
         finder = _Finder(_Loader(self.name, self.path, mutant.applied(self.tree)))
 
         def run():
@@ -141,9 +139,7 @@ class Target:
 
 
 def _forked(run, limit):
-    """What ``run`` returns, in a fork of this process; :data:`LATE` if it takes longer than so many
-    seconds, a negative number if it does not come back.
-    """
+    """What ``run`` returns in a fork; :data:`LATE` after so many seconds, negative if it dies."""
     child = os.fork()
     if not child:
         code = 3

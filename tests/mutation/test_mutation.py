@@ -37,22 +37,19 @@ def changed(text):
     return {str(m) for m in mutants(ast.parse(text))}
 
 
-@pytest.mark.parametrize(
-    ("text", "change"),
-    [
-        ("x = a < b", "a < b  ->  a <= b"),
-        ("x = a + b", "a + b  ->  a - b"),
-        ("x = a and b", "a and b  ->  b"),
-        ("x = not a", "not a  ->  a"),
-        ("x = -a", "-a  ->  a"),
-        ("x = 3", "3  ->  6"),
-        ("x = min(a, b)", "min(a, b)  ->  max(a, b)"),
-        ("x = abs(a)", "abs(a)  ->  a"),
-        ("f()", "f()  ->  pass"),
-        ("x = a if b else c", "a if b else c  ->  a if True else c"),
-        ("def f():\n    return a", "return a  ->  return None"),
-    ],
-)
+@pytest.mark.parametrize(("text", "change"), [
+    ("x = a < b", "a < b  ->  a <= b"),
+    ("x = a + b", "a + b  ->  a - b"),
+    ("x = a and b", "a and b  ->  b"),
+    ("x = not a", "not a  ->  a"),
+    ("x = -a", "-a  ->  a"),
+    ("x = 3", "3  ->  6"),
+    ("x = min(a, b)", "min(a, b)  ->  max(a, b)"),
+    ("x = abs(a)", "abs(a)  ->  a"),
+    ("f()", "f()  ->  pass"),
+    ("x = a if b else c", "a if b else c  ->  a if True else c"),
+    ("def f():\n    return a", "return a  ->  return None"),
+])  # fmt: skip
 def test_each_kind_of_mistake_is_made(text, change):
     assert change in changed(text)
 

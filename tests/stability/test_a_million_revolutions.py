@@ -88,12 +88,7 @@ def run(case, revolutions, whole, state):
 
 
 def drift(case, revolutions, start=START, marks=9):
-    """The largest change so far of energy and momentum, relative, at ``marks`` instants of the last
-    nine tenths or more: three arrays.
-
-    They are looked at after whole revolutions, where a step ends; of a run with fixed steps, or by
-    Taylor series, part by part.
-    """
+    """The largest relative change of energy and momentum at ``marks`` ends of revolutions."""
     chunk = CHUNK if case.steps or case.method == "taylor" else revolutions
     before = [BODY.invariant(name, start) for name in NAMES]
     state, done, rows = start, 0, []
@@ -112,9 +107,7 @@ def drift(case, revolutions, start=START, marks=9):
 
 
 def exponents(case):
-    """The powers of time by which energy and momentum drift in a short run, or in the root mean
-    square of several from starts on the same course.
-    """
+    """The powers of time of both drifts, in the root mean square of several starts."""
     revolutions, starts = case.quick
     runs = [
         drift(case, revolutions, tuple(map(float, BODY.solution(0.37 * n, START))))
@@ -131,9 +124,7 @@ def exponents(case):
     "case", [case for case in CASES[1:] if case.quick], ids=lambda case: case.label
 )
 def test_each_method_drifts_by_the_law_of_its_kind(case):
-    """The power of time: 0 where the error is bounded, 1/2 for a random walk of round-off, 1 for
-    truncation.
-    """
+    """0 where the error is bounded, 1/2 for a random walk of round-off, 1 for truncation."""
     for found, law in zip(exponents(case), (case.energy, case.momentum), strict=True):
         assert found == pytest.approx(law, abs=0.3 if law == 0.5 else 0.15)
 
@@ -167,9 +158,7 @@ def test_a_splitting_keeps_the_momentum_a_thousand_million_times_better_than_the
 @pytest.mark.lab
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.label)
 def test_a_million_revolutions_by_each_method(case):
-    """Prints what is kept; of methods that would take more than some minutes, what their law makes
-    of fewer revolutions.
-    """
+    """Prints what is kept; of slow methods, what their law makes of fewer revolutions."""
     begun = perf_counter()
     at, energy, momentum = drift(case, case.revolutions)
     seconds = perf_counter() - begun

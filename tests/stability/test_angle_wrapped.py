@@ -11,12 +11,7 @@ import pytest
 from newton_euler import Frame, at
 from newton_euler.algebra.scalars import atan2, cos, sin
 from newton_euler.kinematics.coordinates import polar_coordinates
-from newton_euler.kinematics.rotations import (
-    RotationError,
-    euler_from_quaternion,
-    quaternion_from_euler,
-    unwound,
-)
+from newton_euler.kinematics.rotations import RotationError, euler_from_quaternion, unwound
 from newton_euler.scenes.spatial import top
 
 RATE = 3.0  # rad/s
@@ -24,12 +19,6 @@ RATE = 3.0  # rad/s
 
 def wrapped(angle):
     return np.arctan2(np.sin(angle), np.cos(angle))
-
-
-def test_the_gradient_of_a_wrapped_angle_is_625_rad_per_s_instead_of_3():
-    t = np.linspace(0.0, 5.0, 1001)
-    rate = np.gradient(wrapped(RATE * t), t)
-    assert np.max(np.abs(rate - RATE)) > 600
 
 
 @pytest.mark.parametrize("t", [0.2, math.pi / 3 - 1e-12, math.pi / 3, math.pi / 3 + 1e-12, 4.0])
@@ -68,27 +57,11 @@ def test_where_the_rates_leave_the_number_of_turns_open_it_refuses_in_words():
 
 
 def test_the_precession_of_a_top_through_many_turns_is_continuous_to_1e_minus_12_rad():
-    body = top.free(1.5, 1.0, 20.0)
-    start = (math.cos(0.3), math.sin(0.3), 0.0, 0.0, 0.0, 2.0)
+    body, start = top.free(1.5, 1.0, 20.0), (math.cos(0.3), math.sin(0.3), 0.0, 0.0, 0.0, 2.0)
     t = np.linspace(0.0, 100.0, 401)
-    states = body.solution(t, start)
-    psi, theta, _ = euler_from_quaternion(states[:4])
-    exact = body.solution(mpmath.mpf(100), start)
-    psi_rate = np.array([np.asarray(states[4]) * 0]).ravel() + _precession(psi, theta, states)
-    found = unwound(psi, psi_rate, t)
+    *q, w_x, w_y = body.solution(t, start)
+    psi, theta, phi = euler_from_quaternion(q)
+    rate = (w_x * np.sin(phi) + w_y * np.cos(phi)) / np.sin(theta)
+    found, exact = unwound(psi, rate, t), body.solution(mpmath.mpf(100), start)
     assert abs(wrapped(found[-1]) - float(euler_from_quaternion(exact[:4])[0])) < 1e-12
-    assert np.all(
-        np.abs(np.diff(found) - np.diff(t) * (psi_rate[1:] + psi_rate[:-1]) / 2) < math.pi / 2
-    )
-
-
-def _precession(psi, theta, states):
-    phi = euler_from_quaternion(states[:4])[2]
-    return (states[4] * np.sin(phi) + states[5] * np.cos(phi)) / np.sin(theta)
-
-
-def test_an_angle_that_counts_1e9_turns_resolves_1e_minus_6_rad_and_one_read_off_a_quaternion_4e_minus_16():
-    psi = 2 * math.pi * 1e9 + 0.1
-    assert psi + 3e-7 == psi
-    near = quaternion_from_euler(0.1 + 1e-15, 0.5, 0.2)
-    assert abs(euler_from_quaternion(near)[0] - (0.1 + 1e-15)) < 4e-16
+    assert np.all(np.abs(np.diff(found) - np.diff(t) * (rate[1:] + rate[:-1]) / 2) < math.pi / 2)

@@ -5,7 +5,6 @@ with bounds is not (6.4).
 import math
 
 import mpmath
-import numpy as np
 import pytest
 import sympy
 
@@ -34,36 +33,6 @@ def test_the_default_solver_is_lost_by_the_size_of_the_orbit_after_10_periods(e)
     assert distance(ORBIT.solution(t, start), exact(e, t)) < 3e-14
 
 
-def test_runge_kutta_of_1000_steps_a_period_flies_away_at_e_0_99():
-    y, h = np.array(from_farthest(1.0, 1.0, 0.99)), PERIOD / 1000
-    f = lambda y: np.array([y[2], y[3], *(-y[:2] / np.hypot(y[0], y[1]) ** 3)])
-    farthest = 0.0
-    for _ in range(3000):
-        k1 = f(y)
-        k2 = f(y + h / 2 * k1)
-        k3 = f(y + h / 2 * k2)
-        y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + f(y + h * k3))
-        farthest = max(farthest, math.hypot(y[0], y[1]))
-    assert farthest > 3  # semi-axes, of an orbit that ends at 1.99
-
-
-def kepler_by_newton(M, e, E):
-    """The textbook's Newton iteration E - (E - e sin E - M)/(1 - e cos E), from the start E; the
-    number of steps, or None.
-    """
-    for n in range(50):
-        step = (E - e * math.sin(E) - M) / (1 - e * math.cos(E))
-        E -= step
-        if abs(step) < 1e-12:
-            return n
-    return None
-
-
-def test_newtons_steps_without_bounds_wander_at_high_eccentricity():
-    slow = [kepler_by_newton(M, 0.999, M) for M in np.linspace(0.001, 0.3, 200).tolist()]
-    assert any(n is None or n > 20 for n in slow)
-
-
 @pytest.mark.parametrize("e", [0.0, 0.5, 0.9, 0.99, 0.999, 0.999999])
 def test_the_exact_orbit_is_right_to_1e_minus_14_and_at_the_closest_place_to_the_way_run_in_5_round_offs_of_t(
     e,
@@ -79,16 +48,12 @@ def test_the_exact_orbit_is_right_to_1e_minus_14_and_at_the_closest_place_to_the
 @pytest.mark.parametrize("e", [0.9, 0.999])
 def test_it_obeys_keplers_equation_in_30_digits(e):
     with mpmath.workdps(30):
-        E0 = mpmath.mpf(2)
-        mu, a, ecc = mpmath.mpf(1), mpmath.mpf(1), mpmath.mpf(e)
-        start = tuple(mpmath.mpf(x) for x in (-(1 + ecc), 0, 0)) + (
-            -mpmath.sqrt((1 - ecc) / (1 + ecc)),
-        )
-        # from the farthest point on, half a period before E = 0
-        t = E0 - ecc * mpmath.sin(E0) + mpmath.pi
-        x = orbit(mu).solution(t, start)
-        assert abs(x[0] - a * (mpmath.cos(E0) - ecc)) < 1e-25
-        assert abs(x[1] - mpmath.sqrt(1 - ecc**2) * mpmath.sin(E0)) < 1e-25
+        E, e = mpmath.mpf(2), mpmath.mpf(e)
+        start = -(1 + e), mpmath.mpf(0), mpmath.mpf(0), -mpmath.sqrt((1 - e) / (1 + e))
+        t = E - e * mpmath.sin(E) + mpmath.pi  # from the farthest point, half a period before E = 0
+        x, y, *_ = orbit(mpmath.mpf(1)).solution(t, start)
+        assert abs(x - mpmath.cos(E) + e) < 1e-25
+        assert abs(y - mpmath.sqrt(1 - e**2) * mpmath.sin(E)) < 1e-25
 
 
 @pytest.mark.parametrize("e", [0.5, 0.99, 0.999])

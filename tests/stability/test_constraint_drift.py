@@ -20,27 +20,15 @@ from tests.stability.naive import TIGHT, solved
 L, G, THETA0 = 1.0, 9.81, 1.0
 
 
-def with_multiplier(t, y):
-    """x, y (down), and rates; lambda from the second derivative of x^2 + y^2 = L^2, as textbooks
-    reduce the index.
-    """
-    x, y, vx, vy = y.tolist()
-    force = (vx * vx + vy * vy + G * y) / (x * x + y * y)
-    return [vx, vy, -force * x, G - force * y]
-
-
-def length_after(T, **options):
-    start = [math.sin(THETA0), math.cos(THETA0), 0.0, 0.0]
-    y = solve_ivp(with_multiplier, (0, T), start, **options).y[:, -1]
-    return math.hypot(y[0], y[1])
-
-
 def test_the_rod_of_length_1_is_metres_long_after_100_s_with_the_default_solver():
-    assert abs(length_after(100.0) - L) > 1.0
+    def with_multiplier(t, state):
+        x, y, vx, vy = state.tolist()
+        force = (vx * vx + vy * vy + G * y) / (x * x + y * y)
+        return [vx, vy, -force * x, G - force * y]
 
-
-def test_at_1e_minus_6_it_is_still_off_by_more_than_1e_minus_5():
-    assert abs(length_after(100.0, rtol=1e-6, atol=1e-6) - L) > 1e-5
+    start = [math.sin(THETA0), math.cos(THETA0), 0.0, 0.0]
+    x, y, *_ = solve_ivp(with_multiplier, (0, 100.0), start).y[:, -1]
+    assert abs(math.hypot(x, y) - L) > 1.0
 
 
 def test_with_the_angle_as_the_state_the_length_cannot_drift_and_the_energy_keeps_10_digits_at_1e_minus_10():

@@ -1,9 +1,6 @@
 """The axis of cylindrical (and polar) coordinates, where the azimuth does not exist (3.18)-(3.23)."""
 
-import math
-
 import mpmath
-import numpy as np
 import pytest
 
 from newton_euler import Frame, at
@@ -14,14 +11,9 @@ from newton_euler.kinematics.curvilinear_systems import curvilinear
 ground = Frame("ground")
 
 
-def test_the_rate_of_the_azimuth_by_differences_is_wrong_by_its_own_size_past_the_axis():
-    # passes the axis at 1 micrometre with 1 m/s; the true rate there is 1e6 rad/s
-    eps, dt = 1e-6, 1e-3
-    theta = [math.atan2(eps, s) for s in (dt, -dt)]
-    naive = (theta[1] - theta[0]) / (2 * dt)
-    assert abs(naive - 1e6) > 0.99e6
-    found = cylindrical_coordinates(ground.vector(0.0, eps, 0), ground.vector(-1.0, 0, 0))[1].rate
-    assert abs(found - 1e6) < 1e-9  # rad/s
+def test_past_the_axis_at_a_micrometre_the_rate_of_the_azimuth_is_1e6_rad_per_s():
+    found = cylindrical_coordinates(ground.vector(0.0, 1e-6, 0), ground.vector(-1.0, 0, 0))[1].rate
+    assert abs(found - 1e6) < 1e-9
 
 
 @pytest.mark.parametrize("eps", ["1e-3", "1e-8", "1e-150"])
@@ -38,14 +30,10 @@ def test_rates_near_the_axis_are_right_to_1e_minus_14_of_their_size(eps):
         assert abs(found.acceleration - exact.acceleration) <= 1e-14 * abs(exact.acceleration)
 
 
-def test_numpy_gives_the_axis_an_azimuth_and_nan_rates_where_the_engine_refuses_in_words():
-    with np.errstate(invalid="ignore"):
-        x, y = np.zeros(2)
-        assert np.arctan2(y, x) == 0.0  # an arbitrary one
-        assert np.isnan((x * 1.0 - y * 1.0) / (x * x + y * y))
-    for coordinates in (cylindrical_coordinates, polar_coordinates):
-        with pytest.raises(SingularError, match="on the z axis"):
-            coordinates(ground.vector(0.0, 0.0, 0), ground.vector(1.0, 0, 0))
+@pytest.mark.parametrize("coordinates", [cylindrical_coordinates, polar_coordinates])
+def test_on_the_axis_there_is_no_azimuth(coordinates):
+    with pytest.raises(SingularError, match="on the z axis"):
+        coordinates(ground.vector(0.0, 0.0, 0), ground.vector(1.0, 0, 0))
 
 
 def test_a_point_that_is_on_the_axis_but_for_rounding_is_refused_too():

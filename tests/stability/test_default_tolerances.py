@@ -14,8 +14,6 @@ from tests.stability.naive import solved
 
 G = 9.81
 PENDULUM = physical_pendulum(1.0, 0.0, 1.0, G)  # of 1 kg on 1 m; theta from the lowest place
-
-
 SPRING = second_order("oscillator", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 
 
@@ -40,19 +38,13 @@ def test_the_engine_keeps_its_energy_to_1e_minus_9_and_swings_back_every_time(me
 
 @pytest.mark.parametrize("beside", [1e-2, 1e-4, 1e-6])
 def test_beside_the_highest_place_it_turns_back_from_one_side_and_over_from_the_other(beside):
-    """At the top, with a hair less than the energy needed and a hair more."""
-    back = integrate(PENDULUM, 30.0, (math.pi - beside, 0.0), samples=2001).states["theta"]
-    over = integrate(
-        PENDULUM, 30.0, (math.pi - beside, 2 * beside * math.sqrt(G)), samples=2001
-    ).states["theta"]
-    assert back.max() < math.pi
-    assert over.max() > 2 * math.pi
-
-
-@pytest.mark.parametrize("amplitude", [1e-6, 1e-7, 1e-8])
-def test_a_small_vibration_is_off_by_more_than_its_size(amplitude):
-    found = solved(SPRING, 20.0, (amplitude, 0.0))
-    assert np.max(np.abs(found.y[0] - amplitude * np.cos(2 * found.t))) > 1.5 * amplitude
+    """With a hair less than the energy that takes it to the top, and a hair more."""
+    back, over = (
+        integrate(PENDULUM, 30.0, (math.pi - beside, rate), samples=2001).states["theta"].max()
+        for rate in (0.0, 2 * beside * math.sqrt(G))
+    )
+    assert back < math.pi
+    assert over > 2 * math.pi
 
 
 @pytest.mark.parametrize("amplitude", [1.0, 1e-3, 1e-6, 1e-8])

@@ -2,8 +2,6 @@
 where NumPy returns numbers (7.13), (8.21).
 """
 
-import math
-
 import mpmath
 import numpy as np
 import pytest
@@ -61,28 +59,15 @@ def test_a_mass_matrix_singular_within_rounding_is_left_open_not_solved():
     assert s.undetermined == ("a", "b")
 
 
-def test_a_thin_rod_has_no_inverse_inertia_and_is_refused_where_numpy_returns_inf_or_raises_without_a_reason():
-    rod = Inertia(body, (0.0, 3.0, 3.0))
+def test_a_thin_rod_has_no_inverse_inertia_and_is_refused_where_numpy_raises_without_a_reason():
+    at_rest, rod = body.vector(0.0, 0, 0), Inertia(body, (0.0, 3.0, 3.0))
     with pytest.raises(np.linalg.LinAlgError, match="Singular matrix"):
         np.linalg.solve(rod.to_array(), [1.0, 0.0, 0.0])
     with pytest.raises(MassError, match="thin rod about its own"):
-        angular_acceleration(rod, body.vector(0.0, 0, 0), body.vector(1.0, 0, 0))
+        angular_acceleration(rod, at_rest, body.vector(1.0, 0, 0))
     thick = Inertia(body, (1e-12, 3.0, 3.0))
-    assert angular_acceleration(
-        thick, body.vector(0.0, 0, 0), body.vector(1e-12, 3.0, 0)
-    ).components() == pytest.approx((1.0, 1.0, 0.0), abs=1e-15)
-
-
-@pytest.mark.parametrize(("moments", "products", "why"), [
-    ((1.0, 2.0, 4.0), (0, 0, 0), "triangle inequality"),
-    ((-1.0, 2.0, 2.0), (0, 0, 0), "no body has"),
-    ((2.0, 2.0, 2.0), (1.5, 0, 0), "its square is at most"),
-    ((2.0, 2.0, 2.0), (-0.9, -0.9, -0.9), "principal moments break the triangle inequality"),
-    ((math.nan, 2.0, 2.0), (0, 0, 0), "not finite"),
-])  # fmt: skip
-def test_inertia_that_no_body_has_is_refused_with_the_reason(moments, products, why):
-    with pytest.raises(MassError, match=why):
-        Inertia(body, moments, products)
+    found = angular_acceleration(thick, at_rest, body.vector(1e-12, 3.0, 0))
+    assert found.components() == pytest.approx((1.0, 1.0, 0.0), abs=1e-15)
 
 
 def test_a_plate_on_the_bound_itself_passes_and_a_millionth_beyond_does_not():

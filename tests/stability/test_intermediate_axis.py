@@ -4,26 +4,20 @@ it the body turns over (8.14).
 
 import math
 
-import mpmath
-import numpy as np
 import pytest
 
 from newton_euler.chapters.examples.ch10 import tilt_growth
 from newton_euler.scenes.spatial.free_body import free_body
-from tests.kinds import close
 from tests.stability.naive import solved
 
 BODY = free_body(1.0, 2.0, 3.0)
 GROWTH = 1 / math.sqrt(3)  # 1/s, at 1 rad/s
 
 
-@pytest.mark.parametrize("rtol", [1e-3, 1e-12])
-def test_exactly_on_the_axis_a_run_of_floats_never_leaves_and_so_tells_nothing(rtol):
-    y = solved(BODY, 1e4, (0.0, 1.0, 0.0), rtol=rtol).y
-    assert (y[0] == 0).all()
-    assert (y[2] == 0).all()
-    # nor does the exact one: it is an equilibrium
-    assert BODY.solution(1e4, (0.0, 1.0, 0.0)) == (0.0, 1.0, 0.0)
+def test_exactly_on_the_axis_a_run_of_floats_never_leaves_and_so_tells_nothing():
+    start = 0.0, 1.0, 0.0
+    assert not solved(BODY, 1e4, start).y[[0, 2]].any()
+    assert BODY.solution(1e4, start) == start  # nor does the exact one: it is an equilibrium
 
 
 def test_the_criterion_tells_stable_from_unstable_where_the_run_cannot():
@@ -42,17 +36,6 @@ def test_from_any_tilt_the_exact_motion_turns_over_when_the_growth_says(tilt):
     round_off = 4 * 2.2e-16 * over  # of the time, at a rate of 1 rad/s
     # rad/s: w_y has come down to zero
     assert abs(BODY.solution(over, (tilt, 1.0, 0.0))[1]) < max(1e-3 * (tilt / 1e-2) ** 2, round_off)
-
-
-def test_the_default_solver_is_eight_seconds_late_after_ten_turnovers_and_the_exact_solution_right_to_1e_minus_13():
-    start = (0.01, 1.0, 0.01)
-    crossing = solved(BODY, 250.0, start, events=lambda t, y: y[1]).t_events[0]
-    t = np.linspace(0.0, 250.0, 20001)
-    w = BODY.solution(t, start)[1]
-    exact = t[1:][(w[1:] < 0) != (w[:-1] < 0)]
-    assert abs(crossing[9] - exact[9]) > 4  # s
-    at = BODY.solution(float(exact[9]), start)
-    assert close(at, BODY.solution(mpmath.mpf(float(exact[9])), start), 1e-13)  # rad/s
 
 
 @pytest.mark.parametrize("tilt", [1e-3, 1e-7, 1e-14])

@@ -40,9 +40,7 @@ def friction():
 
 
 def drag():
-    """A throw upwards in still air, the drag written as sqrt(v*v)*v, until it has come down a while:
-    its velocity, by the tangent and then the hyperbolic tangent.
-    """
+    """A throw upwards with the drag sqrt(v*v)*v: its velocity by tan, then tanh."""
     model = Model(
         "throw",
         {"g": 10.0, "c": 0.1},
@@ -126,9 +124,7 @@ def test_batches_are_compared_with_what_was_asked(count):
 
 @needs_heyoka
 def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
-    """A sweep of amplitudes up to 1e-7 before the upright: those at its end need care of their own,
-    or cannot be had, and all others are there.
-    """
+    """Amplitudes up to 1e-7 before the upright: those at its end cannot be had."""
     model = second_order("pendulum", {}, ("a",), lambda s, p, t: (-sin(s.a),))
     a = np.concatenate([np.linspace(0.1, 3.0, 70), math.pi - 10.0 ** -np.arange(1.0, 8.0)])
     with pytest.raises(

@@ -5,9 +5,7 @@ pulls it along (11.29).
 import math
 from types import SimpleNamespace
 
-import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from newton_euler import Model, cos, sin
 from newton_euler.chapters.examples.ch08 import ContactError, contact
@@ -68,29 +66,6 @@ def landing(v0, theta0=0.0):
 def slide(v0, theta0=0.0, method="auto", rtol=1e-9):
     """From the top with speed v0, by the engine, until it lands."""
     return integrate(SPHERE, 20.0, (theta0, v0 / R), rtol, method, LEAVES)
-
-
-def constrained(v0, t):
-    """By solve_ivp on the sphere without end: angle and normal force (over the mass) at the ends of
-    its steps.
-    """
-    y = solve_ivp(
-        lambda t, y: [y[1], G / R * math.sin(y[0])], (0.0, t), (0.0, v0 / R), rtol=1e-9, atol=1e-9
-    ).y
-    return y[0], G * np.cos(y[0]) - R * y[1] ** 2
-
-
-def test_integrated_on_it_runs_around_under_the_sphere_which_pulls_with_five_times_its_weight():
-    theta, force = constrained(1.0, 5.0)
-    assert theta[-1] > math.pi  # past the lowest point
-    assert force.min() < -5 * G  # a surface that holds it fast
-    assert abs(landing(1.0) - R) > 0.4 * R  # nor does it come down where the sphere is widest
-
-
-def test_the_sign_of_the_force_at_the_ends_of_default_steps_is_seen_a_twentieth_of_a_radian_late():
-    theta = solve_ivp(lambda t, y: [y[1], G / R * math.sin(y[0])], (0.0, 5.0), (0.0, 0.5)).y
-    force = G * np.cos(theta[0]) - R * theta[1] ** 2
-    assert theta[0][force < 0][0] - leaving(1.0) > 0.05
 
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853"])

@@ -17,9 +17,7 @@ from newton_euler.motion.model import KEPT
 
 @pytest.fixture(autouse=True)
 def only_new_objects():
-    """What was there before a test is not searched: with thousands of tests loaded that takes most
-    of the time.
-    """
+    """What was there before is not searched: that takes most of the time."""
     gc.collect()
     gc.freeze()
     yield

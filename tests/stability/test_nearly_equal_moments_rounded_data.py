@@ -21,9 +21,7 @@ def inertia(gap):
 
 
 def measured(gap, count=400):
-    """By how much (rad) errors of the data turn the first axis, each time; and what the engine
-    reports for these data.
-    """
+    """The turns (rad) of the first axis by errors of the data, and the engine's report."""
     I, axes = inertia(gap)
     random = np.random.default_rng(7)
     turns = []

@@ -40,47 +40,32 @@ def test_the_angle_by_arc_cosine_is_off_by_1e_minus_8_rad_and_angle_to_by_2e_min
         assert abs(float(np.arccos(np.clip(cosine, -1, 1))) - float(exact(A, b))) > 0.4 * eps
 
 
-def test_the_arc_cosine_has_only_some_values_near_zero_and_1e_minus_9_is_none_of_them():
-    values = [math.acos(1 - n * 2.0**-53) for n in range(4)]
-    assert values[0] == 0.0
-    assert values[1] > 1.4e-8  # rad
-    assert ground.vector(1.0, 0, 0).angle_to(ground.vector(1.0, 1e-9, 0)) == pytest.approx(
-        1e-9, rel=1e-15
-    )
-
-
 def test_tiny_and_huge_vectors_have_angles_too():
     for size in (1e-70, 1e70):
         u, v = ground.vector(size, 0, 0), ground.vector(size, 1e-6 * size, 0)
         assert u.angle_to(v) == pytest.approx(math.atan(1e-6), rel=1e-14)
 
 
-@pytest.mark.parametrize(
-    "v", [(0.0, 0.0, 0.0), (0, 0, 0), (np.array([1.0, 0.0]), 0, 0), (1e-200, 0, 0)]
-)
-def test_the_angle_with_a_zero_vector_is_refused_where_atan2_says_0(v):
-    assert math.atan2(0.0, 0.0) == 0.0
+@pytest.mark.parametrize("x", [0.0, 0, np.array([1.0, 0.0]), 1e-200])
+def test_the_angle_with_a_zero_vector_is_refused(x):
+    v = ground.vector(x, 0, 0)
     with pytest.raises(FrameError, match="a zero vector makes no angle"):
-        ground.vector(*v).angle_to(ground.vector(*v))
+        v.angle_to(v)
 
 
-def test_the_component_across_is_lost_by_subtraction_of_the_component_along_but_not_by_cross_products():
-    eps = 1e-12
-    e, v = ground.vector(*A).direction(), ground.vector(*near(eps))
-    true = eps * math.sqrt(10)
-    naive = (v - e * v.dot(e)).norm()
-    assert abs(naive / true - 1) > 1e-8
-    assert abs(e.cross(v).norm() / float(mpmath.sin(exact(A, near(eps))) * v.norm()) - 1) < 1e-3
+def test_the_component_across_is_lost_by_subtraction_but_not_by_the_cross_product():
+    e, v = ground.vector(*A).direction(), ground.vector(*near(1e-12))
+    true = 1e-12 * math.sqrt(10)
+    assert abs((v - e * v.dot(e)).norm() / true - 1) > 1e-8
+    exactly = mpmath.sin(exact(A, near(1e-12))) * v.norm()
+    assert abs(e.cross(v).norm() / float(exactly) - 1) < 1e-3
 
 
-def test_moments_about_g_taken_back_from_a_point_1e7_lengths_away_are_refused_or_right_to_what_is_left():
+def test_moments_about_g_taken_back_from_a_point_1e7_lengths_away_are_right_to_what_is_left():
     body = Frame("body")
-    G = body.point("G", 1e7, 0, 0)
+    G, beside = body.point("G", 1e7, 0, 0), body.point("H", 1e7 + 1e-6, 0, 0)
     about_G = Inertia(G, (1.0, 2.0, 2.5), mass=1.0, centre=G)
-    far = about_G.about(body.origin)
-    naive = far.moments[1] - 1.0 * (1e7) ** 2
-    assert abs(naive - 2.0) < 0.02  # 1e14 holds 2 to two digits
-    assert abs(far.about(G).moments[1] - 2.0) < 0.02
-    beside = body.point("H", 1e7 + 1e-6, 0, 0)
+    # 1e14 holds 2 to two digits
+    assert abs(about_G.about(body.origin).about(G).moments[1] - 2.0) < 0.02
     # from the difference of the points, so that nothing cancels
     assert abs(about_G.about(beside).moments[1] - (2.0 + 1e-12)) < 1e-15

@@ -2,10 +2,7 @@
 root (10.33).
 """
 
-import math
-
 import mpmath
-import numpy as np
 import pytest
 
 from newton_euler.applications.gyroscopes import (
@@ -17,19 +14,6 @@ from newton_euler.applications.gyroscopes import (
 
 I0, I, THETA, MGR = 0.02, 0.01, 0.5, 0.5
 LEAST = least_spin(I0, I, THETA, mgr=MGR)
-
-
-def naive(spin, sqrt):
-    a, h = (I0 - I) * math.cos(THETA), I * spin
-    return (h - sqrt(h * h - 4 * a * MGR)) / (2 * a)
-
-
-def test_the_printed_root_gives_nan_an_anonymous_error_or_a_complex_rate():
-    with np.errstate(invalid="ignore"):
-        assert np.isnan(naive(10.0, np.sqrt))
-    with pytest.raises(ValueError, match=r"math domain error|nonnegative"):
-        naive(10.0, math.sqrt)
-    assert np.iscomplex(np.roots([(I0 - I) * math.cos(THETA), -I * 10.0, MGR])).all()
 
 
 @pytest.mark.parametrize("above", [1e-2, 1e-6, 1e-10])

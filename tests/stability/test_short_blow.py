@@ -5,7 +5,6 @@ its instants ends a step there.
 import math
 
 import pytest
-from scipy.integrate import solve_ivp
 
 from newton_euler import Model, exp
 from newton_euler.motion.events import Event
@@ -28,20 +27,6 @@ BODY = Model(
 SMOOTH = Model(
     "struck", {"F": FORCE / math.sqrt(math.pi), "t0": BEGINS, "width": LASTS}, ("x", "v"), _blow
 )
-
-
-@pytest.mark.parametrize("options", [
-    {},
-    {"rtol": 1e-6, "atol": 1e-9},
-    {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12},
-    {"method": "Radau"},
-    {"method": "LSODA"},
-], ids=str)  # fmt: skip
-def test_solve_ivp_steps_over_a_blow_of_10_ms_and_reports_success(options):
-    rates = lambda t, y: [y[1], FORCE if BEGINS <= t < BEGINS + LASTS else 0.0]
-    found = solve_ivp(rates, (0.0, 10.0), (0.0, 1.0), **options)
-    assert found.success
-    assert found.y[1, -1] == pytest.approx(1.0, abs=1e-12)  # m/s, for 2
 
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853"])

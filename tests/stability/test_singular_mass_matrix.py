@@ -20,33 +20,22 @@ from newton_euler.algebra.linear import LinearError
 G, ANGLE, HEAVY = 10.0, 0.5, 1.0
 
 
-def by_mass_matrix(light, bend):
-    """Both angular accelerations (rad/s^2) from M alpha = f in the two angles, as Lagrange's
-    equations give it.
-    """
-    matrix = [[light + HEAVY, HEAVY * math.cos(bend)], [HEAVY * math.cos(bend), HEAVY]]
-    return np.linalg.solve(
-        matrix, [-G * (light + HEAVY) * math.sin(ANGLE), -G * HEAVY * math.sin(ANGLE + bend)]
-    )
+def by_mass_matrix(light, bend, number=float, sin=math.sin, cos=math.cos, solve=np.linalg.solve):
+    """Both angular accelerations (rad/s^2) from M alpha = f, as Lagrange's equations give it."""
+    m, b, a = map(number, (light, bend, ANGLE))
+    matrix = [[m + HEAVY, HEAVY * cos(b)], [HEAVY * cos(b), HEAVY]]
+    return solve(matrix, [-G * (m + HEAVY) * sin(a), -G * HEAVY * sin(a + b)])
 
 
 def exact(light, bend):
-    """The same in 250 digits."""
     with mpmath.workdps(250):
-        m, b, a = mpmath.mpf(light), mpmath.mpf(bend), mpmath.mpf(ANGLE)
-        matrix = mpmath.matrix([[m + HEAVY, HEAVY * mpmath.cos(b)], [HEAVY * mpmath.cos(b), HEAVY]])
         return tuple(
-            mpmath.lu_solve(
-                matrix,
-                mpmath.matrix([-G * (m + HEAVY) * mpmath.sin(a), -G * HEAVY * mpmath.sin(a + b)]),
-            )
+            by_mass_matrix(light, bend, mpmath.mpf, mpmath.sin, mpmath.cos, mpmath.lu_solve)
         )
 
 
 def by_newton(light, bend):
-    """The same from Newton's law for each particle, along and across its rod, with the tensions S1
-    and S2 (N).
-    """
+    """By Newton's law for each particle along and across its rod, with the tensions S1, S2 (N)."""
 
     def laws(alpha1, alpha2, S1, S2):
         return {
@@ -73,13 +62,6 @@ def test_the_mass_matrix_loses_digits_without_a_word(light, bend, lost):
     assert off(by_mass_matrix(light, bend), light, bend) > lost
 
 
-@pytest.mark.parametrize(("light", "bend"), [(1e-16, 0.0), (1e-20, 0.0), (1e-20, 1e-8)])
-def test_the_mass_matrix_becomes_singular_where_the_motion_is_determined(light, bend):
-    with pytest.raises(np.linalg.LinAlgError, match="Singular"):
-        by_mass_matrix(light, bend)
-    assert math.isfinite(float(exact(light, bend)[0]))
-
-
 @pytest.mark.parametrize("light", [1.0, 1e-3, 1e-8, 1e-12, 1e-16, 1e-20, 1e-100])
 @pytest.mark.parametrize("bend", [0.3, 1e-3, 1e-8, 1e-12, 0.0])
 def test_newtons_law_for_each_particle_is_right_to_1e_minus_14_however_light_it_is(light, bend):
@@ -87,25 +69,20 @@ def test_newtons_law_for_each_particle_is_right_to_1e_minus_14_however_light_it_
     assert off((found.alpha1, found.alpha2), light, bend) < 1e-14
 
 
-def test_without_the_upper_mass_the_string_is_slack_if_it_is_bent_and_straight_it_is_said_what_is_left_open():
-    bent = by_newton(0.0, 0.3)
+def test_without_the_upper_mass_the_bent_string_is_slack_and_the_straight_one_leaves_two_open():
+    bent, straight = by_newton(0.0, 0.3), by_newton(0.0, 0.0)
     assert (bent.S1, bent.S2) == (0.0, 0.0)
     # the lower mass falls freely
     assert bent.alpha1 == pytest.approx(G * math.cos(ANGLE + 0.3) / math.sin(0.3), rel=1e-15)
-    straight = by_newton(0.0, 0.0)
     assert straight.undetermined == ("alpha1", "alpha2")
-    assert (
-        "Not determined: alpha1, alpha2: only alpha1 = -4.79426 - alpha2 is known"
-        in straight.report()
-    )
+    words = "Not determined: alpha1, alpha2: only alpha1 = -4.79426 - alpha2 is known"
+    assert words in straight.report()
     with pytest.raises(LinearError, match="alpha1 is not determined by the equations"):
         _ = straight.alpha1
 
 
 def crank_rate(angle, speed=1.0, arm=0.1, rod=0.3):
-    """The rate of the crank (rad/s) from the speed of the slider, at a crank angle from the line of
-    the slider.
-    """
+    """The rate of the crank (rad/s) at its angle from the line of the slider, from its speed."""
     tilt = -math.asin(arm / rod * math.sin(angle))
 
     def closing(crank, rocks):
@@ -115,24 +92,16 @@ def crank_rate(angle, speed=1.0, arm=0.1, rod=0.3):
     return solve_rates(closing, 2)[0]
 
 
-def test_at_its_dead_centre_a_crank_has_no_rate_and_numpys_solver_gives_one_of_1e17():
-    matrix = [
-        [-0.1 * math.sin(math.pi), -0.3 * math.sin(-math.asin(math.sin(math.pi) / 3))],
-        [0.1 * math.cos(math.pi), 0.3],
-    ]
-    assert abs(np.linalg.solve(matrix, [1.0, 0.0])[0]) > 1e15  # rad/s: pi is not quite pi
-    for angle in (0.0, math.pi):
-        with pytest.raises(FrameError, match=r"more are needed|do not determine the rates"):
-            crank_rate(angle)
+@pytest.mark.parametrize("angle", [0.0, math.pi])
+def test_at_its_dead_centre_a_crank_has_no_rate(angle):
+    """NumPy's solver gives one of 1e17 rad/s: pi is not quite pi."""
+    with pytest.raises(FrameError, match=r"more are needed|do not determine the rates"):
+        crank_rate(angle)
 
 
 @pytest.mark.parametrize("beside", [0.5, 1e-2, 1e-4, 1e-6, 1e-9])
 def test_beside_the_dead_centre_the_rate_is_right_to_a_round_off(beside):
     """x = a cos(q) + sqrt(l^2 - a^2 sin^2 q): dx/dq in closed form."""
-    found = crank_rate(beside)
-    slope = (
-        -0.1
-        * math.sin(beside)
-        * (1 + 0.1 * math.cos(beside) / math.sqrt(0.09 - 0.01 * math.sin(beside) ** 2))
-    )
-    assert found == pytest.approx(1 / slope, rel=1e-14)
+    s, c = math.sin(beside), math.cos(beside)
+    slope = -0.1 * s * (1 + 0.1 * c / math.sqrt(0.09 - 0.01 * s**2))
+    assert crank_rate(beside) == pytest.approx(1 / slope, rel=1e-14)

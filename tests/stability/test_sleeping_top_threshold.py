@@ -18,9 +18,7 @@ TILT = 1e-6  # rad
 
 
 def largest_tilt(ratio, T=200.0):
-    """The largest angle (rad) within T seconds from a tilt of 1e-6 rad, at ratio times the critical
-    spin, by integration.
-    """
+    """The largest angle (rad) within T seconds from a tilt of 1e-6 rad, by integration."""
     omega_z = ratio * CRITICAL
     model = top.nonspinning_frame(I0, I, MGR, omega_z)
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
@@ -32,12 +30,6 @@ def test_a_run_of_200_s_calls_a_top_at_0_9999_of_the_critical_spin_upright_and_t
     assert largest_tilt(0.99) > 0.1  # rad: falls
     assert largest_tilt(0.9999) < 0.02
     assert not sleeping_top(I0, I, MGR, 0.9999 * CRITICAL).stable
-
-
-def test_a_run_makes_a_stable_top_tilt_a_hundredfold_at_the_threshold():
-    assert largest_tilt(1.0) > 100 * TILT  # grows like t, not exponentially
-    assert sleeping_top(I0, I, MGR, CRITICAL).stable
-    assert largest_tilt(1.1) < 4 * TILT
 
 
 @pytest.mark.parametrize(("ratio", "stable"), [
@@ -62,17 +54,11 @@ def test_the_growth_just_below_the_threshold_is_right_to_round_off_over_the_dist
 
 
 @pytest.mark.parametrize("below", [1e-1, 1e-2, 1e-4])
-def test_how_far_it_falls_is_told_without_a_run_and_agrees_with_the_energy(below):
-    """From upright and at rest, cos(theta_max) = 2 (I omega_z)^2/(4 I0 mgr) - 1 with the spin just
-    below the threshold.
-    """
-    omega_z = (1 - below) * CRITICAL
-    found = nutation(I0, I, MGR, theta=1e-9, theta_rate=0.0, precession=0.0, omega_z=omega_z)
+def test_how_far_it_falls_from_upright_and_rest_is_that_of_the_energy(below):
+    """cos(theta_max) = 2 (I omega_z)^2/(4 I0 mgr) - 1"""
+    found = nutation(I0, I, MGR, 1e-9, 0.0, 0.0, omega_z=(1 - below) * CRITICAL)
     assert found.theta_max == pytest.approx(math.acos(2 * (1 - below) ** 2 - 1), rel=1e-8)
 
 
 def test_just_above_the_threshold_the_nod_stays_as_small_as_the_start():
-    found = nutation(
-        I0, I, MGR, theta=1e-6, theta_rate=0.0, precession=0.0, omega_z=(1 + 1e-3) * CRITICAL
-    )
-    assert found.theta_max < 1e-4  # rad
+    assert nutation(I0, I, MGR, 1e-6, 0.0, 0.0, omega_z=1.001 * CRITICAL).theta_max < 1e-4  # rad

@@ -17,27 +17,6 @@ V0, MU, G, R, T = 7.0, 0.2, 10.0, 0.5, 3.0
 BEGINS = rolling_begins(V0, MU, G, R)  # at 1 s
 
 
-class StuckError(Exception):
-    """The right-hand side was called too often."""
-
-
-def friction_by_sign(most=20_000, **options):
-    """State and number of calls at T, with one right-hand side for both regimes; StuckError holds
-    the time that was reached.
-    """
-    calls = 0
-
-    def rates(t, y):
-        nonlocal calls
-        calls += 1
-        if calls > most:
-            raise StuckError(t)
-        friction = -np.sign(y[1] + y[2] * R) * MU * G
-        return [y[1], friction, friction / (0.4 * R)]
-
-    return solve_ivp(rates, (0.0, T), (0.0, V0, 0.0), **options).y[:, -1], calls
-
-
 def slip(s, p, t):
     """The velocity of the lowest point."""
     return s.v + s.omega * p.r
@@ -58,29 +37,15 @@ def thrown(v0, omega0=0.0, rtol=1e-9, method="auto", t=T):
 
 
 def test_at_the_default_tolerance_the_sphere_never_rolls_and_its_speed_is_wrong_in_the_fourth_digit():
-    y, calls = friction_by_sign()
-    assert calls < 1000
-    assert abs(y[1] + y[2] * R) > 1e-3  # m/s of slip, 2 s after rolling began
-    assert 3e-4 < abs(y[1] - BEGINS.v) < 1e-2
+    """With one right-hand side for both regimes; tighter tolerances get stuck on the jump."""
 
+    def rates(t, y):
+        friction = -np.sign(y[1] + y[2] * R) * MU * G
+        return [y[1], friction, friction / (0.4 * R)]
 
-def test_at_1e_minus_6_it_takes_tens_of_thousands_of_calls_to_stand_still_on_a_jump():
-    y, calls = friction_by_sign(most=200_000, rtol=1e-6, atol=1e-6)
-    assert calls > 30_000
-    assert 1e-7 < abs(y[1] - BEGINS.v) < 1e-3
-
-
-@pytest.mark.filterwarnings("ignore:overflow")
-@pytest.mark.parametrize("options", [
-    {"method": "LSODA"},
-    {"method": "LSODA", "rtol": 1e-6},
-    {"method": "Radau"},
-    {"rtol": 1e-9, "atol": 1e-9},
-], ids=str)  # fmt: skip
-def test_other_methods_and_tighter_tolerances_get_stuck_just_after_rolling_begins(options):
-    with pytest.raises(StuckError) as stuck:
-        friction_by_sign(**options)
-    assert BEGINS.t < stuck.value.args[0] < BEGINS.t + 0.7  # s, of 3
+    _, v, omega = solve_ivp(rates, (0.0, T), (0.0, V0, 0.0)).y[:, -1]
+    assert abs(v + omega * R) > 1e-3  # m/s of slip, 2 s after rolling began
+    assert 3e-4 < abs(v - BEGINS.v) < 1e-2
 
 
 def test_with_an_event_and_two_models_it_rolls_to_round_off_in_a_hundred_calls():
@@ -104,12 +69,9 @@ def test_every_method_of_the_engine_finds_the_same(method):
 
 @pytest.mark.parametrize("slip0", [1e-3, 1e-6, 1e-9, -1e-9, -1e-6, -1e-3])
 def test_beside_rolling_from_the_start_the_instant_is_right_to_the_rounding_of_the_slip(slip0):
-    """It slides for microseconds to picoseconds; the slip is a difference of two speeds of 5 m/s,
-    known to 1e-15.
-    """
-    v0 = 5.0 + slip0
-    motion = thrown(v0, -5.0 / R)
-    exact = rolling_begins(v0, MU, G, R, omega0=-5.0 / R, sense=math.copysign(1, slip0))
+    """The slip is a difference of two speeds of 5 m/s, known to 1e-15."""
+    motion = thrown(5.0 + slip0, -5.0 / R)
+    exact = rolling_begins(5.0 + slip0, MU, G, R, omega0=-5.0 / R, sense=math.copysign(1, slip0))
     assert motion.events[0].t == pytest.approx(exact.t, abs=2e-15 / (3.5 * MU * G))
     assert motion.end["v"] == pytest.approx(exact.v, abs=2e-15)
 

@@ -301,9 +301,7 @@ def test_an_unchanged_model_is_prepared_once():
 
 
 def test_equal_texts_share_one_compilation():
-    """Lambdas that are written anew in each cell, with the same formula, cost heyoka's compilation
-    once.
-    """
+    """Lambdas written anew in each cell cost heyoka's compilation once."""
     pytest.importorskip("heyoka")
     known = []
     for _ in range(3):

@@ -31,34 +31,10 @@ def exact_angle(parameters):
         return mpmath.acos(c)
 
 
-def farthest(ratio, T=60.0, tilt=1e-6):
-    """The largest angle (rad) in the time T after a tilt."""
-    return integrate(hinged(**turning(ratio)), T, (tilt, 0.0), samples=4001).states["theta"].max()
-
-
-def test_a_run_of_a_minute_calls_an_unstable_rod_stable_and_the_criterion_does_not():
-    """From 1e-6 rad the tilt grows by exp(sqrt(2 x 1e-4) x 2.7 T): at 1.0001 of the critical rate a
-    minute is not enough.
-    """
-    assert farthest(1.0001) < 1e-5
-    assert farthest(1.01) > 0.2
-    assert stiffness(0.0, **turning(1.0001)) < 0
-
-
 @pytest.mark.parametrize("off", [1e-2, 1e-6, 1e-10, 1e-14])
 def test_the_criterion_decides_on_both_sides_down_to_1e_minus_14_of_the_rate(off):
     assert stiffness(0.0, **turning(1 - off)) > 0 > stiffness(0.0, **turning(1 + off))
     assert stiffness(swing_out(**turning(1 + off)), **turning(1 + off)) > 0
-
-
-def test_a_derivative_by_finite_differences_across_the_threshold_is_of_neither_side():
-    """theta grows like sqrt(4 (omega/critical - 1)): its slope there has no bound, and below it is
-    zero.
-    """
-    h = 1e-4
-    slope = (swing_out(**turning(1 + h)) - 0.0) / (2 * h)
-    assert 50 < slope < 200
-    assert (swing_out(**turning(1 + h * h)) - 0.0) / (2 * h * h) > 50 * slope
 
 
 @given(st.floats(-13, 0.5))

@@ -5,7 +5,7 @@ less 2 is 255. Wherever numbers enter the engine, arrays of them become floats.
 import numpy as np
 import pytest
 
-from newton_euler import Dimension, Frame, moving, polar, sin, solve_linear, sqrt, unit, where
+from newton_euler import Frame, moving, polar, sin, solve_linear, sqrt, unit, where
 from newton_euler.algebra import ScalarError, is_numeric, radians, same
 from newton_euler.algebra.scalars import ZERO, promote, scalar
 from newton_euler.applications import coriolis_parameter
@@ -16,21 +16,17 @@ WHOLE = (np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint16, np.uint32, 
 AU = np.array([149_600_000_000])  # m
 
 
-def test_naive_products_of_whole_numbers_wrap_without_an_error():
-    assert (AU * AU)[0] < 2**63 < 149_600_000_000**2
-    assert (np.array([1], np.uint8) - np.array([2], np.uint8))[0] == 255
-
-
 def test_the_length_of_an_astronomical_vector():
     assert Frame("ground").vector(AU, 0, 0).norm() == 1.496e11
     assert Frame("ground").vector(AU, AU, 0).norm() == pytest.approx(2**0.5 * 1.496e11, rel=1e-15)
 
 
 @pytest.mark.parametrize("kind", WHOLE)
-def test_arrays_of_every_whole_kind_become_floats(kind):
+def test_arrays_of_every_whole_kind_become_floats_and_those_of_floats_stay(kind):
     x = scalar(np.array([1, 2, 100], kind))
     assert x.dtype == float
     assert list(x) == [1, 2, 100]
+    assert scalar(x) is x
 
 
 @pytest.mark.parametrize("kind", WHOLE)
@@ -43,16 +39,12 @@ def test_one_less_two_is_minus_one(kind):
 
 
 @pytest.mark.parametrize("kind", WHOLE)
-def test_a_single_whole_number_of_numpy_stays_exact(kind):
+def test_a_single_whole_number_stays_exact(kind):
     n = scalar(kind(100))
     assert type(n) is int
     assert n**20 == 100**20
     assert scalar(kind(0)) is ZERO
-
-
-def test_pythons_integers_stay_exact():
     assert scalar(10**40) == 10**40
-    assert Frame("ground").vector(10**30, 0, 0).x == 10**30
 
 
 def test_whole_numbers_above_2_to_53_are_rounded_to_the_nearest_float():
@@ -78,11 +70,6 @@ def test_arrays_of_python_numbers_become_floats_and_of_others_are_refused():
         scalar(np.array(["1"]))
     with pytest.raises(ScalarError, match="of type matrix"):
         scalar(np.ones((2, 2)).view(np.matrix))  # whose * is another product
-
-
-def test_an_array_of_floats_goes_through_as_it_is():
-    x = np.linspace(0, 1, 5)
-    assert scalar(x) is x
 
 
 def test_functions_of_whole_numbers_have_all_digits():
@@ -127,10 +114,6 @@ def test_formulas_of_every_room_take_whole_numbers():
 def test_linear_equations_take_whole_numbers():
     found = solve_linear(lambda x: np.array([100], np.uint8) * x - np.array([200], np.uint8))
     assert found.x[0] == 2
-
-
-def test_whole_numbers_keep_to_the_rules_of_dimensions():
-    assert Dimension(0, 1) * np.array([2]) == Dimension(0, 1)
 
 
 def test_whole_and_float_vectors_are_the_same():

@@ -19,12 +19,12 @@ from .motions import angular_acceleration, angular_velocity, rate, second_rate, 
 from .moved import angular_momentum, force_needed, kinetic_energy, let_go, moment_needed, vanishing
 from .roots import root
 from .tracks import speed_along
-from .vectors import cross, minus, plus, rot, scaled, size, times, transposed
+from .vectors import at_angle, cross, minus, plus, rot, scaled, size, times, transposed
 
 __all__ = [
     "DIGITS", "ProofError", "after", "angular_acceleration", "angular_momentum", "angular_velocity",
-    "ball", "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed", "freedom",
-    "gradient", "integral", "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus",
-    "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size",
-    "speed_along", "spherical_axes", "spun", "times", "transposed", "until", "vanishing",
+    "at_angle", "ball", "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed",
+    "freedom", "gradient", "integral", "kinetic_energy", "let_go", "mean", "minus",
+    "moment_needed", "plus", "rate", "ring", "root", "rot", "scaled", "second_rate", "shell",
+    "size", "speed_along", "spherical_axes", "spun", "times", "transposed", "until", "vanishing",
 ]  # fmt: skip

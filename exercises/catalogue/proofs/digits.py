@@ -12,9 +12,7 @@ Motion: TypeAlias = Callable[[Number], Points]
 
 
 class ProofError(ValueError):
-    """A tool of a proof cannot give what is asked for: an integral that does not settle, a root
-    that is not there.
-    """
+    """A tool of a proof finds no result: an integral does not settle, a root is not there."""
 
 
 def weighted(weights: Iterable[Number], values: Sequence[Any]) -> Any:

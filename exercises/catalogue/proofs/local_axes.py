@@ -1,6 +1,4 @@
-"""Directions at a place that are known from the place alone: the rows are unit vectors, so that
-``times(axes, v)`` are the components of v along them.
-"""
+"""Unit vectors at a place, as rows: ``times(axes, v)`` are the components of v along them."""
 
 from collections.abc import Sequence
 

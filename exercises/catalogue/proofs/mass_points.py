@@ -81,9 +81,7 @@ def _between(low, high, n):
 
 @cache
 def _gauss(n):
-    """Weights and places of the Gauss-Legendre rule on (-1, 1): the roots of the Legendre
-    polynomial, by Newton's method.
-    """
+    """Weights and places of the Gauss-Legendre rule on (-1, 1), by Newton's method."""
     with mp.workdps(DIGITS + 10):
         pairs = []
         for k in range(n):

@@ -40,18 +40,14 @@ def second_rate(f: Callable[[Number], Any], t: Number = 0) -> Any:
 
 
 def angular_velocity(R: Callable[[Number], Matrix], t: Number = 0) -> Triple:
-    """omega of a body whose orientation matrix is R(t) (body components to ground components): the
-    vector of the skew matrix R' R^T.
-    """
+    """omega of a body with the orientation R(t) in the ground: the vector of R' R^T."""
     with mp.workdps(DIGITS):
         W = times(rate(R, t), transposed(R(mpf(t))))
         return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]
 
 
 def angular_acceleration(R: Callable[[Number], Matrix], t: Number = 0) -> Triple:
-    """alpha of the same body: the skew part of R'' R^T (its symmetric part, -|omega|^2 and so on,
-    drops out).
-    """
+    """alpha of the same body: the skew part of R'' R^T, whose symmetric part drops out."""
     with mp.workdps(DIGITS):
         W = times(second_rate(R, t), transposed(R(mpf(t))))
         return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]

@@ -12,11 +12,8 @@ def rot(axis: str | Sequence[Number], angle: Number) -> Matrix:
     """The matrix that turns vectors by ``angle`` about ``axis`` ("x", "y", "z" or three
     components), right-handed: Rodrigues' formula.
     """
-    e = (
-        {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.get(axis, axis)
-        if isinstance(axis, str)
-        else axis
-    )
+    named = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
+    e = named[axis] if isinstance(axis, str) else axis
     length = mp.sqrt(sum(mpf(x) ** 2 for x in e))
     e = [mpf(x) / length for x in e]
     c, s = mp.cos(angle), mp.sin(angle)
@@ -42,6 +39,11 @@ def transposed(a: Sequence[Sequence[Number]]) -> Matrix:
     v in the turned axes.
     """
     return [list(row) for row in zip(*a, strict=True)]
+
+
+def at_angle(r: Number, angle: Number, z: Number = 0) -> Triple:
+    """The place at the distance r from the z axis, at this angle from x, at the height z."""
+    return [r * mp.cos(angle), r * mp.sin(angle), z]
 
 
 def plus(*vectors: Sequence[Number]) -> Triple:

@@ -57,11 +57,9 @@ def chart(
     order: Sequence[str] = (),
     legend: bool = True,
 ) -> list[Measured]:
-    """The fronts of the points, one after the other, which are drawn on the Matplotlib axes ``ax``:
-    cost to the right, error upwards.
-
-    Each family of points has a front, with rings and joined by steps, of those that have a right
-    digit. A grey bar to the right of a point is the time to prepare the first run.
+    """The fronts of the points, which are drawn on the Matplotlib axes ``ax``: cost to the right,
+    error upwards. Each family has a front, with rings and steps, of points that have a right digit.
+    A grey bar is the time to prepare the first run.
 
     floor : smaller errors are drawn there, with an arrow down and their value
     cost : "cost", the time, or "calls"

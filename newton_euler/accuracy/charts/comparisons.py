@@ -27,9 +27,7 @@ def draw_comparison(comparison, points, figure):
 
 
 def _draw(question, points, left, right):
-    """The front of the points, after drawing their errors against the setting (``left``) and
-    against the cost (``right``).
-    """
+    """The front of the points, drawn against the setting (``left``) and the cost (``right``)."""
     from matplotlib.ticker import LogLocator
 
     points = [replace(p, error=max(p.error, ROUND_OFF)) for p in points]
@@ -109,9 +107,7 @@ def _beaten(points, best):
 
 
 def comparison_caption(comparison, points):
-    """For each question the ways that are right for all settings, the cheapest of them, and where
-    the others fail.
-    """
+    """For each question the ways right at every setting, their cheapest, and where others fail."""
     text = [_answer(q, [p for p in points if p.question is q]) for q in comparison.questions]
     return " ".join(text)
 

@@ -19,13 +19,10 @@ HALF = 0.34  # of the height of a row is drawn upon on each side of its middle
 
 
 def draw_honesty(answers, figure, title=""):
-    """The tallies of the methods, the cheapest first, after drawing a row for each: its costs, its
-    true errors over the tolerances, the estimates over the true errors, and the counts.
-
-    answers : :class:`.Answer` of the measurements; on several problems the costs are
-        drawn relative to the cheapest that kept its word
-    A row has a mark for each run, from the coarsest tolerance at its top to the finest at its
-    bottom, and a bar at the median. What is silently wrong has a ring.
+    """The tallies of the methods, the cheapest first, after drawing a row for each: costs, true
+    errors over tolerances, estimates over true errors, counts. A row has a mark for each run, from
+    the coarsest tolerance at its top to the finest at its bottom, and a bar at the median. What is
+    silently wrong has a ring.
     """
     answers, relative = comparable(answers)
     found, given = tallies(answers), [a for a in answers if not a.absent]
@@ -45,9 +42,7 @@ def draw_honesty(answers, figure, title=""):
 
 @dataclass(frozen=True)
 class _Rows:
-    """The ``numbers`` of the rows by method, and within a row places and colours for the errors
-    ``asked`` for.
-    """
+    """Rows by method, and in a row places and colours for the errors ``asked`` for."""
 
     numbers: dict
     asked: list
@@ -129,29 +124,21 @@ def _draw_runs(ax, rows, runs, limits=None):
     sides = {"<": lambda x: x < low, "o": lambda x: low <= x <= high, ">": lambda x: x > high}
     for marker, inside in sides.items():
         own = [(a, min(max(x, low), high)) for a, x in runs if inside(x)]
-        colours = [rows.shade(a.asked) for a, _ in own]
-        ax.scatter(
-            [x for _, x in own],
-            [rows.place(a) for a, _ in own],
-            c=colours or None,
-            marker=marker,
-            **look,
-        )
+        _scatter(ax, rows, [a for a, _ in own], [x for _, x in own], marker=marker, **look)
     rings = [(min(max(x, low), high), rows.place(a)) for a, x in runs if a.silent]
-    ax.plot(
-        *zip(*rings, strict=True) if rings else ((), ()),
-        "o",
-        ms=8,
-        mfc="none",
-        mec="black",
-        mew=0.9,
-        zorder=4,
-    )
+    ring = {"ms": 8, "mfc": "none", "mec": "black", "mew": 0.9, "zorder": 4}
+    ax.plot([x for x, _ in rings], [y for _, y in rings], "o", **ring)
     for method, n in rows.numbers.items():
         own = [x for a, x in runs if a.method == method]
         if own:
             middle = min(max(median(own), low), high)
             ax.plot([middle] * 2, [n - 0.42, n + 0.42], color="black", lw=1.8, zorder=5)
+
+
+def _scatter(ax, rows, answers, xs, **look):
+    """A mark for each answer at x, in the colour of its tolerance."""
+    colours = [rows.shade(a.asked) for a in answers] or None
+    ax.scatter(xs, [rows.place(a) for a in answers], c=colours, **look)
 
 
 def _draw_refused(ax, rows, absent):
@@ -161,14 +148,7 @@ def _draw_refused(ax, rows, absent):
     ax.set_xticks([10.0**n for n in range(-6, 4, 2)])
     ax.axvline(2 * high, color="#333333", lw=0.8)
     _above(ax, 20 * high, "refused" if all(a.absent == REFUSED for a in absent) else "no answer")
-    ax.scatter(
-        [7 * high] * len(absent),
-        [rows.place(a) for a in absent],
-        c=[rows.shade(a.asked) for a in absent] or None,
-        marker="x",
-        s=14,
-        lw=1,
-    )
+    _scatter(ax, rows, absent, [7 * high] * len(absent), marker="x", s=14, lw=1)
     for method, n in rows.numbers.items():
         count = sum(a.method == method for a in absent)
         ax.text(130 * high, n, count or "", fontsize=9, ha="right", va="center")

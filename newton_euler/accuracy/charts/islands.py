@@ -38,11 +38,8 @@ def islands(found):
 
 
 def settled(chart, found):
-    """The choices, with islands that came from noise of the times removed, and how many cells that
-    changed.
-
-    The columns of islands are measured a second time; small islands that are there again go to
-    their neighbours.
+    """The choices without islands that are noise of the times, and how many cells changed. The
+    columns of islands are measured again; small islands that stay go to their neighbours.
     """
     better = found.copy()
     columns = {m for island in islands(found) for _, m in island.cells}

@@ -15,9 +15,7 @@ WIDE = 18  # letters in a line of a name
 
 
 def draw_choices(chart, found, ax):
-    """Draw the choices of a map on ``ax``: each region with its name, a legend of the colours and
-    of the theoretical borders.
-    """
+    """Draw a map on ``ax``: regions with their names, a legend of colours and borders."""
     handles = [*_draw_cells(chart, found, ax), *_draw_borders(chart, found, ax)]
     for choice in chart.choices:
         _name_region(chart, found, choice, ax)
@@ -77,10 +75,8 @@ def _shares(chart, found):
 
 
 def map_caption(chart, found, smoothed=0):
-    """What the map shows: the share of each choice, what is met along its lower and upper edges,
-    and what its islands are.
-
-    smoothed : cells that changed when they were measured again
+    """What the map shows: the share of each choice, what lies along its lower and upper edges, its
+    islands, and how many cells were ``smoothed``.
     """
     shares = "; ".join(f"{choice}: {_percent(share)}" for choice, share in _shares(chart, found))
     edges = {"lowest": found[0], "highest": found[-1]}

@@ -15,11 +15,8 @@ OF_INTEREST = (1e-6, 1e-10)  # relative errors for which the caption names the c
 
 
 def draw_methods(found, figure):
-    """The fronts of the methods by time, after drawing three charts: error against time, error
-    against calls, drift of invariants against tolerance.
-
-    found : a :class:`~newton_euler.accuracy.measurements.work_precision.WorkPrecision`
-    "auto", which only chooses one of the methods, is drawn over them.
+    """The fronts by time, after drawing a :class:`.WorkPrecision`: error against time and against
+    calls, drift against tolerance. "auto", which only chooses, is drawn over the methods.
     """
     scene = found.scene
     figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))

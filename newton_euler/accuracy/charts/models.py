@@ -33,11 +33,8 @@ class MeasuredModel(Measured):
 
 
 def measured_models(ladder, progress=lambda fraction, words: None):
-    """A :class:`MeasuredModel` for each rung of a :class:`~newton_euler.scenes.ladders.Ladder`: the
-    time of its motion, and its error.
-
-    The time is that of a prepared run (:func:`newton_euler.prepare`) to 1e-9; the error is in the
-    ladder's unit, that of the fullest rung 0.
+    """A :class:`MeasuredModel` for each rung of a ladder: the time of a prepared run to 1e-9, and
+    the error in the ladder's unit, that of the fullest rung 0.
     """
     points = []
     for n, rung in enumerate(ladder.rungs):
@@ -49,15 +46,9 @@ def measured_models(ladder, progress=lambda fraction, words: None):
 def _measured(ladder, rung):
     distances = ladder.distances(rung)
     run = partial(prepare(rung.model, 1e-9), ladder.t, tuple(map(float, rung.start)))
-    return MeasuredModel(
-        rung.name,
-        timed(run, runs=5),
-        float(distances.max()),
-        asked=1e-9,
-        usual=float(np.median(distances)),
-        bound=rung.bound(ladder.t),
-        drops=tuple(n.what for n in rung.model.neglects),
-    )
+    cost, error, usual = timed(run, runs=5), float(distances.max()), float(np.median(distances))
+    bound, drops = rung.bound(ladder.t), tuple(n.what for n in rung.model.neglects)
+    return MeasuredModel(rung.name, cost, error, asked=1e-9, usual=usual, bound=bound, drops=drops)
 
 
 def usual_tolerance(points):
@@ -72,17 +63,13 @@ def usual_tolerance(points):
 
 
 def choice(points, tolerance):
-    """The cheapest model within the tolerance, of models that cost the same the simplest; None if
-    there is none.
-    """
+    """The cheapest model within the tolerance, of equally cheap ones the simplest; or None."""
     within = sorted((p for p in points if p.error <= tolerance), key=lambda p: p.cost)
     return min(of_equal_cost(within), key=points.index) if within else None
 
 
 def beaten(points):
-    """The models that another one beats, each with the first that does: clearly cheaper, and no
-    less accurate.
-    """
+    """Models beaten by another, clearly cheaper and no less accurate: each with the first such."""
     found = []
     for p in points:
         by = [q for q in points if _beats(q, p)]
@@ -95,11 +82,9 @@ def _beats(q, p):
 
 
 def draw_models(points, ladder, figure, tolerance=None):
-    """The :func:`choice` within the tolerance, after drawing the errors of the rungs, in the
-    ladder's unit, against the times of their motions.
-
-    A bar goes from the median over the time to the largest error; a grey dash is the bound that the
-    model itself gives. The fullest rung, which the others are measured against, stands at an arrow.
+    """The :func:`choice` within the tolerance, after drawing the errors of the rungs against their
+    times. A bar goes from the median over the time to the largest error; a grey dash is the bound
+    that the model itself gives. The fullest rung stands at an arrow.
     """
     tolerance = tolerance or usual_tolerance(points)
     figure.set(layout_engine="constrained", size_inches=(11.0, 5.2))

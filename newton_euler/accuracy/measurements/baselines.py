@@ -1,8 +1,5 @@
-"""Textbook methods for the comparisons of :mod:`.comparisons`, the engine's methods for the same
-numbers, and their errors against 40 digits.
-
-Nothing else in the engine uses this module, since most of its methods are numerically poor on
-purpose.
+"""Textbook methods, numerically poor on purpose, the engine's methods for the same numbers, and
+their errors against 40 digits: what :mod:`.comparisons` compares.
 """
 
 import math
@@ -48,18 +45,14 @@ FORWARD_SECOND, CENTRAL_SECOND = ((0, 1), (1, -2), (2, 1)), ((-1, 1), (0, -2), (
 
 
 def boom_end(t):
-    """The position (x, y, z), in m, of the end of a boom that turns, rises and lengthens, at the
-    time t (s).
-    """
+    """The position (x, y, z), m, of the end of a boom that turns, rises and lengthens, at t (s)."""
     length, elevation, turned = 20 + 3 * sin(2 * t), 0.5 + 0.3 * cos(3 * t), 0.4 * t * t
     across = length * cos(elevation)
     return across * cos(turned), across * sin(turned), length * sin(elevation)
 
 
 def difference(f, t, h, weights, order):
-    """The difference quotient of f, a function of time that returns several numbers: sums of weight
-    f(t + n h), divided by h^order.
-    """
+    """The difference quotient of f(t), several numbers: sum of weight f(t + n h), over h^order."""
     values = [[weight * x for x in f(t + n * h)] for n, weight in weights]
     return tuple(sum(column) / h**order for column in zip(*values, strict=True))
 
@@ -169,9 +162,7 @@ STEPS, BEFORE, AFTER = 200, -0.9, 1.1  # s; a step ends at t = 0
 
 
 def runge_kutta(rate, s, step, steps):
-    """The state after so many steps of the classical Runge-Kutta method of fourth order, for ds/dt
-    = rate(s), s a tuple.
-    """
+    """The state after so many steps of the classical Runge-Kutta method for ds/dt = rate(s)."""
 
     def moved(by, k):
         return tuple(x + by * d for x, d in zip(s, k, strict=True))
@@ -187,9 +178,7 @@ def runge_kutta(rate, s, step, steps):
 
 
 def _passing(start, rate, matrix):
-    """The function that integrates such coordinates of the attitude and returns the final matrix,
-    of the least angle to the vertical.
-    """
+    """The function of the least angle to the vertical that integrates to the final matrix."""
 
     def final(least):
         omega = math.cos(least), 0.0, math.sin(least)  # in the body
@@ -224,9 +213,7 @@ RADIUS, HEIGHT, DENSITY = 0.3, 0.8, 5.0  # m, m, kg/m^2
 
 
 def _of_points(u, v):
-    """The moments of equal mass points at the (u, v) in the unit square, which is mapped to the
-    rectangle around the sheet; others are left out.
-    """
+    """The moments of equal point masses at those (u, v) of the unit square that hit the sheet."""
     cell = DENSITY * (HEIGHT + RADIUS) * 2 * RADIUS / len(u)
     x, y = u * (HEIGHT + RADIUS), (2 * v - 1) * RADIUS
     inside = ((x <= HEIGHT) & (abs(y) <= RADIUS * x / HEIGHT)) | (
@@ -280,9 +267,7 @@ def by_composition(n=None):
 
 @_in_digits
 def exact_inertia():
-    """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b
-    dx.
-    """
+    """The moments in 40 digits, over strips of half the breadth b(x) and the mass 2 rho b dx."""
     r, h = mp.mpf(RADIUS), mp.mpf(HEIGHT)
 
     def total(f):
@@ -342,9 +327,7 @@ I0, I, SPIN, MGR = 0.02, 0.01, 100.0, 0.5  # kg m^2, kg m^2, rad/s, N m
 
 
 def printed_roots(a, h, c):
-    """Both roots of a x^2 - h x + c = 0, the smaller one first, by the formula as the book prints
-    it (10.33).
-    """
+    """Both roots of a x^2 - h x + c = 0, the smaller first, as the book prints them (10.33)."""
     root = sqrt(h * h - 4 * a * c)
     return (h - root) / (2 * a), (h + root) / (2 * a)
 
@@ -369,9 +352,7 @@ def precessions(a):
 
 
 def precession_error(found, a):
-    """The larger of the relative errors of the two rates, against the printed formula with more
-    digits than it loses.
-    """
+    """The larger relative error of the two, against the printed formula with more digits."""
     with mp.workdps(2 * DIGITS):
         exact = printed_roots((mp.mpf(I0) - I) * mp.cos(_theta(a)), mp.mpf(I) * SPIN, MGR)
         return max(float(abs(x / y - 1)) for x, y in zip(found, exact, strict=True))

@@ -1,9 +1,5 @@
-"""Comparisons of methods where nothing is integrated: derivatives, rotations, inertia, angles,
-steady precession.
-
-A comparison asks one or more questions. Each is answered by several methods over a range of
-settings. The methods and their
-errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.measurements.baselines`.
+"""Comparisons of methods where nothing is integrated: questions that several methods answer over a
+range of settings. The methods and their errors against 40 digits are in :mod:`.baselines`.
 """
 
 from collections.abc import Callable, Mapping
@@ -26,10 +22,8 @@ class Question:
     settings : numbers
     methods : from the name of a method to a function of the setting
     error : a function of the result of a method and of the setting
-    worst_only : the setting belongs to the question (an angle), not to the method (a step): only
-        the worst error of each method is charted against its cost
-    timed_each : the setting changes the cost, so that the time is taken at each one, not only at
-        the first
+    worst_only : the setting belongs to the question (an angle), not the method (a step): only the
+        worst error of each method is charted against its cost
     """
 
     what: str
@@ -87,11 +81,8 @@ class Comparison:
 
 
 def measured_ways(ways, exact):
-    """The points of several ways to one result: their times, and their distances from ``exact``,
-    relative to its size.
-
-    ways : {name: a function without arguments}
-    exact : a number or several, of more digits than those of the ways
+    """The points of several ways, {name: function}, to the result ``exact``, one number or several:
+    their times and relative distances.
     """
     prepared = {name: _first_call(way) for name, way in ways.items()}
     costs = timed(*ways.values(), runs=5, shortest=1e-3)

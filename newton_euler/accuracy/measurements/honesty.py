@@ -1,10 +1,6 @@
-"""Whether the methods of integration keep their word: the true error of each against the tolerance
-requested, and its own error estimate against the true error, beside its cost.
-
-A promise is broken where the true error exceeds the tolerance; in the testing of codes for
-differential equations the method is then said to be deceived (W. H. Enright and J. D. Pryce 1987).
-An estimate over the true error is the effectivity index of numerical analysis. It should not be
-below one, nor far above.
+"""Whether the methods of integration keep their word: the true error against the tolerance, where a
+larger one is a broken promise (W. H. Enright and J. D. Pryce 1987: the method is deceived), and the
+estimate over the true error, the effectivity index: not below one, nor far above.
 
 >>> answers = honesty(("sphere on an incline",), (1e-3, 1e-9), ("exact", "dop853", "verlet"))
 >>> [t.met for t in tallies(answers) if t.method == "exact"], sum(a.silent for a in answers)
@@ -97,10 +93,7 @@ def honesty(
     progress: Callable[[float, str], object] = lambda fraction, words: None,
 ) -> list[Answer]:
     """The :class:`Answer` of every method at every tolerance, on each of these scenes that it can
-    use.
-
-    Errors are those of the worst state at the end, as in
-    :func:`~newton_euler.accuracy.measurements.work_precision.work_precision`.
+    use; errors as in :func:`.work_precision.work_precision`.
 
     longest : a method whose run takes more seconds is not asked for more digits of this scene
     """
@@ -138,9 +131,7 @@ def _answer(name, reference, method, rtol):
 
 
 def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
-    """The same answers, their costs over that of the cheapest that kept its word on the same
-    problem with the same tolerance; of the cheapest of all if none did.
-    """
+    """The answers with costs over that of the cheapest, one that kept its word if any did."""
     least: dict = {}
     for a in answers:
         if not a.absent and a.cost > 0:  # a coarse clock may show nothing
@@ -151,9 +142,7 @@ def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
 
 
 def comparable(answers: Sequence[Answer]) -> tuple[Sequence[Answer], bool]:
-    """The answers with :func:`relative_costs` if they are of several problems, whose seconds cannot
-    be compared; and whether they are.
-    """
+    """The answers, with :func:`relative_costs` if of several problems; and whether they are."""
     several = len({a.problem for a in answers}) > 1
     return (relative_costs(answers) if several else answers), several
 

@@ -1,8 +1,7 @@
 """The time of a call, the error of a result, and the front of error against time.
 
-The *front* of a set of points (the Pareto front) are those that no other point beats, that is, for
-every other point one on the front is cheaper and no less accurate. Errors are taken against an
-exact solution or one of more digits, never against the method under test.
+The (Pareto) *front* of points: for every other point one on the front is cheaper and no less
+accurate. Errors are taken against an exact solution or one of more digits.
 """
 
 import math
@@ -57,11 +56,9 @@ def timed(
 ) -> Any:
     """The seconds that one call ``f()`` takes, a float; of several functions, a tuple.
 
-    The time is that of the fastest of ``runs`` runs. Each run has so many calls that it lasts
-    ``shortest`` seconds. The functions take turns. A first call is made before and does not count:
-    it may import or compile.
-
-    clock : a function without arguments that returns the time in seconds
+    It is that of the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest``
+    seconds of the ``clock``. The functions take turns. A first call, which may import or compile,
+    does not count.
 
     >>> seconds = timed(lambda: sum(range(10)), lambda: sum(range(1000)))
     >>> len(seconds), min(seconds) > 0

@@ -1,10 +1,8 @@
 """The final state of a motion to 30 digits, against which the errors of all methods are taken.
 
-Heyoka in multiple precision takes milliseconds. Where it is not installed, and to check it, the
-right-hand side is integrated in mpmath's numbers by extrapolation (W. B. Gragg 1965): the error of
-the midpoint rule has even powers of the step only, and each further run, with 2, 4, 6, … steps,
-removes one of them. None of the methods that are measured works in this way, and none of their code
-is used.
+By heyoka in multiple precision; where it is not installed, and to check it, in mpmath's numbers by
+extrapolation (W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only,
+and each further run, with 2, 4, 6, … steps, removes one. No method that is measured works so.
 """
 
 import importlib
@@ -22,10 +20,8 @@ BITS = 140  # of heyoka's numbers, which are 42 digits
 
 
 def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tuple:
-    """The states at ``t`` after ``start`` at t = 0, a tuple of mpf with about 30 digits, counted
-    from the largest size of each.
-
-    Parameters and start are taken as exact numbers.
+    """The states at ``t`` after ``start`` at t = 0, mpf with about 30 digits of the largest size of
+    each; parameters and start are taken as exact.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> theta, omega = reference_solution(physical_pendulum(2.0, 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
@@ -36,11 +32,8 @@ def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tupl
 
 
 def by_heyoka(model, t, start):
-    """The same states by Taylor series in heyoka's numbers of 42 digits; arithmetic and order
-    differ from those of its method in floats.
-
-    Where a formula divides by a number, heyoka multiplies by the inverse rounded to a float:
-    dividing by 60 leaves 17 digits, by 64 all.
+    """The same states by Taylor series in heyoka's numbers of 42 digits. Heyoka divides by a number
+    through its inverse, a float: dividing by 60 leaves 17 digits, by 64 all.
     """
     import mpmath as mp
 
@@ -91,9 +84,7 @@ def by_extrapolation(model, t, start, digits=30):
 
 
 def _step(rates, t, x, h, sizes):
-    """The state after a step h, and its error relative to the largest state: the last entries of
-    the extrapolation table.
-    """
+    """The state after a step h, and its error relative to the largest state."""
     first, table = rates(t, x), []
     for run in range(1, RUNS + 1):
         row = [_midpoint(rates, t, x, first, h, 2 * run)]

@@ -1,8 +1,6 @@
-"""Maps of parameter space, coloured by the method to use or the model that is accurate enough, with
-the theoretical borders drawn over them.
-
-Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, and
-:mod:`newton_euler.accuracy.charts.maps` draws them.
+"""Maps of parameter space: the method to use, or the model that is accurate enough, and theoretical
+borders. ``MAPS[name].measure()`` returns the choices, :mod:`newton_euler.accuracy.charts.maps`
+draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()
@@ -31,9 +29,7 @@ from ...scenes.spatial.free_body import free_body
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis of a map: its ``label`` with the unit, from ``low`` to ``high``, in powers of ten if
-    the ``scale`` is "log".
-    """
+    """An axis of a map, from ``low`` to ``high``: in powers of ten if the ``scale`` is "log"."""
 
     label: str
     low: float
@@ -52,9 +48,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Curve:
-    """A theoretical border: ``label``, and y as a function of an array of x (nan where there is
-    none); or x if the border is upright.
-    """
+    """A theoretical border: y as a function of an array of x (nan for none); or an upright x."""
 
     label: str
     y: Callable | None = None
@@ -89,10 +83,7 @@ class Map:
     fails: bool = False
 
     def measure(self, resolution=None, progress=lambda fraction: None):
-        """The choices, an array of strings: a row for each y from the lowest, a column for each x.
-
-        resolution : cells along x and y
-        """
+        """The choices as an array: a row for each y from the lowest, a column for each x."""
         across, up = resolution or self.resolution
         columns = []
         for n, x in enumerate(self.x.centres(across).tolist()):
@@ -118,9 +109,7 @@ def start_at(tilt):
 
 @cache
 def compile_time():
-    """The seconds that heyoka takes to compile a right-hand side of this kind; infinite if it is
-    not installed.
-    """
+    """The seconds that heyoka takes to compile such a right-hand side; inf without heyoka."""
     integrate(BODY, 1.0, start_at(0.1), 1e-9, "dop853")  # tracing does not count for any method
     if not installed():
         return math.inf
@@ -146,9 +135,7 @@ def _as_accurate_as_it_gets(t, start, rtol, method, samples):
 
 
 def _taylor_seconds(times, start):
-    """For each of the times the seconds of a Taylor series to round-off, with its compilation;
-    infinite where its error is above WANTED.
-    """
+    """By time, the seconds of a Taylor series with its compilation; inf where not to WANTED."""
     if not installed():
         return [math.inf] * len(times)
     end = times[-1]
@@ -160,9 +147,7 @@ def _taylor_seconds(times, start):
 
 
 def _dop853_seconds(t, start):
-    """The seconds of DOP853 with the first tolerance that leaves an error below WANTED; infinite if
-    none does.
-    """
+    """The seconds of DOP853 at the first tolerance that keeps the error below WANTED; or inf."""
     for rtol in (1e-10, 1e-12):
         motion = _as_accurate_as_it_gets(t, start, rtol, "dop853", DENSE)
         if errors_until([t], motion, start)[0] <= WANTED:
@@ -194,9 +179,7 @@ def _free_body(tilt, times):
 
 
 def _first_turnover(tilt):
-    """The quarter period ln(4 sqrt(2)/a)/GROWTH, after which a small tilt a, half growing and half
-    decaying, reaches a right angle.
-    """
+    """The quarter period after which a small tilt, half growing, reaches a right angle."""
     return np.log(4 * math.sqrt(2) / tilt) / GROWTH
 
 
@@ -229,9 +212,7 @@ def released_top(omega_z):
 
 
 def _smallest_rung(ladder_at):
-    """The column of a map: for one x, the first rung of ``ladder_at(x)`` whose error is within each
-    tolerance.
-    """
+    """The column of a map: the first rung of ``ladder_at(x)`` within each tolerance."""
 
     def column(x, tolerances):
         ladder = ladder_at(x)
@@ -273,9 +254,7 @@ FALL = Event(lambda s, p, t: s.q1**2 + s.q2**2 - math.sin(FALLEN / 2) ** 2, 1, t
 
 
 def falling_time(ratio):
-    """The seconds in which a top at ``ratio`` times the critical rate gets from a tilt of 1e-6 to
-    0.1 rad; infinite if not within 100 s.
-    """
+    """The seconds in which a top at ``ratio`` of the critical rate falls to 0.1 rad; or inf."""
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
     model = top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL)
     motion = integrate(model, LONGEST, start, 1e-9, events=FALL)

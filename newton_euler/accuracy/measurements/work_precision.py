@@ -78,11 +78,9 @@ def work_precision(
     longest: float = LONGEST,
     progress: Callable[[float, str], object] = lambda fraction, words: None,
 ) -> WorkPrecision:
-    """The :class:`WorkPrecision` of a scene: every method that it can use, measured at every
-    tolerance.
-
-    The cost is the time of one call of ``integrate`` after its model is prepared and its code
-    compiled. The error is that of the worst state at the end, relative to the largest size of this
+    """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
+    is the time of ``integrate`` after its model is prepared and its code compiled. The error is
+    that of the worst state at the end, relative to the largest size of this
     state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
 
     longest : a method whose run takes more seconds is not asked for more digits
@@ -130,9 +128,7 @@ _PREPARATIONS: dict = {}
 
 
 def _preparation(name, method, first, cost):
-    """The seconds that the first run in this process took more, since code is compiled once; 0 if
-    it took less than twice the time, which may be noise.
-    """
+    """The seconds that the first run took more; 0 if less than the run itself, maybe noise."""
     return _PREPARATIONS.setdefault((name, method), first - cost if first > 2 * cost else 0.0)
 
 
@@ -163,9 +159,7 @@ class Reference:
 
 
 def worst_drift(motion):
-    """The largest drift of an invariant at about a hundred ends of steps; None if no invariant is
-    known.
-    """
+    """The largest drift of an invariant at some hundred ends of steps; None without invariants."""
     ends = motion.segments[0].stepper.step_times
     sampled = replace(motion, samples=ends[:: len(ends) // 100 + 1]) if len(ends) > 100 else motion
     return max(sampled.drift.values(), default=None)
@@ -190,17 +184,13 @@ def _stopwatch(call):
 
 @cache
 def final_state(scene):
-    """The last state by :func:`.reference_solution`, rounded to
-    floats.
-    """
+    """The last state by :func:`.reference_solution`, rounded to floats."""
     return tuple(map(float, reference_solution(*scene.motion)))
 
 
 @cache
 def state_sizes(scene):
-    """The largest size of each state during the motion, at least 1e-6, to which errors are
-    relative.
-    """
+    """The largest size of each state, at least 1e-6, to which errors are relative."""
     model, t, start = scene.motion
     # without its exact solution, which gives no steps between
     motion = integrate(replace(model, exact=None), t, start, 1e-6, "dop853")

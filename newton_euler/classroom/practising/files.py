@@ -1,16 +1,26 @@
-"""Reads a practice file, which an instructor makes by ``python -m grader practice``."""
+"""Reads a practice file, which an instructor makes by ``python -m grader practice``.
+
+It may come from anywhere: what is too large, does not fit together, or would write codes to a
+terminal is refused in words when it is read. Nothing of it is run.
+"""
 
 import json
+import math
 import zipfile
 from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import NewtonEulerError
+from ...algebra.units import unit
+from ...answers.forms import kind_named
+from ...answers.messages import one_line
+from .programs import OPERATIONS
 
 FORMAT = 2
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
+MOST = 8 * 2**20  # bytes of one member; a problem with ten sets of numbers has 0.1 MB
 
 
 class PracticeFileError(NewtonEulerError, ValueError):
@@ -22,28 +32,49 @@ class PracticeFile:
 
     def __init__(self, path: str | Path):
         self.path = Path(path)
-        try:
-            head = json.loads(self.read("practice.json"))
-        except FileNotFoundError:
+        if not self.path.exists():
             raise PracticeFileError(
                 f"there is no practice file {self.path}; it comes from your instructor, who writes "
                 "it by: python -m grader practice ch04 -o ch04.practice"
-            ) from None
-        except (zipfile.BadZipFile, KeyError, ValueError, OSError) as error:
-            raise PracticeFileError(f"{self.path} is not a practice file: {error}") from error
-        if head.get("format") != FORMAT:
+            )
+        head = self._json("practice.json")
+        if not isinstance(head, dict) or head.get("format") != FORMAT:
+            found = head.get("format") if isinstance(head, dict) else head
             raise PracticeFileError(
-                f"{self.path} has format {head.get('format')!r}; this version of newton_euler "
+                f"{self.path} has format {one_line(found)}; this version of newton_euler "
                 f"reads format {FORMAT}: install the version that your instructor used"
             )
+        sound = _fits(head, HEAD) and head["help"] in HELP and head["problems"]
+        if not sound or not set(head["problems"]) <= set(head["titles"]):
+            raise PracticeFileError(f"{self.path} is damaged: its list of problems cannot be read")
         self.help: str = head["help"]
         self.problems: list[str] = head["problems"]
         self.titles: dict[str, list[str]] = head["titles"]
 
     def read(self, name: str) -> bytes:
         """One member of the archive."""
-        with zipfile.ZipFile(self.path) as archive:
-            return archive.read(name)
+        try:
+            with zipfile.ZipFile(self.path) as archive, archive.open(name) as member:
+                content = member.read(MOST + 1)  # the size stated in an archive may be wrong
+        # zipfile and its decompressors have a dozen errors for what is damaged
+        except Exception as error:
+            raise PracticeFileError(
+                f"{self.path} is not a practice file: {one_line(str(error))}"
+            ) from error
+        if len(content) > MOST:
+            raise PracticeFileError(f"{self.path}: {name} has more than {MOST >> 20} MB")
+        return content
+
+    def _json(self, name):
+        try:
+            found = json.loads(self.read(name))
+        except (ValueError, RecursionError) as error:
+            if isinstance(error, PracticeFileError):
+                raise
+            raise PracticeFileError(f"{self.path} is not a practice file: {error}") from error
+        if not _is_printable(found):
+            raise PracticeFileError(f"{self.path}: {name} holds control characters")
+        return found
 
     def page(self, problem: str) -> dict[str, Any]:
         """What the file has of a problem, "4/16"."""
@@ -51,5 +82,102 @@ class PracticeFile:
             raise PracticeFileError(
                 f"{self.path.name} has no problem {problem!r}; it has {', '.join(self.problems)}"
             )
-        page: dict[str, Any] = json.loads(self.read(f"{problem.replace('/', '-')}.json"))
+        page: dict[str, Any] = self._json(f"{problem.replace('/', '-')}.json")
+        if not _fits(page, PAGE) or not _is_whole(page):
+            raise PracticeFileError(f"{self.path} is damaged: problem {problem} cannot be read")
         return page
+
+
+# -- what a file must hold; {str: x}: names with an x each; (x, y): a list of an x and a y
+
+NUMBER = int | float
+HEAD = {"help": str, "problems": [str], "titles": {str: (str, str)}}
+QUANTITY = {
+    **dict.fromkeys(("key", "kind", "unit", "means", "plain", "section"), str),
+    **dict.fromkeys(("equation", "latex", "sum"), str),
+    "atol": NUMBER, "of": [str], "step": bool,
+}  # fmt: skip
+VARIANT = {
+    "givens": {str: (NUMBER, str, str)}, "statement": str, "text": str, "solution": str,
+    "right": {str: str | int | list}, "wrong": [(int, object)], "terms": {str: [str]},
+    "program": dict | None,
+}  # fmt: skip
+PAGE = {
+    **dict.fromkeys(("id", "title", "section", "chapter", "preamble", "figure"), str),
+    "book": bool, "quantities": [QUANTITY], "labels": [(str, str, str, str)], "variants": [VARIANT],
+}  # fmt: skip
+PROGRAM = {"operations": [list], "quantities": {str: list}, "earlier": {str: [str]}}
+
+
+def _fits(x, shape):
+    if isinstance(shape, dict):
+        names = x if str in shape else shape
+        return isinstance(x, dict) and all(
+            name in x and _fits(x[name], shape.get(str) or shape[name]) for name in names
+        )
+    if isinstance(shape, list):
+        return isinstance(x, list) and all(_fits(part, shape[0]) for part in x)
+    if isinstance(shape, tuple):
+        return isinstance(x, list) and len(x) == len(shape) and all(map(_fits, x, shape))
+    return isinstance(x, shape) and (not isinstance(x, int | float) or _is_finite(x))
+
+
+def _is_finite(x):
+    return abs(x) < math.inf if isinstance(x, float) else x.bit_length() < 1000
+
+
+def _is_printable(x):
+    """True if no text in it has codes for a terminal, or turns the direction of reading."""
+    if isinstance(x, str):
+        return x.replace("\n", "").replace("\t", "").replace("\xa0", "").isprintable()
+    parts = [*x, *x.values()] if isinstance(x, dict) else x if isinstance(x, list) else ()
+    return all(map(_is_printable, parts))
+
+
+def _is_whole(page):
+    """True if the parts of a page fit together."""
+    try:
+        kinds = {q["key"]: kind_named(q["kind"]) for q in page["quantities"]}
+        units = [unit(q["unit"]) for q in page["quantities"]]
+    except NewtonEulerError:
+        return False
+    return (
+        len(kinds) == len(units) and page["variants"]
+        and all(set(q) == set(QUANTITY) for q in page["quantities"])
+        and not any(kind.is_formula for kind in kinds.values())
+        and all(group != "axes" or place.isdecimal() for _, group, place, _ in page["labels"])
+        and all(_is_variant(v, kinds, page["labels"]) for v in page["variants"])
+    )  # fmt: skip
+
+
+def _is_variant(v, kinds, labels):
+    def is_answer(key, x):
+        if kinds[key].is_word:
+            return isinstance(x, kinds[key].python_type)
+        return _fits(x, [NUMBER]) and len(x) == kinds[key].length
+
+    return (
+        isinstance(v.get("figure", ""), str)
+        and all(key in kinds and is_answer(key, x) for key, x in v["right"].items())
+        and all(0 <= n < len(labels) and labels[n][0] in kinds and is_answer(labels[n][0], x)
+                for n, x in v["wrong"])
+        and (v["program"] is None or _is_program(v["program"], kinds))
+    )  # fmt: skip
+
+
+def _is_program(program, kinds):
+    """True if each operation is known and takes only numbers and what was computed before."""
+    if not _fits(program, PROGRAM) or not set(program["quantities"]) <= set(kinds):
+        return False
+    operations = program["operations"]
+    return all(
+        step and isinstance(step[0], str) and step[0] in OPERATIONS
+        and all(_fits(a, NUMBER) or (_fits(a, (int,)) and 0 <= a[0] < n) for a in step[1:])
+        for n, step in enumerate(operations)
+    ) and all(
+        len(places) == kinds[key].length
+        and all(x is None or _fits(x, NUMBER)
+                or (_fits(x, (int, NUMBER)) and 0 <= x[0] < len(operations) and x[1])
+                for x in places)
+        for key, places in program["quantities"].items()
+    )  # fmt: skip

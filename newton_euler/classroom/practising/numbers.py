@@ -42,9 +42,7 @@ class Quantity:
 
 
 class KeptNumbers:
-    """The :class:`~newton_euler.answers.verdicts.Numbers` of one variant of a problem; ``book`` is
-    the variant with the book's numbers.
-    """
+    """The numbers of one variant of a problem; ``book`` is the variant with the book's."""
 
     def __init__(self, quantities, labels, variant, book=None):
         self.answers = [q for q in quantities if q.key in variant["right"]]

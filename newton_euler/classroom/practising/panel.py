@@ -22,95 +22,108 @@ def show_form(p: Any) -> Any:
     Needs ipywidgets. Tab goes from field to button, Space presses a button.
     """
     try:
-        from IPython.display import clear_output, display
-        from ipywidgets import HTML, Button, Combobox, HBox, Layout, Output, VBox
+        import ipywidgets
     except ImportError:
         raise ImportError(INSTALL) from None
+    return _Panel(p, ipywidgets).box
 
-    top, below = Output(), Output()
-    wide = Layout(width="100%", max_width="48em")
-    labelled = {"description_width": "9em"}
 
-    def show_message(what):
-        with below:
-            clear_output(wait=True)
-            display(what)
+class _Panel:
+    """The widgets of one problem."""
 
-    def button(text, action, tip):
-        made = Button(description=text, tooltip=tip, layout=Layout(width="auto", flex="0 0 auto"))
+    def __init__(self, p, widgets):
+        self.p, self.widgets = p, widgets
+        self.top, self.below = widgets.Output(), widgets.Output()
+        self.answers = {k: self._field(k, _as_typed(f), f.of) for k, f in self._forms(p.answers)}
+        self.chosen = self._field("step", "the name of a step; arrow down lists them", p.steps)
+        self.chosen.observe(self._expect, "value")
+        self.means = widgets.HTML(layout=widgets.Layout(margin="0 0 0 9.5em"))
+        self.step = self._field("its value", "a number or a list")
+        buttons = self._row(
+            ("Check", self._check_answers, "Check the answers"),
+            ("Next step", self._next_step, "Where to go on; again: more"),
+            ("Solution", self._solution, "The solution in these numbers"),
+            ("New numbers", self._new_numbers, "The same problem with other numbers"),
+        )
+        steps = [self.chosen, self.means, self.step,
+                 self._row(("Check step", self._check_step, "Check one step"))]  # fmt: skip
+        rows = [self.top, *self.answers.values(), buttons, *(steps if p.steps else ()), self.below]
+        self.box = widgets.VBox(rows)
+        self._show_problem()
+
+    def _forms(self, texts):
+        return [(key, Form.read(text)) for key, text in texts.items()]
+
+    def _field(self, name, shown, words=()):
+        return self.widgets.Combobox(
+            description=name, placeholder=shown, options=tuple(words), continuous_update=False,
+            layout=self.widgets.Layout(width="100%", max_width="48em"),
+            style={"description_width": "9em"},
+        )  # fmt: skip
+
+    def _row(self, *buttons):
+        made = [self._button(*button) for button in buttons]
+        return self.widgets.HBox(made, layout=self.widgets.Layout(flex_flow="row wrap"))
+
+    def _button(self, text, action, tip):
+        wide = self.widgets.Layout(width="auto", flex="0 0 auto")
+        made = self.widgets.Button(description=text, tooltip=tip, layout=wide)
         made.on_click(lambda _: action())
         return made
 
-    def field(name, shown="", words=()):
-        return Combobox(description=name, placeholder=shown, options=tuple(words), layout=wide,
-                        style=labelled, continuous_update=False)  # fmt: skip
-
-    def form_of(key):
-        text = {**p.answers, **p.steps}.get(key)
-        return Form.read(text) if text else None
-
-    answers = {key: field(key, _as_typed(form_of(key)), form_of(key).of) for key in p.answers}
-    chosen = field("step", "the name of a step; arrow down lists them", p.steps)
-    step, means = (
-        field("its value", "a number or a list"),
-        HTML(layout=Layout(margin="0 0 0 9.5em")),
-    )
-
-    def expect(_=None):
+    def _expect(self, _=None):
         # never in the field of the value: a change there loses what is being typed
-        name = chosen.value
-        how = f"{p.meanings[name]}: {_as_typed(form_of(name))}" if name in p.steps else ""
-        means.value = escape(how)
+        form = dict(self._forms(self.p.steps)).get(name := self.chosen.value)
+        self.means.value = escape(f"{self.p.meanings[name]}: {_as_typed(form)}") if form else ""
 
-    chosen.observe(expect, "value")
+    def _check_answers(self):
+        self._check(self.p.check, {key: field.value for key, field in self.answers.items()})
 
-    def read(key, value):
-        form = form_of(key)
-        x = typed(value, p.givens, form.of if form else ())
+    def _check_step(self):
+        self._check(self.p.check_step, {self.chosen.value: self.step.value})
+
+    def _check(self, check, texts):
+        try:
+            read = {key: self._read(key, text) for key, text in texts.items()}
+            given = {key: x for key, x in read.items() if x is not None}
+            message = check(**given) if given else self.widgets.HTML("Write a value first.")
+        except (AnswerError, ValueError) as error:
+            message = self.widgets.HTML(f"<div>{escape(str(error))}</div>")
+        self._show(message)
+
+    def _read(self, key, text):
+        form = dict(self._forms({**self.p.answers, **self.p.steps})).get(key)
+        x = typed(text, self.p.givens, form.of if form else ())
         return int(x) if form and form.kind.is_word and type(x) is float else x
 
-    def checked(check, texts):
-        try:
-            given = {k: read(k, t) for k, t in texts.items()}
-            given = {k: x for k, x in given.items() if x is not None}
-            show_message(check(**given) if given else HTML("Write a value first."))
-        except (AnswerError, ValueError) as error:
-            show_message(HTML(f"<div>{escape(str(error))}</div>"))
+    def _next_step(self):
+        self._show(self.p.next_step())
 
-    def check_answers():
-        checked(p.check, {k: w.value for k, w in answers.items()})
+    def _solution(self):
+        self._show(self.p.solution())
 
-    def check_step():
-        checked(p.check_step, {chosen.value: step.value})
+    def _new_numbers(self):
+        self.p.new()
+        for field in (*self.answers.values(), self.chosen, self.step):
+            field.value = ""
+        self.chosen.options = tuple(self.p.steps)
+        self._show_problem()
+        self._show(self.widgets.HTML(""))
 
-    def show():
-        with top:
-            clear_output(wait=True)
-            display(p)
+    def _show_problem(self):
+        _replace(self.top, self.p)
 
-    def new():
-        p.new()
-        for w in (*answers.values(), chosen, step):
-            w.value = ""
-        chosen.options = tuple(p.steps)
-        show()
-        show_message(HTML(""))
+    def _show(self, message):
+        _replace(self.below, message)
 
-    rows = [
-        top,
-        *answers.values(),
-        HBox([
-            button("Check", check_answers, "Check the answers"),
-            button("Next step", lambda: show_message(p.next_step()), "Where to go on; again: more"),
-            button("Solution", lambda: show_message(p.solution()), "The solution in these numbers"),
-            button("New numbers", new, "The same problem with other numbers"),
-        ], layout=Layout(flex_flow="row wrap")),
-        *([chosen, means, step, HBox([button("Check step", check_step, "Check one step")])]
-          if p.steps else []),
-        below,
-    ]  # fmt: skip
-    show()
-    return VBox(rows)
+
+def _replace(output, shown):
+    """Show something in an output in place of what it showed."""
+    from IPython.display import clear_output, display
+
+    with output:
+        clear_output(wait=True)
+        display(shown)
 
 
 def _as_typed(form):

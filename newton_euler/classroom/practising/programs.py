@@ -38,9 +38,7 @@ class Program:
         self.earlier = data["earlier"]
 
     def following(self, key, own):
-        """The numbers of the quantity ``key``, a tuple, where other quantities are a student's
-        ``own``, {key: numbers}; None if there are none.
-        """
+        """The numbers of ``key`` by a student's ``own``, {key: numbers}; None if none."""
         places = self._where.get(key)
         if not places or None in places:
             return None

@@ -73,9 +73,7 @@ class Progress:
             self.note = f"your progress is kept only while this kernel runs: {error}"
 
     def counts(self, problem: str) -> dict[str, int]:
-        """Of all quantities of a problem: how many were tried, are right, were right at first go
-        without help, and had help.
-        """
+        """How many quantities were tried, right, right at first go without help, and helped."""
         entries = [
             {"tries": 0, "right": 0, "help": 0, **e}
             for of_variant in self._kept.get(problem, {}).values()

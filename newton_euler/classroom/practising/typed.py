@@ -1,6 +1,4 @@
-"""Reads an answer that was typed as text: numbers, lists of them, and arithmetic with the names of
-the problem. Nothing is run as code.
-"""
+"""Reads a typed answer: numbers, lists, arithmetic with given names. Nothing is run as code."""
 
 import ast
 import math

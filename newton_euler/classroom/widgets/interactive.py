@@ -62,9 +62,7 @@ def _for_values(text, values):
 
 
 def _samples(sliders, many):
-    """Values of all sliders: a grid over their ranges, with its corners; or the corners alone,
-    which is enough for plots, since they have no common window.
-    """
+    """Values of all sliders: a grid over their ranges; for plots, without a window, corners."""
     counts = (17, 9, 4, 3, 2) if many else (2,)
     count = next(n for n in counts if n ** len(sliders) <= MOST_SAMPLES or n == 2)
     names = [slider.name for slider in sliders]
@@ -83,9 +81,7 @@ def _update(shown, picture, values):
 
 
 def _show_sliders(sliders, values, redraw):
-    """Show the sliders, where ipywidgets is installed; each calls ``redraw(values)`` while it is
-    dragged. The page sends a value only when that before has been drawn, so none queue up.
-    """
+    """Show the sliders, where ipywidgets is installed; each calls ``redraw(values)``."""
     try:
         from ipywidgets import VBox
     except ImportError:

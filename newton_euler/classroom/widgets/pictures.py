@@ -14,10 +14,8 @@ SHARP = 2  # pixels of the picture for one CSS pixel, so that it is sharp on hig
 
 @checked
 def show_figure(figure: Any, alt: str) -> None:
-    """Show a matplotlib ``figure`` once, with ``alt``, which says what can be seen in it for those
-    who do not see it, in 8 words or more. The figure is closed.
-
-    It is shown as an HTML image; where there is no HTML (print), as a PNG.
+    """Show a matplotlib ``figure`` once, as an HTML image or in print as a PNG, and close it;
+    ``alt`` says in 8 words or more what can be seen in it.
     """
     if not hasattr(figure, "savefig"):
         raise ArgumentError(f"show_figure shows a matplotlib figure; got {figure!r}")
@@ -39,9 +37,7 @@ def alt_text(alt: Any) -> str:
 
 
 def bundle(image, alt, size, png=None):
-    """(data, metadata) for IPython's display: the picture, a PNG or SVG, as HTML and in words, and
-    the PNG where there is one.
-    """
+    """(data, metadata) for display: the picture, PNG or SVG, as HTML, in words, and a PNG."""
     width, height = (round(side) for side in size)
     kind = "svg+xml" if image[:4] == b"<svg" or image[:5] == b"<?xml" else "png"
     tag = (

@@ -1,6 +1,4 @@
-"""The stage of a figure that moves: its axes, which stay, the window that all its pictures share,
-and each picture.
-"""
+"""The stage of a figure that moves: its axes, the window that its pictures share, each picture."""
 
 import io
 from typing import Any
@@ -11,9 +9,7 @@ from .pictures import CSS_PIXELS, SHARP
 
 
 class Stage:
-    """A figure of this size in inches with ``panels`` (rows, columns), on which ``draw(ax,
-    **values)`` draws.
-    """
+    """A figure in inches with ``panels`` (rows, columns), on which ``draw(ax, **values)`` draws."""
 
     def __init__(self, draw: Any, size: Any, panels: Any):
         from matplotlib.figure import Figure
@@ -86,9 +82,7 @@ class Stage:
         return [sketch for of_ax in found for sketch in of_ax]
 
     def _clear(self):
-        """Empty the axes; of those with sketches that are not rendered, only the titles, and before
-        the first picture only what is drawn on them, since to clear axes takes longer.
-        """
+        """Empty the axes: of unrendered sketches the titles, at first only plots; faster."""
         for ax in self.figure.axes:
             ax.set_axes_locator(None)
             if self._plain and len(ax.get_children()) == self._bare[self.figure.axes.index(ax)]:

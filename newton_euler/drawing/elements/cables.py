@@ -10,9 +10,7 @@ from ..page.projection import moved, norm3, on_circle
 
 @dataclass(frozen=True)
 class Pulley:
-    """The circle of a pulley on which a cable runs: ``radius`` in metres about ``centre``, in the
-    plane perpendicular to ``normal``; both triples.
-    """
+    """The circle on which a cable runs: centre and normal are triples, the radius is in m."""
 
     centre: tuple
     normal: tuple
@@ -76,9 +74,7 @@ def _route_with_turns(stops, ways, closed):
 
 
 def _span(a, turn_a, b, turn_b):
-    """The straight part between two stops, a pair of places, by fixed-point iteration. In one plane
-    a tangent point stays while the other end moves along the span, so it converges at once.
-    """
+    """The straight part between two stops, a pair of places, by iteration; at once in a plane."""
     P, Q = (stop.centre if isinstance(stop, Pulley) else stop for stop in (a, b))
     for _ in range(50):
         before = P, Q
@@ -90,9 +86,7 @@ def _span(a, turn_a, b, turn_b):
 
 
 def _tangent_point(pulley, P, turn):
-    """The point of the pulley at which a cable from P arrives and goes on in the sense ``turn``;
-    for a cable that leaves towards P, give the opposite sense.
-    """
+    """Where a cable from P arrives in the sense ``turn``; in the opposite sense it leaves to P."""
     C, n, r = pulley.centre, pulley.normal, pulley.radius
     v = sub3(P, C)
     v = moved(v, -dot3(v, n), n)

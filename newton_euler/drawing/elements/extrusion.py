@@ -9,9 +9,7 @@ SMOOTH = math.cos(math.radians(25))  # of the angle below which two faces of a w
 
 
 def extrude(canvas, outline, holes, along, normal, style="body"):
-    """Add the body between a plane outline and the same outline moved by ``along``, with its
-    holes; where ``along`` is zero, the one face with this normal.
-    """
+    """Add the body between an outline and its copy moved by ``along``; if zero, the one face."""
     if not norm3(along):
         canvas.face(outline, style, normal, holes=holes)
         return
@@ -28,9 +26,7 @@ def extrude(canvas, outline, holes, along, normal, style="body"):
 
 
 def _seen_walls(canvas, loop, along):
-    """The runs of the loop's edges, as lists of places, over which the wall faces the eye and has
-    no sharp edge.
-    """
+    """The runs of edges, as places, whose wall faces the eye and has no sharp edge."""
     edges = list(zip(loop, loop[1:] + loop[:1], strict=True))
     normals = [cross3(tuple(b - a for a, b in zip(*edge, strict=True)), along) for edge in edges]
     seen = [canvas.depth(n) > 1e-9 * norm3(n) for n in normals]

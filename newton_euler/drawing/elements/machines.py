@@ -4,15 +4,7 @@ import math
 from collections.abc import Sequence
 
 from ...algebra.vectors import FrameError, scale3, sub3
-from ..page.projection import (
-    between,
-    circle,
-    moved,
-    norm3,
-    on_circle,
-    perpendiculars,
-    silhouette,
-)
+from ..page.projection import between, circle, moved, norm3, on_circle, perpendiculars, silhouette
 from ..page.recorder import Direction, Place, Recorder
 from .cables import Pulley, route
 
@@ -23,9 +15,7 @@ class Machines(Recorder):
     def gear(
         self, C: Place, normal: Direction, radius: float, cone_apex: Place | None = None
     ) -> None:
-        """Draw a gear wheel about C with the pitch ``radius``; with ``cone_apex`` also the lines of
-        its pitch cone.
-        """
+        """Draw a gear wheel of this pitch radius about C; with ``cone_apex`` its pitch cone."""
         C, normal, r = self._place(C), self._unit(normal), self._length(radius)
         apex = None if cone_apex is None else self._place(cone_apex)
         e1, e2 = perpendiculars(normal)
@@ -42,8 +32,8 @@ class Machines(Recorder):
                 canvas.line((apex, end), "line centre")
 
     def pulley(self, C: Place, normal: Direction, radius: float) -> Pulley:
-        """Draw a pulley about C with its axle along ``normal``; ``radius``: of the bottom of its
-        groove, where a cable runs. Returns the pulley, which can be a stop of :meth:`cable`.
+        """Draw a pulley about C with its axle along ``normal``, and return it for :meth:`cable`;
+        ``radius``: of the bottom of its groove, where a cable runs.
         """
         wheel = Pulley(self._place(C), self._unit(normal), self._length(radius))
         C, normal, r = wheel.centre, wheel.normal, wheel.radius
@@ -70,9 +60,8 @@ class Machines(Recorder):
         return wheel
 
     def cable(self, *stops: Place | Pulley, turns: Sequence[int] | None = None) -> None:
-        """Draw a cable from stop to stop, places and pulleys. On a pulley, as :meth:`pulley`
-        returned it, it runs in the groove; one that ends on the pulley on which it began is a
-        closed belt.
+        """Draw a cable from stop to stop, places and pulleys that :meth:`pulley` returned; one that
+        ends on the pulley on which it began is a closed belt.
 
         turns : for each pulley 1 or -1: round it right-handed about its normal, or left-handed; by
             default the turns with the shortest cable

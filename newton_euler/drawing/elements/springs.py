@@ -72,8 +72,6 @@ class Springs(Recorder):
 
 
 def _beside(canvas, A, B, corners):
-    """The places at the fraction t of the way from A to B and w points to the left, for each corner
-    (t, w).
-    """
+    """For each corner (t, w) the place at t of the way from A to B, w points to the left."""
     left = canvas.left_of(A, B)
     return [moved(between(A, B, t), w * canvas.pt, left) for t, w in corners]

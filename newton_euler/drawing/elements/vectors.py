@@ -110,9 +110,7 @@ class Vectors(Recorder):
         return size
 
     def _tip(self, canvas, P, v, kind, size):
-        """Where an arrow from P along ``v`` ends that stands for this size; P itself where ``v`` is
-        zero, but for round-off.
-        """
+        """The tip of an arrow from P that stands for this size; P if ``v`` is but round-off."""
         longest, own = self._longest[kind], norm3(v)
         if own <= 1e-9 * longest:
             return P

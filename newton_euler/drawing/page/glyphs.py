@@ -8,9 +8,7 @@ _COMMANDS = {1: ("M", 1), 2: ("L", 1), 3: ("Q", 2), 4: ("C", 3)}
 
 
 class Outline(NamedTuple):
-    """The outlines of a text: the d of a <path>, y upwards from the base line, and the box of its
-    line in points: width, height above and below the base line.
-    """
+    """The ``d`` of a <path>, y upwards from the base line, and the box of the line in points."""
 
     d: str
     width: float

@@ -1,6 +1,4 @@
-"""Label placement: each label goes beside its place, where it covers the fewest lines and no other
-label.
-"""
+"""Label placement: each label goes where it covers the fewest lines and no other label."""
 
 import os
 from itertools import pairwise
@@ -9,9 +7,7 @@ from .primitives import FONT, STYLES
 
 
 def place_labels(ax, canvas, renderer, before):
-    """The labels as texts on ``ax``. ``before``: their places in the previous picture of an
-    animation, which is updated.
-    """
+    """The labels as texts on ``ax``; ``before``, their last places in an animation, is updated."""
     _share_parser(renderer)
     left_bottom, right_top = (
         ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
@@ -39,10 +35,9 @@ def label_shifts(canvas, half_of, edges, before):
     edges : of the figure, left bottom and right top, in points from where the drawing has its
         origin
 
-    Greedy: one label after the other takes the cheapest of 16 directions and 4 distances, and stays
-    there; trying all combinations would take too long. The cost counts what the label would cover,
-    the angle from its preferred direction and the distance; a place other than that of the previous
-    picture costs more, so that labels do not jump.
+    Greedy: one label after the other takes the cheapest of 16 directions and 4 distances. The cost
+    counts what it would cover, the angle from its preferred direction and the distance; a place
+    other than that of the previous picture costs more, so that labels do not jump.
     """
     import numpy as np
 
@@ -77,18 +72,14 @@ def placing_order(notes):
 
 
 def _overlaps(lows, highs, low, high):
-    """How many of the boxes (lows, highs) overlap each box (low, high); each is given by two
-    corners, and a point is a box without size.
-    """
+    """How many boxes (lows, highs), or points, overlap each box (low, high), two corners each."""
     near = ((highs > low.min(axis=0)) & (lows < high.max(axis=0))).all(axis=1)  # most are not
     meets = (lows[near] < high[:, None]) & (highs[near] > low[:, None])
     return meets.all(axis=2).sum(axis=1)
 
 
 def points_on_lines(np, canvas, step=3):
-    """Positions, in points and ``step`` apart, along all lines and along the edges of thick ones:
-    what a label should not cover. What a later stroke hides does not count.
-    """
+    """Positions, in points, ``step`` apart along all visible lines and the edges of thick ones."""
     ends, widths, owners = [], [], []
     for number, stroke in enumerate(canvas.strokes):
         for outline in stroke.outlines() if stroke.styles else ():
@@ -115,10 +106,7 @@ def points_on_lines(np, canvas, step=3):
 
 
 def _seen(np, canvas, points, owners):
-    """For each point, True unless a stroke that is drawn after its owner, with a filling, hides it.
-
-    owners : for each point the number of its stroke
-    """
+    """For each point, True unless a filled stroke after its own (``owners``) hides it."""
     from matplotlib.path import Path
 
     seen = np.full(len(points), True)
@@ -148,9 +136,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def _share_parser(renderer):
-    """Let renderers with the same settings for formulas share one parser: parsing takes
-    milliseconds, and matplotlib keeps the result for one renderer only, that is for one figure.
-    """
+    """Let renderers of equal settings share a parser: parsing a formula takes milliseconds."""
     if hasattr(renderer, "mathtext_parser"):
         from matplotlib import rcParams
 

@@ -1,7 +1,5 @@
-"""What makes a figure hard to read: labels that overlap, are crossed by lines,
-stand far off or leave the picture, axes that look alike.
-
-It is found from what was recorded and from the boxes of the labels, without looking at pixels.
+"""What makes a figure hard to read: labels that overlap, are crossed by lines, stand far off or
+leave the picture, axes that look alike; from what was recorded and the boxes of the labels.
 """
 
 import math

@@ -10,14 +10,11 @@ from .projection import between, mean, norm3
 
 
 def painters_order(canvas):
-    """The strokes in the order of drawing (painter's algorithm: a later stroke hides an earlier
-    one).
-
-    Bodies go from far to near, by the depths of their middles. That alone is wrong beside large
-    faces; therefore what lies behind the plane of a face is drawn before the face, what lies on the
-    eye's side after it, and a line through a face is cut in two (Newell, Newell and Sancha 1972).
-    Of two faces in one plane the one that was recorded later is drawn later.
-    Marks and arrows are drawn over all bodies.
+    """The strokes in the order of drawing: a later one hides an earlier one. Bodies go from far to
+    near, by the depths of their middles. That alone is wrong beside large faces: what lies behind
+    the plane of a face is drawn before it, what lies on the eye's side after it, and a line through
+    a face is cut in two (Newell, Newell and Sancha 1972). Of two faces in one plane the one
+    recorded later is drawn later. Marks and arrows lie over all bodies.
     """
     bodies = [s for s in canvas.strokes if s.layer == BODY]
     faces = [s for s in bodies if _can_hide(canvas, s)]
@@ -63,10 +60,8 @@ def _inside(view, p, corners):
 
 
 def _by_planes(view, strokes, numbers, eps):
-    """The strokes, sorted by depth, reordered to obey the planes of the faces too, as far as these
-    do not contradict each other. What is within ``eps`` (metres) of a plane lies on it.
-
-    numbers : for each stroke its number in the order of recording
+    """The strokes, sorted by depth, reordered to obey the planes of the faces too where these do
+    not contradict each other, to within ``eps`` (m); ``numbers``: in the order of recording.
     """
     import numpy as np
 
@@ -93,9 +88,7 @@ def _by_planes(view, strokes, numbers, eps):
 
 
 def _topological(items, before):
-    """The items in topological order: each after those in ``before``, otherwise in the given order;
-    a cycle starts with its first.
-    """
+    """The items, each after those in ``before``, else as given; a cycle starts with its first."""
     waiting, out = list(range(len(items))), []
     while waiting:
         n = next((n for n in waiting if not before[n].intersection(waiting)), waiting[0])

@@ -44,9 +44,7 @@ BODY, MARK, ARROW = range(3)
 
 
 def _style(edge, width, face="none", dashes="solid", ends="round"):
-    """The keyword arguments of a matplotlib patch; ``width`` in points. (Long names: matplotlib is
-    slower with the short ones.)
-    """
+    """The keyword arguments of a matplotlib patch, in long names: it is slower with short ones."""
     return {
         "edgecolor": edge,
         "facecolor": face,
@@ -89,9 +87,7 @@ STYLES = {
 
 
 class Note(NamedTuple):
-    """A label of a place on the page, ``gap`` points from it, preferably in the direction
-    ``towards`` (an angle from the right, counter-clockwise, in radians).
-    """
+    """A label of a place, ``gap`` points from it, best at the angle ``towards`` from the right."""
 
     place: tuple
     text: str
@@ -120,9 +116,7 @@ class Stroke:
         return [self.points, *self.holes]
 
     def drawn(self, ax, view, clip):
-        """The stroke as patches on ``ax``, one for each style. They are not clipped: with the path
-        ``clip`` given, matplotlib need not make one for each.
-        """
+        """The stroke as patches on ``ax``, one for each style; one ``clip`` for all saves time."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
@@ -142,9 +136,7 @@ class Stroke:
 
 
 def _holes_in(view, stroke):
-    """The holes of a face as paths that run the other way round: matplotlib fills what a path winds
-    round, and a hole must wind back.
-    """
+    """The holes of a face as paths that run the other way round, which leaves them unfilled."""
     from matplotlib.path import Path
 
     sense = view.depth(normal_of(stroke.points))
@@ -156,9 +148,7 @@ def _holes_in(view, stroke):
 
 
 class Canvas(View):
-    """A view with the strokes and the labels of one picture; ``pt`` is the length of a point of the
-    page in metres.
-    """
+    """A view with strokes and labels of one picture; ``pt``: the length of a point in metres."""
 
     def __init__(self, view, pt, extent, centre):
         super().__init__(view.right, view.up)
@@ -167,9 +157,7 @@ class Canvas(View):
         self.spots = [self.project(p) for p in extent] or [(0.0, 0.0)]
 
     def line(self, points, styles, layer=BODY, closed=False, depth=None, normal=None, holes=()):
-        """Add a stroke. ``depth``: by which it is ordered, by default that of its middle;
-        ``normal``: of a flat face; ``holes``: their outlines.
-        """
+        """Add a stroke of this ``depth``, by default that of its middle, or of a flat face."""
         styles = (styles,) if isinstance(styles, str) else styles
         depth = self.depth(mean(points)) if depth is None else depth
         self.spots += map(self.project, points)
@@ -192,15 +180,11 @@ class Canvas(View):
         self.line(convex_hull(self, points), style, layer, True, depth)
 
     def end(self, rim, outwards, style, layer=BODY, holes=()):
-        """Add the flat end of a body. One that faces away is invisible, but still separates what is
-        inside from what is outside.
-        """
+        """Add the flat end of a body; one that faces away still separates inside and outside."""
         self.face(rim, style if self.depth(outwards) > 0 else (), outwards, layer, holes)
 
     def shell(self, points, rim, outwards):
-        """Add a convex vessel that is open at its rim, on the side ``outwards``: what is in it is
-        seen through the rim, and hidden by the near wall.
-        """
+        """Add a convex vessel open at its rim, through which one looks in from ``outwards``."""
         depths = [self.depth(p) for p in points]
         if self.depth(outwards) <= 0:
             self.solid(points, "side")
@@ -251,9 +235,7 @@ class Canvas(View):
             self.hatch(moved(P, half * k / 5, along), along)
 
     def hatch(self, P, along):
-        """Add a short hatching line at P of ground that runs along a unit vector in the page, on
-        its right.
-        """
+        """Add a short hatching line at P, on the right of a unit vector in the page."""
         n = cross3(self.eye, along)
         self.line((P, moved(P, -5 * self.pt, moved(n, 0.8, along))), "thin")
 
@@ -273,9 +255,7 @@ class Canvas(View):
             self.line((first, corner(min(1, s + 1), min(1, 1 - s))), "seam", depth=back)
 
     def note(self, place, text, away_from=None, gap=3, colour=BLACK, weight="normal", fixed=None):
-        """Add the label of a place, preferably on the side away from another place; one letter is
-        italic, as a symbol in print, unless bold.
-        """
+        """Add the label of a place, best away from another; one letter is italic unless bold."""
         if text:
             if len(text) == 1 and text.isalpha() and weight != "bold":
                 text = f"${text}$"

@@ -7,9 +7,7 @@ from ...algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
 
 
 class View:
-    """An orthographic projection: the unit vectors to the right, up, and towards the eye, as
-    components along the axes of the ground.
-    """
+    """An orthographic projection: unit vectors right, up and to the eye, along ground axes."""
 
     def __init__(self, right, up):
         self.right, self.up, self.eye = right, up, cross3(right, up)
@@ -31,9 +29,7 @@ class View:
         return math.hypot(*self.project(v)) > 0.1 * norm3(v)
 
     def slant(self, v):
-        """A measure of how well a direction suits hatching: large if steep, and larger if it leans
-        to the right.
-        """
+        """How well a direction suits hatching: best if steep and leaning to the right."""
         x, y = self.project(v)
         angle = math.atan2(y, x)
         return abs(math.sin(angle)) + 0.2 * math.sin(2 * angle)
@@ -45,18 +41,14 @@ class View:
         return self.offset((0, 0, 0), -y / size, x / size) if size else self.up
 
     def tilted(self, axis):
-        """The axis; or, if a circle about it is seen nearly edge-on, a direction near it about
-        which a circle is seen as an ellipse.
-        """
+        """The axis; or a direction near it, if a circle about it is seen nearly edge-on."""
         d = self.depth(axis)
         if abs(d) >= 0.3:  # the circle's axes are as 3 to 10
             return axis
         return unit3(moved(axis, math.copysign(0.3, d if abs(d) > 1e-9 else 1), self.eye))
 
     def perpendiculars(self, axis):
-        """Two unit vectors that form a right-handed triple with ``axis``, the first towards the
-        eye.
-        """
+        """Two unit vectors, right-handed with ``axis``, the first towards the eye."""
         e1 = perpendicular_towards(axis, self.eye)
         return e1, cross3(axis, e1)
 
@@ -160,9 +152,8 @@ def normal_of(corners):
 def convex_hull(view, points):
     """The points on the convex hull as seen on the page, counter-clockwise.
 
-    By Andrew's monotone chain (1979): of the points sorted from left to right, those at turns to
-    the right are removed, which leaves the lower half; backwards, the upper half. On a fine grid of
-    whole numbers, so that points above each other are that exactly, in the order and at the turns.
+    By Andrew's monotone chain (1979), on a fine grid of whole numbers, so that points above each
+    other are that exactly, in the order and at the turns.
     """
     if not points:
         return []
@@ -188,9 +179,7 @@ def _turns_left(a, b, c):
 
 
 def silhouette(view, apex, rim):
-    """The two places of the rim at which lines from the apex look tangent; none if the apex is
-    seen inside the rim.
-    """
+    """The places of the rim where lines from the apex look tangent; none if it is seen inside."""
     outline = convex_hull(view, [apex, *rim])
     if apex not in outline:
         return ()

@@ -25,8 +25,8 @@ Place: TypeAlias = Point | Direction
 
 @dataclass(frozen=True)
 class Window:
-    """What several pictures share: the length of a point in metres, the middle of the page (on the
-    page), the middle of the scene (in space), and the places of labels, which each picture updates.
+    """What pictures share: the length of a point in metres, the middle of the page and of the scene
+    (in space), and the places of labels, which each picture updates.
     """
 
     pt: float
@@ -155,9 +155,7 @@ class Recorder:
 
     @staticmethod
     def _circle_through(A, C, axis):
-        """Of the circle through A about an axis through C: its centre, the unit vectors to A and
-        a quarter turn on, and its radius; triples.
-        """
+        """Centre, unit vectors to A and a quarter turn on, and radius of the circle through A."""
         centre = moved(C, dot3(sub3(A, C), axis), axis)
         out = sub3(A, centre)
         radius = norm3(out)
@@ -185,9 +183,7 @@ class Recorder:
         return before(ax, renderer) if before else ax.get_position(original=True)
 
     def finish(self, renderer: Any = None) -> None:
-        """Render what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the
-        figure is drawn; a second call does nothing.
-        """
+        """Render what was recorded; it runs by itself when the figure is drawn, and once only."""
         from matplotlib.path import Path
         from matplotlib.transforms import TransformedPath
 
@@ -240,9 +236,7 @@ def sketches_on(ax: Any) -> list[Recorder]:
 
 
 def share_window(sketches: Sequence[Recorder]) -> Window:
-    """Give one window to the sketches of many pictures of one size: one scale for all, and for all
-    arrows of one kind. Returns it.
-    """
+    """Give sketches of one size one window, returned, and one scale for arrows of a kind."""
     longest: dict = {}
     for sketch in sketches:
         for kind, size in sketch._longest.items():
@@ -257,8 +251,8 @@ def share_window(sketches: Sequence[Recorder]) -> Window:
 
 
 def join_window(old: Recorder, window: Window, sketches: Sequence[Recorder]) -> Window:
-    """Give these sketches of one picture the window and the scale of arrows of ``old``, a sketch
-    that has shared them. Returns the window, or a wider one where they would leave it.
+    """Give these sketches the window and the scale of arrows of ``old``, which has shared them.
+    Returns the window, or a wider one where they would leave it.
     """
     for sketch in sketches:
         for kind, size in sketch._longest.items():
@@ -278,9 +272,7 @@ def join_window(old: Recorder, window: Window, sketches: Sequence[Recorder]) -> 
 
 
 def _fitted(sketches, width, height):
-    """The window that holds all sketches, by fixed-point iteration: symbols have sizes in points,
-    so the length of a point depends on them.
-    """
+    """The window for all sketches, by iteration: symbols in points change with its scale."""
     places = [P for sketch in sketches for P in sketch._extent]
     centre = mean(places) if places else (0.0, 0.0, 0.0)
     box = _union(Canvas(sketch.view, 0, sketch._extent, centre).box() for sketch in sketches)

@@ -12,9 +12,7 @@ from .recorder import Recorder, Window, laid_out
 
 
 def svg(figure: Any, sketches: Sequence[Recorder], window: Window) -> str:
-    """The SVG of a figure whose axes show nothing but ``sketches``, which share a window, and
-    titles; matplotlib does not draw it.
-    """
+    """The SVG of a figure whose axes show only ``sketches``, which share a window, and titles."""
     width, height = (72 * side for side in figure.get_size_inches())
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:g} {height:g}" '

@@ -15,7 +15,7 @@ from ...algebra.errors import NewtonEulerError
 SMALLEST_SCALE = 1e-6
 # a run has stalled if this many steps are on average this much shorter than its longest step
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
-MAX_STEPS = 5e6  # steps of one motion: those of DOP853 take some minutes and a gigabyte
+MAX_STEPS = 5e6  # steps of one motion that are kept: those of DOP853 take minutes and a gigabyte
 
 
 def sample_times(samples, begin, end):
@@ -47,16 +47,19 @@ class Stepper:
     stops : times between the start and the goal that no step may pass over
     steps : for each step a tuple whose last elements are the state before it; empty for a method
         that does not keep its steps
+    most_steps : the most steps of one motion
 
     A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
     at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of
     times inside step n as an array (states, times).
     """
 
+    most_steps = MAX_STEPS
+
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
         self.tolerance, self.start = trajectory.tolerance, (t, self.x)
-        self.max_steps = trajectory.max_steps
+        self.max_steps = min(trajectory.max_steps, self.most_steps)
         self.step_times, self.steps, self.calls, self.checked, self.longest = [t], [], 0, 0, 0.0
         self.floors, self.noise, self.stops = trajectory.limits(system, t, self.x)
         self.scales = tuple(map(max, map(abs, x), self.floors))

@@ -8,13 +8,21 @@ MNRAS 504 (2021) 2614.
 
 import importlib
 import importlib.util
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from copy import copy
 from functools import cache, cached_property
 from itertools import pairwise
 from math import exp, frexp, inf, isfinite, ldexp
 
-from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
+from .base import (
+    MAX_STALLED_STEPS,
+    MAX_STEPS,
+    STALLED_RATIO,
+    LengthError,
+    StepError,
+    Stepper,
+    sample_times,
+)
 
 # Heyoka's order is the least one above 1 - log(tolerance)/2; its steps hardly depend on the
 # tolerance. These are the tolerances at which the order changes, from 3 to 19, down to a float's
@@ -22,6 +30,7 @@ from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_t
 LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
 MAX_KINDS = 12  # kinds of integrators of one right-hand side that are kept
 MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
+FEW_STEPS = 20_000  # steps whose series are kept where a single state between them is needed
 # instants at which the rates of a series are compared with those of the model: in each step at
 # least, and in the whole motion at least
 IN_STEP, IN_ALL = 8, 1024
@@ -93,12 +102,14 @@ class Taylor(Stepper):
     state between them is needed.
     """
 
+    most_steps = 5e7  # seconds, as they are not kept
+
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         low, high = ORDINARY
         scales = [_power_of_two(s) for s in trajectory.units or ()]
         self.units = scales if any(not low <= s <= high for s in scales) else ()
-        self.series, self.kept, self.samples = [], None, trajectory.samples
+        self.series, self.kept, self.samples, self.taken = [], None, trajectory.samples, 0
 
     def _integrator(self):
         return integrator(self.system, self.tolerance, bool(self.units))
@@ -139,8 +150,12 @@ class Taylor(Stepper):
                     pars[:] = p[: len(pars)]
                 ta.time = 0.0
                 ta.state[:] = start
-                # limited, since steps become ever shorter near a singular place
-                ta.propagate_until(t, max_steps=MAX_PREPARED_STEPS)
+                # in parts, since steps become ever shorter near a singular place
+                taken, part = 0, MAX_PREPARED_STEPS
+                while ta.propagate_until(t, max_steps=part)[3] == part:
+                    taken += part
+                    if taken * t > Taylor.most_steps * ta.time:
+                        break
                 x = tuple(ta.state.tolist())
                 reached = ta.time == t and isfinite(sum(x))
             finally:
@@ -161,24 +176,31 @@ class Taylor(Stepper):
             self._put(ta, self.t, self.x)
             while self.t < self.goal:
                 stop = self.next_stop()
-                _, _, longest, steps, *_ = ta.propagate_until(stop, max_steps=MAX_STALLED_STEPS)
-                before, self.t, self.x = self.t, ta.time, self._state(ta)
-                self.calls += steps * ta.order
-                self.longest = max(self.longest, longest)
-                stalled = self.t - before < STALLED_RATIO * steps * self.longest
-                if (self.t < stop and stalled) or not isfinite(sum(self.x)):
+                before, done = self.t, ta.propagate_until(stop, max_steps=MAX_STALLED_STEPS)
+                self.t, self.x = ta.time, self._state(ta)
+                stalled = self._stalled(ta, before, done) and self.t < stop
+                if stalled or not isfinite(sum(self.x)):
                     break
                 self.update_scales()
-                self.check_length(self.calls / ta.order)
+                self.check_length(self.taken)
             else:
                 self.step_times.append(self.t)
                 return
         self._begin_again()
         self._by_steps(inf)  # to see where it fails
 
+    def _stalled(self, ta, before, done):
+        """True if the steps after the time ``before``, of which heyoka tells what it has ``done``,
+        hardly get on.
+        """
+        _, _, longest, steps, *_ = done
+        self.calls, self.taken = self.calls + steps * ta.order, self.taken + steps
+        self.longest = max(self.longest, longest)
+        return ta.time - before < STALLED_RATIO * steps * self.longest
+
     def _begin_again(self):
         (self.t, self.x), self.series = self.start, []
-        self.step_times = [self.t]
+        self.step_times, self.taken = [self.t], 0
 
     def _by_samples(self):
         """Go to the goal by heyoka's grid and keep the samples; False if they do not increase or
@@ -203,18 +225,26 @@ class Taylor(Stepper):
         """The states at increasing times, an array (states, times); None if heyoka stops early."""
         import numpy as np
 
-        begin = self.start[0]
-        grid = times if times[0] == begin else np.concatenate(([begin], times))
-        with self._integrator() as ta:
+        rows, walk = [], copy(self)  # several threads may need it at once
+        walk.taken = 0
+        with self._integrator() as ta, suppress(LengthError):
             self._put(ta, *self.start)
-            _, _, _, steps, *_, found = ta.propagate_grid(grid, max_steps=MAX_PREPARED_STEPS)
-            self.calls += steps * ta.order
-        if len(found) != len(grid):
-            return None
-        return self._unscaled(found[-len(times) :].T)
+            if times[0] == ta.time:
+                rows.append(ta.state.copy())
+            while len(rows) < len(times):
+                before, left = ta.time, times[len(rows) :]
+                done = ta.propagate_grid([before, *left], max_steps=MAX_STALLED_STEPS)
+                rows += [*done[-1][1:]]
+                walk.t = ta.time
+                if walk._stalled(ta, before, done) or not isfinite(walk.t):
+                    break
+                walk.check_length(walk.taken)
+        self.calls += walk.taken * ta.order
+        return self._unscaled(np.array(rows).T) if len(rows) == len(times) else None
 
     def _by_steps(self, limit):
         """Take at most ``limit`` steps and keep their series."""
+        self.max_steps = min(self.max_steps, MAX_STEPS)
         with self._integrator() as ta:
             self._put(ta, self.t, self.x)
             while limit > 0 and self.t < self.goal:
@@ -247,7 +277,8 @@ class Taylor(Stepper):
             return self.kept[1].copy()
         if self.series or len(self.step_times) < 2:
             return super().states(times)
-        increasing = not self.stops and len(times) > 1 and np.all(np.diff(times) > 0)
+        enough = len(times) > 1 or self.taken > FEW_STEPS
+        increasing = enough and not self.stops and np.all(np.diff(times) > 0)
         found = self._grid(times) if increasing else None
         return self.dense.states(times) if found is None else found
 

@@ -1,10 +1,8 @@
 """Jacobi's elliptic functions of the complementary parameter m1 = 1 - k^2, and three quantities
 whose rates are products of the two others.
 
-Next to a separatrix k^2 is so near 1 that a float does not hold it (SciPy's functions take k^2, and
-there give nonsense); m1 it holds to the last digit. Over floats, arrays and mpf, and traced.
-Accuracy: a few round-offs of the argument, for every m1 from 1 (circular functions) to 0
-(hyperbolic ones).
+Next to a separatrix a float does not hold k^2, which SciPy takes, but m1 to the last digit. Over
+floats, arrays and mpf, and traced; to a few round-offs of the argument for every m1 in [0, 1].
 """
 
 from ...algebra.scalars import (
@@ -53,9 +51,7 @@ def jacobi(u, m1):
 
 
 def _landen(u, k1, count):
-    """The functions by so many levels of arithmetic and geometric means, or by as many as the value
-    needs.
-    """
+    """The functions by ``count`` levels of means, or by as many as the value needs."""
     a, b, levels = 1, k1, []
     while True:
         levels.append((a, b))

@@ -1,11 +1,10 @@
-"""Motion under an acceleration that is constant, or proportional to the distance from a point,
-towards it or away; and Stumpff's series.
-"""
+"""Motion under a constant acceleration, or one proportional to a distance; Stumpff's series."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
+from ...motion.model import Model
 
 
 def uniform_acceleration(x, v, a, t):
@@ -13,11 +12,10 @@ def uniform_acceleration(x, v, a, t):
     return x + (v + a * t / 2) * t, v + a * t
 
 
-def constant_rate(of, *states):
-    """The ``states``, ``rhs`` and ``exact`` of a :class:`~newton_euler.motion.model.Model` whose
-    last state has the constant rate ``of(p)``, the first, if there are two, the last as its rate.
-    """
-    return {"states": states, "rhs": _Rates(of, states), "exact": _Exact(of, states)}
+def constant_rate(name, parameters, of, *states, **about):
+    """The Model of x, if among the ``states``, and its rate, which has the constant rate of(p)."""
+    rates, exact = _Rates(of, states), _Exact(of, states)
+    return Model(name, parameters, states, rates, exact=exact, **about)
 
 
 # classes, not functions inside a function, which could not be pickled
@@ -38,9 +36,7 @@ class _Exact(_Rates):
 
 
 def integrated_square(v, a, t):
-    """The double integral of (v + a t)^2: what a drag of this size, 1/m times the square of the
-    speed, at most takes off the way until t.
-    """
+    """The double integral of (v + a t)^2: at most, what a drag of v^2 per m takes off the way."""
     return t * t * (v * v / 2 + v * a * t / 3 + a * a * (t * t) / 12)
 
 
@@ -58,9 +54,7 @@ def oscillation(x, v, square, t, damping=ZERO):
 
 
 def plane_oscillation(s, square, t, damping=ZERO):
-    """The states x, y, dx, dy at the time t if both coordinates oscillate in this way, from the
-    states ``s`` at t = 0.
-    """
+    """x, y, dx, dy at t if both coordinates oscillate so, from the states ``s`` at t = 0."""
     (x, dx), (y, dy) = (
         oscillation(*start, square, t, damping) for start in ((s.x, s.dx), (s.y, s.dy))
     )

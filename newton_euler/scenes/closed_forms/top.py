@@ -1,9 +1,8 @@
 """The exact solution of the nutation of a symmetric top (10.24), by elliptic functions.
 
-With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1 and v2, between
-which v moves, and -zeta/mgr. The square roots of v - v1, v2 - v and zeta + mgr v change at rates
-that are products of the two others. A top that is pulled up is one that is pulled down, seen from
-below.
+With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1, v2 and
+-zeta/mgr. The roots of v - v1, v2 - v and zeta + mgr v change at rates that are products of the two
+others. A top that is pulled up is one that is pulled down, seen from below.
 """
 
 from ...algebra.scalars import cos, integer_like, sin, sqrt, where
@@ -12,9 +11,7 @@ from .elliptic import counted, coupled
 
 
 def nutation_exact(s, p, t):
-    """theta and its rate at the time t after the state ``s`` of
-    :func:`newton_euler.scenes.spatial.top.nutation`, whose parameters are ``p``.
-    """
+    """theta and theta_rate of :func:`newton_euler.scenes.spatial.top.nutation` at t after ``s``."""
     # here: only the exact solution needs this room, which takes 30 ms to load
     from ...applications.nutation import exchanged
 
@@ -29,9 +26,7 @@ def nutation_exact(s, p, t):
 
 
 def _nutation(S, C, rate, I0, mgr, q, whole, t):
-    """sin(theta/2), cos(theta/2), theta' and the mean phase of turning (0 unless it turns over) at
-    t, from those of the start; mgr >= 0.
-    """
+    """sin and cos of theta/2, theta' and the mean phase (0 unless it turns over); mgr >= 0."""
     from ...applications.nutation import turning_points
 
     v = 2 * (S * S)
@@ -55,9 +50,7 @@ def _signed(x, like):
 
 
 def _off(least, x, like):
-    """The sine of half the angle from a vertical, whose double square is ``least + x^2``, and the
-    ratio of x to its root: 1 through the vertical.
-    """
+    """sqrt((least + x^2)/2), and x over sqrt(least + x^2), which is 1 through the vertical."""
     root = sqrt(least + x * x)
     off = least > 0
     return where(off, _signed(root, like), x) / sqrt(integer_like(2, root)), where(

@@ -6,9 +6,6 @@ tilted by the *bank* angle to the right. The *path angle* gamma is upward from t
 *heading* chi from the y axis toward the x axis (north toward east, if y is north); both in rad.
 Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the parameters and the
 time.
-
-:func:`ladder` has four models of a flight at fixed controls: straight, in a level turn, in a
-vertical plane, and in space.
 """
 
 from collections.abc import Callable
@@ -83,12 +80,11 @@ def ladder(
     drag: Scalar = 0.27, bank: Scalar = 0.05,
     start: tuple[Scalar, ...] = (60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t: Scalar = 20.0,
 ) -> Ladder:  # fmt: skip
-    """The models of a flight at fixed controls, the coarsest first: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the position, in m, until ``t``.
+    """The models of a flight at fixed controls, for the position (m) until ``t``: straight, in a
+    level turn, in a vertical plane, in space.
 
     lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All
-        are numbers.
-    Without bank there is no turn, and the ladder has three rungs.
+        are numbers. Without bank there is no level turn.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (200.0, 50.0, 1.0)]
@@ -99,18 +95,10 @@ def ladder(
     v, chi, gamma, x, y, h = start
     ground = {"chi0": chi, "x0": x, "y0": y}
     begun = {**ground, "v0": v, "h0": h}
-    straight = Model(
-        "aircraft, straight",
-        {**begun, "gamma0": gamma},
-        **constant_rate(_straight, "s"),
-        neglects=(UNBALANCED, BANK),
-    )
-    turn = Model(
-        "aircraft in a level turn",
-        {**begun, "g": g, "bank": bank},
-        **constant_rate(_turning, "chi"),
-        neglects=(UNBALANCED,),
-    )
+    name, given, left = "aircraft, straight", {**begun, "gamma0": gamma}, (UNBALANCED, BANK)
+    straight = constant_rate(name, given, _straight, "s", neglects=left)
+    name, given, left = "aircraft in a level turn", {**begun, "g": g, "bank": bank}, (UNBALANCED,)
+    turn = constant_rate(name, given, _turning, "chi", neglects=left)
     forces = {"m": m, "g": g, "thrust": thrust, "k_lift": lift, "k_drag": drag}
     forces |= {"lift": _lift, "drag": _drag}
     name = "aircraft in a vertical plane"
@@ -171,9 +159,7 @@ def _in_space(s, p, t):
 
 
 def _along_path(s, p, lift):
-    """(v', gamma') by the forces along the path and the component of the lift in the vertical
-    plane.
-    """
+    """(v', gamma') by the forces along the path and the upright component of the lift."""
     return (p.thrust - p.drag) / p.m - p.g * sin(s.gamma), (lift / p.m - p.g * cos(s.gamma)) / s.v
 
 

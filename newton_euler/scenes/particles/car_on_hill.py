@@ -1,9 +1,4 @@
-"""A car on a hill, driven by a force at its wheels (11.19).
-
-:func:`ladder` has three models of its motion under a constant force: a particle, a car on wheels,
-and a car on wheels against the air. The particle costs as much to compute as the car on wheels, but
-needs fewer data.
-"""
+"""A car on a hill, driven by a force at its wheels (11.19)."""
 
 from collections.abc import Callable
 from math import inf
@@ -56,8 +51,8 @@ def ladder(
     air: Scalar = 0.4, g: Scalar = 9.81, force: Scalar = 2500.0, slope: Scalar = 0.08,
     start: tuple[Scalar, ...] = (0.0, 10.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one start, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder`
-    for the distance, in m, until ``t``.
+    """The models of one start, for the distance (m) until ``t``: a particle, on wheels, against the
+    air.
 
     start : s, v; the rest are numbers, as for :func:`car`.
     Raises :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``.
@@ -75,7 +70,7 @@ def ladder(
             f"= {start[1]!r} it does not"
         )
     particle, wheels = (
-        Model(name, full.parameters, **constant_rate(of, *STATES), neglects=neglects)
+        constant_rate(name, full.parameters, of, *STATES, neglects=neglects)
         for name, of, neglects in (
             ("car, particle", _of_particle, (WHEELS, AIR)),
             ("car on wheels", _on_wheels, (AIR,)),

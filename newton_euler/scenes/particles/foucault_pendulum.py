@@ -37,9 +37,7 @@ def full(
     length: Scalar, g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE,
     radius: Scalar = EARTH_RADIUS,
 ) -> Model:  # fmt: skip
-    """The Model for swings of any size with all terms of (6.10): centrifugal acceleration and
-    gravity are those at the position of the bob. States x, y, dx, dy.
-    """
+    """The Model for any swing with all terms of (6.10), at the bob: states x, y, dx, dy."""
     return Model("Foucault's pendulum", locals(), STATES, _full)
 
 
@@ -52,11 +50,10 @@ def ladder(
     radius: Scalar = EARTH_RADIUS, start: tuple[Scalar, ...] = (1.5, 0.0, 0.0, 0.0),
     t: Scalar = 100.0,
 ) -> Ladder:  # fmt: skip
-    """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in plan, m.
+    """The four models, for the position in plan (m) from the ``start`` x, y, dx, dy; by default
+    those of the Panthéon.
 
-    start : x, y, dx, dy; the default length and latitude are those of the Panthéon.
-
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> for metres in (0.01, 0.005, 1e-4):
     ...     print(smallest(ladder(), metres).model.name)
     Foucault's pendulum, small swings, Earth at rest
@@ -81,9 +78,7 @@ def below(s, length):
 
 
 def held(r, v, G, length):
-    """The acceleration in plan of a body held at the distance ``length`` from the origin; without
-    the cord it would be G.
-    """
+    """The acceleration in plan of a bob on a cord of this length; without the cord it is G."""
     return add3(G, scale3(-(dot3(v, v) + dot3(G, r)) / length**2, r))[:2]
 
 

@@ -1,12 +1,9 @@
 """Horizontal motion of air near a centre of low pressure (6.11), where it turns counterclockwise in
 the northern hemisphere.
 
-The ground axes are x east and y north; the region is small, so that the latitude is one number. The
-pressure grows with the square of the distance from the centre, and ``pressure_gradient`` is its
-gradient over density and distance. With g/length for it, the equations are those of small swings of
-Foucault's pendulum.
-
-:func:`ladder` has three models: the Earth at rest, the Earth rotating, and friction as well.
+Ground axes: x east, y north; the latitude is one number. The pressure grows with the square of the
+distance from the centre; ``pressure_gradient`` is its gradient over density and distance. With
+g/length for it the equations are those of small swings of Foucault's pendulum.
 """
 
 from ...algebra.scalars import Scalar, radians, sqrt
@@ -64,8 +61,7 @@ def ladder(
     rate: Scalar = EARTH_RATE, start: tuple[Scalar, ...] = (0.0, -4e5, 8.0, 0.0),
     t: Scalar = 10_800.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one parcel of air, the coarsest first: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for its position in m until ``t`` in s.
+    """The models of one parcel of air: the Earth at rest, rotating, and friction as well.
 
     pressure_gradient : a number above 0; friction : a number, not negative; start : x, y, dx, dy in
         m and m/s

@@ -1,15 +1,11 @@
 """Kepler's problem: a body under the attraction of a fixed centre, in the plane of its orbit; exact
 for ellipses.
 
-The exact solution takes the eccentric anomaly from Kepler's equation, and the state from its
-distance to that of the closest approach: written with 1 - e and 1 - cos(E), no digits cancel,
-however close the ellipse is to a parabola. Parabolas and hyperbolas have no closed form here; they
-are integrated.
+The exact solution is by the eccentric anomaly, written with 1 - e and 1 - cos(E): no digits cancel,
+however close the ellipse is to a parabola. Parabolas and hyperbolas are integrated.
 
-:func:`ladder` has three models of a satellite over the equator: the circle, Kepler's ellipse, and
-the ellipse that the Earth's bulge turns (5.5). In the plane of the equator the attraction of an
-oblate Earth is mu/r^2 + 3 mu J2 R^2/(2 r^4), still towards the centre, so that the angular momentum
-is constant. ``oblateness`` is J2 R^2, in m^2.
+Satellites over the equator: in the plane of the equator the attraction of an oblate Earth is mu/r^2
++ 3 mu J2 R^2/(2 r^4) towards the centre (5.5). ``oblateness`` is J2 R^2, in m^2.
 """
 
 import math
@@ -94,9 +90,7 @@ _INVARIANTS = {
 
 
 def _exact(s, p, t):
-    """The state at t by the eccentric anomaly E; traced, where no error can be raised, nan if the
-    orbit is no ellipse.
-    """
+    """The state at t by the eccentric anomaly; nan, when traced, if the orbit is no ellipse."""
     x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
     _check(x, y, v_x, v_y, mu, t)
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
@@ -145,9 +139,7 @@ def _check(x, y, v_x, v_y, mu, t):
 
 
 def _beta(x, y, v_x, v_y, mu, r):
-    """mu/a = 2 mu/r - v^2; where the two nearly cancel, with twice the digits, and what was rounded
-    in the root r and in 2 mu/r.
-    """
+    """mu/a = 2 mu/r - v^2; with twice the digits, and r's own rounding, where they cancel."""
     pull, square = 2 * mu / r, v_x * v_x + v_y * v_y
     short = doubled(lambda x, y, r: x * x + y * y - r * r, x, y, r) / (2 * r)
     rest = (doubled(lambda mu, pull, r: mu + mu - pull * r, mu, pull, r) - pull * short) / r
@@ -156,9 +148,7 @@ def _beta(x, y, v_x, v_y, mu, r):
 
 
 def _anomaly_near(M, e, rest):
-    """The eccentric anomaly to about a thousandth from M between -pi and pi, e, and 1 - e (F. L.
-    Markley, Celest. Mech. 63, 101, 1995).
-    """
+    """E to about a thousandth from M in [-pi, pi] (F. L. Markley, Celest. Mech. 63, 101, 1995)."""
     square = math.pi**2
     a = (3 * square + 1.6 * math.pi * (math.pi - abs(M)) / (1 + e)) / (square - 6)
     d = 3 * rest + a * e
@@ -192,11 +182,9 @@ def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    return Model(
-        "satellite, circle",
-        locals(),
-        **constant_rate(_circling, "angle"),
-        neglects=(ECCENTRICITY, BULGE),
+    name, neglects = "satellite, circle", (ECCENTRICITY, BULGE)
+    return constant_rate(
+        name, {"mu": mu, "r": r, "sense": sense}, _circling, "angle", neglects=neglects
     )
 
 
@@ -225,11 +213,10 @@ def ladder(
     mu: Scalar = EARTH_GM, oblateness: Scalar = EARTH_OBLATENESS,
     start: tuple[Scalar, ...] = (7e6, 0.0, 0.0, 7.6e3), t: Scalar = 30_000.0,
 ) -> Ladder:  # fmt: skip
-    """The three models, circle, ellipse and oblate Earth: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start``
-    x, y, v_x, v_y.
+    """The models circle, ellipse and oblate Earth, for the position from the ``start`` x, y, v_x,
+    v_y.
 
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]
     ['satellite, circle', 'satellite, ellipse', 'satellite, over an oblate Earth']
     """

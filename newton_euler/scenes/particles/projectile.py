@@ -7,7 +7,7 @@ projectile is above the ground. Air of uniform density decelerates it by ``drag`
 of its speed; drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the
 ground, 1e-8 at a height of 70 km.
 
->>> from newton_euler.scenes.ladders import smallest
+>>> from newton_euler import smallest
 >>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
 ...     print(smallest(ladder(), metres).model.name)
 projectile, flat
@@ -46,8 +46,7 @@ def flat(
     g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
     drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model of free fall with constant g on an Earth at rest. The other parameters only serve
-    the bounds of what it neglects.
+    """The Model of free fall; the parameters other than g serve the bounds of what it neglects.
 
     >>> flat(9.8).derivative((0.0, 0.0, 0.0, 1.0, 2.0, 3.0))
     (1.0, 2.0, 3.0, 0, 0, -9.8)
@@ -64,9 +63,7 @@ def coriolis(
     g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
     drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model with the rotation to first order (6.24). The states vx, vy, vz are the velocity
-    without the rotation.
-    """
+    """The Model with the rotation to first order (6.24): vx, vy, vz are without the rotation."""
     given, neglects = locals(), (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR)
     return _model("Coriolis to first order", given, _turned, neglects, _turned_exact)
 
@@ -75,9 +72,7 @@ def plumb(
     g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
     drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model with the effective gravity of the origin, constant, and the Coriolis acceleration
-    (6.16); it has an exact solution.
-    """
+    """The Model with constant effective gravity and the Coriolis acceleration (6.16), exact."""
     given, neglects = locals(), (CENTRIFUGAL_CHANGE, CURVATURE, AIR)
     return _model("Coriolis and effective gravity", given, _uniform, neglects, _uniform_exact)
 
@@ -121,9 +116,7 @@ def ladder(
     radius: Scalar = EARTH_RADIUS, drag: Scalar = 1e-8,
     start: tuple[Scalar, ...] = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one projectile, in the order of their cost, six, or four if ``drag`` is 0: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the position until ``t``.
-    """
+    """The :class:`~newton_euler.scenes.ladders.Ladder`: six models, or four if ``drag`` is 0."""
     makers = flat, coriolis, plumb, *([flat_in_air] if drag else []), full
     makers += (full_in_air,) if drag else ()
     models = (make(g, latitude, rate, radius, drag) for make in makers)
@@ -170,9 +163,7 @@ def _flat_in_air(s, p, t):
 
 
 def _turned(s, p, t):
-    """The Coriolis acceleration of the flat shot, integrated once: by its displacement v t - g
-    t^2/2.
-    """
+    """The flat shot with the Coriolis acceleration integrated once, 2 omega x (v t - g t^2/2)."""
     way = sub3(scale3(t, _v(s)), scale3(t * t / 2, _down(p)))
     return *sub3(_v(s), scale3(2, cross3(_omega(p), way))), *_down(p)
 
@@ -265,9 +256,7 @@ def _reach(s, p, t):
 
 
 def _added(acceleration):
-    """The bound of the error by an acceleration of at most ``acceleration(p, d)`` at the distance
-    d from the origin.
-    """
+    """The bound of the error by at most ``acceleration(p, d)`` at the distance d."""
 
     def bound(s, p, t):
         start, added = _reach(s, p, t)

@@ -5,9 +5,6 @@ The station axes rotate with it: the axis of rotation is z, along which ``omega`
 book's station has omega < 0. A body let go moves on a straight line at constant speed in the
 inertial frame; seen from the station its path is a spiral, or a circle, but in general not the
 limacon that the book names.
-
-:func:`ladder` has three models of a body let go or thrown near the rim: in uniform gravity, in
-the rotating station, and with the air.
 """
 
 from dataclasses import replace
@@ -68,8 +65,7 @@ def ladder(
     omega: Scalar = -0.3, radius: Scalar = 100.0, air: Scalar = 0.002,
     start: tuple[Scalar, ...] = (98.5, 0.0, -2.0, 1.0), t: Scalar = 1.0,
 ) -> Ladder:  # fmt: skip
-    """The models of a throw near (radius, 0) at the rim, the coarsest first: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the position in m until t.
+    """The models of a throw near (radius, 0) at the rim: uniform gravity, the turning station, air.
 
     omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before
         the body reaches it.
@@ -149,17 +145,13 @@ def _exact(s, p, t):
 
 
 def _bounds(s, p, t):
-    """At the start the speed and the centrifugal acceleration, and the factors that bound their
-    growth until t.
-    """
+    """Speed and centrifugal acceleration at the start, and what bounds their growth until t."""
     v, a = sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * p.omega * sqrt(s.x * s.x + s.y * s.y)
     return v, a, growth(p.omega, t)
 
 
 def _by_coriolis(s, p, t):
-    """The integral of the displacement, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x =
-    omega t.
-    """
+    """By the integral of the displacement: sinh(x) - x <= x (cosh(x) - 1)/3, x = omega t."""
     v, a, (_, _, of_acceleration) = _bounds(s, p, t)
     return 2 * sqrt(p.omega * p.omega) * of_acceleration * (v + a * t / 3)
 

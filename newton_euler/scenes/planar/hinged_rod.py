@@ -5,9 +5,6 @@ theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is
 distance from the hinge to G, on the rod; ``inertia_difference`` is I_n - I_r about the hinge: the
 moment of inertia about the axis normal to both rod and hinge, less that about the rod (m L^2/3 for
 the rod itself).
-
-:func:`ladder` has three models of the swinging: small swings, any swings, and any swings on a shaft
-that is let go.
 """
 
 from dataclasses import replace
@@ -25,8 +22,8 @@ STATES = ("theta", "theta_rate")
 
 
 def rod(mass: Scalar, length: Scalar, omega: Scalar, g: Scalar) -> dict[str, Scalar]:
-    """The parameters of the thin rod of the book: a dict for :func:`swing_out`, :func:`least_rate`
-    and :func:`hinged`.
+    """The parameters of the book's thin rod, for :func:`swing_out`, :func:`least_rate`,
+    :func:`hinged`.
 
     >>> rod(3.0, 2.0, 4.0, 9.81)["inertia_difference"]
     4.0
@@ -135,8 +132,7 @@ def ladder(
     mass: Scalar = 3.0, length: Scalar = 2.0, omega: Scalar = 4.0, g: Scalar = 9.81,
     shaft: Scalar = 400.0, start: tuple[Scalar, ...] = (1.3, 0.0), t: Scalar = 4.0,
 ) -> Ladder:  # fmt: skip
-    """The models of the thin rod on a shaft, the coarsest first: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for theta, in rad, until ``t``.
+    """The models of the thin rod, for theta (rad) until ``t``: small swings, any, a shaft let go.
 
     omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
     Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small

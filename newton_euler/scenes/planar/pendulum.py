@@ -2,9 +2,6 @@
 
 m mass, I moment of inertia about the parallel to the axis through G, l distance of G from the axis,
 theta from the downward vertical.
-
-:func:`ladder` has three models of it: a harmonic oscillator, a particle, and the body. The particle
-costs as much to compute as the body, but does not need I.
 """
 
 import math
@@ -31,8 +28,7 @@ STATES = ("theta", "omega")
     15.0, (3.1, 0.0), m=2.0, I=0.5, l=0.5, g=10.0,
 )  # fmt: skip
 def physical_pendulum(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
-    """The Model of the pendulum: states theta and omega; the energy (11.32) is an
-    invariant.
+    """The Model of the pendulum: states theta and omega; the energy (11.32) is an invariant.
 
     The exact solution counts theta through all turns. It is that of a start within a few round-offs
     of the one given, and from there right to a few round-offs of t times the rate of the motion:
@@ -85,8 +81,7 @@ def _exact(s, p, t):
 
 
 def small_swings(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
-    """The Model of the body at small angles, a harmonic oscillator; states as for
-    :func:`physical_pendulum`.
+    """The Model of small angles, a harmonic oscillator; states as for :func:`physical_pendulum`.
 
     >>> small_swings(2.0, 0.5, 0.5, 10.0).derivative((0.1, 0.0))
     (0.0, -1.0)
@@ -102,9 +97,7 @@ def particle(m: Scalar, l: Scalar, g: Scalar, I: Scalar = 0) -> Model:
     (0.0, -20.0)
     """
     size = Neglected(
-        "the moment of inertia about the centre of mass",
-        partial(_by_size, scalar(I)),
-        ANGLE,
+        "the moment of inertia about the centre of mass", partial(_by_size, scalar(I)), ANGLE
     )
     return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=(size,))
 
@@ -114,11 +107,9 @@ def ladder(
     m: Scalar = 1.0, I: Scalar = 0.002, l: Scalar = 1.0, g: Scalar = 9.81,
     start: tuple[Scalar, ...] = (0.3, 0.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The three models, small swings, particle and body: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for theta in rad, until ``t`` after the start
-    (theta, omega).
+    """The models small swings, particle and body, for theta (rad) until ``t`` after (theta, omega).
 
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> [smallest(ladder(), angle).model.name for angle in (0.1, 0.01, 0.001)]
     ['pendulum, small swings', 'pendulum, a particle', 'physical pendulum']
     """
@@ -138,9 +129,7 @@ def _small_exact(s, p, t):
 
 
 def _by_sine(s, p, t):
-    """A swing of the amplitude A has |theta - sin(theta)| <= A^3/6 all the time, which pushes an
-    oscillator by at most n t A^3/6.
-    """
+    """At the amplitude A, |theta - sin(theta)| <= A^3/6 moves an oscillator by n t A^3/6."""
     n = sqrt(_square(p, p.I))
     high = sin(s.theta / 2) ** 2 + (s.omega / (2 * n)) ** 2  # sin^2(A/2)
     swings = where(high < 1, abs(s.theta) < 3.14, False)

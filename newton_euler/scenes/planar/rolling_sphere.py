@@ -3,9 +3,6 @@ that slides first see :mod:`newton_euler.scenes.planar.sliding_sphere`.
 
 ``k`` is the moment of inertia about the centre over m R^2: 2/5 for a solid sphere (the default),
 2/3 for a shell, 1/2 for a cylinder.
-
-:func:`ladder` has three models of it: a block that slides without friction, rolling, and rolling
-against the air. The block costs as much to compute as the sphere, but needs no moment of inertia.
 """
 
 from dataclasses import replace
@@ -34,10 +31,8 @@ def rolling_down(slope: Scalar, g: Scalar, k: Scalar | None = None) -> Model:
     >>> rolling_down(0.5235987755982988, 9.8).derivative((0.0, 0.0))[1]
     3.5
     """
-    k = inertia_ratio(g, k)
-    return Model(
-        "sphere on an incline", locals(), **constant_rate(_rolling, *STATES), invariants=_INVARIANTS
-    )
+    name, parameters = "sphere on an incline", {"slope": slope, "g": g, "k": inertia_ratio(g, k)}
+    return constant_rate(name, parameters, _rolling, *STATES, invariants=_INVARIANTS)
 
 
 def rolling_in_air(slope: Scalar, g: Scalar, air: Scalar, k: Scalar | None = None) -> Model:
@@ -62,8 +57,7 @@ def ladder(
     slope: Scalar = 0.3, g: Scalar = 9.81, air: Scalar = 2e-3, k: Scalar = 0.4,
     start: tuple[Scalar, ...] = (0.0, 0.0), t: Scalar = 5.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one run, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for
-    the distance, in m, until ``t``.
+    """The models of one run, for the distance (m) until ``t``: a sliding block, rolling, in air.
 
     air : not negative; start : x, v. Raises :class:`~newton_euler.motion.model.ModelError` for a
         sphere that goes uphill.
@@ -77,21 +71,14 @@ def ladder(
             f"the ladder is for a sphere that comes down, v not below zero; got v = {start[1]!r}"
         )
     full = rolling_in_air(slope, g, air, k)
-    block = Model(
-        "block on an incline",
-        full.parameters,
-        **constant_rate(_sliding, *STATES),
-        invariants={"energy over mass": _block_energy},
-        neglects=(ROTATION, AIR),
-    )
+    about = {"invariants": {"energy over mass": _block_energy}, "neglects": (ROTATION, AIR)}
+    block = constant_rate("block on an incline", full.parameters, _sliding, *STATES, **about)
     sphere = replace(rolling_down(slope, g, k), parameters=full.parameters, neglects=(AIR,))
     return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
 
 
 def inertia_ratio(like: Scalar, k: Scalar | None) -> Scalar:
-    """``k``, or if it is None that of a solid sphere, 2/5, exactly in the kind of number of
-    ``like``.
-    """
+    """``k``, or if it is None that of a solid sphere, 2/5 in the kind of number of ``like``."""
     return integer_like(2, like) / 5 if k is None else k
 
 
@@ -111,9 +98,7 @@ def _block_energy(s, p, t):
     return s.v * s.v / 2 - _sliding(p) * s.x
 
 
-_INVARIANTS = {
-    "energy over mass": lambda s, p, t: (1 + p.k) * s.v * s.v / 2 - _sliding(p) * s.x,
-}
+_INVARIANTS = {"energy over mass": lambda s, p, t: (1 + p.k) * s.v * s.v / 2 - _sliding(p) * s.x}
 
 # -- bounds of what is neglected: against the air the sphere is never faster than without it
 

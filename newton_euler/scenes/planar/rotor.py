@@ -2,9 +2,6 @@
 bearings: :mod:`newton_euler.applications.rotors`.
 
 psi is the angle of rotation, from the downward vertical to the x axis of the body.
-
-:func:`ladder` has three models of its rotation: at a constant rate, without its weight, and with
-it.
 """
 
 from collections.abc import Callable
@@ -45,8 +42,7 @@ def ladder(
     mass: Scalar = 20.0, x: Scalar = 2e-4, y: Scalar = 0.0, I: Scalar = 0.5, g: Scalar = 9.81,
     moment: Scalar = 0.5, start: tuple[Scalar, ...] = (0.0, 10.0), t: Scalar = 20.0,
 ) -> Ladder:  # fmt: skip
-    """The models of a rotor that a constant moment turns, the coarsest first: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for psi, in rad, until ``t``.
+    """The models of a rotor turned by a constant moment, for psi (rad) until ``t``.
 
     start : psi, omega; the rest as in :func:`turning_rotor`
 
@@ -55,19 +51,10 @@ def ladder(
     ['rotor at a constant rate', 'rotor without weight', 'rotor with dead weight']
     """
     full = turning_rotor(mass, x, y, I, g, moment)
-    steady = Model(
-        "rotor at a constant rate",
-        {**full.parameters, "omega": start[1]},
-        **constant_rate(_steady, "psi"),
-        neglects=(MOMENT, WEIGHT),
-    )
-    light = Model(
-        "rotor without weight",
-        full.parameters,
-        **constant_rate(_light, *STATES),
-        invariants={"energy": _light_energy},
-        neglects=(WEIGHT,),
-    )
+    name, given = "rotor at a constant rate", {**full.parameters, "omega": start[1]}
+    steady = constant_rate(name, given, _steady, "psi", neglects=(MOMENT, WEIGHT))
+    about = {"invariants": {"energy": _light_energy}, "neglects": (WEIGHT,)}
+    light = constant_rate("rotor without weight", full.parameters, _light, *STATES, **about)
     rungs = (Rung(m, start[: len(m.states)], observed_states("psi")) for m in (steady, light, full))
     return Ladder("rotor", ANGLE, t, tuple(rungs))
 

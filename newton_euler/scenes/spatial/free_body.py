@@ -8,10 +8,8 @@ is 1 within round-off, and formulas in k^2 lose all digits. Here 1 - k^2 comes f
 two squares, in twice the digits where these cancel, and the state from that of the start by the
 addition theorem, :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
 
-:func:`ladder` has three models of a body that spins about z, more or less: symmetric, nearly
-steady, or as it is. In both approximations the rate about z is constant, w_x and w_y go around an
-ellipse (a circle for the symmetric body), or run away where z is the axis of the intermediate
-moment.
+Two approximations keep the rate about z constant: w_x and w_y go around an ellipse (a circle for a
+symmetric body), or run away where z is the intermediate axis.
 """
 
 from ...algebra.scalars import Scalar, is_finite, is_numeric, max_abs, sqrt, where
@@ -104,9 +102,7 @@ def _check(moments, w, t):
 
 
 def _gap(k, I, w):
-    """A number that is > 0 if the motion circles the first axis, < 0 if the third: from H^2 - 2 T
-    I_b, b the axis between.
-    """
+    """H^2 - 2 T I_b, b the axis between: > 0 if it circles the first axis, < 0 if the third."""
 
     def difference(Ia, Ib, Ic, wa, wc):
         return Ia * (Ia - Ib) * (wa * wa) - Ic * (Ib - Ic) * (wc * wc)
@@ -121,21 +117,14 @@ def _gap(k, I, w):
 
 
 def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
-    """The Model with the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the
-    constant rate about z.
+    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; the rate about z is
+    ``spin``.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
     """
-    return Model(
-        "wobble of a symmetric body",
-        locals(),
-        STATES[:2],
-        _symmetric,
-        {},
-        _symmetric_exact,
-        (ASYMMETRY,),
-    )
+    name, given = "wobble of a symmetric body", locals()
+    return Model(name, given, STATES[:2], _symmetric, {}, _symmetric_exact, (ASYMMETRY,))
 
 
 def small_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
@@ -152,11 +141,10 @@ def ladder(
     I_x: Scalar = 1.0, I_y: Scalar = 1.02, I_z: Scalar = 1.5,
     start: tuple[Scalar, ...] = (0.1, 0.0, 5.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The three models, symmetric body, small wobble and free body: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the
+    """The models symmetric body, small wobble and free body, for w_x, w_y, w_z, which are the
     start.
 
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]
     ['wobble of a symmetric body', 'small wobble', 'free body']
     """

@@ -13,8 +13,7 @@ from ..catalogue import scene
 def gyrocompass(
     I0: Scalar, I: Scalar, omega_z: Scalar, earth_rate: Scalar, latitude: Scalar
 ) -> Model:
-    """The Model of a gyroscope whose axis is kept level, which swings about north: states azimuth
-    (rad, from north) and azimuth_rate.
+    """The Model of the gyrocompass: states azimuth (rad, from north) and azimuth_rate.
 
     With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega
     sin(latitude) + azimuth' about the vertical transverse axis, and the rotor at omega_z about its

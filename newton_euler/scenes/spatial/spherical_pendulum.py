@@ -4,10 +4,9 @@ It is a top without a moment of inertia about its axis, I0 = m L^2/3 and I = 0. 
 from the joint along the bar and theta is its angle with the *upward* vertical K, so that the bar
 hangs at theta = pi.
 
-:func:`ladder` has four models of the motion of its tip, at x, y in plan, from the joint, z up,
-always below the level of the joint: small swings or any, with friction in the joint or without. The
-bar swings like a simple pendulum of the length 2 L/3. Friction is a moment against the turning;
-``friction`` is this moment over the moment of inertia and the rate, 1/s.
+In plan, the tip is at x, y from the joint, z up, and below the joint: small swings or any, with
+friction or without. The bar swings like a simple pendulum of the length 2 L/3. ``friction`` is the
+moment against the turning over moment of inertia and rate, 1/s.
 """
 
 from dataclasses import replace
@@ -74,18 +73,14 @@ def small_swings(length: Scalar, g: Scalar) -> Model:
 
 
 def small_swings_with_friction(length: Scalar, g: Scalar, friction: Scalar) -> Model:
-    """The Model of small swings with friction, on an ellipse that shrinks; friction is below 2
-    sqrt(3 g/(2 length)), the critical damping.
-    """
+    """The Model of small swings with friction below the critical, 2 sqrt(3 g/(2 length))."""
     return Model(
         "bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,)
     )
 
 
 def any_swing(length: Scalar, g: Scalar) -> Model:
-    """The Model of any swing below the level of the joint, without friction: that of a bob on a
-    cord with the gravity 3 g/2.
-    """
+    """The Model of any swing below the joint without friction: a bob on a cord, in 3 g/2."""
     return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
 
 
@@ -102,10 +97,9 @@ def ladder(
     length: Scalar = 1.0, g: Scalar = 9.81, friction: Scalar = 0.02,
     start: tuple[Scalar, ...] = (0.05, 0.0, 0.0, 0.1), t: Scalar = 5.0,
 ) -> Ladder:  # fmt: skip
-    """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position of the tip
-    in plan, m, from the ``start`` x, y, dx, dy.
+    """The four models, for the position of the tip in plan (m) from the ``start`` x, y, dx, dy.
 
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> for metres in (0.01, 0.001, 1e-5):
     ...     print(smallest(ladder(), metres).model.name)
     bar, small swings

@@ -1,11 +1,9 @@
 """The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the
 free symmetric body (10.8).
 
-All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``,
-the whole rate about the axis, is constant and so a parameter. Which one: :func:`nutation` for
-nutation alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a top that spins too
-fast to be followed turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off
-the vertical.
+I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, constant,
+is a parameter. :func:`nutation` is for nutation alone, :func:`attitude` for pictures,
+:func:`nonspinning_frame` for a fast top, :func:`euler` for psi and phi off the vertical.
 """
 
 from dataclasses import replace
@@ -33,20 +31,15 @@ TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
 def tilted(theta):
-    """The start of :func:`nonspinning_frame` without precession and nutation, at the angle
-    ``theta`` (rad) from the vertical.
-    """
+    """The start of :func:`nonspinning_frame` at rest at the angle ``theta`` (rad)."""
     return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
 
 def momentum_difference(
     I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, omega_z: Scalar
 ) -> Scalar:
-    """p_psi - p_phi: the constant by which the angular momentum about the vertical exceeds that
-    about the axis, I omega_z.
-
-    It is I0 psi' sin^2(theta) - I omega_z (1 - cos(theta)), and zero for a top that passes through
-    the upright position.
+    """p_psi - p_phi = I0 psi' sin^2(theta) - I omega_z (1 - cos(theta)): zero for a top that passes
+    through the upright position.
 
     >>> momentum_difference(0.02, 0.01, 0.0, 3.0, 100.0)
     0.0
@@ -203,13 +196,11 @@ _NONSPINNING_INVARIANTS = {
     10.0, tilted(0.6), **TOP,
 )  # fmt: skip
 def attitude(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
-    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself,
-    for animations, with the fewest operations.
+    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z, for animations.
 
     states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s);
         invariants as for :func:`nonspinning_frame`
-    The start is a *unit* quaternion: the rates have no division by its length, which a motion keeps
-    as well as it keeps the energy.
+    The start is a *unit* quaternion: the rates do not divide by its length.
 
     >>> attitude(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
     (0.0, -5.0)

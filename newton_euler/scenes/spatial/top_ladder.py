@@ -8,6 +8,7 @@ which are singular where the axis is vertical, and by the quaternion, which is n
 """
 
 from contextlib import suppress
+from dataclasses import replace
 from operator import attrgetter
 
 from ...algebra.scalars import Scalar, cos, sin
@@ -36,12 +37,8 @@ def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
     """
-    return Model(
-        "top, slow precession",
-        locals(),
-        **constant_rate(_slow, "psi"),
-        neglects=(NUTATION, NO_TRANSVERSE, ASYMMETRY),
-    )
+    given, neglects = locals(), (NUTATION, NO_TRANSVERSE, ASYMMETRY)
+    return constant_rate("top, slow precession", given, _slow, "psi", neglects=neglects)
 
 
 def top_steady_precession(
@@ -54,28 +51,18 @@ def top_steady_precession(
     0.505103
     """
     rate = steady_precession(I0, I, theta, omega_z=omega_z, mgr=mgr).slow
-    return Model(
-        "top, steady precession",
-        {"rate": rate, "theta": theta},
-        **constant_rate(_steady, "psi"),
-        neglects=(NUTATION, ASYMMETRY),
-    )
+    given, neglects = {"rate": rate, "theta": theta}, (NUTATION, ASYMMETRY)
+    return constant_rate("top, steady precession", given, _steady, "psi", neglects=neglects)
 
 
 def top_precession_and_nutation(
     I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar, momentum_difference: Scalar
 ) -> Model:
-    """The Model of nutation (10.24) with its precession: states theta, theta_rate, psi;
-    parameters as for :func:`newton_euler.scenes.spatial.top.nutation`.
-    """
+    """The Model of :func:`~newton_euler.scenes.spatial.top.nutation` with psi as a third state."""
     base = nutation(I0, I, mgr, omega_z, momentum_difference)
-    return Model(
-        "top, nutation and precession",
-        base.parameters,
-        (*base.states, "psi"),
-        _axis_rates,
-        base.invariants,
-        neglects=(ASYMMETRY,),
+    name, states = "top, nutation and precession", (*base.states, "psi")
+    return replace(
+        base, name=name, states=states, rhs=_axis_rates, exact=None, neglects=(ASYMMETRY,)
     )
 
 
@@ -88,9 +75,7 @@ def asymmetric_top_euler_angles(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: S
 
 
 def asymmetric_top_quaternion(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Scalar) -> Model:
-    """The Model of the body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y,
-    w_z.
-    """
+    """The Model with unequal moments by its quaternion: states q0 ... q3, w_x, w_y, w_z."""
     return Model("top of unequal moments, quaternion", locals(), (*QUATERNION, *RATES), _quaternion)
 
 
@@ -102,13 +87,12 @@ def ladder(
     theta: Scalar = 0.6, theta_rate: Scalar = 0.0, precession: Scalar = 0.34,
     asymmetry: Scalar = 1e-3, t: Scalar = 1.0,
 ) -> Ladder:  # fmt: skip
-    """The five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the
-    axis, a unit vector, so its errors are angles.
+    """The five models, for the direction of the axis, a unit vector, so that errors are angles.
 
     theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero
     A top that is too slow has no steady precession, and its ladder no such rung.
 
-    >>> from newton_euler.scenes.ladders import smallest
+    >>> from newton_euler import smallest
     >>> for angle in (0.01, 5e-4, 5e-5, 1e-7):
     ...     print(smallest(ladder(), angle).model.name)
     top, slow precession

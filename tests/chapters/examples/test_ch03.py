@@ -33,9 +33,7 @@ def test_example_3_1_exponential_curve_at_constant_speed(kind):
 
 @every_kind
 def test_example_3_2_spring_drawn_out_keeps_a_finite_torsion(kind):
-    """The book has it infinite when straight; it goes to 1/wire. On the straight wire itself there
-    is none.
-    """
+    """The book's is infinite when straight; it goes to 1/wire, and straight there is none."""
     R, c, theta = numbers(kind, "1.2", "0.5", "0.7")
     spring = Spring(R, c)
     here = spring.intrinsic(theta, ground)

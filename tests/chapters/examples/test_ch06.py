@@ -21,9 +21,7 @@ def test_example_6_2_mass_at_the_top_of_a_guide(kind):
 
 
 def test_example_6_2_by_the_whole_circle():
-    """The same force from Newton's law in polar coordinates about the centre of curvature, with the
-    weight as a vector.
-    """
+    """From Newton's law in polar coordinates about the centre of curvature."""
     ground = Frame("ground")
     P = polar(ground, "P", 0.5, moving(math.pi / 2, rate=-4.8 / 0.5))
     R = reaction(2.0, P.acceleration(ground), weight=-2.0 * 9.81 * ground.j)
@@ -32,9 +30,7 @@ def test_example_6_2_by_the_whole_circle():
 
 @every_kind
 def test_example_6_5_force_on_the_ball_of_the_screw_jack(kind):
-    """F = (-4 pi a K m, a K m, L K m/2 pi) after one turn: -2.51, 0.20, 0.16 N, of magnitude 2.526
-    (the book rounds to 2.52).
-    """
+    """F = (-4 pi a K m, a K m, L K m/2 pi) after one turn; the book rounds 2.526 N to 2.52."""
     m, a, K, lead = numbers(kind, "0.2", "0.1", 10, "0.5")
     ground = Frame("ground")
     F = screw_jack_force(ground, m, a, K, lead, screw_jack_time(1, K))

@@ -13,9 +13,7 @@ from tests.tumbling import close
 
 @every_kind
 def test_a_cylinder_on_an_accelerated_slab_rolls_if_the_friction_suffices(kind):
-    """Problem 8/8: mu N >= m n g/3 lets it roll, with alpha = 2 n g/(3 r); the needed friction is a
-    third of m n g.
-    """
+    """Problem 8/8: mu N >= m n g/3 lets it roll, with alpha = 2 n g/(3 r)."""
     m, r, g, n = numbers(kind, 2, "1/2", "9.81", 2)
     s = rolling_contact.rolling(m, r, m * r * r / 2, surface=n * g)
     assert close(

@@ -1,14 +1,11 @@
 """A sphere from sliding to rolling (8.6)."""
 
-import numpy as np
-
 from newton_euler import Frame, moving
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.bodies.solids import sphere
 from newton_euler.chapters.examples import ch08
 from newton_euler.dynamics.momentum import equations_of_motion
 from newton_euler.scenes.planar import sliding_sphere
-from tests.explicit import by_scipy
 from tests.kinds import every_kind, numbers, small
 from tests.tumbling import close
 
@@ -50,22 +47,6 @@ def test_example_8_6_derives_its_accelerations_from_the_newton_euler_equations()
     s = solve_linear(laws)
     _, a, alpha = sliding_sphere.sliding(mu, g, r).derivative((1.0, v, -2.0))
     assert close((s.N, s.a, s.alpha), (m * g, a, alpha), 1e-12)
-
-
-def test_the_exact_solution_agrees_with_an_integration_that_stops_at_the_event():
-    v0, mu, g, r, omega0 = 3.0, 0.3, 9.81, 0.2, 20.0  # with back spin
-    slip = lambda t, y: y[1] + y[2] * r
-    slip.terminal = True
-    model = sliding_sphere.sliding(mu, g, r)
-    run = by_scipy(model, (0.0, v0, omega0), 10, events=slip)
-    begins = ch08.rolling_begins(v0, mu, g, r, omega0)
-    found = begins.t, begins.x, begins.v, begins.omega
-    assert close((run.t[-1], *run.y[:, -1].tolist()), found, 1e-8)
-    times = np.array([0.0, begins.t / 2, begins.t, begins.t + 1])
-    x, v, omega = ch08.sphere_at(times, v0, mu, g, r, omega0)
-    assert close((x[3] - x[2], v[3], omega[3]), (begins.v, begins.v, begins.omega), 1e-12)
-    assert x[0] == 0
-    assert v[0] == v0
 
 
 def test_a_sphere_with_too_much_forward_spin_speeds_up():

@@ -4,9 +4,7 @@ import numpy as np
 import sympy
 
 from newton_euler import Dimension, compiled, cos, sin
-from newton_euler.applications.rotors import (
-    reactions,
-)
+from newton_euler.applications.rotors import reactions
 from newton_euler.chapters.examples.ch09 import unbalanced_rotor
 from newton_euler.dynamics.momentum import resultant_moment
 from newton_euler.scenes.planar.rotor import turning_rotor
@@ -17,9 +15,7 @@ CENTRE, MOMENTS, PRODUCTS = ("0.02", "-0.03", "0.05"), ("0.4", "0.5", "0.3"), ("
 
 
 def general(kind):
-    """The scene, and what (9.9) is written in: m, centre, I_xz, I_yz, I_zz, a, b, psi, omega,
-    alpha, g.
-    """
+    """The scene; m, centre, I_xz, I_yz, I_zz, a, b, psi, omega, alpha, g of (9.9)."""
     m, g, a, b, psi, omega, alpha = numbers(kind, 3, "9.81", "0.25", "0.35", "0.8", "3.5", "-2.5")  # fmt: skip
     centre, moments, products = (numbers(kind, *v) for v in (CENTRE, MOMENTS, PRODUCTS))
     scene = unbalanced_rotor(m, centre, moments, products, a, b, psi, omega, alpha)
@@ -49,52 +45,18 @@ def printed_9_9(m, centre, Ixz, Iyz, Izz, a, b, psi, omega, alpha, g):
 
 
 @every_kind
-def test_eqn_9_7_sum_of_forces(kind):
-    scene, (m, (x, y, _), *_, psi, omega, alpha, g) = general(kind)
-    found = scene.reactions(gravity=g * scene.ground.i)
-    expected = (
-        -m * g * cos(psi) - m * alpha * y - m * omega * omega * x,
-        m * g * sin(psi) + m * alpha * x - m * omega * omega * y,
-        0,
-    )
-    assert close(found.A + found.B, expected, small(kind, 0.1))
-    assert close(found.axial, 0, small(kind, 0.1))
-
-
-@every_kind
-def test_eqn_9_8_sum_of_moments_about_the_origin(kind):
-    scene, (m, (_, _, z), Ixz, Iyz, _, a, b, psi, omega, alpha, g) = general(kind)
-    found = scene.reactions(gravity=g * scene.ground.i)
-    left = (a * found.A.y - b * found.B.y, -a * found.A.x + b * found.B.x)
-    right = (
-        -m * g * z * sin(psi) - alpha * Ixz + omega * omega * Iyz,
-        -m * g * z * cos(psi) - alpha * Iyz - omega * omega * Ixz,
-    )
-    assert close(left, right, small(kind, 0.1))
-
-
-@every_kind
-def test_eqn_9_9_reactions_of_any_rotor(kind):
-    scene, numbers_of_it = general(kind)
-    found = scene.reactions(gravity=numbers_of_it[-1] * scene.ground.i)
-    A, B, _ = printed_9_9(*numbers_of_it)
-    assert close(found.A, A, small(kind, 0.1))
-    assert close(found.B, B, small(kind, 0.1))
-
-
-@every_kind
-def test_eqn_9_9_term_by_term(kind):
+def test_eqn_9_7_to_9_10_reactions_and_driving_moment_of_any_rotor(kind):
     scene, printed = general(kind)
-    terms = scene.reactions(gravity=printed[-1] * scene.ground.i).A.terms
+    found, tiny = scene.reactions(gravity=printed[-1] * scene.ground.i), small(kind, 0.1)
+    A, B, moment = printed_9_9(*printed)
+    assert close((found.A, found.B), (A, B), tiny)
+    assert close((found.moment, found.axial), (moment, 0), tiny)
     for name, expected in terms_of_A(*printed).items():
-        assert close(terms[name], expected, small(kind, 0.1)), name
-
-
-@every_kind
-def test_eqn_9_10_the_driving_moment(kind):
-    scene, numbers_of_it = general(kind)
-    found = scene.reactions(gravity=numbers_of_it[-1] * scene.ground.i)
-    assert close(found.moment, printed_9_9(*numbers_of_it)[2], small(kind, 0.1))
+        assert close(found.A.terms[name], expected, tiny), name
+    m, (x, y, _), *_, psi, omega, alpha, g = printed
+    across = -m * g * cos(psi) - m * alpha * y - m * omega * omega * x  # 9.7
+    along = m * g * sin(psi) + m * alpha * x - m * omega * omega * y
+    assert close(found.A + found.B, (across, along, 0), tiny)
 
 
 def test_eqn_9_9_as_formulas():

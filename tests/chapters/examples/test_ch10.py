@@ -37,9 +37,7 @@ def test_section_10_8_football_and_space_station():
 
 
 def test_section_10_8_the_wobble_of_the_earth_by_integration():
-    """Seen from the body the axis of rotation goes around at (I - I0) omega_z/I0; the book's 26 000
-    years are no free precession.
-    """
+    """At (I - I0) omega_z/I0; the book's 26 000 years are no free precession."""
     e = 0.003285
     I0, I, wz = 1.0, 1.0 + e, 2 * math.pi
     rate = free_precession(I0, I, 1e-6, -e * wz).rate
@@ -72,9 +70,7 @@ def test_section_10_10_rotor_of_the_car():
 
 
 def test_section_10_10_the_rotor_turns_against_the_wheels():
-    """The car drives along y and turns left, to -x; the moment on the rotor from (10.38), that on
-    the car is its reaction.
-    """
+    """The car drives along y and turns left, to -x; (10.38) moves the rotor, the car reacts."""
     f = Frame("car")
     wheels, turning = f.vector(-1.0, 0, 0), f.vector(0, 0, 0.2)
     on_car = -normal_moment(turning, -50.0 * wheels, 2.0)

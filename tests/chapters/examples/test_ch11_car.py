@@ -32,9 +32,7 @@ def test_example_11_19_power_of_the_engine(kind):
 
 @every_kind
 def test_example_11_19_it_is_the_rate_of_the_energy(kind):
-    """v = 3 + 2 t up a slope: d(T + V)/dt and the drag, by the jet; T from bodies: the car and four
-    rolling wheels.
-    """
+    """v = 3 + 2 t up a slope: d(T + V)/dt of the car and four rolling wheels, and the drag."""
     c = car(kind)
     t, theta = numbers(kind, 4, "0.1")
     v = lambda t: 3 + 2 * t

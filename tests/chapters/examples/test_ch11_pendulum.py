@@ -53,8 +53,5 @@ def test_example_11_17_along_the_motion_and_how_far_it_swings():
 
 
 def test_example_11_17_near_the_turning_point_nothing_cancels():
-    near = swing_rate(1.0, 0.0, 1.0, 9.81, 1.0 - 1e-12, 1.0)
-    step = 1.0 - (1.0 - 1e-12)
+    near, step = swing_rate(1.0, 0.0, 1.0, 9.81, 1.0 - 1e-12, 1.0), 1.0 - (1.0 - 1e-12)
     assert near == pytest.approx(math.sqrt(2 * 9.81 * step * math.sin(1.0)), rel=1e-11)
-    naive = 2 * 9.81 * (math.cos(1.0 - 1e-12) - math.cos(1.0))
-    assert not math.isclose(math.sqrt(naive), near, rel_tol=1e-6)

@@ -8,7 +8,6 @@ import math
 
 import numpy as np
 import pytest
-import sympy
 
 from newton_euler import Frame, moving
 from newton_euler.bodies.solids import sphere
@@ -66,9 +65,7 @@ def test_example_11_15_the_vertical_plane_is_only_a_limit():
 
 @pytest.mark.parametrize("v0", [7.0, np.array([2.0, 5.0, 7.0])])
 def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
-    """Friction mu m g at the slip v + omega r: 1/7 m v0^2 becomes heat, and what stays is that of
-    rolling.
-    """
+    """At the slip v + omega r, 1/7 m v0^2 becomes heat; what stays is that of rolling."""
     m, mu, g, r = 2.0, 0.2, 10.0, 0.5
     begins = rolling_begins(v0, mu, g, r)
     ground = Frame("ground")
@@ -94,14 +91,3 @@ def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
     naive = audit(energy, 0.0, 2.0)
     assert not naive.balances()
     assert np.allclose(naive.residual, -m * v0**2 / 7, rtol=1e-12)
-
-
-def test_a_formula_of_the_heat_of_the_sphere():
-    m, v0, mu, g, r = sympy.symbols("m v_0 mu g r", positive=True)
-    begins = rolling_begins(v0, mu, g, r)
-    slip = lambda t: v0 - mu * g * t - 5 * mu * g * t / 2
-    T = lambda t: m * (v0 - mu * g * t) ** 2 / 2 + m * (5 * mu * g * t / 2) ** 2 / 5
-    powers = {"friction": lambda t: -mu * m * g * slip(t)}
-    books = audit(T, sympy.Integer(0), begins.t, powers=powers, exact=True)
-    assert books.balances()
-    assert sympy.simplify(books.heat() - m * v0**2 / 7) == 0

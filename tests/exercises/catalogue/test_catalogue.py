@@ -24,6 +24,7 @@ figure: A wheel.
 givens: {r: {value: 2, unit: m, means: radius, vary: [1, 3]}}
 symbols: {h: m}
 answers: [{key: v, kind: number, unit: m/s, means: speed}]
+steps: {turn: {unit: rad, means: angle}}
 mistakes: {twice: doubles it}
 checked: {v: 2*pi}
 """
@@ -200,6 +201,10 @@ def refused(ask, name):
         ("means: speed", "means: speed, weight: 0", "v: weight must be a positive number, as in 2, and is 0"),
         ("means: speed", "means: speed, weight: -1", "v: weight must be a positive number, as in 2, and is -1"),
         ("means: speed", "means: speed, tol: 1e-6", "an answer has the unknown key 'tol'; its keys are key, kind, means"),
+        ("{unit: rad, means: angle}", "angle", "the step turn must be written as key: value, and is 'angle'; its keys are means"),
+        ("unit: rad, means: angle", "unit: rad", "the step turn lacks the key 'means'"),
+        ("unit: rad", "unit: furlong", "unknown unit 'furlong'"),
+        ("unit: rad", "section: 4.10", "section must be a text, and is 4.1; put it in quotation marks"),
         ("{v: 2*pi}", "{w: 2*pi}", "checked has w, which is not asked for; asked for are v"),
         ("{v: 2*pi}", "{v: }", "checked: v must be a number, a formula, or a list of them, and is None"),
         ('id: "77/1"', 'id: "77.1"', "'77.1' is not a problem number; write chapter and problem, as in 4/16"),
@@ -261,7 +266,7 @@ BROKEN_YAML = (
     [
         (changed('"4.8"', '"4.8'), BROKEN_YAML),
         (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
-         "ch77/p01.yaml is not YAML: the key twice is there twice in line 10, column 12;.*"),
+         "ch77/p01.yaml is not YAML: the key twice is there twice in line 11, column 12;.*"),
         (changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"),
          "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"),
     ],

@@ -16,9 +16,7 @@ SOLVE, PROVE, MISTAKES = P.code.solve, P.code.prove, P.code.mistakes
 
 @pytest.fixture
 def tamper(monkeypatch):
-    """A function that puts other functions into the code of 4/16 and returns the faults that check
-    finds.
-    """
+    """Puts other functions into the code of 4/16 and returns the faults that check finds."""
 
     def put(**functions):
         for name, function in functions.items():

@@ -77,6 +77,14 @@ def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
     ]
 
 
+def test_steps_in_code_and_text_are_the_same(monkeypatch):
+    p = problem("8/3")
+    monkeypatch.setattr(p.code, "steps", lambda g: {"m": g.W / g.g, "I_G": g.W / g.g * g.L**2})
+    assert faults(p, p.book_values) == ["the step a_G is in p03.yaml but not computed"]
+    monkeypatch.setattr(p.code, "steps", lambda g: {"a_C": g.g})
+    assert faults(p, p.book_values) == ["8/3: the step 'a_C' is computed but not in p03.yaml"]
+
+
 def proving(monkeypatch, **found):
     """4/16, whose proof also gives these steps, times the rates of the problem."""
     p = problem("4/16")

@@ -90,13 +90,10 @@ def test_nothing_is_overwritten(spec):
         written(spec)
 
 
-@pytest.mark.parametrize(
-    ("chapter", "only", "told"),
-    [
-        ("ch02", ["2/9"], "has no problem 2/9; of ch02 it has 2/1, 2/2"),
-        ("ch03", [], "has no problem of ch03; of ch03 it has none"),
-    ],
-)
+@pytest.mark.parametrize(("chapter", "only", "told"), [
+    ("ch02", ["2/9"], "has no problem 2/9; of ch02 it has 2/1, 2/2"),
+    ("ch03", [], "has no problem of ch03; of ch03 it has none"),
+])  # fmt: skip
 def test_what_is_not_in_the_spec_is_told(spec, chapter, only, told):
     with pytest.raises(CatalogueError, match=told):
         write_chapter(chapter, spec, only, spec.parent)

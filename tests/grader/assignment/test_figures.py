@@ -17,9 +17,6 @@ by_id = pytest.mark.parametrize(
 
 @by_id
 def test_it_can_be_read_for_the_book_and_for_two_students(p):
-    """No labels overlap, are crossed by lines, stand far off or leave the picture; no axes look
-    alike.
-    """
     for seed in range(3):
         assert figure_faults(p, values(p, seed)) == []
 
@@ -44,9 +41,7 @@ def _kept(_):
 
 
 def test_a_forked_process_reads_fonts_of_its_own_and_draws_the_same():
-    """A parsed formula holds an open font file. Two processes that read one file get each other's
-    bytes: FT_Load_Glyph fails now and then.
-    """
+    """Two processes that read one open font file get each other's bytes."""
     here = {i: _drawn(i) for i in DRAWN}
     assert labels._parsers
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("fork")) as pool:

@@ -78,9 +78,7 @@ def test_an_empty_roster_is_reported(ungraded):
 
 
 def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monkeypatch):
-    """Without root's rights, by an access list; a student who is no user of the machine has a
-    folder whose name is not listed.
-    """
+    """By an access list; without a user of the machine, in a folder whose name is not listed."""
     (tmp_path / "setfacl").write_text(f'#!/bin/sh\necho "$@" >> {tmp_path}/said\n')
     (tmp_path / "setfacl").chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=":")

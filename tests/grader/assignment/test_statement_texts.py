@@ -75,21 +75,18 @@ def test_a_slanted_fraction_has_one_reading(p):
     assert re.findall(r"/\d+ ?\\pi|/\{\w+\} ?[\\{\w]", formulas) == []
 
 
-@pytest.mark.parametrize(
-    ("text", "latex"),
-    [
-        ("(i x i) x j", r"$(\mathbf{i} \times \mathbf{i}) \times \mathbf{j}$"),
-        ("k = i x j", r"$\mathbf{k} = \mathbf{i} \times \mathbf{j}$"),
-        ("e_b = e_t cross e_n", r"$e_b = e_t \times e_n$"),
-        ("z = x cross y", r"$z = x \times y$"),
-        ("theta = 90 degrees - beta", r"$\theta = 90^\circ - \beta$"),
-        ("beta = pi/2, then", r"$\beta = \pi/2$, then"),
-        ("I_yy - I_xx/2 alone", r"$I_{yy} - I_{xx}/2$ alone"),
-        ("the radii r1 and r2", "the radii $r_1$ and $r_2$"),
-        ("a pin of A and a disk", "a pin of A and a disk"),
-        ("the x-y plane, 2 x 4 m", "the x-y plane, 2 x 4 m"),
-    ],
-)
+@pytest.mark.parametrize(("text", "latex"), [
+    ("(i x i) x j", r"$(\mathbf{i} \times \mathbf{i}) \times \mathbf{j}$"),
+    ("k = i x j", r"$\mathbf{k} = \mathbf{i} \times \mathbf{j}$"),
+    ("e_b = e_t cross e_n", r"$e_b = e_t \times e_n$"),
+    ("z = x cross y", r"$z = x \times y$"),
+    ("theta = 90 degrees - beta", r"$\theta = 90^\circ - \beta$"),
+    ("beta = pi/2, then", r"$\beta = \pi/2$, then"),
+    ("I_yy - I_xx/2 alone", r"$I_{yy} - I_{xx}/2$ alone"),
+    ("the radii r1 and r2", "the radii $r_1$ and $r_2$"),
+    ("a pin of A and a disk", "a pin of A and a disk"),
+    ("the x-y plane, 2 x 4 m", "the x-y plane, 2 x 4 m"),
+])  # fmt: skip
 def test_a_formula_of_names_is_one_formula(text, latex):
     assert typeset_names(text, {}) == latex
 

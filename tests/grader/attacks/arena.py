@@ -65,9 +65,7 @@ def honest_students():
 
 @dataclass
 class Arena:
-    """What a run left: the course, {student: points} of the gradebook, what was said, the seconds
-    of each job, and the files that were there before and after.
-    """
+    """What a run left: course, {student: points}, output, seconds a job, files before and after."""
 
     course: Course
     outside: Path
@@ -112,9 +110,7 @@ class _Host:
 
 
 def prepare(course, folder, names, honest=None):
-    """A copy of the course in which all have handed in: attackers only those of ``names``,
-    honest students only those of ``honest`` if it is given.
-    """
+    """A copy of the course in which ``names`` of the attackers and the honest have handed in."""
     folder.chmod(0o755)
     outside = folder / "outside"
     outside.mkdir()

@@ -32,9 +32,7 @@ class Attack:
 
 @dataclass(frozen=True)
 class Scene:
-    """The course, one student of it, a folder outside of it that nobody should write to, a word that
-    stands in the name of whatever an attack makes, and a port that is open outside of the cage.
-    """
+    """The course, a student, a folder outside, the mark in the name of what it makes, an open port."""
 
     course: object
     student: str
@@ -69,9 +67,7 @@ def cell_of(notebook, cell_id):
 
 
 def code(text, **flags):
-    """Python in the answer cell of 4/1; $COURSE, $OUTSIDE, $MARK, $PORT, $REPOSITORY and
-    $HONEST stand for themselves.
-    """
+    """Python in the answer cell of 4/1; $COURSE, $OUTSIDE, $MARK, $PORT and others stand for themselves."""
 
     def change(notebook, scene):
         cell_of(notebook, "answer-4-1")["source"] = filled(text, scene)

@@ -119,7 +119,5 @@ DECEIVED = {  # by which a test can be passed: known, and said in the README
 
 @pytest.mark.parametrize("how", DECEIVED)
 def test_what_a_test_in_the_students_process_cannot_promise(harvester, how):
-    """A test of this kind is deceived in plain nbgrader too; our own problems have none. If one of
-    these ever fails, take it out of the README.
-    """
+    """Plain nbgrader is deceived too. If one of these ever fails, take it out of the README."""
     assert outcome(harvester, DECEIVED[how]) == {"error": None, "value": None}

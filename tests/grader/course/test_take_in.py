@@ -44,6 +44,10 @@ PLATFORMS = {
     "the id": ("dan.ipynb", "dan"),
     "a folder of the id": ("submissions/eve/ch04.ipynb", "eve"),
     "the address": ("daniel.g@uni.edu/ch04.ipynb", "dan"),
+    "a packed folder": ("submissions/lovelaceada_4711_98765_ch04.ipynb", "ada"),
+    "a folder of one's own": ("ada/homework/work.ipynb", "ada"),
+    "the assignment first": ("ch04-ada.ipynb", "ada"),
+    "an attempt": ("ch04_eve_attempt_2026-05-01-10-11-12_work.ipynb", "eve"),
 }
 
 
@@ -101,11 +105,64 @@ def test_a_link_in_an_archive_is_left_out(named, tmp_path):
     assert not named.submissions("ch04")
 
 
+STRANGERS = [
+    {"quinnzoe_99_100_ch04_ada.ipynb": "{}"},
+    {"quinnzoe_99_100_4711.ipynb": "{}"},
+    {"Zoe Quinn_77_assignsubmission_file_/ada.ipynb": "{}"},
+    {"Zoe Quinn_77_assignsubmission_file_/ada/ch04.ipynb": "{}"},
+    {f"Zoe Quinn_77_assignsubmission_file_/{s}.ipynb": "{}" for s in ("ada", "ben")},
+    {"zoe/ada.ipynb": "{}"},
+]
+
+
+@pytest.mark.parametrize("others", [{}, {"ben_1_ch04.ipynb": "{}", "eve_2_ch04.ipynb": "{}"}, {
+    "Ben Müller-Lüdenscheidt_1_assignsubmission_file_/ch04.ipynb": "{}", "eve/ada.ipynb": "{}",
+}], ids=["alone", "flat", "in folders"])  # fmt: skip
+def test_the_work_of_nobody_on_the_roster_is_given_to_nobody(named, tmp_path, others):
+    """Whatever its owner calls the file."""
+    for strange in STRANGERS:
+        path = archive(tmp_path / "w.zip", strange | others)
+        found = take_in(named, "ch04", path, replace=True)
+        assert set(found.taken) == ({"ben", "eve"} if others else set()), strange
+        assert {name for name, _ in found.refused} == set(strange)
+
+
+COMMON = "file", "work", "ch04", "submissions", "assignsubmission", "notebook"
+
+
+def test_an_id_that_is_a_common_word_takes_nobodys_work(named, tmp_path):
+    named.enrol(COMMON)
+    for files in (
+        {"Ben Müller-Lüdenscheidt_123_assignsubmission_file_/notebook.ipynb": "ben",
+         "Cléo de Mérode_124_assignsubmission_file_/work.ipynb": "cleo"},
+        {"lovelaceada_4711_98765_ch04-1.ipynb": "ada"},
+        {"submissions/eve/ch04.ipynb": "eve", "submissions/ada/work.ipynb": "ada"},
+        {"ada_notebook.ipynb": "ada", "eve_notebook.ipynb": "eve", "ben_notebook.ipynb": "ben"},
+    ):  # fmt: skip
+        path = archive(tmp_path / "w.zip", dict.fromkeys(files, "{}"))
+        found = take_in(named, "ch04", path, replace=True)
+        assert found.taken == {s: name for name, s in files.items()}
+
+
+@pytest.mark.parametrize("packed", ["", "all of them/"])
+def test_one_damaged_notebook_loses_none_of_the_others(named, tmp_path, packed):
+    files = {f"{packed}{s}.ipynb": json.dumps({"of": s * 99}) for s in ("ada", "ben", "eve")}
+    path = archive(tmp_path / "w.zip", files)
+    raw = bytearray(path.read_bytes())
+    place = raw.find(f"{packed}ben.ipynb".encode()) + len(f"{packed}ben.ipynb")
+    raw[place : place + 12] = b"\xff" * 12
+    path.write_bytes(raw)
+    found = take_in(named, "ch04", path)
+    assert set(found.taken) == {"ada", "eve"}
+    ((name, why),) = found.refused
+    assert (name, "it is damaged" in why) == (f"{packed}ben.ipynb", True)
+
+
 def test_a_file_that_a_student_named_after_another_takes_nobodys_place(named, tmp_path):
     files = {"ben_1_ch04.ipynb": "{}", "x_2_ch04_ben.ipynb": '{"a": 1}'}
     found = take_in(named, "ch04", archive(tmp_path / "w.zip", files))
-    assert found.taken == {}
-    assert all("one of 2 that fit ben" in why for _, why in found.refused)
+    assert found.taken == {"ben": "ben_1_ch04.ipynb"}
+    assert found.refused == [("x_2_ch04_ben.ipynb", "its name fits nobody on the roster")]
 
 
 def test_the_notebook_of_the_assignment_is_chosen_among_others_of_the_student(named, tmp_path):

@@ -105,9 +105,7 @@ def test_only_the_pages_of_the_assignment_are_released(fresh):
 
 
 def test_feedback_is_released_after_the_graders_own_route(fresh):
-    """With the timestamp and the secret of the submission where nbgrader's autograde would have put
-    them, or only where they were submitted.
-    """
+    """Timestamp and secret where autograde would have put them, or where submitted."""
     (fresh.path / "exchange/mechanics").mkdir(parents=True)
     (fresh.path / "exchange").chmod(0o777)
     assert command("grade", "ch04", "--course", fresh.path, "--force")[0] == 0

@@ -32,9 +32,7 @@ def result(student, right, out_of=4, **more):
 
 
 def graded_course(path, students=20):
-    """A course whose records say that student n of N can do a part with probability n / N, the last
-    part nobody.
-    """
+    """Student n of N can do a part with probability n / N, the last part nobody."""
     rng = random.Random(4)
     with new_course(path, "mechanics") as course:
         course.enrol(

@@ -62,9 +62,7 @@ def still_serves(harvester):
 
 
 def wait_until(true, seconds=20):
-    """The last value of ``true``, as soon as it is true: a worker ends what a job has started
-    after the reply.
-    """
+    """The last value of ``true``: a worker ends what a job has started after the reply."""
     end = time.monotonic() + seconds
     while not true() and time.monotonic() < end:
         time.sleep(0.02)
@@ -104,9 +102,7 @@ def as_ordinary_user(command):
 
 
 def elsewhere(jobs, sandbox=True, ordinary=False, before="", between="", seconds=(3, 1)):
-    """The replies to jobs, or the errors, of a harvester in a process of its own; ``before`` and
-    ``between`` are Python that runs there before the harvester starts and after its first job.
-    """
+    """Replies or errors of a harvester in a process of its own; ``before`` and ``between`` run there."""
     script = CHILD.format(
         repository=str(REPOSITORY), jobs=jobs, sandbox=sandbox, before=before, between=between,
         seconds=seconds,

@@ -24,9 +24,7 @@ def values(p, data):
 
 
 def listed(p, given):
-    """[(mistake, key, the student's tree)] of every mistake that a problem's YAML names, computed
-    as a student would: with symbols.
-    """
+    """[(mistake, key, the student's tree)] of a problem's YAML, computed with symbols."""
     wrong = p.code.mistakes(p.base({**p.sympy_symbols(), **given}))
     return [
         (name, key, trees(p, p.in_units({key: v}))[key])
@@ -144,19 +142,16 @@ def test_a_term_left_out_or_turned_is_told_from_the_ledger_or_a_listed_mistake(p
         assert part.diagnosis or len(alike) > 1, (name, factor)
 
 
-@pytest.mark.parametrize(
-    ("number", "key", "change", "words"),
-    [
-        ("4/16", "a_D", lambda a: a.without("coriolis"), "Coriolis"),
-        ("4/16", "a_D", lambda a: a.reweighted(coriolis=0.5), "factor 2"),
-        ("4/16", "a_D", lambda a: a.reweighted(coriolis=-1), "other way round"),
-        ("4/16", "a_D", lambda a: a * -1, "sign"),
-        ("4/16", "a_D", lambda a: a / 1000, "mm"),
-        ("4/16", "a_D", lambda a: a * 1000, "mm"),
-        ("4/16", "a_D", lambda a: a * 2, "factor of 2"),
-        ("4/3", "a", lambda a: a.without("centripetal"), "centripetal"),
-    ],
-)
+@pytest.mark.parametrize(("number", "key", "change", "words"), [
+    ("4/16", "a_D", lambda a: a.without("coriolis"), "Coriolis"),
+    ("4/16", "a_D", lambda a: a.reweighted(coriolis=0.5), "factor 2"),
+    ("4/16", "a_D", lambda a: a.reweighted(coriolis=-1), "other way round"),
+    ("4/16", "a_D", lambda a: a * -1, "sign"),
+    ("4/16", "a_D", lambda a: a / 1000, "mm"),
+    ("4/16", "a_D", lambda a: a * 1000, "mm"),
+    ("4/16", "a_D", lambda a: a * 2, "factor of 2"),
+    ("4/3", "a", lambda a: a.without("centripetal"), "centripetal"),
+])  # fmt: skip
 def test_the_common_slips_are_told_in_words(number, key, change, words):
     p = problem(number)
     given = values(p, "variant")

@@ -130,9 +130,7 @@ FACTORS = 1.3, 0.8, 1.05, 3.0  # not every wrong answer has a sequel
 
 
 def other(p, key, numbers, right, factor):
-    """(the first of the earlier answers, made wrong; the later one that follows), or None if that
-    is none, or nearly the right one.
-    """
+    """(an earlier answer, made wrong; the one that follows), or None if it is nearly the right one."""
     first = next(iter(right))
     if p.answer(first).kind.name == "choice":
         wrong = tuple(next(w for w in p.answer(first).of if w != x) for x in right[first])

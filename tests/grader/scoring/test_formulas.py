@@ -12,8 +12,6 @@ from tests.grader.scoring.answered import judged
 
 OMEGA, NU, D, TILT = "omega", "nu", "d", "tilt"
 SPEED = ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", TILT]], 2]], 0.5]  # 4/2
-
-
 OF_COSINE = ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]
 IN_DEGREES = ["sin", ["*", "pi", ["/", TILT, 180]]]
 

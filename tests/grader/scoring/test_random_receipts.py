@@ -19,8 +19,6 @@ from .random_receipts import receipt
 CH04 = problems("ch04")
 VALUES = {p.id: draw(p, b"random receipts") for p in CH04}
 LONGEST = 0.05  # seconds of the scorer's own time for one receipt
-
-
 KEYS = {p.id: right_trees(p, VALUES[p.id]) for p in CH04}
 
 
@@ -47,9 +45,7 @@ def took(p, given):
 
 
 def try_receipts(seed, count):
-    """The longest time that one of ``count`` receipts took; of those that took long, the shortest
-    of ten, since what else the machine does can only make it longer.
-    """
+    """The longest time of ``count`` receipts; of slow ones the shortest of ten tries."""
     rng, longest = random.Random(seed), 0.0
     for _ in range(count):
         p = rng.choice(CH04)

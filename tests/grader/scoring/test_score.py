@@ -27,11 +27,12 @@ def test_no_receipt_at_all_is_blank_and_costs_only_the_points():
         assert [(p.verdict, p.points, p.out_of) for p in result.parts] == [("blank", 0, 1)] * 3
 
 
-def test_a_vector_is_right_in_any_frame_that_its_receipt_has_it_in():
+def test_a_vector_is_right_if_its_components_in_the_ground_are():
     a_D = key(problem("4/16"))["a_D"]
     turned = [a_D[1], -a_D[0], a_D[2]]
-    for frames in ({"arm": turned, "ground": a_D}, {"ground": a_D, "arm": turned}):
-        assert judged(problem("4/16"), {"a_D": frames})["a_D"].points == 1
+    for own, ground, points in ((turned, a_D, 1), (a_D, turned, 0)):
+        found = judged(problem("4/16"), {"a_D": {"arm": own, "ground": ground}})["a_D"]
+        assert found.points == points
     assert judged(problem("4/16"), {"a_D": {"arm": turned}})["a_D"].verdict == "wrong"
 
 

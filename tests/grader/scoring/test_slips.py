@@ -81,9 +81,7 @@ def same_numbers(numbers, a, cause, slip):
 
 
 def judged(p, numbers, a, words, slip, others):
-    """What scoring says of a slip in part ``a``: named, unnamed, observed, passed, or the text of a
-    false cause.
-    """
+    """Of a slip in part ``a``: named, unnamed, observed, passed, or the text of a false cause."""
     answers = {**others, a.key: tree_of(a, slip)}
     values = {n: numbers.sample[n] for n in p.givens}
     part = next(x for x in score_receipt(p, values, {"answers": answers}).parts if x.key == a.key)
@@ -99,9 +97,7 @@ def judged(p, numbers, a, words, slip, others):
 
 
 def counted(p, alone):
-    """Counter of (slip, outcome) over the draws of a problem, each part alone or beside parts that
-    are right.
-    """
+    """Counter of (slip, outcome) over the draws, each part alone or beside right ones."""
     found, examples = Counter(), []
     for n in range(DRAWS):
         numbers = numbers_of(p, draw(p, f"slips {n}".encode()))

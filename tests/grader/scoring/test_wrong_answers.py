@@ -98,9 +98,7 @@ def test_the_books_answers_are_told_and_earn_nothing(p):
     "p", [p for p in NUMERIC if any(g.vary for g in p.givens.values())], ids=lambda p: p.id
 )
 def test_a_neighbours_answers_hardly_ever_pass(p):
-    """One number within half a percent is met by chance in some 1 % of a class, the answers of a
-    whole problem in 1 of 1000.
-    """
+    """A number within half a percent: by chance 1 % of a class, a whole problem 1 of 1000."""
     keys = [numbers_of(p, draw(p, f"neighbour {n}".encode())).key for n in range(DRAWS)]
     pairs = list(itertools.permutations(keys, 2))
     hits = Counter()

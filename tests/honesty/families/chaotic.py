@@ -67,10 +67,7 @@ def driven_pendulum(rng):
 
 @family("chaotic", "near-singular")
 def three_bodies(rng):
-    """A light body about two heavy ones that circle each other, in their rotating frame.
-
-    It may pass close to one.
-    """
+    """A light body about two heavy ones, in their rotating frame; it may pass close to one."""
 
     def accelerations(s, p, t):
         a, b = s.x + p.mu, s.x - 1 + p.mu

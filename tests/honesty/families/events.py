@@ -41,10 +41,7 @@ def zeros_of_a_pendulum(rng):
 
 @family("events")
 def crests_of_a_wave(rng):
-    """Short visits to the crest of an oscillation.
-
-    Pairs of zeros that lie close together, or just none.
-    """
+    """Short visits to a crest: pairs of zeros that lie close together, or just none."""
     w, gap = rng.values(Log(0.5, 20.0), Log(1e-7, 1e-2))
     model = models.spring("crests", k=w * w, line=1 - gap if rng.random() < 0.7 else 1 + gap)
     return Case(model, rng.uniform(20.0, 120.0) / w, (0.0, w), events=(LINE,))
@@ -68,10 +65,7 @@ def landing(rng):
 
 @family("events")
 def bouncing_ball(rng):
-    """A ball that loses part of its speed at each impact.
-
-    The end comes before the bounces accumulate.
-    """
+    """It loses part of its speed at each impact; the end comes before they accumulate."""
     e, h = rng.values((0.5, 0.95), Log(0.1, 10.0))
     bounced = lambda s, p, t: (0 * s.h, -p.e * s.v)
     then = lambda s, p, t: (model, (0.0, -p.e * s.v))

@@ -118,10 +118,7 @@ def tank_with_an_overflow(rng):
 
 @family("kinked", "sticking")
 def tank_that_runs_empty(rng):
-    """h' = -c sqrt(h).
-
-    Empty after a finite time, it stays so; the formula goes on to a parabola that fills it again.
-    """
+    """h' = -c sqrt(h) stays empty; the formula goes on to a parabola that fills it again."""
     c, h = rng.values(Log(0.01, 10.0), Log(0.1, 10.0))
 
     def exact(mp, s, p, t):
@@ -133,10 +130,7 @@ def tank_that_runs_empty(rng):
 
 @family("kinked")
 def tank_nearly_empty(rng):
-    """The same with a small steady inflow.
-
-    It comes down to a level far below the first and stays there.
-    """
+    """With a small steady inflow it comes down to a level far below the first and stays."""
     parameters = rng.parameters(c=1.0, q=Log(1e-3, 1e-1))
     model = Model("tank with inflow", parameters, ("h",), lambda s, p, t: (p.q - p.c * sqrt(s.h),))
     return Case(model, rng.uniform(1.5, 6.0), (rng.uniform(0.5, 2.0),))
@@ -189,9 +183,7 @@ def square_wave(rng):
 
 @family("kinked")
 def friction_between_two(rng):
-    """Two masses that rub on each other, tied to the wall by springs, while the lower one is driven
-    hard enough to go on slipping.
-    """
+    """Two masses on springs that rub on each other; the lower one is driven to go on slipping."""
     parameters = rng.parameters(k=(1.0, 4.0), K=(20.0, 60.0), mu=(0.02, 0.2))
 
     def accelerations(s, p, t):

@@ -94,10 +94,7 @@ def pendulum_on_a_cart(rng):
 
 @family("mechanics")
 def rolling_disk(rng):
-    """A thin disk that rolls without slipping.
-
-    The angle of its axis, and the rates about its axes (E. J. Routh).
-    """
+    """Without slipping: the angle of its axis, and the rates about its axes (E. J. Routh)."""
     parameters = {"g": 9.81 / rng.decades(0.02, 2.0), "A": 0.25, "C": 0.5}  # moments over m R^2
 
     def rates(s, p, t):

@@ -116,10 +116,7 @@ def fast_and_slow(rng):
 
 @family("multi-scale")
 def fall_through_air(rng):
-    """A particle that falls from a great height through air that thins exponentially.
-
-    Its height is measured from the centre of the Earth.
-    """
+    """From the centre of the Earth, through air that thins exponentially."""
     parameters = rng.parameters(GM=EARTH, R=6.371e6, H=(6e3, 9e3), c=Log(1e-5, 1e-3))
 
     def rates(s, p, t):

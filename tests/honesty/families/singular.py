@@ -65,9 +65,7 @@ def fall_towards_the_centre(rng):
 
 @family("near-singular")
 def past_the_pole(rng):
-    """A spherical pendulum in angles, which passes close to the lowest place, where its azimuth
-    changes fast.
-    """
+    """A spherical pendulum close to its lowest place, where the azimuth changes fast."""
     near = rng.decades(1e-3, 0.3)
 
     def rates(s, p, t):
@@ -92,9 +90,7 @@ def close_approach(rng):
 
 @family("near-singular", "separatrix")
 def upright_top(rng):
-    """The nutation of a top that starts next to the upright position, just too slow to sleep, or
-    just fast enough.
-    """
+    """Nutation next to the upright position, just too slow to sleep, or just fast enough."""
     parameters = {"w": 2.0 * rng.choice((0.9, 0.99, 1.01, 1.1)), "g": 1.0, "one": 1.0}
 
     # equal angular momenta about the vertical and the axis: theta = 0 is no singular place

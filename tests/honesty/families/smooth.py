@@ -83,9 +83,7 @@ def random_network(rng):
 
 @family("smooth")
 def random_formula(rng):
-    """Two coordinates under a force that is a random sum of sines, exponentials and roots, with a
-    little damping.
-    """
+    """Two coordinates, a random sum of sines, exponentials and roots, a little damping."""
     parameters = {n: rng.uniform(-1.5, 1.5) for n in "abcdef"}
     parameters |= rng.parameters(k=(0.5, 2.0), g=(0.05, 0.3), one=1.0)
     shapes = (

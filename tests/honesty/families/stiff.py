@@ -30,9 +30,7 @@ def robertson(rng):
 
 @family("stiff", "forced")
 def fast_relaxation(rng):
-    """Drawn towards cos(w t) at a rate a thousand to a million times as fast as that changes
-    (Prothero and Robinson).
-    """
+    """Towards cos(w t), a thousand to a million times as fast (Prothero and Robinson)."""
     parameters = rng.parameters(L=Log(1e2, 1e5), w=(0.5, 3.0))
     rates = lambda s, p, t: (-p.L * (s.x - cos(p.w * t)) - p.w * sin(p.w * t),)
     exact = lambda mp, s, p, t: (mp.cos(p.w * t) + (s.x - 1) * mp.exp(-p.L * t),)

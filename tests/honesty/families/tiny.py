@@ -35,10 +35,7 @@ def all_zero_at_first(rng):
 
 @family("tiny", "equilibrium")
 def one_state_stays_zero(rng):
-    """A spherical pendulum that swings in a plane.
-
-    The other coordinate and its rate are zero for ever.
-    """
+    """A spherical pendulum in a plane: the other coordinate and its rate stay zero."""
     stiffness = lambda s, p: p.k + p.b * (s.x * s.x + s.y * s.y)
     a = lambda s, p, t: (-s.x * stiffness(s, p), -s.y * stiffness(s, p))
     parameters = rng.parameters(k=(0.5, 10.0), b=(-0.2, 0.2))
@@ -66,9 +63,7 @@ def weak_drive_at_rest(rng):
 
 @family("tiny", "multi-scale")
 def three_sizes(rng):
-    """Three oscillators of one frequency whose sizes lie decades apart, coupled from the large to
-    the small.
-    """
+    """Three oscillators of one frequency, decades apart, coupled from the large to the small."""
     parameters = rng.parameters(k=(0.5, 4.0), a=Log(1e-8, 1e-2), b=Log(1e-8, 1e-2))
     a = lambda s, p, t: (-p.k * s.x, -2 * p.k * s.y + p.a * s.x, -3 * p.k * s.z + p.b * s.y)
     T, x = rng.values((5.0, 30.0), Log(1e-3, 1e3))

@@ -177,9 +177,7 @@ def small_cluster(rng):
 
 @held_out("smooth")
 def lattice_of_nine(rng):
-    """A field on three by three places, with a restoring force of the third power; at first it is
-    zero everywhere but at one place.
-    """
+    """Three by three places, a restoring force of the third power; at first one is not zero."""
     n = 3
 
     def accelerations(s, p, cube):

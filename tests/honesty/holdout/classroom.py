@@ -243,9 +243,7 @@ def dog_and_rabbit(rng):
 
 @held_out("near-singular")
 def angle_by_arccosine(rng):
-    """A door on a torsion spring under a steady torque, by the cosine and the sine of its angle;
-    the spring takes the angle from acos, nearly of one at the turning point.
-    """
+    """A door by cosine and sine of its angle; its spring takes acos, nearly of one at the turn."""
     k, th, M, T = rng.values((1.0, 10.0), Log(1e-2, 0.3), (0.4, 1.0), (2.0, 25.0))
     rates = lambda s, p, t: (-s.s * s.w, s.c * s.w, p.M - p.k * acos(s.c))
     model = Model("door", {"k": k, "M": k * M}, ("c", "s", "w"), rates)

@@ -62,9 +62,7 @@ def bond_beside_an_orbit(rng):
 
 @held_out("multi-scale", "tiny")
 def ripple_on_a_train(rng):
-    """A train a thousand kilometres down the line, and a swing of nanometres to micrometres in it,
-    as one coordinate each and as their sum.
-    """
+    """A swing of nanometres in a train 1000 km away, as one coordinate each and as their sum."""
     rates = lambda s, p, t: (0 * s.V, s.V, s.w, -p.k * s.u, s.V + s.w)
     k, a, x, T, V = rng.values((1.0, 30.0), Log(1e-9, 1e-4), (1e5, 1e6), (5.0, 30.0), (10.0, 80.0))
     model = Model("train", {"k": k}, ("V", "X", "u", "w", "sum"), rates)
@@ -90,9 +88,7 @@ def exact_resonance(rng):
 
 @held_out("equilibrium")
 def trojan(rng):
-    """A body at the fourth point of Lagrange of Earth and Moon, or of two heavier ones, where it is
-    not stable.
-    """
+    """At the fourth point of Lagrange of Earth and Moon, or where it is not stable."""
     mu = rng.choice((0.012150585, 0.1, 0.3))
 
     def accelerations(s, p, t):

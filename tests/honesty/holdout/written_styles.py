@@ -151,9 +151,7 @@ def root_of_the_distance(rng):
 
 @held_out("kinked")
 def ball_by_hertz(rng):
-    """A ball that bounces on a contact force max(d, 0)**1.5 with preload, and with hysteresis as
-    Hunt and Crossley have it.
-    """
+    """A bounce on max(d, 0)**1.5 with preload and hysteresis (Hunt and Crossley)."""
 
     def fall(s, p, d):
         return s.v, p.k * ((d + p.d0) ** 1.5 - p.d0**1.5) * (1 - p.a * s.v) - p.g

@@ -55,13 +55,10 @@ def test_with_models_only_ladders_are_known(capsys):
     assert "no chart 'pendulum of Foucault'" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(
-    ("name", "file"),
-    [
-        ("Sphere-on-an-incline", "sphere-on-an-incline.svg"),
-        ("models of projectile", "models-of-projectile.svg"),
-    ],
-)
+@pytest.mark.parametrize(("name", "file"), [
+    ("Sphere-on-an-incline", "sphere-on-an-incline.svg"),
+    ("models of projectile", "models-of-projectile.svg"),
+])  # fmt: skip
 def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
     assert run(name, "--quick", "--format", "svg", "--out", str(tmp_path / "new")) == 0
     output = capsys.readouterr()
@@ -136,15 +133,12 @@ def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsy
     assert all(float(r["error"]) < 1e-14 for r in rows if r["method"] == "exact")
 
 
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (("--scene", "topp"), "there is no 'topp'; there are planet; "),
-        (("--methods", "dop"), "there is no 'dop'; there are exact; taylor"),
-        (("--out", "honesty.txt"), "a picture ends in .png, .svg or .pdf, got 'honesty.txt'"),
-        (("--scene", SCENE, "--methods", "lie-poisson4"), "none of these methods can be used"),
-    ],
-)
+@pytest.mark.parametrize(("options", "words"), [
+    (("--scene", "topp"), "there is no 'topp'; there are planet; "),
+    (("--methods", "dop"), "there is no 'dop'; there are exact; taylor"),
+    (("--out", "honesty.txt"), "a picture ends in .png, .svg or .pdf, got 'honesty.txt'"),
+    (("--scene", SCENE, "--methods", "lie-poisson4"), "none of these methods can be used"),
+])  # fmt: skip
 def test_what_does_not_exist_is_refused_with_what_does(options, words, capsys):
     assert run("honesty", *options) == 2
     assert words in capsys.readouterr().err

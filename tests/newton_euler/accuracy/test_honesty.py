@@ -34,9 +34,7 @@ SCENE = "sphere on an incline"
 
 
 def fake(answers):
-    """A reference whose methods answer what is in the table: (true error, estimate) or an
-    exception, by method and tolerance.
-    """
+    """A reference whose methods answer (true error, estimate) or an exception, as in the table."""
 
     class Fake:
         def __init__(self, scene):
@@ -143,10 +141,9 @@ def test_errors_below_half_a_unit_of_the_last_place_count_as_that():
     assert answer(error=0.0, estimate=0.0).covered
 
 
-@pytest.mark.parametrize(
-    ("error", "estimate", "silent"),
-    [(9e-6, 1e-9, False), (2e-5, 1e-9, True), (2e-5, 3e-6, False), (2e-5, None, True)],
-)
+@pytest.mark.parametrize(("error", "estimate", "silent"), [
+    (9e-6, 1e-9, False), (2e-5, 1e-9, True), (2e-5, 3e-6, False), (2e-5, None, True),
+])  # fmt: skip
 def test_silently_wrong_is_over_ten_times_both_the_tolerance_and_the_estimate(
     error, estimate, silent
 ):

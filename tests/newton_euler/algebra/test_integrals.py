@@ -7,14 +7,13 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Dimension, Frame, compiled, cos, moving, sin, sqrt
+from newton_euler import Frame, compiled, cos, moving, sin, sqrt
 from newton_euler.algebra import DimensionError, LinearForm, SingularError, WorkError, integral
 from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.partial_evaluation import folded
 from newton_euler.algebra.scalars import ZERO
 from newton_euler.kinematics import from_place
-
-MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
+from tests.kinds import LENGTH, MASS, TIME
 
 
 def wire(a, k):

@@ -23,19 +23,16 @@ def rod_angle_by_hand(length, radius, crank):
     return asin(radius * sin(crank) / length)
 
 
-@pytest.mark.parametrize(
-    ("f", "low", "high", "expected"),
-    [
-        (lambda x: x * x - 2, 0.0, 5.0, math.sqrt(2)),
-        (lambda x: 2 - x * x, 5.0, 0.0, math.sqrt(2)),
-        (lambda x: (x - 0.3) ** 3, -1.0, 5.0, 0.3),
-        (lambda x: x - 1e-200, -1.0, 1.0, 1e-200),
-        (lambda x: 1e-200 * (x - 0.25), 0.0, 1.0, 0.25),
-        (lambda x: exp(50 * x) - 2, -1.0, 1.0, math.log(2) / 50),
-        (lambda x: x, 0, 1, 0),
-        (lambda x: x - 1, 0, 1, 1),
-    ],
-)
+@pytest.mark.parametrize(("f", "low", "high", "expected"), [
+    (lambda x: x * x - 2, 0.0, 5.0, math.sqrt(2)),
+    (lambda x: 2 - x * x, 5.0, 0.0, math.sqrt(2)),
+    (lambda x: (x - 0.3) ** 3, -1.0, 5.0, 0.3),
+    (lambda x: x - 1e-200, -1.0, 1.0, 1e-200),
+    (lambda x: 1e-200 * (x - 0.25), 0.0, 1.0, 0.25),
+    (lambda x: exp(50 * x) - 2, -1.0, 1.0, math.log(2) / 50),
+    (lambda x: x, 0, 1, 0),
+    (lambda x: x - 1, 0, 1, 1),
+])  # fmt: skip
 def test_roots_of_floats_are_exact_to_round_off(f, low, high, expected):
     assert root(f, low, high) == pytest.approx(expected, rel=1e-14, abs=1e-210)
 

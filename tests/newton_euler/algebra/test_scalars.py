@@ -190,10 +190,9 @@ def test_functions_take_whole_rational_and_complex_numbers(number):
     assert function("sin", 1j * number) == pytest.approx(1j * math.sinh(number))
 
 
-@pytest.mark.parametrize(
-    ("y", "x", "expected"),
-    [(0, -1, 1), (0, 1, 0), (1, 0, 0.5), (-1, 0, -0.5), (1, -1, 0.75), (-1, -1, -0.75)],
-)
+@pytest.mark.parametrize(("y", "x", "expected"), [
+    (0, -1, 1), (0, 1, 0), (1, 0, 0.5), (-1, 0, -0.5), (1, -1, 0.75), (-1, -1, -0.75),
+])  # fmt: skip
 @pytest.mark.parametrize("kind", KINDS)
 def test_atan2_with_structural_zeros_lies_in_minus_pi_to_pi(kind, y, x, expected):
     """A structural zero above a negative x is +0.0: the angle is pi, not -pi."""
@@ -376,17 +375,14 @@ def test_moving_expressions_derive_their_rates_in_t():
     assert moving(q).acceleration == q.diff("t", 2)
 
 
-@pytest.mark.parametrize(
-    ("wrong", "message"),
-    [
-        (lambda: moving(2.0, 1.0) ** moving(1.0, 1.0), "constant power only"),
-        (lambda: moving(moving(1.0), rate=2.0), "already has its rates"),
-        (lambda: moving(lambda t: t), r"pass at\(f, t\) instead of f"),
-        (lambda: moving("1"), "expected a number"),
-        (lambda: moving(1.0) + "1", "expected a number"),
-        (lambda: at(lambda t: (t, t), 1.0), "expected a number"),
-    ],
-)
+@pytest.mark.parametrize(("wrong", "message"), [
+    (lambda: moving(2.0, 1.0) ** moving(1.0, 1.0), "constant power only"),
+    (lambda: moving(moving(1.0), rate=2.0), "already has its rates"),
+    (lambda: moving(lambda t: t), r"pass at\(f, t\) instead of f"),
+    (lambda: moving("1"), "expected a number"),
+    (lambda: moving(1.0) + "1", "expected a number"),
+    (lambda: at(lambda t: (t, t), 1.0), "expected a number"),
+])  # fmt: skip
 def test_moving_numbers_refuse_what_has_no_meaning(wrong, message):
     with pytest.raises(ScalarError, match=message):
         wrong()

@@ -12,24 +12,11 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, Vector, at, compiled, cos, cross, dot, moving, sin
 from newton_euler.algebra import ZERO, Explanation, FrameError, ScalarError, TermError, same
-from tests.kinds import KINDS, close, first, number, numbers
+from tests.kinds import KINDS, close, every_kind, numbers, within
 
 ground = Frame("ground")
 turned = ground.rotate("turned", (1, 2, 2), 0.7)
 triples = st.tuples(*(st.floats(-1e3, 1e3),) * 3)
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-@given(triples, triples, triples)
-def test_products_obey_the_identities_of_lagrange_and_grassmann(a, b, c):
-    a, b, c = (ground.vector(*v) for v in (a, b, c))
-    scale = 1 + a.norm() * b.norm() * c.norm()
-    assert close(a.cross(b.cross(c)), b * a.dot(c) - c * a.dot(b), 1e-12 * scale)
-    assert abs(a.dot(b.cross(c)) - c.dot(a.cross(b))) <= 1e-12 * scale
-    assert (
-        abs(a.cross(b).norm() ** 2 + a.dot(b) ** 2 - (a.norm() * b.norm()) ** 2)
-        <= 1e-11 * (a.norm() * b.norm() + 1) ** 2
-    )
 
 
 @every_kind
@@ -104,21 +91,18 @@ def test_to_array_has_shape_3_or_3_by_n():
     assert rows.tolist() == [[1.0, 2.0], [0.0, 0.0], [5.0, 5.0]]
 
 
-@pytest.mark.parametrize(
-    ("wrong", "message"),
-    [
-        (lambda a: a * a, r"two vectors have two products: write a.dot\(b\) or a.cross\(b\)"),
-        (lambda a: a / a, "a vector cannot be divided by a vector"),
-        (lambda a: 1 / a, "nothing can be divided by a vector: 1"),
-        (lambda a: a + 1, "cannot add the vector .* and 1: both must be vectors"),
-        (lambda a: 1 + a, "cannot add the vector .* and 1: both must be vectors"),
-        (lambda a: a - "b", "cannot subtract the vector .* and 'b': both must be vectors"),
-        (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of .* and \(1, 2, 3\)"),
-        (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
-        (lambda a: np.zeros(3) + a, "both must be vectors"),
-        (lambda a: a.explain(), "was not computed as a named sum"),
-    ],
-)
+@pytest.mark.parametrize(("wrong", "message"), [
+    (lambda a: a * a, r"two vectors have two products: write a.dot\(b\) or a.cross\(b\)"),
+    (lambda a: a / a, "a vector cannot be divided by a vector"),
+    (lambda a: 1 / a, "nothing can be divided by a vector: 1"),
+    (lambda a: a + 1, "cannot add the vector .* and 1: both must be vectors"),
+    (lambda a: 1 + a, "cannot add the vector .* and 1: both must be vectors"),
+    (lambda a: a - "b", "cannot subtract the vector .* and 'b': both must be vectors"),
+    (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of .* and \(1, 2, 3\)"),
+    (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
+    (lambda a: np.zeros(3) + a, "both must be vectors"),
+    (lambda a: a.explain(), "was not computed as a named sum"),
+])  # fmt: skip
 def test_mistakes_with_vectors_are_refused_in_words(wrong, message):
     with pytest.raises(FrameError, match=message):
         wrong(ground.vector(1.0, 2.0, 3.0))
@@ -251,6 +235,13 @@ def test_every_kind_of_component_can_be_shown(kind):
     assert v._repr_latex_() == f"${v.latex()}$"
 
 
+def test_a_component_that_is_round_off_is_printed_as_zero_and_kept():
+    v = ground.vector(1.0, 6.1e-17, -1e-13)
+    assert str(v) == "[1, 0, -1e-13] in ground"
+    assert r"\hat{\jmath}" not in v.latex()
+    assert v.y == 6.1e-17
+
+
 def test_traced_components_can_be_shown():
     shown = []
 
@@ -283,8 +274,7 @@ def test_numpy_does_not_take_vectors_apart():
     assert (np.array([1.0, 2.0]) * v).z.tolist() == [3.0, 6.0]
 
 
-def tolerance(kind):
-    return 1e-14 if kind in ("float", "array") else mp.mpf(10) ** -27
+small = within(1e-14, 27)
 
 
 def three_vectors(kind):
@@ -310,8 +300,8 @@ def vector_at(components, t):
 @every_kind
 def test_eqn_A_1_a_vector_is_its_magnitude_times_its_direction(kind):
     P, _, _ = three_vectors(kind)
-    assert close(P.norm() * P.direction(), P, tolerance(kind))
-    assert close(P.direction().norm(), 1, tolerance(kind))
+    assert close(P.norm() * P.direction(), P, small(kind))
+    assert close(P.direction().norm(), 1, small(kind))
     with pytest.raises(FrameError, match="zero vector has no direction"):
         (P - P).direction()
 
@@ -319,7 +309,7 @@ def test_eqn_A_1_a_vector_is_its_magnitude_times_its_direction(kind):
 @every_kind
 def test_eqn_A_2_dot_product_is_magnitudes_times_cosine(kind):
     P, Q, _ = three_vectors(kind)
-    assert close(dot(P, Q), P.norm() * Q.norm() * cos(P.angle_to(Q)), 10 * tolerance(kind))
+    assert close(dot(P, Q), P.norm() * Q.norm() * cos(P.angle_to(Q)), 10 * small(kind))
 
 
 @every_kind
@@ -339,8 +329,8 @@ def test_eqn_A_3_and_A_5_products_of_the_unit_vectors(kind):
 def test_eqn_A_4_cross_product_is_normal_to_both_and_measures_the_area(kind):
     P, Q, _ = three_vectors(kind)
     product = cross(P, Q)
-    assert close((product.dot(P), product.dot(Q)), (0, 0), tolerance(kind))
-    assert close(product.norm(), P.norm() * Q.norm() * sin(P.angle_to(Q)), 10 * tolerance(kind))
+    assert close((product.dot(P), product.dot(Q)), (0, 0), small(kind))
+    assert close(product.norm(), P.norm() * Q.norm() * sin(P.angle_to(Q)), 10 * small(kind))
     assert close(product, -cross(Q, P), 0)
 
 
@@ -361,9 +351,9 @@ def test_eqn_A_11_and_A_12_dot_product_and_magnitude_in_components(kind):
     assert close(
         P.dot(Q),
         sum(p * q for p, q in zip(P.components(tilted), Q.components(tilted), strict=True)),
-        tolerance(kind),
+        small(kind),
     )
-    assert close(dot(P, P), P.norm() ** 2, tolerance(kind))
+    assert close(dot(P, P), P.norm() ** 2, small(kind))
     (a, b, c), (d, e, f) = P, Q
     assert close(P.dot(Q), a * d + b * e + c * f, 0)
 
@@ -378,39 +368,26 @@ def test_eqn_A_13_and_A_14_cross_product_is_the_determinant(kind):
     assert close(
         P.expressed_in(tilted).cross(Q.expressed_in(tilted)),
         P.cross(Q).expressed_in(tilted),
-        tolerance(kind),
+        small(kind),
     )
 
 
 @every_kind
 def test_eqn_A_15_triple_scalar_product_is_cyclic(kind):
     P, Q, R = three_vectors(kind)
-    assert close(P.dot(Q.cross(R)), Q.dot(R.cross(P)), tolerance(kind))
-    assert close(P.dot(Q.cross(R)), R.dot(P.cross(Q)), tolerance(kind))
+    assert close(P.dot(Q.cross(R)), Q.dot(R.cross(P)), small(kind))
+    assert close(P.dot(Q.cross(R)), R.dot(P.cross(Q)), small(kind))
 
 
 @every_kind
 def test_eqn_A_16_triple_vector_product(kind):
     P, Q, R = three_vectors(kind)
-    assert close(P.cross(Q).cross(R), R.dot(P) * Q - R.dot(Q) * P, tolerance(kind))
+    assert close(P.cross(Q).cross(R), R.dot(P) * Q - R.dot(Q) * P, small(kind))
     assert not close(P.cross(Q).cross(R), P.cross(Q.cross(R)), 1e-3)
 
 
 @every_kind
-def test_eqn_A_17_rate_is_the_limit_of_differences(kind):
-    P, _, _, t = functions(kind)
-    rate = vector_at(P, t).rate(ground)
-    errors = []
-    for dt in numbers(kind, "1e-4", "5e-5"):
-        dt = first(dt)
-        difference = (vector_at(P, t + dt) - vector_at(P, t)) / dt
-        errors.append(number((difference - rate).norm()))
-    ratio = errors[0] / errors[1]
-    assert close(ratio, 2 + 0 * ratio, 1e-3)  # first order in dt
-
-
-@every_kind
-def test_eqn_A_18_to_A_21_product_rules(kind):
+def test_eqn_A_17_to_A_21_rates_and_product_rules(kind):
     P, Q, u, t = functions(kind)
     p, q, v = vector_at(P, t), vector_at(Q, t), at(u, t)
     dp, dq = p.rate(ground), q.rate(ground)
@@ -418,19 +395,19 @@ def test_eqn_A_18_to_A_21_product_rules(kind):
     def written_out(component):
         return tuple(at(component(n), t).rate for n in range(3))
 
-    small = tolerance(kind)
-    assert close((p + q).rate(ground), written_out(lambda n: lambda s: P[n](s) + Q[n](s)), small)
-    assert close((v * p).rate(ground), written_out(lambda n: lambda s: u(s) * P[n](s)), small)
-    assert close((v * p).rate(ground), v.value * dp + v.rate * p, small)
+    tiny = small(kind)
+    assert close((p + q).rate(ground), written_out(lambda n: lambda s: P[n](s) + Q[n](s)), tiny)
+    assert close((v * p).rate(ground), written_out(lambda n: lambda s: u(s) * P[n](s)), tiny)
+    assert close((v * p).rate(ground), v.value * dp + v.rate * p, tiny)
     product = at(lambda s: P[0](s) * Q[0](s) + P[1](s) * Q[1](s) + P[2](s) * Q[2](s), t)
-    assert close(p.dot(dq) + q.dot(dp), product.rate, tolerance(kind))
+    assert close(p.dot(dq) + q.dot(dp), product.rate, small(kind))
 
     def crossed(n):
         m, k = (n + 1) % 3, (n + 2) % 3
         return lambda s: P[m](s) * Q[k](s) - P[k](s) * Q[m](s)
 
-    assert close(p.cross(q).rate(ground), written_out(crossed), small)
-    assert close(p.cross(q).rate(ground), p.cross(dq) + dp.cross(q), tolerance(kind))
+    assert close(p.cross(q).rate(ground), written_out(crossed), tiny)
+    assert close(p.cross(q).rate(ground), p.cross(dq) + dp.cross(q), small(kind))
 
 
 @given(st.floats(-300, 300), st.floats(-300, 300), st.floats(0.3, 3.0), st.floats(-1.0, 1.0))

@@ -210,6 +210,9 @@ def test_a_vector_is_read_in_the_frames_between_too():
     read = one("vector, m", 2.0 * rod.i)
     assert list(read) == ["rod", "ground", "arm"]
     assert read["arm"] == pytest.approx([0, 2, 0])
+    back = arm.rotate("back", "-z", angle=math.pi / 2)  # its axes are those of the ground
+    assert list(one("vector, m", 2.0 * back.i)) == ["back", "ground", "arm"]
+    assert one("vector, m", 2.0 * back.k) == [0, 0, 2.0]
     deep = rod
     for n in range(9):
         deep = deep.rotate(f"frame {n}", "z", angle=0.1)

@@ -20,15 +20,10 @@ from newton_euler.applications.rotors import (
 )
 from newton_euler.bodies.body import Body, composite, particle
 from newton_euler.bodies.solids import disk, plate, rod
-from tests.kinds import KINDS, close, numbers
+from tests.kinds import close, every_kind, numbers, within
 from tests.turning import cross, rot, second_rate
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def tolerance(kind):
-    """Absolute, for quantities of order 10: some round-offs of the kind."""
-    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
+small = within(1e-13, 26)
 
 
 # -- mass points in explicit motion: no inertia matrix, no omega x H
@@ -125,11 +120,10 @@ def test_balance_does_not_depend_on_units():
 
 
 def test_a_ball_of_equal_moments_is_balanced_about_every_axis_through_its_centre():
-    ground = Frame("ground")
-    body = ground.rotate("body", (1, 2, 3), 0.7)
-    cube = composite("cube", [plate(0.2, 0.2, body.point("C", s * 0.1, 0, 0), "x", mass=1.0, name=f"x{s}") for s in (-1, 1)]
-                     + [plate(0.2, 0.2, body.point("C", 0, s * 0.1, 0), "y", mass=1.0, name=f"y{s}") for s in (-1, 1)]
-                     + [plate(0.2, 0.2, body.point("C", 0, 0, s * 0.1), "z", mass=1.0, name=f"z{s}") for s in (-1, 1)])  # fmt: skip
+    body = Frame("ground").rotate("body", (1, 2, 3), 0.7)
+    sides = [(n, 0.1 * s) for n in range(3) for s in (-1, 1)]
+    place = lambda n, x: body.point("C", *(x if k == n else 0 for k in range(3)))
+    cube = composite("cube", [plate(0.2, 0.2, place(n, x), "xyz"[n], mass=1.0) for n, x in sides])
     for end in ((1.0, 0, 0), (0.3, -0.4, 0.5), (-2.0, 1.0, 7.0)):
         assert balance(cube, body.origin, body.point("B", *end)).state == "both"
 
@@ -182,8 +176,8 @@ def test_balancing_by_given_masses_is_the_same_by_another_radius(kind):
     for given_as in ({"radius": (one, three)}, {"mass": (one, three)}):
         weights = balancing_masses(body, A, B, (one / 2, 2 * three / 3), **given_as)
         found = reactions(composite("balanced", [body, *weights]), A, B, ground)
-        assert close(found.A, (0, 0, 0), 10 * tolerance(kind))
-        assert close(found.B, (0, 0, 0), 10 * tolerance(kind))
+        assert close(found.A, (0, 0, 0), 10 * small(kind))
+        assert close(found.B, (0, 0, 0), 10 * small(kind))
 
 
 def test_one_plane_through_the_disk_needs_no_second_weight():
@@ -196,22 +190,11 @@ def test_one_plane_through_the_disk_needs_no_second_weight():
     assert second.mass == pytest.approx(0, abs=1e-16)
 
 
-def test_a_balanced_rotor_needs_no_weights():
-    shaft = Frame("shaft")
-    A, B = shaft.point("A", -0.2, 0, 0), shaft.point("B", 0.3, 0, 0)
-    weights = balancing_masses(disk(0.2, shaft.origin, "x", mass=4.0), A, B, (0.1, 0.4), radius=0.1)
-    assert [w.mass for w in weights] == [0, 0]
-
-
 def test_corrections_as_formulas():
     m, r, z, z1, z2 = sympy.symbols("m r z z1 z2", positive=True)
     shaft = Frame("shaft")
-    U1, U2 = corrections(
-        particle(m, shaft.point("P", r, 0, z)),
-        shaft.origin,
-        shaft.point("B", 0, 0, sympy.Integer(1)),
-        (z1, z2),
-    )
+    B, body = shaft.point("B", 0, 0, sympy.Integer(1)), particle(m, shaft.point("P", r, 0, z))
+    U1, U2 = corrections(body, shaft.origin, B, (z1, z2))
     assert sympy.simplify(U1.x + m * r * (z2 - z) / (z2 - z1)) == 0
     assert sympy.simplify(U2.x + m * r * (z - z1) / (z2 - z1)) == 0
 

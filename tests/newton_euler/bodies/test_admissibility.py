@@ -97,9 +97,7 @@ def test_the_determinant_may_miss_by_rounding_too(signs, tolerance, slack, small
 
 
 def test_the_determinant_counts_every_moment_and_product():
-    """A body is admissible if its integrals of products are those of masses; of one that is not
-    quite, the smallest eigenvalue is negative.
-    """
+    """Of a body that is not quite one the smallest eigenvalue is negative."""
     import numpy as np
 
     rng = np.random.default_rng(5)

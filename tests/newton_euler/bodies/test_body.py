@@ -32,16 +32,11 @@ from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import disk, plate, rod, sphere
 from newton_euler.kinematics import along
 from newton_euler.kinematics.rotations import apply, product, transpose
-from tests.kinds import KINDS, close, number, numbers
+from tests.kinds import KINDS, close, every_kind, number, numbers, within
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
 laws = settings(max_examples=60, deadline=None)
 EPS = 2.0**-52
-
-
-def tolerance(kind, scale=1.0):
-    """Absolute: some round-offs of the kind for quantities of this scale."""
-    return scale * (40 * EPS if kind in ("float", "array") else 1e-26)
+small = within(40 * EPS, 26)
 
 
 # -- the oracle: mass points
@@ -107,10 +102,10 @@ def test_eqn_5_1_to_5_3_force_is_the_rate_of_momentum(kind):
     ground = Frame("ground")
     P = ground.point("P", *along(lambda t: (t**3, sin(2 * t), 1 / (1 + t)), t))
     momentum, force = particle(m, P).momentum(ground), m * P.acceleration(ground)
-    small = tolerance(kind, 20)
-    assert close(momentum, (m * 3 * t * t, 2 * m * cos(2 * t), -m / (1 + t) ** 2), small)
-    assert close(momentum.rate(ground), force, small)
-    assert close(force, (6 * m * t, -4 * m * sin(2 * t), 2 * m / (1 + t) ** 3), small)
+    tiny = small(kind, 20)
+    assert close(momentum, (m * 3 * t * t, 2 * m * cos(2 * t), -m / (1 + t) ** 2), tiny)
+    assert close(momentum.rate(ground), force, tiny)
+    assert close(force, (6 * m * t, -4 * m * sin(2 * t), 2 * m / (1 + t) ** 3), tiny)
 
 
 @every_kind
@@ -119,14 +114,12 @@ def test_eqn_5_4_centre_of_mass_of_particles(kind):
     total = summed(cloud, lambda x, y, z: 1)
     expected = [summed(cloud, lambda *r, n=n: r[n]) / total for n in range(3)]
     for given_as in (bodies(cloud, ground), [(m, ground.point("P", *r)) for m, r in cloud]):
-        assert close(centre_of_mass(given_as).position(ground), expected, tolerance(kind, 5))
+        assert close(centre_of_mass(given_as).position(ground), expected, small(kind, 5))
 
 
 @every_kind
 def test_eqn_5_5_to_5_8_internal_forces_cancel_and_G_moves_under_the_external_ones(kind):
-    """Three particles on springs under a field: the forces give the accelerations; those of G
-    follow from the external force alone.
-    """
+    """Three particles on springs under a field."""
     ground, cloud, moved = Frame("ground"), of_kind(kind, points(3, 3)), []
     stiffness, g = numbers(kind, "3.5", "9.8")
     total = outside = ground.vector(0, 0, 0)
@@ -137,27 +130,29 @@ def test_eqn_5_5_to_5_8_internal_forces_cancel_and_G_moves_under_the_external_on
         total, outside = total + force, outside + external
         P = ground.point("P", *(moving(x, x / 2, f / m) for x, f in zip(r, force, strict=True)))
         moved.append(particle(m, P))
-    assert close(total, outside, tolerance(kind, 200))  # (5.6)
+    assert close(total, outside, small(kind, 200))  # (5.6)
     mass, G = sum(p.mass for p in moved), centre_of_mass(moved)
-    assert close(mass * G.acceleration(ground), outside, tolerance(kind, 500))  # (5.7)
+    assert close(mass * G.acceleration(ground), outside, small(kind, 500))  # (5.7)
     momentum = sum(p.momentum(ground) for p in moved)
-    assert close(momentum, mass * G.velocity(ground), tolerance(kind, 100))  # (5.8)
-    assert close(particle(mass, G).momentum(ground).rate(ground), outside, tolerance(kind, 500))
+    assert close(momentum, mass * G.velocity(ground), small(kind, 100))  # (5.8)
+    assert close(particle(mass, G).momentum(ground).rate(ground), outside, small(kind, 500))
 
 
 @every_kind
 def test_eqn_5_9_and_5_11_collections_count_as_particles_in_their_centres(kind):
-    ground, small = Frame("ground"), tolerance(kind, 20)
+    ground, tiny = Frame("ground"), small(kind, 20)
     parts = bodies(of_kind(kind, points()), ground)
     place = lambda G: G.position(ground)
     halves = [composite("first", parts[:3]), composite("second", parts[3:])]
     whole, hole = composite("whole", parts), composite("hole", parts[5:])
     expected = place(centre_of_mass(parts))
-    assert close(place(centre_of_mass(halves)), expected, small)
-    assert close(place(composite("both", halves).centre), expected, small)
+    assert close(place(centre_of_mass(halves)), expected, tiny)
+    assert close(place(composite("both", halves).centre), expected, tiny)
     rest = composite("rest", [whole], removed=[hole])
-    assert close(place(rest.centre), place(centre_of_mass(parts[:5])), small)
-    assert close(rest.mass, whole.mass - hole.mass, small)
+    assert close(place(rest.centre), place(centre_of_mass(parts[:5])), tiny)
+    assert close(rest.mass, whole.mass - hole.mass, tiny)
+    kept = composite("kept", parts[:5]).inertia.matrix
+    assert close(rest.inertia.matrix, kept, small(kind, 200))
 
 
 # -- 5.4 to 5.9: rigid bodies
@@ -172,17 +167,15 @@ def test_eqn_5_10_and_5_14_to_5_17_centre_in_the_body_frame_and_positions_from_i
     assert G.frame is body
     total = summed(cloud, lambda x, y, z: 1)
     d = [summed(cloud, lambda *r, n=n: r[n]) / total for n in range(3)]
-    assert close(G.position(body), d, tolerance(kind, 5))
+    assert close(G.position(body), d, small(kind, 5))
     r_G = B.position(ground) + ground.vector(*apply(body.rotation(ground), d))
-    assert close(G.position(ground), r_G, tolerance(kind, 10))  # (5.17)
-    assert close(centre_of_mass(parts, ground).position(ground), r_G, tolerance(kind, 10))  # (5.4)
+    assert close(G.position(ground), r_G, small(kind, 10))  # (5.17)
+    assert close(centre_of_mass(parts, ground).position(ground), r_G, small(kind, 10))  # (5.4)
 
 
 @every_kind
 def test_eqn_5_12_and_5_13_centre_of_a_continuum_is_that_of_its_cells(kind):
-    """A rod of n cells, each a particle: Richardson's extrapolation of their centre and moment
-    gives the rod's.
-    """
+    """Richardson's extrapolation of n particles gives the rod's centre and moment."""
     m, length = numbers(kind, 3, "1.6")
     frame = Frame("rod")
 
@@ -191,9 +184,9 @@ def test_eqn_5_12_and_5_13_centre_of_a_continuum_is_that_of_its_cells(kind):
         return composite("cells", [particle(m / n, frame.point("c", x, 0, 0)) for x in places])
 
     whole = rod(length, frame.point("middle", length / 2, 0, 0), "x", mass=m)
-    assert close(cells(8).centre.position(frame), whole.centre.position(frame), tolerance(kind, 5))
+    assert close(cells(8).centre.position(frame), whole.centre.position(frame), small(kind, 5))
     coarse, fine = (cells(n).about(frame).moments[1] for n in (6, 12))
-    assert close((4 * fine - coarse) / 3, whole.about(frame).moments[1], tolerance(kind, 20))
+    assert close((4 * fine - coarse) / 3, whole.about(frame).moments[1], small(kind, 20))
 
 
 @every_kind
@@ -201,10 +194,10 @@ def test_eqn_5_18_and_5_19_all_frames_fixed_in_a_body_turn_alike(kind):
     ground, body, _ = spinning(kind)
     a, b, c = numbers(kind, "0.7", "-0.2", "1.3")
     P, O1, O2 = body.point("P", b, c, a), body.point("O1", 0, 0, 0), body.point("O2", a, b, c)
-    omega, small = body.angular_velocity(ground), tolerance(kind, 10)
-    assert close(body.rotate("other", "y", a, origin=O2).angular_velocity(ground), omega, small)
+    omega, tiny = body.angular_velocity(ground), small(kind, 10)
+    assert close(body.rotate("other", "y", a, origin=O2).angular_velocity(ground), omega, tiny)
     for O in (O1, O2):
-        assert close(P.velocity(ground), O.velocity(ground) + omega.cross(P - O), small)
+        assert close(P.velocity(ground), O.velocity(ground) + omega.cross(P - O), tiny)
 
 
 # -- 7.1, 7.2: angular momentum and inertia matrix
@@ -214,53 +207,43 @@ def test_eqn_5_18_and_5_19_all_frames_fixed_in_a_body_turn_alike(kind):
 def test_eqn_7_1_to_7_8_angular_momentum_of_particles_is_I_omega(kind):
     ground, body, B = spinning(kind)
     parts = bodies(of_kind(kind, points()), body)
-    small, whole = tolerance(kind, 200), composite("whole", parts)
+    tiny, whole = small(kind, 200), composite("whole", parts)
     # (7.3) to (7.5)
-    assert close(sum(p.momentum(ground) for p in parts), whole.momentum(ground), small)
+    assert close(sum(p.momentum(ground) for p in parts), whole.momentum(ground), tiny)
     relative = [(p, p.centre - B, p.centre.velocity(ground) - B.velocity(ground)) for p in parts]
     H = sum(d.cross(p.mass * v) for p, d, v in relative)  # (7.6)
     omega = body.angular_velocity(ground)
     expanded = sum(p.mass * (d.dot(d) * omega - omega.dot(d) * d) for p, d, _ in relative)
-    assert close(H, expanded, small)  # (7.7)
-    assert close(H, whole.about(B).times(omega), small)  # (7.8), (7.12), (7.17)
-    assert close(H, whole.angular_momentum(ground, about=B), small)
+    assert close(H, expanded, tiny)  # (7.7)
+    assert close(H, whole.about(B).times(omega), tiny)  # (7.8), (7.12), (7.17)
+    assert close(H, whole.angular_momentum(ground, about=B), tiny)
 
 
 @every_kind
 def test_eqn_7_9_to_7_13_the_signs_of_the_matrix(kind):
     body, cloud, whole = cloud_in(kind)
     I = whole.about(body)
-    assert close(I.matrix, matrix_of(cloud), tolerance(kind, 50))
+    assert close(I.matrix, matrix_of(cloud), small(kind, 50))
     xy, yz, zx = products_of(cloud)
-    assert close(I.products, (xy, yz, zx), tolerance(kind, 50))  # without a minus sign
+    assert close(I.products, (xy, yz, zx), small(kind, 50))  # without a minus sign
     omega = body.vector(*numbers(kind, 1, -2, "0.5"))
     (x, y, z), (xx, yy, zz) = omega, I.moments
     H = (xx * x - xy * y - zx * z, -xy * x + yy * y - yz * z, -zx * x - yz * y + zz * z)  # (7.11)
-    assert close(I.times(omega), H, tolerance(kind, 200))
+    assert close(I.times(omega), H, small(kind, 200))
 
 
 @every_kind
 def test_eqn_7_14_the_matrix_of_parts_is_their_sum(kind):
     body, cloud, whole = cloud_in(kind)
-    parts, small = bodies(cloud, body), tolerance(kind, 100)
+    parts, tiny = bodies(cloud, body), small(kind, 100)
     first, second = composite("first", parts[:4]), composite("second", parts[4:])
     total = first.about(body) + second.about(body)
-    assert close(total.matrix, whole.about(body).matrix, small)
-    assert close(total.mass, first.mass + second.mass, small)
-    assert close(total.about(total.centre).matrix, whole.inertia.matrix, small)
+    assert close(total.matrix, whole.about(body).matrix, tiny)
+    assert close(total.mass, first.mass + second.mass, tiny)
+    assert close(total.about(total.centre).matrix, whole.inertia.matrix, tiny)
     both = composite("both", [first, second]).about(body)
     assert set(both.terms) == {"first", "second"}
-    assert close(both.without("second").matrix, first.about(body).matrix, small)
-
-
-# -- 7.3, 7.10: examples
-
-
-def test_example_7_10_rod_by_the_parallel_axis_theorem():
-    m, length = sympy.symbols("m l", positive=True)
-    frame = Frame("rod")
-    body = rod(length, frame.point("middle", 0, length / 2, 0), "y", mass=m)
-    assert body.about(frame).moments == (m * length**2 / 3, 0, m * length**2 / 3)
+    assert close(both.without("second").matrix, first.about(body).matrix, tiny)
 
 
 # -- 7.7, 7.8: other points
@@ -269,12 +252,12 @@ def test_example_7_10_rod_by_the_parallel_axis_theorem():
 @every_kind
 def test_eqn_7_22_and_7_23_angular_momentum_about_B_and_about_G(kind):
     ground, body, B = spinning(kind)
-    whole, small = composite("whole", bodies(of_kind(kind, points()), body)), tolerance(kind, 100)
+    whole, tiny = composite("whole", bodies(of_kind(kind, points()), body)), small(kind, 100)
     H, G = whole.angular_momentum(ground, about=B), whole.centre
     rate = G.velocity(ground) - B.velocity(ground)
-    assert close(H.terms["orbital"], (G - B).cross(whole.mass * rate), small)
-    assert close(H.terms["own"], whole.angular_momentum(ground), small)
-    assert close(H, H.terms["orbital"] + H.terms["own"], small)
+    assert close(H.terms["orbital"], (G - B).cross(whole.mass * rate), tiny)
+    assert close(H.terms["own"], whole.angular_momentum(ground), tiny)
+    assert close(H, H.terms["orbital"] + H.terms["own"], tiny)
     assert "(7.23)" in str(H.explain()) or kind == "array"
 
 
@@ -286,45 +269,36 @@ def test_the_rate_of_angular_momentum_is_I_alpha_plus_omega_x_H(kind):
     whole = composite("whole", parts)
     H, omega = whole.angular_momentum(ground), body.angular_velocity(ground)
     I_alpha = whole.inertia.times(body.angular_acceleration(ground))
-    assert close(H.rate(ground), I_alpha + omega.cross(H), tolerance(kind, 500))
+    assert close(H.rate(ground), I_alpha + omega.cross(H), small(kind, 500))
     for about in (whole.centre, body.point("B", *numbers(kind, 1, 2, 3))):
         a = about.acceleration(ground)
         moments = ((p.centre - about, p.mass * (p.centre.acceleration(ground) - a)) for p in parts)
         H = whole.angular_momentum(ground, about=about)
-        assert close(H.rate(ground), sum(d.cross(f) for d, f in moments), tolerance(kind, 5000))
+        assert close(H.rate(ground), sum(d.cross(f) for d, f in moments), small(kind, 5000))
 
 
 @every_kind
 def test_eqn_7_24_to_7_26_parallel_axes_between_any_two_points(kind):
     body, cloud, whole = cloud_in(kind)
-    small, m, G = tolerance(kind, 500), whole.mass, whole.centre
+    tiny, m, G = small(kind, 500), whole.mass, whole.centre
     places = [numbers(kind, *r) for r in ((1, -2, "0.5"), ("-0.3", "0.7", 2))]
     P, Q = (body.point(n, *r) for n, r in zip("PQ", places, strict=True))
     for point, r in zip((P, Q), places, strict=True):
-        assert close(whole.inertia.about(point).matrix, matrix_of(cloud, r), small)
-        assert close(whole.about(point).matrix, matrix_of(cloud, r), small)
+        assert close(whole.inertia.about(point).matrix, matrix_of(cloud, r), tiny)
+        assert close(whole.about(point).matrix, matrix_of(cloud, r), tiny)
     I = Inertia(P, whole.about(P).moments, whole.about(P).products, m, G)
     moved = I.about(Q)  # neither is G
-    assert close(moved.matrix, matrix_of(cloud, places[1]), small)
-    assert close(moved.about(P).matrix, I.matrix, small)
+    assert close(moved.matrix, matrix_of(cloud, places[1]), tiny)
+    assert close(moved.about(P).matrix, I.matrix, tiny)
     d2, d1 = G - Q, G - P
     shift = m * (d2.y**2 - d1.y**2 + d2.z**2 - d1.z**2)
-    assert close(moved.moments[0] - I.moments[0], shift, small)
-    assert close(moved.products[0] - I.products[0], m * (d2.x * d2.y - d1.x * d1.y), small)
+    assert close(moved.moments[0] - I.moments[0], shift, tiny)
+    assert close(moved.products[0] - I.products[0], m * (d2.x * d2.y - d1.x * d1.y), tiny)
     assert close(moved.without("transfer").matrix, I.matrix, 0)
 
 
-def test_moments_are_least_about_the_centre_of_mass():
-    body, _, whole = cloud_in("float")
-    G, least = np.array(whole.centre.position(body).components()), whole.inertia.moments
-    for r in ((1e-3, 0.0, 0.0), (0.0, -0.4, 0.2), (3.0, 1.0, -2.0)):
-        assert np.all(np.subtract(whole.about(body.point("P", *(G + r))).moments, least) >= -1e-15)
-
-
 def test_going_far_away_and_back_loses_no_more_than_the_far_matrix_has():
-    """m d^2 = 1e6 is added and taken off: the entries of order 1 keep its round-off, 1e-10, and no
-    more.
-    """
+    """Of m d^2 = 1e6 the entries of order 1 keep the round-off, 1e-10, and no more."""
     body, _, whole = cloud_in("float")
     far = whole.inertia.about(body.point("far", 200.0, 200.0, 200.0))
     assert close(far.about(whole.centre).matrix, whole.inertia.matrix, 4 * EPS * max(far.moments))
@@ -336,9 +310,9 @@ def test_eqn_7_27_radius_of_gyration(kind):
     frame = Frame("rod")
     body = rod(length, frame, "x", mass=m)
     k = body.inertia.radius_of_gyration("y")
-    assert close(12 * k * k, length * length, tolerance(kind, 5))
+    assert close(12 * k * k, length * length, small(kind, 5))
     about = body.about(frame.point("end", length / 2, 0, 0)).radius_of_gyration(frame.k)
-    assert close(3 * about * about, length * length, tolerance(kind, 5))
+    assert close(3 * about * about, length * length, small(kind, 5))
 
 
 # -- axes
@@ -349,8 +323,8 @@ def test_moment_about_any_axis_is_the_sum_of_squared_distances(kind):
     body, cloud, whole = cloud_in(kind)
     I, axis = whole.about(body), body.vector(*numbers(kind, 2, -1, 2))
     expected = summed(cloud, lambda x, y, z: x * x + y * y + z * z - (2 * x - y + 2 * z) ** 2 / 9)
-    assert close(I.moment(axis), expected, tolerance(kind, 100))
-    assert close(I.moment("y"), I.moment(body.j), tolerance(kind, 50))
+    assert close(I.moment(axis), expected, small(kind, 100))
+    assert close(I.moment("y"), I.moment(body.j), small(kind, 50))
 
 
 @every_kind
@@ -359,13 +333,13 @@ def test_a_matrix_in_turned_axes_is_that_of_the_turned_points(kind):
     turned = body.rotate("turned", numbers(kind, 1, 2, 2), numbers(kind, "-1.1"))
     if kind != "sympy":  # whose evalf takes minutes for nested turns
         turned = turned.rotate("twice", "z", numbers(kind, "0.7"))
-    I, R, small = whole.about(body), turned.rotation(body), tolerance(kind, 200)
+    I, R, tiny = whole.about(body), turned.rotation(body), small(kind, 200)
     there = I.expressed_in(turned)
     moved = [(m, apply(transpose(R), r)) for m, r in cloud]
-    assert close(there.matrix, matrix_of(moved), small)
-    assert close(there.matrix, product(transpose(R), I.matrix, R), small)
+    assert close(there.matrix, matrix_of(moved), tiny)
+    assert close(there.matrix, product(transpose(R), I.matrix, R), tiny)
     if kind != "sympy":
-        assert close(there.expressed_in(body).matrix, I.matrix, small)
+        assert close(there.expressed_in(body).matrix, I.matrix, tiny)
 
 
 def test_a_body_of_revolution_keeps_its_matrix_exactly_when_it_spins():
@@ -376,19 +350,6 @@ def test_a_body_of_revolution_keeps_its_matrix_exactly_when_it_spins():
     ball = Inertia(body, (A, A, A)).expressed_in(spun.rotate("tilted", "x", phi))
     assert ball.matrix == ((A, 0, 0), (0, A, 0), (0, 0, A))
     assert Inertia(body, (0.1, 0.1, 0.15)).expressed_in(turned).moments == (0.1, 0.1, 0.15)
-
-
-def test_a_symmetric_body_in_a_frame_that_does_not_spin_with_it():
-    """H and its rate for a top, in the frame that precesses without spinning and in the body: the
-    same vectors.
-    """
-    ground = Frame("ground")
-    precessing = ground.rotate("p", "z", 0.3, rate=2.0).rotate("tilted", "x", 0.5, rate=0.4)
-    body = precessing.rotate("top", "z", 0.9, rate=30.0, acceleration=4.0)
-    top = Body("top", 2.0, body, (0.2, 0.2, 0.1))
-    H = top.inertia.expressed_in(precessing).times(body.angular_velocity(ground))
-    assert close(H, top.angular_momentum(ground), 1e-14)
-    assert close(H.rate(ground), top.angular_momentum(ground).rate(ground), 1e-12)
 
 
 # -- laws
@@ -407,28 +368,6 @@ def body_of(cloud):
 
 
 @laws
-@given(clouds, places, places)
-def test_parallel_axes_there_and_back(cloud, r, s):
-    frame, body = body_of(cloud)
-    P, Q = frame.point("P", *r), frame.point("Q", *s)
-    I = body.about(P)
-    assert close(I.about(Q).about(P).matrix, I.matrix, 1e-12)
-    assert close(I.about(Q).matrix, matrix_of(cloud, s), 1e-11)
-
-
-@laws
-@given(clouds, turns, turns)
-def test_a_rotation_keeps_trace_and_principal_moments(cloud, first, second):
-    frame, body = body_of(cloud)
-    I = body.about(frame)
-    turned = I.expressed_in(frame.rotate("a", *first).rotate("b", *second))
-    size = 1e-13 * (1 + max(I.moments))
-    assert abs(sum(turned.moments) - sum(I.moments)) < 3 * size
-    one, other = (np.linalg.eigvalsh(M.to_array()) for M in (turned, I))
-    assert np.allclose(one, other, rtol=0, atol=5 * size)
-
-
-@laws
 @given(clouds, turns, places)
 def test_every_cloud_of_masses_passes_the_check_in_any_axes_about_any_point(cloud, turn, r):
     frame, body = body_of(cloud)
@@ -436,19 +375,6 @@ def test_every_cloud_of_masses_passes_the_check_in_any_axes_about_any_point(clou
     assert I.check() is I
     a, b, c = I.moments
     assert min(a + b - c, b + c - a, c + a - b) >= -1e-12 * max(I.moments)
-
-
-@laws
-@given(clouds, clouds)
-def test_parts_make_the_whole_and_taking_one_off_leaves_the_other(first, second):
-    frame = Frame("body")
-    one = composite("one", bodies(first, frame))
-    two = composite("two", bodies(second, frame))
-    whole = composite("whole", [one, two])
-    assert close(whole.about(frame).matrix, matrix_of(first + second), 1e-11)
-    rest = composite("rest", [whole], removed=[two])
-    assert close(rest.inertia.matrix, one.inertia.matrix, 1e-10)
-    assert close(rest.mass, one.mass, 1e-12)
 
 
 # -- the other kinds of number

@@ -16,9 +16,7 @@ MASS, LENGTH = Dimension(1, 0, 0), Dimension(0, 1, 0)
 
 
 def summary(position, *limits, **matter):
-    """Mass, place of the centre, moments and products about the origin of the body of these points,
-    as one tuple.
-    """
+    """Mass, centre, moments and products about the origin, as one tuple."""
     body = integrated(position, *limits, frame=Frame("O"), **matter)
     about = body.about(body.frame)
     return (body.mass, *body.centre.position(body.frame), *about.moments, *about.products)

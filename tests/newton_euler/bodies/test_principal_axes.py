@@ -14,16 +14,13 @@ from newton_euler import Frame, Inertia, compiled, composite, particle
 from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import box, cylinder, disk, sphere
 from newton_euler.kinematics.rotations import determinant, rotation_matrix
-from tests.kinds import KINDS, close, numbers
+from tests.kinds import close, every_kind, numbers
 
-every_kind = pytest.mark.parametrize("kind", KINDS)
 laws = settings(max_examples=80, deadline=None)
 
 
 def tilted(moments, axis, angle, noise=0.0, seed=0):
-    """The matrix of a body with these principal moments, turned by an angle about an axis, with
-    relative noise in its entries.
-    """
+    """The matrix with these principal moments, turned about an axis, with relative noise."""
     R = np.array(rotation_matrix(axis, angle))
     shake = np.random.default_rng(seed).uniform(-1, 1, (3, 3)) * noise * max(moments)
     I = R @ np.diag(moments) @ R.T + shake
@@ -63,9 +60,7 @@ def test_eqn_7_20_the_moments_are_the_roots_of_the_characteristic_equation(kind)
 
 
 def test_eqn_7_21_pairs_of_masses_opposite_an_axis():
-    """Equal particles opposite the axis k, at any heights: k is principal; three or more equal ones
-    around it make two moments equal.
-    """
+    """Opposite k, at any heights: k is principal; three or more make two moments equal."""
     frame, parts = Frame("body"), []
     for n, (m, r, z) in enumerate([(2.0, 0.5, 0.3), (1.0, 1.5, -0.8)]):
         for a in (n + k * math.pi / 2 for k in range(4)):
@@ -133,22 +128,6 @@ def test_thirty_digits():
 # -- equal and nearly equal moments
 
 
-def test_equal_moments_are_not_turned_by_round_off():
-    """The naive way turns the axes by tens of degrees for a change of 1e-16; here the ones nearest
-    to the frame are taken.
-    """
-    naive, mine = [], []
-    for seed in range(20):
-        I, _ = tilted((2.0, 2.0, 3.0), (0.0, 0.0, 1.0), 0.3, 1e-16, seed)
-        naive.append(np.linalg.eigh(I.to_array())[1][:, 0])
-        p = I.principal()
-        mine.append(p.axes[0].components())
-        assert p.determined == (False, False, True)
-        assert close(p.axes[2], (0, 0, 1), 1e-14)
-    assert max(angle_between(naive[0], v) for v in naive) > 0.3  # rad
-    assert max(angle_between((1, 0, 0), v) for v in mine) < 1e-14
-
-
 @pytest.mark.parametrize("where", [0, 1], ids=["two low", "two high"])
 def test_a_tilted_body_of_revolution_has_a_right_handed_frame_of_principal_axes(where):
     I, R = tilted(((2.0, 2.0, 3.0), (2.0, 3.0, 3.0))[where], (1.0, 2.0, 0.5), 0.8)
@@ -169,22 +148,6 @@ def test_a_sphere_keeps_the_axes_of_the_frame():
     assert p.determined == (False, False, False)
     assert "any axis is a principal axis" in str(p)
     assert I.symmetry().kind == "sphere"
-
-
-@pytest.mark.parametrize("gap", [1e-1, 1e-2, 3e-3])
-def test_the_report_tells_how_far_noise_turns_the_axes(gap):
-    """Three digits of data (0.1 %): the median turn over many tries is within the reported angle, 95 %
-    within three times it.
-    """
-    noise, true = 1e-3, (2.0, 2.0 + gap * 3, 3.0)
-    turns = []
-    for seed in range(200):
-        I, R = tilted(true, (1.0, 0.4, -0.6), 1.1, noise, seed)
-        turns.append(angle_between(I.principal().axes[0].components(), R[:, 0]))
-    clean, _ = tilted(true, (1.0, 0.4, -0.6), 1.1)
-    reported = clean.principal(noise).turns[0]
-    assert reported / 20 < np.median(turns) < reported
-    assert np.quantile(turns, 0.95) < 3 * reported
 
 
 def test_nearly_equal_moments_are_reported_against_the_noise_of_the_data():

@@ -16,9 +16,7 @@ from tests.sketching import ground, sketch, texts
 
 
 def arm(t, ax):
-    """A rod that turns once in two seconds and is longer then; its tip has an arrow for its
-    velocity.
-    """
+    """A rod that turns once in two seconds and grows; its tip has an arrow for its velocity."""
     tip = ground.vector(0, (1 + t) * math.cos(math.pi * t), (1 + t) * math.sin(math.pi * t))
     s = Sketch(ax, ground, plane="yz")
     s.rod((0, 0, 0), tip)

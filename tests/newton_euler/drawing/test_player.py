@@ -82,27 +82,17 @@ def test_jupyter_gets_html_and_without_html_the_first_picture():
     )
 
 
-@pytest.mark.parametrize(
-    ("speed", "words"),
-    [
-        (1.0, "<span></span>"),
-        (0.25, "shown 4 times slower"),
-        (3600.0, "shown 3.6e+03 times faster"),
-    ],
-)
+@pytest.mark.parametrize(("speed", "words"), [
+    (1.0, "<span></span>"), (0.25, "shown 4 times slower"), (3600.0, "shown 3.6e+03 times faster"),
+])  # fmt: skip
 def test_the_page_says_how_the_show_differs_from_the_motion(speed, words):
     assert words in film(speed=speed).html()
 
 
-@pytest.mark.parametrize(
-    ("times", "label"),
-    [
-        ((0.0, 0.04, 0.08), "t = 0.08 s"),
-        ((0.0, 60.0, 120.0), "t = 120 s"),
-        ((0.0, 1e-9, 2e-9), "t = 2e-09 s"),
-        ((0.0, 0.1, 1.0), "t = 1.0 s"),
-    ],
-)
+@pytest.mark.parametrize(("times", "label"), [
+    ((0.0, 0.04, 0.08), "t = 0.08 s"), ((0.0, 60.0, 120.0), "t = 120 s"),
+    ((0.0, 1e-9, 2e-9), "t = 2e-09 s"), ((0.0, 0.1, 1.0), "t = 1.0 s"),
+])  # fmt: skip
 def test_times_have_the_decimals_that_distinguish_them(times, label):
     assert f'"{label}"' in film(times).html()
 

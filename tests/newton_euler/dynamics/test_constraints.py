@@ -108,9 +108,7 @@ def test_the_count_does_not_depend_on_the_configuration(angle):
 
 @pytest.mark.parametrize(("L", "factor"), [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e-3, 1e-6)])
 def test_it_does_not_depend_on_units(L, factor):
-    """The same pendulum in metres and in micrometres, its constraint in square metres or times a
-    million.
-    """
+    """In metres and micrometres, the constraint in square metres or times a million."""
     rod = lambda P: factor * (squared(P, (0, 0, 0)) - L * L)
     assert count({"P": "particle"}, {"rod": rod, "plane": lambda P: P[1]}) == 1
 
@@ -125,9 +123,7 @@ def four_bar(crank, coupler, follower, base):
 
 
 def test_four_bar_linkage_and_a_redundant_parallel_bar():
-    """The fifth bar of a double parallelogram is redundant: counting equations gives 0, the linkage
-    moves.
-    """
+    """The fifth bar of a double parallelogram: counting equations gives 0, and it moves."""
     bodies, joints = four_bar(1.0, 2.5, 2.0, 3.0)
     found = degrees_of_freedom(bodies, joints)
     assert (found.count, found.unknowns, found.rank, found.redundant) == (1, 9, 8, {})

@@ -5,26 +5,11 @@ Oracles: derivatives by SymPy, potentials by hand, and the work along paths that
 
 import math
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    at,
-    atan2,
-    compiled,
-    cos,
-    exp,
-    moving,
-    sin,
-    spherical,
-    sqrt,
-)
+from newton_euler import Frame, at, atan2, compiled, cos, exp, moving, sin, spherical, sqrt
 from newton_euler.algebra import WorkError
 from newton_euler.bodies import MassError
 from newton_euler.dynamics.potential import (
@@ -40,20 +25,10 @@ from newton_euler.dynamics.potential import (
 )
 from newton_euler.dynamics.work import power, work_along
 from newton_euler.kinematics import along, gradient
-from tests.kinds import KINDS, close, numbers
-
-every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
-
+from tests.kinds import LENGTH, MASS, TIME, close, every_kind, numbers, within
 
 ENERGY = MASS * LENGTH**2 / TIME**2
-
-
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -26
+small = within(1e-12, 26)
 
 
 def hill(x, y, z):
@@ -80,9 +55,7 @@ def exactly(V, kind, *place):
 
 
 def vortex(x, y, z):
-    """No curl, but a hole: it does not exist on the z axis, and does the work 2 pi in every turn
-    round it.
-    """
+    """No curl, but a hole on the z axis: the work 2 pi in every turn round it."""
     square = x * x + y * y
     return -y / square, x / square, 0
 
@@ -148,25 +121,6 @@ def test_eqn_11_20_round_a_closed_path_it_is_zero(kind):
     round_it = lambda field: work_along(field, loop, 0, 1 + 0 * a, exact=kind == "sympy").value
     assert close(round_it(down_hill), 0, small(kind))
     assert not close(round_it(swirl), 0, 0.01)  # that of one with curl is not
-
-
-@settings(deadline=None, max_examples=25)
-@given(
-    st.lists(st.floats(-2, 2), min_size=9, max_size=9),
-    st.lists(st.floats(-1, 1), min_size=6, max_size=6),
-)
-def test_eqn_11_20_for_any_potential_and_any_two_paths(c, bend):
-    def V(x, y, z):
-        parts = x * y, y * z, z * x, x**3, cos(c[8] * y + z), sin(x * z), y, x * y * z
-        return sum(a * part for a, part in zip(c, parts, strict=False))
-
-    F = lambda x, y, z: conservative_force(V, Frame("g").point("P", x, y, z)).components()
-    for k in (bend[:3], bend[3:]):
-        path = lambda q, k=k: tuple(
-            a + 2 * q + b * q * (1 - q) for a, b in zip((-1, 0, 1), k, strict=True)
-        )
-        U = work_along(F, path, 0.0, 1.0)
-        assert U.value == pytest.approx(V(-1, 0, 1) - V(1, 2, 3), abs=1e-9)
 
 
 @every_kind

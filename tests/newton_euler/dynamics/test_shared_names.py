@@ -32,9 +32,7 @@ def system(loads, ground):
 
 
 def added(parts, ground):
-    """The system of these parts as one, in pairs, nested to the left and to the right, and with
-    their order kept.
-    """
+    """As one, in pairs, nested to the left and to the right, with their order kept."""
     one = [ForceSystem([part], ground) for part in parts]
     left = right = ForceSystem([], ground)
     for first, last in zip(one, one[::-1], strict=True):

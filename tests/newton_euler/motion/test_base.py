@@ -2,6 +2,8 @@
 that does not get on is refused.
 """
 
+import math
+
 import numpy as np
 import pytest
 
@@ -18,6 +20,8 @@ from tests.models import begun
 
 class _Counted(Stepper):
     """Its states are the time and the number of the step."""
+
+    most_steps = math.inf
 
     def interpolate(self, n, times):
         return np.array([times, n + 0 * times])

@@ -18,7 +18,6 @@ from newton_euler.motion.error_estimates import (
     error_by_comparison,
 )
 from newton_euler.motion.events import Event, EventError
-from newton_euler.motion.methods.base import MAX_STEPS
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.run import FEW_STEPS, HEYOKA_BREAK_EVEN, Run, usable
@@ -192,6 +191,30 @@ def test_a_motion_that_would_take_too_many_steps_is_not_begun_a_second_time():
     assert math.isnan(refused.value.reached.error)
 
 
+@needs_heyoka
+@pytest.mark.parametrize("method", ["taylor", "auto"])
+@pytest.mark.parametrize("samples", [None, 33])
+def test_the_errors_of_many_steps_add_up_so_the_steps_of_a_long_motion_are_the_best(
+    method, samples
+):
+    model = second_order("spring", {"k": 1.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
+    one = run(model, 2e5, (1.0, 0.0), samples=samples, rtol=1e-6)
+    motion = one.by_name(method)
+    assert one.long
+    assert motion.method.name == "taylor"
+    assert motion.end["x"] == pytest.approx(math.cos(2e5), abs=1e-7)
+    assert motion.at(1e5)["x"] == pytest.approx(math.cos(1e5), abs=1e-7)
+
+
+@needs_heyoka
+def test_where_no_method_is_accurate_after_a_long_time_no_other_is_tried():
+    one = run(second_order("own", {}, ("x",), lambda s, p, t: (-sin(s.x),)), 2e5, (2.0, 0.0))
+    one.rtol = 1e-12
+    with pytest.raises(AccuracyError):
+        one.by_name("auto")
+    assert one.calls < 1e8  # DOP853 would need 12 for each of 1e7 steps
+
+
 @pytest.fixture
 def clock(monkeypatch):
     """A function that sets the clock: it advances by this many seconds each time it is read."""
@@ -295,13 +318,13 @@ def stopped(error):
 @pytest.mark.parametrize(
     ("first", "steps", "second"),
     [
-        ({"exact": 1}, MAX_STEPS, {"dop853 watched": 1}),
-        ({"dop853 watched": 1}, MAX_STEPS, {"taylor": 1}),
+        ({"exact": 1}, math.inf, {"dop853 watched": 1}),
+        ({"dop853 watched": 1}, math.inf, {"taylor": 1}),
         ({"exact": inaccurate(1e-3), "dop853 watched": 1}, FEW_STEPS, {"taylor": 1}),
-        ({"exact": ModelError("no value"), "dop853 watched": 1}, MAX_STEPS, {"taylor": 1}),
-        ({"dop853 watched": inaccurate(1e-3), "taylor": 1}, MAX_STEPS, {}),
-        ({"taylor": inaccurate(1e-3), "dop853": 1}, MAX_STEPS, {}),
-        ({"taylor": stopped(0.1), "dop853": 1}, MAX_STEPS, {}),
+        ({"exact": ModelError("no value"), "dop853 watched": 1}, math.inf, {"taylor": 1}),
+        ({"dop853 watched": inaccurate(1e-3), "taylor": 1}, math.inf, {}),
+        ({"taylor": inaccurate(1e-3), "dop853": 1}, math.inf, {}),
+        ({"taylor": stopped(0.1), "dop853": 1}, math.inf, {}),
         ({"exact": inaccurate(1e-3), "dop853 watched": stopped(0.1), "taylor": 1}, FEW_STEPS, {}),
     ],
     ids=["closed form", "none", "inaccurate one", "one without a value", "inaccurate Runge-Kutta",

@@ -292,7 +292,34 @@ def test_there_is_no_prepared_series_that_might_not_see_all_of_the_rates():
 
 def test_a_prepared_series_that_needs_too_many_steps_is_left_to_integration(monkeypatch):
     monkeypatch.setattr(taylor, "MAX_PREPARED_STEPS", 3)
+    assert prepared()(50.0, (1.0, 0.0)) is not None
+    monkeypatch.setattr(Taylor, "most_steps", 6)
     assert prepared()(50.0, (1.0, 0.0)) is None
+
+
+@pytest.mark.parametrize("samples", [None, 9])
+def test_as_many_steps_are_needed_as_the_first_ones_show_however_it_is_sampled(
+    monkeypatch, samples
+):
+    monkeypatch.setattr(taylor, "MAX_STALLED_STEPS", 10)
+    one = series(400.0, samples=samples)
+    one.step()
+    assert np.array(one.x) == pytest.approx(swing(400.0), abs=1e-12)
+    most = one.calls / 19
+    assert 100 < most < 2000
+    some = one.states([123.0, 321.0])
+    assert some == pytest.approx(swing(np.array([123.0, 321.0])), abs=1e-12)
+    series(400.0, samples=samples, max_steps=1.2 * most).step()
+    with pytest.raises(LengthError):
+        series(400.0, samples=samples, max_steps=0.8 * most).step()
+
+
+def test_the_steps_of_a_long_motion_are_not_kept_for_the_state_at_one_instant(monkeypatch):
+    monkeypatch.setattr(taylor, "FEW_STEPS", 10)
+    one = series(50.0)
+    one.step()
+    assert one.states([12.0])[:, 0] == pytest.approx(swing(12.0), abs=1e-12)
+    assert "dense" not in vars(one)
 
 
 def test_a_prepared_series_is_compiled_once():

@@ -175,9 +175,7 @@ def rotor(r):
 
 
 def turning_shaft(r):
-    """Rods below and above the least rate, near the angle of rest and far from it, on light and
-    heavy shafts.
-    """
+    """Below and above the least rate, near rest and far from it, light and heavy shafts."""
     mass, length, g = any_size(r, 0.1, 10), any_size(r, 0.2, 3), r.uniform(1.6, 25)
     least = least_rate(**rod(mass, length, 1.0, g))
     omega = least * r.choice((r.uniform(0.1, 0.9), r.uniform(1.1, 4)))

@@ -44,9 +44,7 @@ def makers(path):
 
 
 def test_no_module_of_scenes_that_makes_a_model_is_forgotten():
-    """Each is called for a scene of the catalogue or a ladder; that is seen in a process of its
-    own, before any of them is kept.
-    """
+    """Seen in a process of its own, before any of them is kept."""
     scenes = ROOT / "newton_euler" / "scenes"
     modules = {str(path) for path in scenes.rglob("*.py") if any(makers(path))}
     assert len(modules) > 10

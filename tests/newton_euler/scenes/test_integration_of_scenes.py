@@ -85,9 +85,7 @@ def within(ratios):
 
 @pytest.mark.parametrize("method", ["dop853", "taylor"])
 def test_errors_are_what_was_asked_for(method):
-    """In the median a heyoka run is more accurate: its error falls by steps, and its cost hardly
-    depends on it.
-    """
+    """In the median a heyoka run is more accurate: its error falls by steps."""
     pytest.importorskip("heyoka")
     scenes = ("top", "free body", "pendulum", "turning shaft", "planet", "forced", "aircraft")
     asked, reported = honesty(method, scenes, (1e-3, 1e-5, 1e-7, 1e-9, 1e-11))
@@ -182,9 +180,7 @@ def test_heyoka_that_is_missing_is_said(monkeypatch):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_what_parameters_alone_give_is_computed_once(scene):
-    """The rest has other arguments than the parameters, fewer operations, and the same rates within
-    round-off.
-    """
+    """The rest has other arguments, fewer operations, and the same rates."""
     model, _, start = SCENES[scene]
     system = prepared_model(model)
     rest, _ = system.traced.folded

@@ -61,9 +61,7 @@ def true_errors(asked, rungs):
 
 
 def judged(name, count, seed):
-    """For so many draws: the name of the rung chosen, whether it holds and no cheaper one does, and
-    rungs that are further off than their bound.
-    """
+    """For so many draws: the rung chosen, whether it is right, and rungs beyond their bound."""
     r = random.Random(f"{name} {seed}")
     for _ in range(count):
         asked, tolerance = DRAWS[name](r)
@@ -97,9 +95,7 @@ def test_the_choice_is_the_cheapest_rung_that_holds_and_bounds_are_bounds(name, 
 
 @pytest.mark.parametrize("name", ["projectile", "physical pendulum"])
 def test_no_rung_is_further_off_than_its_bound(name):
-    """Whether it would be chosen or not; and bounds are no wild guesses: half of them are within a
-    factor of ten.
-    """
+    """And bounds are no wild guesses: half of them are within a factor of ten."""
     r, near = random.Random(f"{name} bounds"), []
     for _ in range(30):
         asked, _ = DRAWS[name](r)
@@ -165,9 +161,7 @@ def off(rung):
 
 @pytest.mark.parametrize("I_z", [0.5, 0.999999, 1.0, 1.000001, 1.1, 1.2, 1.5])
 def test_small_wobble_is_right_on_both_sides_of_the_intermediate_axis(I_z):
-    """Moments 1 and 1.2: the wobble swings, drifts or runs away. The judge is the exponential of
-    the matrix, to 30 digits.
-    """
+    """Against the exponential of the matrix, to 30 digits."""
     model = free_body.small_wobble(1.0, 1.2, I_z, 3.0)
     with mpmath.workdps(30):
         columns = [[mpmath.mpf(x) for x in model.derivative(unit)] for unit in ((1, 0), (0, 1))]
@@ -183,13 +177,10 @@ def test_the_fullest_top_is_the_symmetric_one_where_it_has_no_asymmetry():
     assert asked.error(asked.rung("top, nutation and precession")) < 1e-9
 
 
-@pytest.mark.parametrize(
-    ("model", "start"),
-    [
-        (top_ladder.asymmetric_top_quaternion, (0.9, 0.3, 0.1, 0.2, 1.0, 2.0, 30.0)),
-        (top_ladder.asymmetric_top_euler_angles, (0.2, 0.6, 0.1, 1.0, 2.0, 30.0)),
-    ],
-)
+@pytest.mark.parametrize(("model", "start"), [
+    (top_ladder.asymmetric_top_quaternion, (0.9, 0.3, 0.1, 0.2, 1.0, 2.0, 30.0)),
+    (top_ladder.asymmetric_top_euler_angles, (0.2, 0.6, 0.1, 1.0, 2.0, 30.0)),
+])  # fmt: skip
 def test_the_fullest_top_keeps_its_energy_and_its_momentum_about_the_vertical(model, start):
     mgr, moments = 0.5, np.array([0.02 * 0.7, 0.02 * 1.3, 0.01])
     rates = model(0.02, 0.01, mgr, asymmetry=0.3).derivative(start)
@@ -209,9 +200,7 @@ def test_a_satellite_goes_round_a_nearly_circular_orbit_faster_by_the_bulge():
 
 
 def test_the_pull_of_an_oblate_earth_is_that_of_its_potential():
-    """V = -mu/r (1 - J2 (R/r)^2 (3 sin^2(latitude) - 1)/2), at the equator, differentiated to 25
-    digits.
-    """
+    """V = -mu/r (1 - J2 (R/r)^2 (3 sin^2(latitude) - 1)/2), at the equator."""
     with mpmath.workdps(40):
         mu, J2R2, r, none = map(mpmath.mpf, ("8", "0.1", "2", "0"))
         pull = mpmath.diff(lambda r: -mu / r * (1 + J2R2 / (2 * r * r)), r)
@@ -221,9 +210,7 @@ def test_the_pull_of_an_oblate_earth_is_that_of_its_potential():
 
 @pytest.mark.parametrize("latitude", [0.3, -1.2, math.pi / 2])
 def test_foucaults_pendulum_turns_with_the_sine_of_the_latitude(latitude):
-    """A small swing through the middle: its plane turns by -rate sin(latitude) t, in the fullest
-    model too.
-    """
+    """By -rate sin(latitude) t, in the fullest model too."""
     given = {"length": 9.81, "start": (0.0, 0.0, 1e-3, 0.0), "t": 2.25 * 2 * math.pi}
     asked = ladder("Foucault's pendulum", latitude=latitude, rate=1e-3, **given)
     for rung in (asked.rungs[1], asked.fullest):
@@ -258,9 +245,7 @@ def test_the_state_of_each_model_has_the_degrees_of_freedom_of_its_scene(name):
 
 @each_ladder
 def test_no_state_is_superfluous(name):
-    """As many directions of the start can be seen in what is asked for as there are states, less
-    the spare ones.
-    """
+    """As many directions of the start are seen as there are states, less the spare ones."""
     asked = ladder(name)
     for rung in asked.rungs:
         seen = np.array([column(rung, asked.t / 3, n) for n in range(len(rung.start))])
@@ -284,9 +269,7 @@ def column(rung, t, n):
 @pytest.mark.benchmark
 @pytest.mark.parametrize("name", LADDERS)
 def test_no_rung_costs_more_than_the_next(name):
-    """By more than a third: some differ by a few operations, or in what must be known. Time of the
-    processor, which others do not share.
-    """
+    """By more than a third, in processor time: some differ by a few operations only."""
     asked = ladder(name)
     runs = [(prepare(rung.model), rung.start, []) for rung in asked.rungs]
     for run, start, costs in 30 * runs:

@@ -20,9 +20,7 @@ from tests.kinds import close
 
 
 def pendulum(m=1.0, g=9.81, length=2.0):
-    """From its forces, in polar coordinates: x down, the cord takes what it must and so does not
-    matter for theta.
-    """
+    """From its forces, in polar coordinates, x down; the cord does not matter for theta."""
 
     def accelerations(s, p, t):
         ground = Frame("ground")
@@ -48,7 +46,6 @@ MODELS = {
     "low": air_near_low(0.8, 1e-2, rate=0.2),
     "flat": flat(9.81),
 }
-
 
 each_model = pytest.mark.parametrize("name", MODELS)
 

@@ -6,22 +6,19 @@ from mpmath import mp, mpf
 from exercises.catalogue.proofs import ProofError, integral
 
 
-@pytest.mark.parametrize(
-    ("f", "start", "end", "expected"),
-    [
-        (lambda x: x**7, 0, 2, lambda: mpf(32)),
-        (mp.sin, 0, lambda: mp.pi, lambda: mpf(2)),
-        (mp.sqrt, 0, 1, lambda: mpf(2) / 3),
-        (lambda x: mp.sqrt(1 - x * x), -1, 1, lambda: mp.pi / 2),
-        (lambda x: 1 / mp.sqrt(x), 0, 4, lambda: mpf(4)),
-        (lambda x: 1 / mp.sqrt(1 - x), 0, 1, lambda: mpf(2)),
-        (mp.log, 0, 1, lambda: mpf(-1)),
-        (lambda x: mp.exp(-x), 3, 1, lambda: mp.exp(-3) - mp.exp(-1)),
-        (mp.sin, -1, 1, lambda: mpf(0)),
-        (lambda x: 0 * x, 0, 1, lambda: mpf(0)),
-        (lambda x: 1 / (1 + 100 * x * x), -1, 1, lambda: mp.atan(10) / 5),
-    ],
-)
+@pytest.mark.parametrize(("f", "start", "end", "expected"), [
+    (lambda x: x**7, 0, 2, lambda: mpf(32)),
+    (mp.sin, 0, lambda: mp.pi, lambda: mpf(2)),
+    (mp.sqrt, 0, 1, lambda: mpf(2) / 3),
+    (lambda x: mp.sqrt(1 - x * x), -1, 1, lambda: mp.pi / 2),
+    (lambda x: 1 / mp.sqrt(x), 0, 4, lambda: mpf(4)),
+    (lambda x: 1 / mp.sqrt(1 - x), 0, 1, lambda: mpf(2)),
+    (mp.log, 0, 1, lambda: mpf(-1)),
+    (lambda x: mp.exp(-x), 3, 1, lambda: mp.exp(-3) - mp.exp(-1)),
+    (mp.sin, -1, 1, lambda: mpf(0)),
+    (lambda x: 0 * x, 0, 1, lambda: mpf(0)),
+    (lambda x: 1 / (1 + 100 * x * x), -1, 1, lambda: mp.atan(10) / 5),
+])  # fmt: skip
 def test_an_integral_has_thirty_digits(f, start, end, expected):
     end = end() if callable(end) else end
     assert abs(integral(f, start, end) - expected()) < mpf(10) ** -30

@@ -6,19 +6,16 @@ from mpmath import mp, mpf
 from exercises.catalogue.proofs import ProofError, root
 
 
-@pytest.mark.parametrize(
-    ("f", "low", "high", "expected"),
-    [
-        (lambda x: x * x - 2, 0, 5, lambda: mp.sqrt(2)),
-        (lambda x: 2 - x * x, 5, 0, lambda: mp.sqrt(2)),
-        (lambda x: (x - mpf("0.3")) ** 3, -1, 5, lambda: mpf("0.3")),
-        (lambda x: x - mpf("1e-20"), -1, 1, lambda: mpf("1e-20")),
-        (mp.tan, 3, 4, lambda: mp.pi),
-        (lambda x: mp.exp(50 * x) - 2, -1, 1, lambda: mp.log(2) / 50),
-        (lambda x: x, 0, 1, lambda: mpf(0)),
-        (lambda x: x - 1, 0, 1, lambda: mpf(1)),
-    ],
-)
+@pytest.mark.parametrize(("f", "low", "high", "expected"), [
+    (lambda x: x * x - 2, 0, 5, lambda: mp.sqrt(2)),
+    (lambda x: 2 - x * x, 5, 0, lambda: mp.sqrt(2)),
+    (lambda x: (x - mpf("0.3")) ** 3, -1, 5, lambda: mpf("0.3")),
+    (lambda x: x - mpf("1e-20"), -1, 1, lambda: mpf("1e-20")),
+    (mp.tan, 3, 4, lambda: mp.pi),
+    (lambda x: mp.exp(50 * x) - 2, -1, 1, lambda: mp.log(2) / 50),
+    (lambda x: x, 0, 1, lambda: mpf(0)),
+    (lambda x: x - 1, 0, 1, lambda: mpf(1)),
+])  # fmt: skip
 def test_a_root_has_nearly_fifty_digits(f, low, high, expected):
     assert abs(root(f, low, high) - expected()) <= mpf(10) ** -48
 

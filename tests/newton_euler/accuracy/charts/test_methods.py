@@ -17,8 +17,6 @@ from newton_euler.accuracy.measurements.work_precision import (
 from newton_euler.scenes.catalogue import Scene
 
 matplotlib.use("Agg")
-
-
 FAKE = Scene("fake", "1.1", "nothing", lambda: None)
 
 

@@ -69,9 +69,7 @@ def test_measuring_reports_its_progress_and_gives_a_row_for_each_y():
 def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_axis_for_the_exact_solution_alone(
     compiling, short, monkeypatch
 ):
-    """Which is cheaper depends on the machine: here the compilation takes a thousand seconds, or is
-    paid for.
-    """
+    """Here the compilation takes a thousand seconds, or is paid for."""
     pytest.importorskip("heyoka")
     monkeypatch.setattr(maps, "compile_time", lambda: compiling)
     near, far = (list(MAPS["free body"].column(tilt, [5.0, 1000.0])) for tilt in (1e-6, 0.5))
@@ -90,9 +88,7 @@ def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
 
 
 def test_integration_fails_where_round_off_has_grown_to_what_is_wanted():
-    """Within a factor of five of the theory, on both sides of the bend: a random walk is only known
-    on average.
-    """
+    """Within a factor of five of the theory: a random walk is only known on average."""
     pytest.importorskip("heyoka")
     for tilt in (1e-7, 1e-5, 3e-3, 1e-2):
         times = np.geomspace(10.0, 2e4, 60)
@@ -187,9 +183,7 @@ def test_steady_precession_ends_at_the_double_root(omega_z):
 
 
 def test_where_the_map_says_that_it_precesses_steadily_a_run_stays_at_its_angle():
-    """Independent of the quadratic: theta of the reduced top after a second, from rest at the rate
-    found.
-    """
+    """Theta of the reduced top after a second, from rest at the rate found."""
     from newton_euler.applications.gyroscopes import steady_precession
 
     for omega_z, degrees in ((19.0, 40.0), (40.0, 60.0), (30.0, 140.0)):

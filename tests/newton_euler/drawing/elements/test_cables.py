@@ -25,9 +25,7 @@ def total(stops, turns=None):
 
 
 def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
-    """Half a turn over the top, the rest straight; chords of 6 degrees are shorter than the arc by
-    less than 1 in 2000.
-    """
+    """Chords of 6 degrees are shorter than the arc by less than 1 in 2000."""
     wheel = Pulley((0.0, 0.0, 0.0), Z, 1.0)
     spans, arcs = route([(-1.0, -5.0, 0.0), wheel, (1.0, -3.0, 0.0)])
     assert spans[0][1] == pytest.approx((-1, 0, 0), abs=1e-12)
@@ -74,9 +72,7 @@ def test_by_default_the_cable_takes_the_shortest_way():
 
 
 def test_a_cable_back_to_its_pulley_is_a_belt():
-    """Equal pulleys: two straight parts and a whole turn; crossed, its length is 2 sqrt(d^2 - 4r^2)
-    + 2r(pi + 2 asin(2r/d)).
-    """
+    """Crossed, its length is 2 sqrt(d^2 - 4r^2) + 2r(pi + 2 asin(2r/d))."""
     p, q = Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 1.0)
     assert total([p, q, p]) == pytest.approx(10 + 2 * math.pi, rel=5e-4)
     assert total([p, q, p], (1, -1)) == pytest.approx(

@@ -110,19 +110,16 @@ def test_one_sees_into_an_open_cone():
     assert colour_at(s, 0, 0, 2) == SHADED.lower()
 
 
-@pytest.mark.parametrize(
-    ("draw", "words"),
-    [
-        (lambda s: s.cylinder(O, (0, 0, 1), 1, bore=1), "a hole is narrower than its body, 1 m"),
-        (lambda s: s.disk(O, ground.k, 1, hole=-0.1), "a positive number of metres; got -0.1"),
-        (lambda s: s.plate(CORNERS, thickness=math.nan), "a positive number of metres; got nan"),
-        (lambda s: s.plate(CORNERS, shade="red"), "the shade of a plate is light, medium, dark"),
-        (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
-        (lambda s: s.plate(CORNERS, holes=[3]), r"as in holes=\[s.around\(...\)\]; got \[3\]"),
-        (lambda s: s.plate(CORNERS, holes=3), "holes are a sequence of outlines"),
-        (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are a sequence"),
-    ],
-)
+@pytest.mark.parametrize(("draw", "words"), [
+    (lambda s: s.cylinder(O, (0, 0, 1), 1, bore=1), "a hole is narrower than its body, 1 m"),
+    (lambda s: s.disk(O, ground.k, 1, hole=-0.1), "a positive number of metres; got -0.1"),
+    (lambda s: s.plate(CORNERS, thickness=math.nan), "a positive number of metres; got nan"),
+    (lambda s: s.plate(CORNERS, shade="red"), "the shade of a plate is light, medium, dark"),
+    (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
+    (lambda s: s.plate(CORNERS, holes=[3]), r"as in holes=\[s.around\(...\)\]; got \[3\]"),
+    (lambda s: s.plate(CORNERS, holes=3), "holes are a sequence of outlines"),
+    (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are a sequence"),
+])  # fmt: skip
 def test_a_mistake_is_an_error_at_once(draw, words):
     with pytest.raises(FrameError, match=words):
         draw(sketch())

@@ -7,14 +7,11 @@ from newton_euler.algebra import FrameError
 from tests.sketching import O, sketch, vertices
 
 
-@pytest.mark.parametrize(
-    "way",
-    [
-        [(0, 0, 0), (3, 1, 0)],
-        [(3, 1, 0), (0, 0, 0)],
-        [(0, 0, 0), (1, 0.5, 0), (2, 0.4, 0), (3, 1, 0)],
-    ],
-)
+@pytest.mark.parametrize("way", [
+    [(0, 0, 0), (3, 1, 0)],
+    [(3, 1, 0), (0, 0, 0)],
+    [(0, 0, 0), (1, 0.5, 0), (2, 0.4, 0), (3, 1, 0)],
+])  # fmt: skip
 def test_a_road_is_hatched_on_the_right_of_the_way(way):
     s = sketch(plane="xy")
     s.road(way)

@@ -95,9 +95,7 @@ def test_axes_without_labels_are_drawn():
 
 @pytest.mark.parametrize(("last", "now"), [(0, 0), (1, 1), (3 * 16 + 8, 0)])
 def test_a_label_moves_from_where_it_was_only_if_that_is_much_better(last, now):
-    """In a film. Places 0 and 1 are neighbours and both free; the third is on the other side and 26
-    points away.
-    """
+    """Places 0 and 1 are neighbours and free; the third is 26 points away."""
     s = sketch()
     s.rod((0, -1, 0), (0, 1, 0))
     s.label((0, 0, 1), "A")

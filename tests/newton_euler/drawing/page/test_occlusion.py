@@ -22,11 +22,8 @@ SQUARE = [(5, 5, 0), (-5, 5, 0), (-5, -5, 0), (5, -5, 0)]
 
 
 def test_the_nearer_is_drawn_after_the_farther():
-    assert ordered(
-        plane_view("xy"),
-        ("near", [(0, 0, 2), (1, 0, 2)], None),
-        ("far", [(0, 0, 1), (1, 0, 1)], None),
-    ) == ["far", "near"]
+    near, far = ((name, [(0, 0, z), (1, 0, z)], None) for name, z in (("near", 2), ("far", 1)))
+    assert ordered(plane_view("xy"), near, far) == ["far", "near"]
 
 
 def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from_the_eye():
@@ -38,13 +35,10 @@ def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from
 
 
 def test_a_line_through_a_plate_is_cut_and_one_beside_it_is_not():
-    view = space_view(35, 20, "z")
-    assert ordered(
-        view, ("shaft", [(0, 0, -1), (0, 0, 3)], None), ("plate", SQUARE, (0, 0, 1))
-    ) == ["piece", "plate", "piece"]
-    assert "shaft" in ordered(
-        view, ("shaft", [(9, 0, -1), (9, 0, 3)], None), ("plate", SQUARE, (0, 0, 1))
-    )
+    through, beside = (("shaft", [(x, 0, -1), (x, 0, 3)], None) for x in (0, 9))
+    view, plate = space_view(35, 20, "z"), ("plate", SQUARE, (0, 0, 1))
+    assert ordered(view, through, plate) == ["piece", "plate", "piece"]
+    assert "shaft" in ordered(view, beside, plate)
 
 
 def test_marks_lie_over_bodies():

@@ -9,19 +9,16 @@ from newton_euler.drawing.page.projection import circle, convex_hull, plane_view
 from tests.sketching import sketch, vertices
 
 
-@pytest.mark.parametrize(
-    ("view", "place", "page"),
-    [
-        ({"plane": "xz"}, (3, 5, 2), (3, 2)),
-        ({"plane": "yx"}, (3, 5, 2), (5, 3)),
-        ({"azimuth": 0, "elevation": 0}, (3, 5, 2), (5, 2)),  # from x: y to the right
-        ({"azimuth": -90, "elevation": 0}, (3, 5, 2), (3, 2)),  # from -y: x to the right
-        ({"azimuth": -90, "elevation": 90}, (3, 5, 2), (3, 5)),  # a map
-        ({"azimuth": 0, "elevation": 0, "up": "y"}, (3, 5, 2), (3, 5)),  # from z
-        ({"azimuth": 30, "elevation": 0}, (1, 0, 0), (-0.5, 0)),
-        ({"azimuth": 0, "elevation": 30}, (1, 0, 1), (0, math.sqrt(3) / 2 - 0.5)),
-    ],
-)
+@pytest.mark.parametrize(("view", "place", "page"), [
+    ({"plane": "xz"}, (3, 5, 2), (3, 2)),
+    ({"plane": "yx"}, (3, 5, 2), (5, 3)),
+    ({"azimuth": 0, "elevation": 0}, (3, 5, 2), (5, 2)),
+    ({"azimuth": -90, "elevation": 0}, (3, 5, 2), (3, 2)),
+    ({"azimuth": -90, "elevation": 90}, (3, 5, 2), (3, 5)),
+    ({"azimuth": 0, "elevation": 0, "up": "y"}, (3, 5, 2), (3, 5)),
+    ({"azimuth": 30, "elevation": 0}, (1, 0, 0), (-0.5, 0)),
+    ({"azimuth": 0, "elevation": 30}, (1, 0, 1), (0, math.sqrt(3) / 2 - 0.5)),
+])  # fmt: skip
 def test_a_place_is_seen_where_it_should_be(view, place, page):
     s = sketch(**view)
     s.line((0, 0, 0), place)

@@ -167,9 +167,7 @@ def test_an_angle_is_counted_through_all_turns_by_a_phase_within_pi_of_it(turned
 
 
 def random_body(rng):
-    """Moments, rates and a time, of which a third begin near the separatrix and some have equal
-    moments.
-    """
+    """A third begin near the separatrix, and some have equal moments."""
     I, w = [rng.uniform(0.5, 3) for _ in range(3)], [rng.gauss(0, 1) for _ in range(3)]
     kind = rng.randrange(6)
     if kind == 0:
@@ -247,13 +245,6 @@ def test_a_closed_form_agrees_with_25_digit_integration(name):
 
 
 # -- the pendulum
-
-
-def test_from_rest_it_is_the_textbooks_elliptic_sine():
-    k, n = mpmath.sin(mpmath.mpf("0.5")), mpmath.sqrt(10)
-    for t in (0.1, 1.0, 7.0):
-        expected = 2 * mpmath.asin(k * mpmath.ellipfun("cd", n * t, m=k * k))
-        assert close(text(PENDULUM)(t, 1.0, 0.0)[0], expected, 5e-15)
 
 
 @pytest.mark.parametrize("off", [1e-2, 1e-6, 1e-10, 1e-13, 0.0, -1e-13, -1e-10, -1e-6, -1e-2])
@@ -356,21 +347,11 @@ def test_a_top_on_the_vertical_of_unequal_momenta_is_nowhere():
         model.solution(1.0, (0.0, 0.0))
 
 
-def test_energy_is_kept_over_a_million_nutations():
-    model = top.nutation(*TOP)
-    before = model.invariant("energy", (0.6, 0.0))
-    for t in (1e3, 1e5, 5e5):
-        energy = model.invariant("energy", text(model)(t, 0.6, 0.0))
-        assert energy == pytest.approx(before, rel=1e-14)
-
-
 # -- orbits
 
 
 def by_bisection(t, x, y, v_x, v_y):
-    """Kepler's orbit about mu = 1 by the elements of the ellipse, its equation solved between
-    bounds, in 40 digits.
-    """
+    """Kepler's orbit about mu = 1, its equation solved between bounds in 40 digits."""
     with mpmath.workdps(40):
         x, y, v_x, v_y = map(mpmath.mpf, (x, y, v_x, v_y))
         r, along, swept = mpmath.hypot(x, y), x * v_x + y * v_y, x * v_y - y * v_x
@@ -383,12 +364,9 @@ def by_bisection(t, x, y, v_x, v_y):
         for _ in range(140):
             E = (low + high) / 2
             low, high = (E, high) if E - e * mpmath.sin(E) < M else (low, E)
-        across, rate = (
-            mpmath.sign(swept) * mpmath.sqrt(1 - e * e),
-            1 / (mpmath.sqrt(a) * (1 - e * mpmath.cos(E))),
-        )
-        place = a * mpmath.mpc(mpmath.cos(E) - e, across * mpmath.sin(E)) * axis
-        velocity = rate * mpmath.mpc(-mpmath.sin(E), across * mpmath.cos(E)) * axis
+        c, s, across = mpmath.cos(E), mpmath.sin(E), mpmath.sign(swept) * mpmath.sqrt(1 - e * e)
+        place = a * mpmath.mpc(c - e, across * s) * axis
+        velocity = mpmath.mpc(-s, across * c) * axis / (mpmath.sqrt(a) * (1 - e * c))
         return tuple(map(float, (place.real, place.imag, velocity.real, velocity.imag)))
 
 

@@ -60,9 +60,7 @@ def test_free_air_runs_in_a_circle_clockwise_in_the_north():
 @pytest.mark.parametrize("latitude", [0.8, -0.8])
 @pytest.mark.parametrize("G", [1e-3, 3e-3, -1e-3])
 def test_steady_wind_on_a_circle(latitude, G):
-    """At this speed the equations of motion give the acceleration v^2/r toward the centre; on a
-    large circle it is the geostrophic wind.
-    """
+    """Its acceleration is v^2/r toward the centre; on a large circle it is the geostrophic wind."""
     radius = 5e5
     v = e.gradient_wind(G, radius, latitude)
     sense = math.copysign(1, latitude)

@@ -24,9 +24,7 @@ def test_example_6_7_the_rate_that_simulates_the_ground(kind):
 
 @every_kind
 def test_example_6_7_a_free_body_moves_on_a_straight_line_among_the_stars(kind):
-    """The exact path against the equation (6.10), whose acceleration is found here by the moving
-    frame.
-    """
+    """The exact path against (6.10), by the moving frame."""
     omega, x, y, dx, dy = numbers(kind, "-0.3", 2, "-1.5", "0.4", "0.9")
     _, _, ddx, ddy = free_body(omega).derivative((x, y, dx, dy))
     stars = Frame("stars")
@@ -36,9 +34,7 @@ def test_example_6_7_a_free_body_moves_on_a_straight_line_among_the_stars(kind):
 
 
 def test_example_6_7_a_throw_at_the_opposite_person_misses_behind():
-    """Thrown from (r, 0) through the centre, as seen by the thrower; omega < 0 as in the book, so
-    the station turns from +y to +x.
-    """
+    """From (r, 0) through the centre; omega < 0 as in the book."""
     g, r, u = 9.81, 100.0, 20.0
     omega = -station_rate(g, r)
     model = free_body(omega)
@@ -61,9 +57,7 @@ def test_example_6_7_who_runs_against_the_rotation_stands_still_among_the_stars(
 
 
 def test_example_6_7_book_calls_the_paths_limacons_but_a_throw_through_the_centre_is_a_spiral():
-    """Its distance from the axis is linear in its angle (Archimedes); a limacon's is a + b
-    cos(angle).
-    """
+    """Linear in its angle (Archimedes); a limacon is a + b cos(angle)."""
     omega = 0.5
     model = free_body(omega)
     start = (3.0, 0.0, -1.0, -omega * 3.0)  # w = (-1, 0) among the stars

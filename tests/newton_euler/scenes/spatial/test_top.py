@@ -9,10 +9,7 @@ import pytest
 import sympy
 
 from newton_euler import at, cos, sin
-from newton_euler.applications.gyroscopes import (
-    sleeping_top,
-    steady_precession,
-)
+from newton_euler.applications.gyroscopes import sleeping_top
 from newton_euler.applications.nutation import nutation
 from newton_euler.kinematics.rotations import (
     euler_from_quaternion,
@@ -26,21 +23,6 @@ from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.spherical_pendulum import nodding, pendulum
 from tests.explicit import by_scipy
 from tests.kinds import close, every_kind, numbers, small
-
-
-def lagrange():
-    """Lagrange's equations of the symmetric body: the generalised forces of psi, theta, phi, as
-    expressions of the motion.
-    """
-    t = sympy.Symbol("t")
-    I0, I = sympy.symbols("I0 I", positive=True)
-    q = [sympy.Function(n)(t) for n in ("psi", "theta", "phi")]
-    psi, theta, phi = q
-    T = (
-        I0 * (theta.diff(t) ** 2 + psi.diff(t) ** 2 * sympy.sin(theta) ** 2) / 2
-        + I * (phi.diff(t) + psi.diff(t) * sympy.cos(theta)) ** 2 / 2
-    )
-    return I0, I, q, t, [T.diff(x.diff(t)).diff(t) - T.diff(x) for x in q]
 
 
 def swings(model, start, seconds):
@@ -163,21 +145,6 @@ def test_the_models_obey_eqn_10_25(kind):
     assert close(reduced, (dtheta, ddtheta), small(kind))
 
 
-def test_the_model_of_the_top_against_lagranges_equations():
-    I0, I, q, t, (Q_psi, Q_theta, _) = lagrange()
-    mgr, wz, dpsi, dtheta, theta = sympy.symbols("mgr omega_z u v theta", positive=True)
-    _, _, dphi, ddpsi, ddtheta = top.euler(I0, I, mgr, wz).derivative((0, theta, 0, dpsi, dtheta))
-    second = {
-        q[0].diff(t, 2): ddpsi,
-        q[1].diff(t, 2): ddtheta,
-        q[2].diff(t, 2): -ddpsi * sympy.cos(theta) + dpsi * dtheta * sympy.sin(theta),
-    }
-    first = {q[0].diff(t): dpsi, q[1].diff(t): dtheta, q[2].diff(t): dphi}
-    for Q, force in ((Q_psi, 0), (Q_theta, mgr * sympy.sin(theta))):
-        off = Q.subs(second).subs(first).subs(q[1], theta) - force
-        assert sympy.simplify(sympy.expand(off)) == 0
-
-
 def test_upright_euler_angles_fail_and_the_other_two_models_do_not():
     with pytest.raises(ModelError, match="the coordinates are singular there"):
         top.euler(**TOP).derivative((0.0, 0.0, 0.0, 0.7, 0.1))
@@ -206,13 +173,6 @@ def test_the_exact_solution_of_the_free_body_is_a_formula_too():
     t, solution = sympy.Symbol("t"), top.free(0.6, 0.25, 9.0).solution
     found = [float(x.subs(t, 2)) for x in solution(t, start)]
     assert found == pytest.approx(solution(2.0, start), abs=1e-12)
-
-
-def test_steady_precession_of_the_model_is_that_of_eqn_10_31():
-    found = steady_precession(0.6, 0.25, 0.8, omega_z=20.0, mgr=1.5)
-    for dpsi in (found.slow, found.fast):
-        rates = top.euler(0.6, 0.25, 1.5, 20.0).derivative((0.0, 0.8, 0.0, dpsi, 0.0))
-        assert rates[3:] == pytest.approx((0, 0), abs=1e-12)
 
 
 def test_section_10_11_the_gyrocompass_from_lagranges_equation():

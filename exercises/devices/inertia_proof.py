@@ -1,0 +1,40 @@
+"""Proofs of inertia matrices, by the angular momenta of mass points in a body that turns: they know
+neither a table of solids nor the parallel axis theorem.
+"""
+
+from itertools import pairwise
+
+from exercises.catalogue.proofs.digits import weighted
+from exercises.tools import proofs
+
+
+def turned(place):
+    """The columns r x (e x r), the angular momenta of a unit mass turning about each axis."""
+    axes = [1, 0, 0], [0, 1, 0], [0, 0, 1]
+    return proofs.transposed([proofs.cross(place, proofs.cross(e, place)) for e in axes])
+
+
+def of_points(mass, points, at=(0, 0, 0)):
+    """The matrix at O of this mass, spread as ``points`` about the place ``at``."""
+    return added((mass, proofs.mean(lambda place: turned(proofs.plus(place, at)), points)))
+
+
+def added(*weighed):
+    """The sum of pairs (factor, matrix), each times its factor."""
+    factors, matrices = zip(*weighed, strict=True)
+    return weighted(factors, matrices)
+
+
+def raised(points, length):
+    """Mass points that are spread along z too, over this length about where they are."""
+    along = proofs.box(0, 0, length, order=2)
+    return [(u * v, proofs.plus(p, q)) for u, p in points for v, q in along]
+
+
+def along_path(density, place, way, corners):
+    """The matrices at O of the pieces of a wire of this mass per length; ``place(s)`` is the
+    place after the way s on it, and ``corners`` are the ways to the ends of the pieces before the
+    last.
+    """
+    ends = pairwise([0, *corners, way])
+    return [added((density, proofs.integral(lambda s: turned(place(s)), *pair))) for pair in ends]

@@ -1,0 +1,58 @@
+"""Which of the components of a vector counts that came along the axes of several frames.
+
+A Vector says in which frame its components are, and a student may make any frames. If any of its
+components that are right earned the points, frames turned by half a turn would be four guesses in
+one answer. One vector is one guess: its components in the ground are the answer, as its frames
+convert them. Those in another frame are where the rest is the same right vector along other axes.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import Protocol
+
+from .kinds import Kind
+from .tolerance import Points
+
+GROUND = 1  # its place among the readings of a vector: in its own frame, in the ground, between
+
+
+class Asked(Protocol):
+    """The kind of an answer, and the absolute tolerance for a key that is zero."""
+
+    @property
+    def kind(self) -> Kind: ...
+    @property
+    def atol(self) -> float: ...
+
+
+def counted(
+    readings: Sequence[Points], key: Points, asked: Asked, axes: Iterable[tuple[int, Points]]
+) -> Points | None:
+    """The right one of the readings of an answer, or None.
+
+    axes : [(place, key)] of the right vector along the axes of the problem's other frames, of which
+        the ground has the place 0
+    """
+    right = [asked.kind.is_right(r, key, asked.atol) for r in readings]
+    if True not in right or len(readings) == 1:
+        return readings[0] if right == [True] else None
+    if right[GROUND] or _is_one_guess(readings, right, key, asked, dict(axes)):
+        return readings[right.index(True)]
+    return None
+
+
+def _is_one_guess(readings, right, key, asked, axes):
+    """True if all that is not the key is the right vector along axes that the problem has; where it
+    does not say how its axes lie in the ground, also along those that the student chose.
+    """
+    free = not axes or 0 in axes  # else the axes are those of the ground
+    return all(
+        any(asked.kind.is_right(r, points, asked.atol) for points in axes.values())
+        or (free and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol))
+        for r, is_key in zip(readings, right, strict=True)
+        if not is_key
+    )
+
+
+def _sizes(points):
+    """The components without sign and order: those of two guesses at the axes are the same."""
+    return tuple(tuple(sorted(map(abs, point))) for point in points)

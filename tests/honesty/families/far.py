@@ -1,0 +1,70 @@
+"""Motions that are small beside the distance of their place from the origin."""
+
+import math
+
+from newton_euler import Model, sqrt
+from newton_euler.motion import second_order
+from tests.honesty import closed_forms
+from tests.honesty.cases import Case, Log, family
+
+EARTH = 3.986004418e14  # G M, m^3/s^2
+
+
+@family("multi-scale", "far")
+def far_spring(rng):
+    """A spring about a place far from the origin."""
+    w, X0, A = rng.values((0.5, 30.0), Log(1e3, 1e9), Log(1e-3, 1e-1))
+    parameters = {"k": w * w, "X0": X0, "c": rng.choice((0.0, 0.02 * w))}
+    a = lambda s, p, t: (-p.k * (s.x - p.X0) - 2 * p.c * s.dx,)
+
+    def exact(mp, s, p, t):
+        x, v = closed_forms.damped(mp, mp.sqrt(p.k), p.c, s.x - p.X0, s.dx, t)
+        return p.X0 + x, v
+
+    model = second_order("far spring", parameters, ("x",), a)
+    return Case(model, rng.uniform(5.0, 60.0) / w, (X0 + A, 0.0), exact=exact)
+
+
+@family("multi-scale", "far")
+def far_pair(rng):
+    """Two masses joined by a spring, on the way far from the origin."""
+    w, X, L, A, V = rng.values(
+        (0.5, 10.0), Log(1e3, 1e9), (1.0, 50.0), Log(1e-3, 1e-1), (-1.0, 1.0)
+    )
+    parameters = {"k": w * w / 2, "L": L}
+
+    def accelerations(s, p, t):
+        pull = p.k * (s.y - s.x - p.L)
+        return pull, -pull
+
+    def exact(mp, s, p, t):
+        n, half = mp.sqrt(2 * p.k), mp.mpf(1) / 2
+        d, u = closed_forms.oscillator(mp, n, s.y - s.x - p.L, s.dy - s.dx, t)
+        c, v = (s.x + s.y) * half + (s.dx + s.dy) * half * t, (s.dx + s.dy) * half
+        return c - (p.L + d) * half, c + (p.L + d) * half, v - u * half, v + u * half
+
+    model = second_order("far pair", parameters, ("x", "y"), accelerations)
+    return Case(model, rng.uniform(5.0, 60.0) / w, (X, X + L + A, V, V), exact=exact)
+
+
+@family("multi-scale", "far", "mechanics")
+def tethered_satellites(rng):
+    """Two satellites on a tether of some 100 m, which is stretched by millimetres."""
+    r, L, n = rng.values((6.7e6, 8e6), (50.0, 500.0), (0.05, 0.5))
+    parameters = {"GM": EARTH, "k": n * n / 2, "L": L}
+
+    def rates(s, p, t):
+        def weight(x, y):
+            r2 = x * x + y * y
+            return p.GM / (r2 * sqrt(r2))
+
+        dx, dy, g, h = s.x2 - s.x1, s.y2 - s.y1, weight(s.x1, s.y1), weight(s.x2, s.y2)
+        length = sqrt(dx * dx + dy * dy)
+        pull = p.k * (length - p.L) / length
+        first = -g * s.x1 + pull * dx, -g * s.y1 + pull * dy
+        return s.u1, s.v1, s.u2, s.v2, *first, -h * s.x2 - pull * dx, -h * s.y2 - pull * dy
+
+    names = "x1", "y1", "x2", "y2", "u1", "v1", "u2", "v2"
+    far, v = r + L * (1 + rng.uniform(1e-6, 1e-4)), math.sqrt(EARTH / r**3) * r
+    start = r, 0.0, far, 0.0, 0.0, v, 0.0, v / r * far
+    return Case(Model("tethered satellites", parameters, names, rates), 20.0 / n, start)

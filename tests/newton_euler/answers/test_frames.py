@@ -1,0 +1,80 @@
+"""Which components of a vector in several frames count."""
+
+import itertools
+import math
+from dataclasses import dataclass
+
+import pytest
+
+from newton_euler import Frame
+from newton_euler.answers.frames import counted
+from newton_euler.answers.kinds import KINDS, Kind
+from tests.newton_euler.answers.one_answer import one
+
+KEY = ((-9.6, 6.25, -3.6),)
+ARM = ((6.25, 9.6, -3.6),)  # the same vector along the axes of the problem's arm
+
+
+@dataclass(frozen=True)
+class Asked:
+    kind: Kind = KINDS["vector"]
+    atol: float = 1e-6
+
+
+def turned(components, *turns):
+    """The readings of a vector with these components in a frame of so many turns."""
+    frame = Frame("ground")
+    for axis, angle in turns:
+        frame = frame.rotate("mine", axis, angle=angle, rate=1.0)
+    return readings(frame.vector(*components))
+
+
+def readings(vector):
+    """The components of a vector as a receipt has them, a point each."""
+    tree = one("vector, m", vector)
+    return [(tuple(x),) for x in (tree.values() if isinstance(tree, dict) else [tree])]
+
+
+@pytest.mark.parametrize("axes", [{}, {0: ARM}, {1: ARM}], ids=["none", "turning", "ground"])
+def test_of_all_patterns_of_sign_in_frames_of_half_a_turn_one_is_right(axes):
+    for signs in itertools.product((1, -1), repeat=3):
+        guess = [s * x for s, x in zip(signs, KEY[0], strict=True)]
+        given = turned(guess, *((axis, math.pi) for axis in "xyx"))
+        assert len(given) == 4
+        found = counted(given, KEY, Asked(), axes.items())
+        assert (found is not None) == (signs == (-1, 1, -1))  # as seen from the ground
+
+
+@pytest.mark.parametrize("turns", [
+    [("z", 0.7)], [("z", 0.7), ("-x", 2.1)], [("z", math.pi)], [("x", math.pi / 2), ("y", 0.2)],
+])  # fmt: skip
+def test_a_vector_is_right_in_whatever_frame_it_is_given(turns):
+    """As its components in the ground say."""
+    frame = ground = Frame("ground")
+    for axis, angle in turns:
+        frame = frame.rotate("arm", axis, angle=angle, rate=1.0)
+    given = readings(ground.vector(*KEY[0]).expressed_in(frame))
+    assert len(given) == len(turns) + 1
+    assert counted(given, KEY, Asked(), [(1, ARM)])[0] == pytest.approx(KEY[0])
+
+
+def test_the_axes_asked_for_may_be_those_of_a_frame_that_turns():
+    """The rest of the components are then those along the problem's other axes."""
+    quarter = turned(KEY[0], ("z", math.pi / 2))
+    ground = quarter[1]
+    assert counted(quarter, KEY, Asked(), [(0, ground)]) == KEY
+    assert counted(quarter, KEY, Asked(), [(0, ARM)]) is None
+
+
+@pytest.mark.parametrize(("axes", "right"), [
+    ({}, True), ({0: ARM}, True), ({1: ARM}, False),
+], ids=["no other axes", "axes that turn", "axes of the ground"])  # fmt: skip
+def test_a_ground_that_the_problem_does_not_place_may_lie_as_a_student_chose(axes, right):
+    found = counted(turned(KEY[0], ("z", 0.7)), KEY, Asked(), axes.items())
+    assert found == (KEY if right else None)
+
+
+@pytest.mark.parametrize("axis", ["x", "z", (1, 1, 1)])
+def test_but_not_so_that_its_components_are_another_guess(axis):
+    angle = 2 * math.pi / 3 if axis == (1, 1, 1) else math.pi / 2
+    assert counted(turned(KEY[0], (axis, angle)), KEY, Asked(), {}.items()) is None
