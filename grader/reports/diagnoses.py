@@ -119,7 +119,8 @@ def _of_slips(p, values, rng):
         digits = rng.choice(DIGITS)
         judged = {k: _judged(p.answer(k), _written(x, digits), numbers) for k, x in exact.items()}
         for key in slip.wrong:
-            if judged[key].verdict == "wrong" and is_apart(exact[key], numbers.key[key]):
+            finite = all(map(math.isfinite, exact[key][0]))
+            if finite and judged[key].verdict == "wrong" and is_apart(exact[key], numbers.key[key]):
                 yield slip.kind, _named(p.answer(key), judged, numbers, exact[key])
     for a in p.answers:
         for _ in range(5 if a.kind.length > 0 and not a.kind.is_word else 0):
@@ -130,14 +131,19 @@ def _of_slips(p, values, rng):
 
 
 def _written(points, digits):
-    return tuple(tuple(float(f"{float(x):.{digits}g}") for x in point) for point in points) if (
-        len(points) == 1) else points
+    return (
+        tuple(tuple(float(f"{float(x):.{digits}g}") for x in point) for point in points)
+        if (len(points) == 1)
+        else points
+    )
 
 
 def _random(points, rng):
     size = math.hypot(*points[0]) or 1.0
     return tuple(
-        tuple(size * rng.choice((-1, 1)) * 3 ** rng.uniform(-1, 1) / len(point)**0.5 for _ in point)
+        tuple(
+            size * rng.choice((-1, 1)) * 3 ** rng.uniform(-1, 1) / len(point) ** 0.5 for _ in point
+        )
         for point in points
     )
 
@@ -161,7 +167,11 @@ def _gives(causes, exact, asked, numbers):
     """True if one of these causes gives these numbers, to all digits."""
     key, kind = numbers.key[asked.key], asked.kind
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
-    models = [*numbers.wrong(asked.key), *multiples(fit, kind.factors(asked.unit)), *kind.slips(fit)]
+    models = [
+        *numbers.wrong(asked.key),
+        *multiples(fit, kind.factors(asked.unit)),
+        *kind.slips(fit),
+    ]
     models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
     models += [(c, numbers.book[asked.key]) for c in causes if c.group == "book"]
     models += [(c, numbers.key[c.name]) for c in causes if c.group == "exchanged"]

@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from exercises.catalogue import Problem
-from exercises.catalogue.variants import as_points, draw, flat, symbol_points, POINTS
+from exercises.catalogue.variants import POINTS, as_points, draw, flat, symbol_points
 from newton_euler.algebra.integrals import integrals, over_cube
 from newton_euler.algebra.roots import root
 from newton_euler.algebra.scalars import ZERO, pi, where
 from newton_euler.algebra.scalars import function as function_of
-from newton_euler.algebra.trace import COMPARISONS, Inner, Step, Trace
-from newton_euler.algebra.units import Dimension, unit
+from newton_euler.algebra.trace import Inner, Step, Trace
+from newton_euler.algebra.units import SI, US, Dimension, unit
 
 BETWEEN: dict[str, Callable[..., Any]] = {
     "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
@@ -55,6 +55,19 @@ class Formulas:
             if key in asked
         }
         self.steps = _used(x for parts in self.answers.values() for x, _ in parts)
+        self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
+
+    def one(self, dimension: Any) -> float:
+        """A quantity that is 1 in a student's units, feet and pounds where the text has them."""
+        if not isinstance(dimension, Dimension):
+            return 1.0
+        mass, length, _ = dimension.powers
+        kilograms, metres = (14.593902937206365, 0.3048) if self.own is US else (1.0, 1.0)
+        return (
+            kilograms ** float(mass)
+            * metres ** float(length)
+            / float(self.problem.system.factor(dimension))
+        )
 
     def base(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """The values of the text in base units."""
@@ -161,11 +174,13 @@ def _edits_of(s, f, values, dimensions):
     if s.op == "argument":
         yield from _of_given(s, f, values)
     if s.op in "*/" and len(steps) == 2:
-        yield ("square lost" if steps[0] is steps[1] else "factor dropped"), Edit(s, steps[0])
+        kind = "square lost" if steps[0] is steps[1] else "factor dropped"
+        yield kind, Edit(s, (s.op, steps[0], f.one(dimensions.get(steps[1].number))))
         if s.op == "*" and steps[0] is not steps[1]:
-            yield "factor dropped", Edit(s, steps[1])
+            yield kind, Edit(s, ("*", steps[1], f.one(dimensions.get(steps[0].number))))
     if s.op in ("sqrt", "**"):
-        yield "square lost", Edit(s, steps[0])
+        root = f.one(dimensions.get(s.number)) / f.one(dimensions.get(steps[0].number))
+        yield "square lost", Edit(s, ("*", steps[0], root))
     if s.op in "*/" and numbers and steps and steps[0] is s.args[0]:
         constant = float(numbers[0])
         if abs(constant) in (0.5, 2.0):
@@ -178,11 +193,12 @@ def _edits_of(s, f, values, dimensions):
         yield from _of_sum(s, steps, dimensions)
     gravity = [a for a in steps if dimensions.get(a.number) == OF_GRAVITY and a.op == "argument"]
     if s.op == "*" and len(gravity) == 1 and len(steps) == 2:
-        yield "g left out", Edit(s, next(a for a in steps if a is not gravity[0]))
+        other = next(a for a in steps if a is not gravity[0])
+        yield "g left out", Edit(s, ("*", other, f.one(OF_GRAVITY)))
     if s.op == "*":
         for a in steps:
             if a.op == "argument" and dimensions.get(a.number) == Dimension(1, 0, 0):
-                yield "g put in", Edit(a, ("*", a, 9.81), s)
+                yield "g put in", Edit(a, ("*", a, 32.2 if f.own is US else 9.81), s)
 
 
 def _of_sum(s, steps, dimensions):
@@ -194,7 +210,13 @@ def _of_sum(s, steps, dimensions):
         kind = "parallel axis" if inertia and _has_square(term) else "term left out"
         yield kind, Edit(s, ("neg", other) if sign else other)
         kind = "parallel axis" if inertia and _has_square(term) else "sign of one term"
-        turned = ("-", other, term) if s.op == "+" else ("+", a, b) if term is b else ("neg", ("+", a, b))
+        turned = (
+            ("-", other, term)
+            if s.op == "+"
+            else ("+", a, b)
+            if term is b
+            else ("neg", ("+", a, b))
+        )
         yield kind, Edit(s, turned)
 
 
@@ -205,7 +227,10 @@ def _has_square(s):
 
 def _of_given(s, f, values):
     name = s.args[0]
-    stated, factor = f.problem.units[name], unit(f.problem.units[name]).to_base(1.0, f.problem.system)
+    stated, factor = (
+        f.problem.units[name],
+        unit(f.problem.units[name]).to_base(1.0, f.problem.system),
+    )
     for other, step in f.given.items():
         if other != name and f.problem.units[other] == stated and values[other] is not values[name]:
             yield "another given", Edit(s, step)

@@ -52,7 +52,7 @@ class Elsewhere:
     def contradicts(self, cause: Cause) -> bool:
         """True if a part is right in which this mistake would show."""
         return cause.shows_everywhere and any(
-            part.right and any(c == cause and is_apart(x, part.key) for c, x in part.wrong)
+            part.right and any(is_apart(x, part.key) for x in part.models(cause))
             for part in self._parts
         )
 
@@ -93,7 +93,9 @@ def diagnose(
         models = (Hit(EXACT, *m) for m in wrong if m[0].group == "listed")
         return _best([[hit for hit in models if hit.points == given]], elsewhere)
     fit = Fit(given, key, kind.rtol)
-    single = [*_stages(fit, wrong, kind, factors or {}), _simplest(fit, slips(fit, kind))]
+    single = [*_stages(fit, wrong, kind, factors or {})]
+    if not _closest(single):  # what is listed or general goes first, and costs less
+        single.append(_simplest(fit, slips(fit, kind), elsewhere))
     return _best(single, elsewhere) or _pair(fit, wrong, elsewhere)
 
 
@@ -127,14 +129,17 @@ def _best(stages, elsewhere):
     return _chosen([h.cause for h in best], [h.cause for h in twins], elsewhere)
 
 
-def _simplest(fit, near):
-    """Of the slips in a computation those that fit best, of these the simplest, in other words."""
-    hits = [(rank, Hit(fit(x), cause, x)) for rank, cause, x in near]
+def _simplest(fit, near, elsewhere):
+    """Of the slips in a computation those that fit best, of these the simplest, in other words; a
+    slip that is made in one part alone is less simple.
+    """
+    hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
     best = max((hit.level for _, hit in hits), default=0)
-    found = [(rank, hit) for rank, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
-    simplest = min((rank for rank, _ in found), default=0)
-    words = {hit.cause.text: hit for rank, hit in reversed(found) if rank == simplest}
-    return [*reversed(words.values())][:MOST]
+    fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
+    found = [(n + elsewhere.contradicts(hit.cause), hit) for n, hit in fitting]
+    simplest = min((n for n, _ in found), default=0)
+    words = {hit.cause.text: hit for n, hit in reversed(found) if n == simplest}
+    return sorted(reversed(words.values()), key=lambda hit: -elsewhere.explains(hit.cause))[:MOST]
 
 
 def _closest(stages):

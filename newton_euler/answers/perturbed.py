@@ -19,7 +19,7 @@ from ..algebra.source import WITHIN, operations
 from ..algebra.trace import Inner, Step
 from ..algebra.units import SI, System
 from .causes import Cause
-from .edits import Edit, edits_of
+from .edits import Edit, edits_of, steps_in
 from .fit import Fit
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
@@ -52,7 +52,9 @@ class Computation:
 
         self.answers = answers
         self.steps = needed(x for traced in answers.values() for x, _ in traced.parts)
-        self.edits: list[Edit] = edits_of(self.steps, units, system)
+        self.edits: list[Edit] = edits_of(
+            self.steps, [[x for x, _ in a.parts] for a in answers.values()], units, system
+        )
         self.places: dict[Cause, list[int]] = {}
         for n, edit in enumerate(self.edits):
             self.places.setdefault(edit.cause, []).append(n)
@@ -72,7 +74,7 @@ def needed(leaves) -> list[Step]:
         s = waiting.pop()
         if s.number not in found:
             found[s.number] = s
-            waiting += _steps(s)
+            waiting += steps_in(s)
     return [found[n] for n in sorted(found)]
 
 
@@ -188,7 +190,7 @@ class _Lanes:
     def row(self, s):
         """The row of a step, of which the arguments have theirs."""
         row = self.base[s.number]
-        if any(self.rows[a.number] is not self.base[a.number] for a in _steps(s)):
+        if any(self.rows[a.number] is not self.base[a.number] for a in steps_in(s)):
             row = self._within(s) if s.op in WITHIN else self._plain(s, self.rows)
         lanes, numbers = self.own[s.number]
         if lanes:
@@ -220,7 +222,7 @@ class _Lanes:
         """
         np, whole = self.np, (self.count, self.points)
         moved = np.zeros(whole, bool)
-        for a in _steps(s):
+        for a in steps_in(s):
             moved |= self.rows[a.number] != self.base[a.number]
         found = [np.array(np.broadcast_to(x, whole)) for x in self.base[s.number]]
         for row in found:
@@ -250,7 +252,3 @@ class _Lanes:
         if op == "root":
             return formula(low, *outer)[0] * formula(high, *outer)[0] <= 0
         return self.np.isfinite(sum(formula((low + high) / 2, *outer)))
-
-
-def _steps(s):
-    return [a for a in s.args if isinstance(a, Step)]
