@@ -54,14 +54,9 @@ def draw(g, ax):
     s = Sketch(ax, AXES, plane="xy")
     sheet = AXES.rotate("sheet", "z", angle=0.3)
     along, away = B.dot(A) / A.norm(), A.cross(B).norm() / A.norm()
-    O, a, b, foot = (
-        sheet.vector(*xy, 0).components(AXES)
-        for xy in ((0, 0), (A.norm(), 0), (along, away), (along, 0))
-    )
-    ends = [
-        sheet.vector(x, 0, 0).components(AXES)
-        for x in (min(0, along) - 0.3 * A.norm(), max(A.norm(), along) + 0.3 * A.norm())
-    ]
+    at = lambda x, y=0: sheet.vector(x, y, 0).components(AXES)
+    O, a, b, foot = at(0), at(A.norm()), at(along, away), at(along)
+    ends = at(min(0, along) - 0.3 * A.norm()), at(max(A.norm(), along) + 0.3 * A.norm())
     s.line(*ends, style="centre")
     s.line(b, foot)
     s.arrow(O, a)

@@ -8,12 +8,8 @@ AXES = Frame("axes")
 
 def point(g):
     """The place R, with its two derivatives as velocity and acceleration."""
-    return AXES.point(
-        "P",
-        moving(g.x, g.xdot, g.xddot),
-        moving(g.y, g.ydot, g.yddot),
-        moving(g.z, g.zdot, g.zddot),
-    )
+    coordinates = (g.x, g.xdot, g.xddot), (g.y, g.ydot, g.yddot), (g.z, g.zdot, g.zddot)
+    return AXES.point("P", *(moving(*q) for q in coordinates))
 
 
 def product(g):

@@ -24,11 +24,8 @@ def steps(g):
 def prove(g):
     """What is left of i, j or k without its parts in the plane of P and G, right-handed."""
     P, G = [g.P_1, g.P_2, g.P_3], [g.G_1, g.G_2, g.G_3]
-
-    def rest(v, away):
-        share = sum(x * y for x, y in zip(v, away, strict=True)) / size(away) ** 2
-        return minus(v, scaled(share, away))
-
+    share = lambda v, away: sum(x * y for x, y in zip(v, away, strict=True)) / size(away) ** 2
+    rest = lambda v, away: minus(v, scaled(share(v, away), away))
     across = rest(G, P)
     left = max((rest(rest(v, P), across) for v in ([1, 0, 0], [0, 1, 0], [0, 0, 1])), key=size)
     side = mp.sign(mp.det(mp.matrix([P, G, left])))
@@ -53,10 +50,8 @@ def draw(g, ax):
     flat = AXES.rotate("flat", "z", angle=-0.6)
     s = Sketch(ax, AXES, azimuth=20, elevation=28)
     along, away = P.dot(G) / P.norm(), P.cross(G).norm() / P.norm()
-    p, q, both = (
-        flat.vector(x, y, 0).components(AXES)
-        for x, y in ((P.norm(), 0), (along, away), (P.norm() + along, away))
-    )
+    at = lambda x, y: flat.vector(x, y, 0).components(AXES)
+    p, q, both = at(P.norm(), 0), at(along, away), at(P.norm() + along, away)
     O = (0, 0, 0)
     s.plate([O, p, both, q], shade="light")
     s.arrow(O, p)

@@ -57,11 +57,8 @@ def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     start = 0.15 - g.L / g.R / 2  # so that the stretch lies to the right of O
-
-    def at(distance, r=1.0):
-        axes = ground.rotate("there", "z", angle=start + distance / g.R)
-        return axes.vector(r * g.R, 0, 0).components(ground)
-
+    axes = lambda distance: ground.rotate("there", "z", angle=start + distance / g.R)
+    at = lambda distance, r=1.0: axes(distance).vector(r * g.R, 0, 0).components(ground)
     O, P = (0, 0, 0), at(g.s)
     s.path([at(g.L * n / 60) for n in range(-12, 73)])
     for name, length, r in (("L", g.L, 1.21), ("s", g.s, 1.06)):
@@ -69,7 +66,7 @@ def draw(g, ax):
         s.line(at(length), at(length, r + 0.02), style="solid")
         s.label(at(length / 2, r), name, offset=at(length / 2), bold=False)
     s.line(at(0), at(0, 1.23), style="solid")
-    local = ground.rotate("local", "z", angle=start + g.s / g.R)
+    local = axes(g.s)
     s.line(O, at(0))
     s.line(O, at(g.L))
     s.dot(P)

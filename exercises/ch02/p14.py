@@ -3,17 +3,14 @@
 from exercises.tools import Sketch, mp, rate, second_rate
 from newton_euler import Frame, moving, polar
 
-CASES = {1: ("omega", None), 2: (None, "alpha")}  # the rates of theta that are not zero
+CASES = 1, 2
 
 
 def pin(g, case):
     """Velocity and acceleration of P along x, y; C moves as P does along x."""
     ground = Frame("ground")
-    rates = (0 * g.omega, 0 * g.alpha)
-    omega, alpha = (
-        getattr(g, n) if n else zero for n, zero in zip(CASES[case], rates, strict=True)
-    )
-    P = polar(ground, "P", g.d, moving(g.theta, omega, alpha))
+    rates = {1: (g.omega, 0 * g.alpha), 2: (0 * g.omega, g.alpha)}[case]
+    P = polar(ground, "P", g.d, moving(g.theta, *rates))
     return P.velocity(ground).expressed_in(ground), P.acceleration(ground).expressed_in(ground)
 
 

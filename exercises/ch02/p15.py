@@ -24,11 +24,8 @@ def prove(g):
     """The radius at which the acceleration on a parabola in time along the arc has this size."""
 
     def along(rho):
-        def place(t):
-            angle = (g.v * t + g.v_dot * t**2 / 2) / rho
-            return [rho * mp.sin(angle), -rho * mp.cos(angle), 0]
-
-        return place
+        angle = lambda t: (g.v * t + g.v_dot * t**2 / 2) / rho
+        return lambda t: [rho * mp.sin(angle(t)), -rho * mp.cos(angle(t)), 0]
 
     tight = g.v**2 / (10 * g.n * g.g)
     rho = root(lambda R: size(second_rate(along(R))) - g.n * g.g, tight, 1000 * tight)

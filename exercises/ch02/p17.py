@@ -1,7 +1,7 @@
 """2/17: a pin that a turning arm carries along a cam."""
 
 from exercises.devices import polar_motion
-from exercises.tools import Sketch, minus, rot, second_rate, size, times
+from exercises.tools import Sketch, at_angle, minus, plus, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, pi, polar
 
 
@@ -24,11 +24,9 @@ def steps(g):
 def prove(g):
     """The limacon by cranks: b at omega and c/2 at twice that, as 2 cos^2 = 1 + cos of twice."""
 
-    def place(t):
-        angle = g.theta + g.omega * t
-        twice = times(rot("z", 2 * angle), [g.c / 2, 0, 0])
-        return minus(minus(times(rot("z", angle), [g.b, 0, 0]), twice), [g.c / 2, 0, 0])
-
+    angle = lambda t: g.theta + g.omega * t
+    back = lambda t: plus(at_angle(g.c / 2, 2 * angle(t)), [g.c / 2, 0, 0])
+    place = lambda t: minus(at_angle(g.b, angle(t)), back(t))
     a = second_rate(place)
     return {"a": size(a), "a_P": times(rot("z", -g.theta), a)}
 

@@ -23,11 +23,8 @@ def steps(g):
 
 def prove(g):
     """In the complex plane the spiral is one exponential function of time."""
-
-    def place(t):
-        z = g.R * mp.exp(mp.mpc(g.n, 1) * g.omega * t)
-        return [z.real, z.imag, 0]
-
+    z = lambda t: g.R * mp.exp(mp.mpc(g.n, 1) * g.omega * t)
+    place = lambda t: [z(t).real, z(t).imag, 0]
     a = second_rate(place)
     return {"a": size(a), "a_P": a}
 
@@ -42,11 +39,8 @@ def draw(g, ax):
     s = Sketch(ax, ground, plane="xy")
     O, r_0 = (0, 0, 0), 0.3 * g.R
     total = log(g.R / r_0) / g.n
-
-    def on_path(theta):
-        r = r_0 * exp(g.n * theta)
-        return r * cos(theta), r * sin(theta), 0
-
+    r = lambda theta: r_0 * exp(g.n * theta)
+    on_path = lambda theta: (r(theta) * cos(theta), r(theta) * sin(theta), 0)
     s.ring(O, ground.k, r_0)
     s.ring(O, ground.k, g.R)
     s.path([on_path(total * n / 80) for n in range(81)])

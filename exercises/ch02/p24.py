@@ -47,11 +47,8 @@ def prove(g):
     """The components by the way of P on the crank, the magnitudes by that on the arm."""
     P = crank(g)
     r = lambda t: in_arm(g, P(t), t)[0]
-
-    def in_slot(t):
-        angle = g.theta + g.omega * t
-        return times(rot("z", angle), [2 * g.b * mp.cos(angle), 0, 0])
-
+    angle = lambda t: g.theta + g.omega * t
+    in_slot = lambda t: times(rot("z", angle(t)), [2 * g.b * mp.cos(angle(t)), 0, 0])
     return {
         "v_P": in_arm(g, rate(P)),
         "a_P": in_arm(g, second_rate(P)),

@@ -32,11 +32,7 @@ def steps(g):
 def prove(g):
     """Along the tangent, and across it as the tangent turns with the path. No rates of q."""
     along = lambda q: rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
-
-    def tangent(q):
-        d = along(q)
-        return scaled(1 / size(d), d)
-
+    tangent = lambda q: scaled(1 / size(along(q)), along(q))
     a_n = g.nu**2 / size(along(1))
     return {"v": scaled(g.nu, tangent(1)), "acc": scaled(a_n, rate(tangent, 1))}
 

@@ -42,12 +42,8 @@ def prove(g):
 
     def part(n):
         """The n-th part of the velocity in time, along axes of the ground."""
-
-        def along(t):
-            e = spherical_axes(place(t))
-            return scaled(times(e, rate(place, t))[n], e[n])
-
-        return along
+        e = lambda t: spherical_axes(place(t))
+        return lambda t: scaled(times(e(t), rate(place, t))[n], e(t)[n])
 
     found = {key: times(here, rate(part(n))) for n, key in enumerate(KEYS)}
     return {"a": times(here, second_rate(place)), "v": times(here, rate(place))} | found

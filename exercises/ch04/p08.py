@@ -7,9 +7,8 @@ from newton_euler import Frame, moving
 def line_AB(g):
     """The ground, with the axes of the frame now; A in it; the frame AB at A, and B in it."""
     ground = Frame("ground")
-    A = ground.point(
-        "A", moving(0, g.v_x, g.a_Ax), moving(0, g.v_Ay, g.a_Ay), moving(0, g.v_Az, g.a_Az)
-    )
+    coordinates = (0, g.v_x, g.a_Ax), (0, g.v_Ay, g.a_Ay), (0, g.v_Az, g.a_Az)
+    A = ground.point("A", *(moving(*q) for q in coordinates))
     AB, change = ground.vector(g.L, 0, 0), ground.vector(0, g.v_By - g.v_Ay, g.v_Bz - g.v_Az)
     omega = ground.i * g.omega_x + AB.cross(change) / g.L**2
     frame = turning(ground, A, omega, ground.vector(g.wd_x, g.wd_y, g.wd_z))
@@ -32,9 +31,8 @@ def turning(ground, origin, omega, omega_dot):
 
 def solve(g):
     ground, frame, B = line_AB(g)
-    return in_frame(
-        ground, {"omega": frame.angular_velocity(ground), "a_B": B.acceleration(ground)}
-    )
+    omega, a_B = frame.angular_velocity(ground), B.acceleration(ground)
+    return in_frame(ground, {"omega": omega, "a_B": a_B})
 
 
 def a_B(g, omega):

@@ -9,10 +9,8 @@ draw = device.sketch
 
 def answers(g, spin):
     ground, axle, disk, A = device.axle_and_disk(g, spin)
-    return in_frame(
-        axle,
-        {"alpha_disk": disk.angular_acceleration(ground), "a_A": A.acceleration(ground, via=axle)},
-    )
+    alpha, a = disk.angular_acceleration(ground), A.acceleration(ground, via=axle)
+    return in_frame(axle, {"alpha_disk": alpha, "a_A": a})
 
 
 def solve(g):

@@ -22,11 +22,8 @@ def steps(g):
 
 def prove(g):
     columns = (g.x1, g.x2, g.x3)
-
-    def slice_at(x):
-        cut = sum(chord(x - column, g.r) for column in columns)
-        return g.b - 2 * cut, g.b**2 / 2 - cut * g.y1 - cut * g.y2, 0
-
+    cut = lambda x: sum(chord(x - column, g.r) for column in columns)
+    slice_at = lambda x: (g.b - 2 * cut(x), g.b**2 / 2 - cut(x) * g.y1 - cut(x) * g.y2, 0)
     breaks = [column + side * g.r for column in columns for side in (-1, 1)]
     return sliced("area", slice_at, 0, g.a, breaks)
 

@@ -10,11 +10,8 @@ draw = figure
 
 def moments(g, width=lambda g, phi: g.R):
     """Area and first moment, by rings at the angle phi from z; ``width`` per dphi."""
-
-    def ring(phi):
-        area = area_of_ring(g, phi, width(g, phi))
-        return area, g.R * cos(phi) * area
-
+    area = lambda phi: area_of_ring(g, phi, width(g, phi))
+    ring = lambda phi: (area(phi), g.R * cos(phi) * area(phi))
     return over_rings(g, ring)
 
 

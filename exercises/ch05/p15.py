@@ -31,22 +31,16 @@ def prove(g):
 
     d = [balance(0, g.a, g.a, g.a), balance(0, 0, g.b, g.b), balance(0, 0, 0, g.c)]
     # Q is the rate of half the sum of m (r + t e)^2 with t, for each axis e
-    Q = [
-        rate(
-            lambda t, along=along: (
-                sum(m * (x + t) ** 2 for m, x in zip(masses(g), along, strict=True)) / 2
-            )
-        )
-        for along in ((0, g.a, g.a, g.a), (0, 0, g.b, g.b), (0, 0, 0, g.c))
-    ]
+    half_square = lambda m, x: lambda t: m * (x + t) ** 2 / 2
+    moment = lambda *along: sum(map(rate, map(half_square, masses(g), along)))
+    Q = [moment(0, g.a, g.a, g.a), moment(0, 0, g.b, g.b), moment(0, 0, 0, g.c)]
     return {"d": d, "Q": Q, "r_4": [g.a, g.b, g.c]}
 
 
 def mistakes(g):
     ground, parts = particles(g)
-    from_before = [
-        (m, ground.point("P", *rod)) for (m, _), rod in zip(parts[1:], rods(g), strict=True)
-    ]
+    pairs = zip(parts[1:], rods(g), strict=True)
+    from_before = [(m, ground.point("P", *rod)) for (m, _), rod in pairs]
     return {
         "no_masses": solve(g.but(m2=g.m1, m3=g.m1, m4=g.m1)),
         "without_the_first": centre(ground, parts[1:]),

@@ -12,11 +12,8 @@ def about_to_slip(g):
     P = cylindrical(ground, "P", g.r, moving(0, rate=rate), 0)
     normal = P.local.vector(sin(g.beta), 0, cos(g.beta))
     up = P.local.vector(-cos(g.beta), 0, sin(g.beta))
-
-    def law(s, N):
-        forces = weight(g.one, ground.k, g.g) + N * (normal + g.mu * up)
-        return s * resultant_force(g.one, P.acceleration(ground)) - forces
-
+    forces = lambda N: weight(g.one, ground.k, g.g) + N * (normal + g.mu * up)
+    law = lambda s, N: s * resultant_force(g.one, P.acceleration(ground)) - forces(N)
     s, N = solve_linear(law)
     return rate * sqrt(where(s > 0, s, 0 * s)), N  # zero where it slides off the cone at rest
 
@@ -49,10 +46,8 @@ def prove(g):
 
 
 def mistakes(g):
-    def up_to(a_n):
-        high = sqrt(a_n / g.r)
-        return {"omega_ok": (0 * high, high)}
-
+    high = lambda a_n: sqrt(a_n / g.r)
+    up_to = lambda a_n: {"omega_ok": (0 * high(a_n), high(a_n))}
     return {
         "N_at_rest": up_to(g.g * (g.mu - tan(g.beta))),
         "along_surface": up_to(g.g * (g.mu * cos(g.beta) - sin(g.beta))),

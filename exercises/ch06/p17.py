@@ -29,20 +29,15 @@ def steps(g):
 
 
 def prove(g):
-    """The speed is that of a free fall through the same height. At B the particle runs on a circle;
-    at C it just follows the path of a body in free flight, whose radius of curvature is measured.
-    """
+    """By free fall: at B on a circle, at C as in free flight, whose curvature is measured."""
 
     def fallen(h):
         depth = lambda t: g.g * t**2 / 2
         return rate(depth, place_of(lambda t: depth(t) - h, 0, 1 + h / g.g))
 
     v_B, v_C = fallen(g.h_B), fallen(g.h_C)
-
-    def on_circle(t):
-        angle = v_B * t / g.rho_B
-        return [g.rho_B * mp.sin(angle), -g.rho_B * mp.cos(angle), 0]
-
+    angle = lambda t: v_B * t / g.rho_B
+    on_circle = lambda t: [g.rho_B * mp.sin(angle(t)), -g.rho_B * mp.cos(angle(t)), 0]
     in_flight = lambda t: [v_C * t, -g.g * t**2 / 2, mpf(0)]
     a_B, v, a = second_rate(on_circle)[1], rate(in_flight), second_rate(in_flight)
     return {

@@ -34,11 +34,8 @@ def prove(g):
     v = scaled(g.v / (2 * g.one) ** 0.5, [-1, 1, 0])
 
     def acceleration(sense):
-        return second_rate(
-            lambda t: times(
-                axes_turned(g, sense * g.omega_e * t), plus([0, 0, RADIUS], scaled(t, v))
-            )
-        )
+        path = lambda t: plus([0, 0, RADIUS], scaled(t, v))
+        return second_rate(lambda t: times(axes_turned(g, sense * g.omega_e * t), path(t)))
 
     a = scaled(g.one / 2, minus(acceleration(1), acceleration(-1)))
     return {"F_track": scaled(-g.M, plus(a, [0, 0, g.g])), "a_C": a, "v_rel": v}

@@ -14,9 +14,8 @@ def inertia(g, **changed):
 
 
 def prove(g):
-    block = of_points(
-        g.rho * g.a * g.b * g.c, proofs.box(g.a, g.b, g.c, order=2), [g.a / 2, g.b / 2, g.c / 2]
-    )
+    points = proofs.box(g.a, g.b, g.c, order=2)
+    block = of_points(g.rho * g.a * g.b * g.c, points, [g.a / 2, g.b / 2, g.c / 2])
     cylinder = of_points(
         g.rho * mp.pi * g.r_c**2 * g.l_c,
         raised(proofs.disk(g.r_c, order=2), g.l_c),

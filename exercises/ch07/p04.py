@@ -16,11 +16,8 @@ def density(g, radius=radius):
 def moments(g, radius=radius, transfer=1):
     """(I_xx, I_yy, I_zz) by thin disks at height z; ``transfer`` weighs the parallel-axis term."""
     rho = density(g, radius)
-
-    def thin_disk(z):
-        own = bodies.disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
-        return own.about(CONE).reweighted(transfer=transfer).moments
-
+    own = lambda z: bodies.disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
+    thin_disk = lambda z: own(z).about(CONE).reweighted(transfer=transfer).moments
     return integral(thin_disk, 0, g.h)
 
 

@@ -28,10 +28,8 @@ def prove(g):
     """The columns are the angular momenta when all turn at unit rate about x, about y, about z."""
 
     def momentum(axis):
-        def of_one(m, start):
-            v = rate(lambda t: times(rot(axis, t), start))
-            return scaled(m, cross(start, v))
-
+        v = lambda start: rate(lambda t: times(rot(axis, t), start))
+        of_one = lambda m, start: scaled(m, cross(start, v(start)))
         return plus(*(of_one(m, list(at)) for m, at in zip(masses(g), places(g), strict=True)))
 
     return {"I_O": transposed([momentum(axis) for axis in "xyz"])}
@@ -42,9 +40,8 @@ def mistakes(g):
     I = inertia(ground, parts)
     xx, yy, zz = I.moments
     half = (xx + yy + zz) / 2  # the sum of m (x^2 + y^2 + z^2)
-    from_before = [
-        (m, ground.point("P", *rod)) for (m, _), rod in zip(parts[1:], rods(g), strict=True)
-    ]
+    pairs = zip(parts[1:], rods(g), strict=True)
+    from_before = [(m, ground.point("P", *rod)) for (m, _), rod in pairs]
     return {
         "squares_of_the_axis": matrix(ground, (half - xx, half - yy, half - zz), I.products),
         "from_the_one_before": answer(inertia(ground, [parts[0], *from_before])),

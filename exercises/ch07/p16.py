@@ -26,11 +26,8 @@ def steps(g):
 def prove(g):
     """By horizontal strips, from the parabola to x = a."""
     width = lambda y: g.a - start(g, y)
-
-    def strip(y):
-        rod = proofs.box(width(y), 0, 0, order=2)
-        return of_points(width(y), rod, at=[g.a - width(y) / 2, y, 0])
-
+    rod = lambda y: proofs.box(width(y), 0, 0, order=2)
+    strip = lambda y: of_points(width(y), rod(y), at=[g.a - width(y) / 2, y, 0])
     sigma = g.m / proofs.integral(width, 0, g.b)
     I = added((sigma, proofs.integral(strip, 0, g.b)))
     return {"I_O": I, "sigma": sigma, "I_zz": I[2][2], "I_xy": -I[0][1]}

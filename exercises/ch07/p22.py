@@ -57,10 +57,7 @@ def by_points(points):
 
 
 def prove(g):
-    """By the chords in which mass points move as the body turns about each axis: a chord is the
-    distance from the axis times 2 sin(angle/2). The body of revolution is a cloud and the same one
-    turned by 90 degrees about x, half the mass in each.
-    """
+    """By chords of mass points turned about each axis; the body is a cloud and its like, turned."""
     points = cloud(g.Jx, g.Jy, g.Jz)
     spun = [(w / 2, place) for w, (x, y, z) in points for place in ([x, y, z], [x, -z, y])]
 

@@ -56,11 +56,8 @@ def prove(g):
 
 def mistakes(g):
     errors = lambda error: {"err_1": error(g.q1), "err_2": error(g.q2)}
-
-    def of_approximation(q):
-        exact = shortfall(q, one(g))
-        return exact / (1 - exact)
-
+    exact = lambda q: shortfall(q, one(g))
+    of_approximation = lambda q: exact(q) / (1 - exact(q))
     return {
         "of_the_approximation": {"err_2": of_approximation(g.q2)},  # nearly right at q1
         "ring": errors(lambda q: shortfall(q, thin_tube(g.one, END, "z", mass=g.one))),

@@ -31,10 +31,8 @@ def prove(g):
     def squares(p):  # the ring is about z: its x is the height here
         return [(p[0] + g.ro) ** 2 + p[1] ** 2, 1, p[0] ** 2 + p[1] ** 2]
 
-    def thin(r):
-        mass = 2 * mp.pi * r * g.rho * g.lc
-        return proofs.scaled(mass, proofs.mean(squares, proofs.ring(r, order=2)))
-
+    mass = lambda r: 2 * mp.pi * r * g.rho * g.lc
+    thin = lambda r: proofs.scaled(mass(r), proofs.mean(squares, proofs.ring(r, order=2)))
     I_xx, m, own = proofs.integral(thin, g.ri, g.ro)
     return {"I_xx": I_xx, "m": m, "own": own}
 

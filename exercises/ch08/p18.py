@@ -24,10 +24,8 @@ def prove(g):
 
     def over_plate(f):
         def on_radius(phi):
-            def weighed(place):
-                rho = g.r * (place[0] + g.one / 2)
-                return proofs.scaled(rho, f(proofs.at_angle(rho, phi)))
-
+            rho = lambda place: g.r * (place[0] + g.one / 2)
+            weighed = lambda place: proofs.scaled(rho(place), f(proofs.at_angle(rho(place), phi)))
             return proofs.mean(weighed, radii)
 
         total = proofs.integral(on_radius, 0, mp.pi / 2)

@@ -35,11 +35,8 @@ def normal_force(g, needed):
     """The one that gives this moment about the line of the hinge, together with the weight."""
     axle = needed.frame
     O, C, contact = (axle.point("", x, 0, z) for x, z in ((0, 0), (g.R, 0), (g.R, -g.r)))
-
-    def balance(N):
-        forces = ForceSystem({"N": (axle.k * N, contact), "W": (axle.k * -g.W, C)})
-        return forces.moment(O).y - needed.y
-
+    forces = lambda N: ForceSystem({"N": (axle.k * N, contact), "W": (axle.k * -g.W, C)})
+    balance = lambda N: forces(N).moment(O).y - needed.y
     return {"N_floor": solve_linear(balance).N}
 
 

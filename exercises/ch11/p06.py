@@ -1,15 +1,8 @@
 """11/6: two arms with a spring between them that fall open."""
 
 from exercises.tools import Sketch, mp, until
-from newton_euler import Frame, pi, sin
+from newton_euler import Frame, dynamics, pi, sin
 from newton_euler.algebra.ledger import summed
-from newton_euler.dynamics import (
-    mass_from_weight,
-    speed_after,
-    spring_between,
-    spring_potential,
-    weight_potential,
-)
 
 
 def scene(g, theta):
@@ -34,15 +27,15 @@ def level(g):
 
 
 def mass(g):
-    return mass_from_weight(g.W, g.g)
+    return dynamics.mass_from_weight(g.W, g.g)
 
 
 def potentials(g, theta):
     """The potentials of the two weights together, and of the spring."""
     ground, ((P, left), (Q, right)) = scene(g, theta)
     heights = (X.position(ground).y for X in (P, Q))
-    weights = sum(weight_potential(mass(g), y, g.g) for y in heights)
-    return weights, spring_between(g.k, span(g, level(g)), left, right)
+    weights = sum(dynamics.weight_potential(mass(g), y, g.g) for y in heights)
+    return weights, dynamics.spring_between(g.k, span(g, level(g)), left, right)
 
 
 def work(g):
@@ -51,7 +44,7 @@ def work(g):
 
 
 def speed(g, U, m=None):
-    return {"v": speed_after(0, U, 2 * mass(g) if m is None else m)}
+    return {"v": dynamics.speed_after(0, U, 2 * mass(g) if m is None else m)}
 
 
 def solve(g):
@@ -70,7 +63,6 @@ def steps(g):
 
 def prove(g):
     """The right arm in time: moments of weight and spring about O, and the works of both sides."""
-
     free = 2 * g.c  # each end is then c to the side
 
     def rates(state):
@@ -89,7 +81,7 @@ def prove(g):
 
 def mistakes(g):
     right = work(g)
-    one_side = spring_potential(g.k, g.c * sin(g.theta_0))
+    one_side = dynamics.spring_potential(g.k, g.c * sin(g.theta_0))
     return {
         "one_body": speed(g, right.reweighted(weights=g.one / 2), mass(g)),
         "weight_for_mass": speed(g, right, 2 * mass(g) * g.stated("g")),

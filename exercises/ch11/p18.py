@@ -65,10 +65,8 @@ def prove(g):
     """The mass points of the ball, turned about one axis, and by Euler's angles in time."""
     points = [(u, [x, y, z + g.R]) for u, (x, y, z) in ball(g.R, order=2)]
     axis = [g.omega_x, g.omega_y, g.omega_z]
-
-    def in_time(t):
-        tilt = rot("x", g.theta + g.theta_dot * t)
-        return times(rot("z", g.psi_dot * t), tilt, rot("z", g.phi_dot * t))
+    tilt = lambda t: rot("x", g.theta + g.theta_dot * t)
+    in_time = lambda t: times(rot("z", g.psi_dot * t), tilt(t), rot("z", g.phi_dot * t))
 
     def energy(turned):
         return proofs.kinetic_energy(g.M, lambda t: [(u, times(turned(t), p)) for u, p in points])
@@ -94,10 +92,8 @@ def mistakes(g):
     def components(omega):
         return axes.vector(*omega.components())
 
-    def of_centre(omega):
-        v = components(omega).cross(G)
-        return g.M * v.dot(v) / 2
-
+    v = lambda omega: components(omega).cross(G)
+    of_centre = lambda omega: g.M * v(omega).dot(v(omega)) / 2
     euler = by_euler(g, axes)
     return {
         "transverse_for_all": answers(g, lambda omega: transverse * omega.dot(omega) / 2),

@@ -76,10 +76,9 @@ def mistakes(g):
     axial = body.inertia.moment("x")
     alike = Body("disk", g.M, d.body, (axial, axial, axial))
     level = rolling(g.n, g.a, g.b)
+    upright = disk(g.a, level.body, "x", mass=g.M)
     return {
-        "level_shaft": {
-            "T": kinetic_energy(disk(g.a, level.body, "x", mass=g.M), level.ground).value
-        },
+        "level_shaft": {"T": kinetic_energy(upright, level.ground).value},
         "precession_alone": {"T": kinetic_energy(body, d.ground).value},
         "axial_for_diameter": {"T": energy(about_D(alike, d), turning(g, d))},
         "no_translation": {"T": energy(body.inertia.expressed_in(d.shaft), turning(g, d))},

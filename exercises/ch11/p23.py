@@ -67,15 +67,13 @@ def mistakes(g):
     own = kinetic_energy(disk, ground).value
     one_way = g.v + g.r * g.omega
     with_v = of_platform + of_particle + platform.k * (g.m * g.r * g.v)
-    return in_frame(
-        platform,
-        {
-            "only_relative_speed": {"T": own + g.m * g.v**2 / 2},
-            "speeds_added": {"T": own + g.m * one_way**2 / 2},
-            "relative_moment": {"H_O": with_v},
-            "no_particle": {"H_O": of_platform},
-        },
-    )
+    wrong = {
+        "only_relative_speed": {"T": own + g.m * g.v**2 / 2},
+        "speeds_added": {"T": own + g.m * one_way**2 / 2},
+        "relative_moment": {"H_O": with_v},
+        "no_particle": {"H_O": of_platform},
+    }
+    return in_frame(platform, wrong)
 
 
 def draw(g, ax):

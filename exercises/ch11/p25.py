@@ -95,11 +95,8 @@ def draw(g, ax):
     """Seen from the middle between x and the particle."""
     ground, start = Frame("ground"), g.z_0 / g.p
     s = Sketch(ax, ground, azimuth=degrees(start / 2), elevation=24)
-
-    def place(theta):
-        R = g.R_0 + g.q * theta
-        return ground.vector(R * cos(theta), R * sin(theta), g.p * theta)
-
+    R = lambda theta: g.R_0 + g.q * theta
+    place = lambda theta: ground.vector(R(theta) * cos(theta), R(theta) * sin(theta), g.p * theta)
     O, P = (0, 0, 0), place(start)
     foot, top = ground.vector(P.x, P.y, 0), (0, 0, 1.2 * g.z_0)
     s.wire([place(start * (n / 100 - 0.15)) for n in range(136)])

@@ -47,9 +47,8 @@ def draw_machine(s, frame, machine):
 def _hang(s, frame, machine, C):
     name, radius, *ends = machine
     wheel = s.pulley(C, frame.j, radius)
-    places = [
-        (C[0] + side * radius, 0, C[2] - run) for side, (run, _) in zip((-1, 1), ends, strict=True)
-    ]
+    sides = zip((-1, 1), ends, strict=True)
+    places = [(C[0] + side * radius, 0, C[2] - run) for side, (run, _) in sides]
     s.cable(places[0], wheel, places[1])
     s.label((C[0], 0, C[2] - 0.6 * radius), name, offset=(0, 0), bold=False)
     for (x, _, z), (_, load) in zip(places, ends, strict=True):

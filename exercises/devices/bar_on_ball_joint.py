@@ -7,17 +7,11 @@ from newton_euler import Frame, solve_rates
 def assembly(g, omega_y, omega_z):
     """Ground with y up, the body with its three rates at the instant, and its points A and D."""
     ground = Frame("ground")
-    body = (
-        ground.rotate("about x", "x", rate=g.omega_x)
-        .rotate("about y", "y", rate=omega_y)
-        .rotate("about z", "z", rate=omega_z)
-    )
-    return (
-        ground,
-        body,
-        body.point("A", g.x_A, g.h, g.z_A),
-        body.point("D", -g.x_A / 2, g.h, -g.z_A / 2),
-    )
+    body = ground
+    for axis, turning in zip("xyz", (g.omega_x, omega_y, omega_z), strict=True):
+        body = body.rotate(f"about {axis}", axis, rate=turning)
+    A, D = body.point("A", g.x_A, g.h, g.z_A), body.point("D", -g.x_A / 2, g.h, -g.z_A / 2)
+    return ground, body, A, D
 
 
 def moving_so_that(g, conditions):

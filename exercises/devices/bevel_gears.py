@@ -61,15 +61,8 @@ def figure(ax, tan_gamma, C_turns):
     """The gears, with a line of contact of length 1, seen nearly square to their plane."""
     gamma = atan(tan_gamma)
     ground = Frame("ground")
-    O, A, D, E = (
-        ground.point(*place)
-        for place in (
-            ("O", 0, 0, 0),
-            ("A", 0, sin(gamma) + 0.4, 0),
-            ("D", 0, 0, -2),
-            ("E", 0, 0, 0.8),
-        )
-    )
+    places = ("O", 0, 0, 0), ("A", 0, sin(gamma) + 0.4, 0), ("D", 0, 0, -2), ("E", 0, 0, 0.8)
+    O, A, D, E = (ground.point(*place) for place in places)
     B = ground.j * sin(gamma)
     C = ground.k * -cos(gamma)
     contact = ground.vector(0, sin(gamma), -cos(gamma))

@@ -15,13 +15,8 @@ def arm_and_bracket(g):
 
 def motion_by_way_of_arm(P, ground, arm):
     """The answers for the point P of the bracket."""
-    return in_frame(
-        ground,
-        {
-            f"v_{P.name}": P.velocity(ground, via=arm),
-            f"a_{P.name}": P.acceleration(ground, via=arm),
-        },
-    )
+    v, a = P.velocity(ground, via=arm), P.acceleration(ground, via=arm)
+    return in_frame(ground, {f"v_{P.name}": v, f"a_{P.name}": a})
 
 
 def motion_steps(P, ground, arm):

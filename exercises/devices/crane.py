@@ -13,12 +13,8 @@ def crane(g):
 
 def tip_in_time(g):
     """Proof, the place of P in time."""
-
-    def P(t):
-        beta = g.beta_1 + g.b_dot * t
-        return times(rot("z", g.n * t), [g.R * mp.sin(beta), 0, g.R * mp.cos(beta)])
-
-    return P
+    beta = lambda t: g.beta_1 + g.b_dot * t
+    return lambda t: times(rot("z", g.n * t), [g.R * mp.sin(beta(t)), 0, g.R * mp.cos(beta(t))])
 
 
 def figure(g, ax, ground, house, P):

@@ -44,13 +44,8 @@ def slip(g, axis, cage_rate, spin, gear_rate, side):
 
 def meshing_rates(g, axis, first, second):
     """Rates of cage and pinion at which the pinion runs on gears at ``first`` and ``second``."""
-    return solve_rates(
-        lambda cage, spin: (
-            slip(g, axis, cage, spin, first, 1),
-            slip(g, axis, cage, spin, second, -1),
-        ),
-        2,
-    )
+    slips = lambda *rates: (slip(g, axis, *rates, first, 1), slip(g, axis, *rates, second, -1))
+    return solve_rates(slips, 2)
 
 
 def spin_against(g, axis, cage_rate, gear_rate, side):

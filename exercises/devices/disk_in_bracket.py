@@ -23,11 +23,8 @@ def disk_in_bracket(g):
     (omega, omega_dot), (P, P_dot), b = data(g)
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "z", rate=omega, acceleration=omega_dot)
-    return (
-        ground,
-        bracket,
-        bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=bracket.point("C", 0, b, 0)),
-    )
+    C = bracket.point("C", 0, b, 0)
+    return ground, bracket, bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=C)
 
 
 def rim_problem(name):
@@ -58,13 +55,8 @@ def rim_point(disk, name, r):
 def turning(frames):
     """The disk's angular velocity and acceleration in the ground, along the bracket's axes."""
     ground, bracket, disk = frames
-    return in_frame(
-        bracket,
-        {
-            "omega_disk": disk.angular_velocity(ground),
-            "alpha_disk": disk.angular_acceleration(ground),
-        },
-    )
+    omega, alpha = disk.angular_velocity(ground), disk.angular_acceleration(ground)
+    return in_frame(bracket, {"omega_disk": omega, "alpha_disk": alpha})
 
 
 def rim_motion(frames, name, r):
@@ -168,10 +160,8 @@ def prove_turning(g):
 def prove_rim(g, name):
     """The same motion from the place in time: the angle on the rim grows from +z toward +x."""
     start = {"A": 0, "B": mp.pi / 2}[name]
-
-    def seen(t):
-        phi = start + in_time(g, t)[1]
-        return [g.r * mp.sin(phi), data(g)[-1], g.r * mp.cos(phi)]
+    phi = lambda t: start + in_time(g, t)[1]
+    seen = lambda t: [g.r * mp.sin(phi(t)), data(g)[-1], g.r * mp.cos(phi(t))]
 
     def place(t):
         theta, _, axle = in_time(g, t)

@@ -1,12 +1,6 @@
 """The disk of 10/1 and 10/2 on a light rod AB that hangs from a ball joint at A."""
 
-from exercises.devices.steady_precession import (
-    frames,
-    needed,
-    of_weights,
-    orientation,
-    weight_moment,
-)
+from exercises.devices import steady_precession
 from exercises.tools import Sketch, Step, angular_velocity, mean, mp, plus, proofs, times, vanishing
 from newton_euler import bodies, cos, pi
 from newton_euler.applications.gyroscopes import steady_spin
@@ -15,7 +9,7 @@ from newton_euler.applications.gyroscopes import steady_spin
 def hanging(g, psi=0):
     """Ground, axes at A that precess without spinning, k from A to B, the disk and theta."""
     theta = pi(g.beta) - g.beta
-    ground, axes = frames(theta, psi, name="disk")
+    ground, axes = steady_precession.frames(theta, psi, name="disk")
     return ground, axes, bodies.disk(g.D / 2, axes.point("B", 0, 0, g.L), "z", mass=g.m), theta
 
 
@@ -23,7 +17,7 @@ def data(g):
     """The transverse and the axial moment of inertia about A, and the moment of the weight."""
     ground, axes, disk, _ = hanging(g)
     I_0, _, I_z = disk.about(axes).moments
-    return I_0, I_z, weight_moment(g.m, g.g, ground, axes, g.L)
+    return I_0, I_z, steady_precession.weight_moment(g.m, g.g, ground, axes, g.L)
 
 
 def spin(g, transverse=None, theta=None):
@@ -59,9 +53,10 @@ def prove(g):
     """The spin with which the mass points need just the moment of their weights."""
     theta = mp.pi - g.beta
     points = [(share, plus(r, [0, 0, g.L])) for share, r in proofs.disk(g.D / 2, order=2)]
-    M = of_weights(g.m, g.g, points, theta)
-    phi_dot = vanishing(lambda x: needed(g.m, points, theta, g.psi_dot, x) - M, 0, g.psi_dot)
-    omega = angular_velocity(orientation(theta, g.psi_dot, phi_dot))
+    M = steady_precession.of_weights(g.m, g.g, points, theta)
+    lacking = lambda x: steady_precession.needed(g.m, points, theta, g.psi_dot, x) - M
+    phi_dot = vanishing(lacking, 0, g.psi_dot)
+    omega = angular_velocity(steady_precession.orientation(theta, g.psi_dot, phi_dot))
     along = times(proofs.rot("x", theta), [0, 0, 1])
     return {
         "phi_dot": phi_dot,

@@ -48,10 +48,7 @@ def no_products(frame, I):
 
 
 def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=()):
-    """The mass of each part, its inertia matrix about its own centre of mass, the place of that,
-    and its inertia matrix at O; the units of mass, length and inertia, and the names of the parts
-    whose centre of mass is O. Steps are named after the first words of the parts.
-    """
+    """Mass, own matrix, place and matrix at O of each part; ``at_O`` names those centred at O."""
     for part in (*parts, *removed):
         key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""
         yield Step(f"m_{key}", part.mass, mass, f"mass of the {part.name}{cut_out}", "7.10")

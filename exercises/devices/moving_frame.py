@@ -10,9 +10,8 @@ def turning_of(frame, ground, axes, name, phrase):
     omega = frame.angular_velocity(ground).expressed_in(axes)
     alpha = frame.angular_acceleration(ground).expressed_in(axes)
     within = body(ground)
-    yield Step(
-        f"omega_{name}", omega, "rad/s", f"angular velocity of {phrase} in {within}", "4.9", "4.22"
-    )
+    means = f"angular velocity of {phrase} in {within}"
+    yield Step(f"omega_{name}", omega, "rad/s", means, "4.9", "4.22")
     if not is_zero(alpha):
         means = f"angular acceleration of {phrase} in {within}"
         yield Step(f"alpha_{name}", alpha, "rad/s^2", means, "4.9", "4.25")
@@ -23,9 +22,8 @@ def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
     ``start``, along ``axes``; ``length`` is the unit of lengths. What is zero is left out.
     """
     name = body_text(P.name)
-    place, v, a = (
-        x.expressed_in(axes) for x in (P.position(frame), P.velocity(frame), P.acceleration(frame))
-    )
+    seen = P.position(frame), P.velocity(frame), P.acceleration(frame)
+    place, v, a = (x.expressed_in(axes) for x in seen)
     yield Step(r, place, length, f"position of {name} from {start}", "4.8", "4.16")
     if not is_zero(v):
         means = f"velocity of {name} as seen from {phrase}"
@@ -36,9 +34,7 @@ def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
 
 
 def motion_via(frame, P, ground, key, phrase, start, moved="P"):
-    """How the frame turns, fixed in what ``phrase`` names ("the arm"), and what is seen in it
-    of P, called ``moved``; then (4.17) and (4.18) with their terms, along its axes, in m.
-    """
+    """How the frame in ``phrase`` turns, what it sees of P; (4.17) and (4.18) by terms, in m."""
     yield from turning_of(frame, ground, frame, key, f"the moving frame, fixed in {phrase},")
     yield from seen_in(frame, P, frame, "m", phrase, start)
     v, a = P.velocity(ground, via=frame), P.acceleration(ground, via=frame)

@@ -14,12 +14,8 @@ def nozzle_and_particle(g):
 
 def particle_in_time(g):
     """Proof, the place of the particle in time."""
-
-    def P(t):
-        d = g.d + g.nu * t
-        return times(rot("z", g.omega * t), [d * mp.sin(g.tilt), 0, d * mp.cos(g.tilt)])
-
-    return P
+    d = lambda t: g.d + g.nu * t
+    return lambda t: times(rot("z", g.omega * t), [d(t) * mp.sin(g.tilt), 0, d(t) * mp.cos(g.tilt)])
 
 
 def figure(g, ax, ground, turning, P):

@@ -16,9 +16,8 @@ def parts(g, density=1):
     middle = PLATE.point("middle", g.a / 2, g.b / 2, 0)
     full = plate(g.a, g.b, middle, "z", density=density, name="full plate")
     centres = [PLATE.point(f"C_{n}", x, y, 0) for n, (x, y) in enumerate(places(g), 1)]
-    return [full], [
-        disk(g.r, C, "z", density=density, name=f"hole {n}") for n, C in enumerate(centres, 1)
-    ]
+    hole = lambda n, C: disk(g.r, C, "z", density=density, name=f"hole {n}")
+    return [full], [hole(n, C) for n, C in enumerate(centres, 1)]
 
 
 def figure(g, ax):

@@ -61,9 +61,7 @@ def proved(content, whole, first):
 
 
 def sliced(content, slice_at, start, end, breaks):
-    """Proof, by slices of constant x: ``slice_at(x)`` gives the content of a slice per dx and its
-    first moments along y and z. ``breaks`` are the places between at which it has corners.
-    """
+    """Proof by slices at x: ``slice_at(x)`` is the content per dx and its moments along y, z."""
 
     def moments(x):
         per_dx, first_y, first_z = slice_at(x)

@@ -45,9 +45,7 @@ def without(ground, P, *names):
 
 
 def common_mistakes(g, scene, x):
-    """Those of 2/36 and 2/39, where the rates are constant: counterclockwise, no Coriolis term,
-    the other end; ``scene(g)`` is the end, ``x`` the name of its distance from A along i.
-    """
+    """Those of 2/36 and 2/39; ``scene(g)`` is the end, ``x`` names its distance from A."""
     return {
         "counterclockwise": motion(*scene(g.but(omega=-g.omega))),
         "no_coriolis": without(*scene(g), "coriolis"),

@@ -69,9 +69,8 @@ def balance(d):
 
 def spin_steps(d, spin):
     axial, across = moments(d, spin)
-    yield Step(
-        "I_s", axial, "kg*m^2", "moment of inertia about the axis of the disk", "7.4", "8.16"
-    )
+    means = "moment of inertia about the axis of the disk"
+    yield Step("I_s", axial, "kg*m^2", means, "7.4", "8.16")
     yield Step("I_d", across, "kg*m^2", "moment of inertia about a diameter", "7.4", "8.16")
     omega = d.body.frame.angular_velocity(d.ground).expressed_in(d.arm)
     yield Step("omega_disk", omega, "rad/s", "angular velocity of the disk in the inertial frame",

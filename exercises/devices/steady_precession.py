@@ -62,9 +62,7 @@ def two_rings(k_z, k_x, c=0):
 
 
 def needed_by_rates(m, points, theta):
-    """The factors of psi_dot^2 and of psi_dot phi_dot in the moment that they need. Accelerations
-    are sums of squares and products of rates, and so two motions tell both.
-    """
+    """Factors of psi_dot^2 and psi_dot phi_dot in the needed moment, by two motions."""
     ahead, back = (needed(m, points, theta, psi_dot, 1) for psi_dot in (1, -1))
     return (ahead + back) / 2, (ahead - back) / 2
 
@@ -85,9 +83,7 @@ def both_rates(m, points, theta, phi_dot, moment):
 
 
 def leading(m, points, theta, phi_dot, moment):
-    """Leading terms of both rates and the relative correction of the slow one, from exact rates
-    at spins so large that what is left out vanishes at 20 digits.
-    """
+    """Leading terms of both rates and the correction of the slow one, by far larger spins."""
     faster, fastest = mpf(10) ** 10, mpf(10) ** 20
     slow, fast = both_rates(m, points, theta, fastest * phi_dot, moment)
     psi_slow = fastest * slow

@@ -13,12 +13,8 @@ def boom_end(omega, beta, length):
 
 def end_in_time(omega, beta, length):
     """Proof, the place of A in time; ``beta`` and ``length`` are functions of it."""
-
-    def A(t):
-        along = [length(t) * mp.sin(beta(t)), 0, length(t) * mp.cos(beta(t))]
-        return times(rot("z", omega * t), along)
-
-    return A
+    along = lambda t: [length(t) * mp.sin(beta(t)), 0, length(t) * mp.cos(beta(t))]
+    return lambda t: times(rot("z", omega * t), along(t))
 
 
 def figure(ax, ground, A):

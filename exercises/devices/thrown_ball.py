@@ -18,18 +18,15 @@ def forward(g, u):
 
 
 def best_slope(g):
-    """The slope of the throw that hits highest: the height is of the second degree in it, so that
-    the place of its top follows from two derivatives at 0.
-    """
+    """The slope of the highest throw: the height is quadratic in it, so two derivatives tell."""
     h, _ = at_wall(g, moving(0 * g.one, rate=g.one))
     return -h.rate / h.acceleration
 
 
 def proved_angle(g):
     """Proof: the angle at which the height on the wall no longer grows."""
-    return root(
-        lambda gam: rate(lambda t: proved_height(g, gam + t)), 0, mp.pi / 2 - mp.mpf("0.01")
-    )
+    slope = lambda gam: rate(lambda t: proved_height(g, gam + t))
+    return root(slope, 0, mp.pi / 2 - mp.mpf("0.01"))
 
 
 def proved_height(g, gam):

@@ -1,6 +1,4 @@
-"""Shots and vehicles on the turning Earth, 6/18 to 6/23: ground axes i east, j north, k up; proofs
-look at the motion from the stars, where there is no Coriolis term; the globe.
-"""
+"""Motion on the turning Earth, 6/18 to 6/23: i east, j north, k up; proofs from the stars."""
 
 from exercises.tools import Sketch, minus, mp, mpf, plus, rate, rot, scaled, times, transposed
 from newton_euler import Frame, cos, sin

@@ -36,9 +36,8 @@ def orientation(g):
 
     def shaft(t):
         gamma, pin = g.gamma_1 - g.gamma_rate * t, [1, 0, 0]
-        return times(
-            rot("z", g.Omega * t), spun([0, mp.sin(gamma), mp.cos(gamma)], pin, g.omega * t)
-        )
+        e = [0, mp.sin(gamma), mp.cos(gamma)]
+        return times(rot("z", g.Omega * t), spun(e, pin, g.omega * t))
 
     return shaft
 

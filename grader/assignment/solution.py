@@ -1,10 +1,17 @@
 """The worked solution of a problem in Markdown: text, steps, terms of each sum, answers."""
 
 import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 from typing import Any
 
+import exercises.catalogue
 from exercises.catalogue import Problem
-from exercises.catalogue.steps import steps
+from exercises.catalogue.steps import Step, steps
+from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import term_text
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
@@ -18,24 +25,207 @@ from newton_euler.answers.notation import (  # fmt: skip
 )
 
 from .cells import Values
+from .derivations import Derivation, component, derivations
+from .formulas import numerals, written
 from .notebook import statement, typeset
+
+LONGEST = 400  # characters of a formula with numbers
+
+
+@dataclass(frozen=True)
+class Line:
+    """A step or answer of a worked solution; its formulas are LaTeX, or text.
+
+    together, with_numbers : the equations that are solved first
+    above : True if it is an unknown of equations that were solved before
+    name : of the quantity, "" where it has none
+    equal : what it is equal to: its formula, that with numbers, its value with the unit
+    """
+
+    step: Step
+    together: tuple[str, ...]
+    with_numbers: tuple[str, ...]
+    above: bool
+    name: str
+    equal: tuple[str, ...]
+
+
+def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
+    """The lines of a worked solution: the steps, and then the answers, for ``values`` in the units
+    of the text, with SymPy symbols for quantities without a number.
+    """
+    answers = p.solve(values)
+    asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
+    found = steps(p, values)
+    writer = _Writer(p, values, [*found, *asked], latex)
+    for s in [*found, *asked]:
+        yield writer.line(s)
+
+
+@cache
+def book_equations() -> Mapping[str, str]:
+    """The equations that are cited, as the book writes them: {number: LaTeX}."""
+    folder = Path(exercises.catalogue.__file__).parent
+    return tomllib.loads((folder / "book_equations.toml").read_text())
 
 
 def worked_solution(p: Problem, values: Values, text: bool = True) -> str:
-    """The worked solution as Markdown, for ``values`` in the units of the text, with SymPy symbols
-    for quantities without a number; ``text``: with the text of the problem before it.
-    """
-    answers, notation = p.solve(values), p.notation
-    lines = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
-    found = steps(p, values)
-    shown = tuple(f"{key}_" for key, answer in answers.items() if _is_sum(answer))
-    listed = [s for s in found if not (s.term and s.key.startswith(shown))]
-    for n, s in enumerate(listed, 1):
-        latex = symbol(s.key, s.is_vector)
-        equation = _equation(latex, s.value, s.unit, notation)
-        lines.append(f"{n}. {_sentence(_means(s, p))}{_where(s)}: {equation}")
-    lines += ["", *(line for a in p.answers for line in _answer(p, a, answers[a.key], found))]
-    return "\n".join(lines)
+    """The worked solution as Markdown; ``text``: with the text of the problem before it."""
+    answers = p.solve(values)
+    out = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
+    found = {line.step.key: line for line in lines(p, values)}
+    of_answers = tuple(f"{key}_" for key, answer in answers.items() if _is_sum(answer))
+    listed = [
+        line for key, line in found.items()
+        if key not in answers and not (line.step.term and key.startswith(of_answers))
+    ]  # fmt: skip
+    for n, line in enumerate(listed, 1):
+        out += [f"{n}. {_sentence(_means(line.step, p))}{_where(line.step)}: {_chain(line)}"]
+    out.append("")
+    for a in p.answers:
+        if _is_sum(answers[a.key]):
+            terms = {x.step.term[0]: x for key, x in found.items()
+                     if x.step.term and key.startswith(f"{a.key}_")}  # fmt: skip
+            out += _ledger(a, answers[a.key], p, terms)
+        out += [f"**{_sentence(typeset(a.means, p))}:** {_chain(found[a.key])}", ""]
+    return "\n".join(out)
+
+
+def _chain(line):
+    """A quantity with all that it is equal to, in pieces between which a page can break a line."""
+    first, *others = line.equal
+    begin = f"{line.name} = {first}" if line.name else first
+    pieces = [f"${begin}$", *(f"$= {x}$" for x in others)]
+    rows = "; ".join(f"${row}$" for row in line.together)
+    numbers = "; ".join(f"${row}$" for row in line.with_numbers)
+    begin = f"from {rows}" * bool(rows) + f", with numbers {numbers}" * bool(numbers)
+    begin = begin or "from the equations above" * line.above
+    return f"{begin}: {' '.join(pieces)}" if begin else " ".join(pieces)
+
+
+class _Writer:
+    """Writes the derivations of a problem with its symbols and numbers."""
+
+    def __init__(self, p, values, quantities, latex):
+        self.p, self.latex = p, latex
+        self.derivations = derivations(p, values)
+        self.sums = {s.key for s in quantities if not s.term and _is_sum(s.value)}
+        self.names, self.numbers, self.sizes = {}, {}, {}
+        for name, stated in p.units.items():
+            self._know(name, p.notation[name], values[name], stated)
+        for s in quantities:
+            parts = [] if isinstance(s.value, str) or callable(s.value) else list(flat(s.value))
+            for n, x in enumerate(parts):
+                key = component(s.key, n, len(parts))
+                named = p.notation.get(key) or symbol(key)
+                self._know(key, named, x, s.unit)
+
+    def _know(self, name, named, x, stated):
+        self.names[name] = named if self.latex else name
+        if is_numeric(x):
+            self.numbers[name] = x, stated
+            self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
+
+    def line(self, s):
+        """The line of a step or answer."""
+        found = self.derivations.get(s.key, Derivation())
+        formula, numbers = self._formula(found.formulas, s)
+        value = self._value(s)
+        chain = [x for x in (formula, numbers) if x]
+        chain = [x for n, x in enumerate(chain) if x not in chain[:n] and x != value]
+        above = found.solved and not found.together
+        return Line(s, *self._together(found), above, self._name(s), (*chain, value))
+
+    def _together(self, found):
+        """The equations that are solved together, with symbols and with numbers."""
+        rows = self._rows(found.together, self._called)
+        free = {x.name for pair in found.together for f in pair for x in f.free_symbols}
+        used = {n: self.numbers[n] for n in free - found.unknowns if n in self.numbers}
+        if len(used) < len(free - found.unknowns) or not used:
+            return rows, ()
+        asked = [self.numbers[n][1] for n in free & found.unknowns if n in self.numbers]
+        names = numerals(used, asked, self.latex)
+        with_numbers = self._rows(found.together, lambda f: self._called(f) | names, True)
+        return rows, with_numbers if sum(map(len, with_numbers)) <= LONGEST else ()
+
+    def _rows(self, pairs, named, numbers=False):
+        return tuple(
+            " = ".join(written(f, named(f), self.latex, numbers) for f in pair) for pair in pairs
+        )
+
+    def _name(self, s):
+        a = next((a for a in self.p.answers if a.key == s.key), None)
+        if a and is_word(a.key) and not a.latex:
+            return "" if self.latex else s.key
+        if not self.latex:
+            return s.key
+        return self.p.notation[s.key] if a else symbol(s.key, s.is_vector)
+
+    def _called(self, formula):
+        """The names of the symbols of a formula; unknowns have those of the code."""
+        free = {s.name for s in formula.free_symbols}
+        return {n: self.names.get(n) or (symbol(n) if self.latex else n) for n in free}
+
+    def _formula(self, formulas, s):
+        """A quantity as a formula, and with numbers; "" where there is none to read."""
+        if not formulas or None in formulas or all(f.is_number for f in formulas):
+            return "", ""
+        plain = self._whole(formulas) or self._joined(
+            [written(f, self._called(f), self.latex) for f in formulas]
+        )
+        if s.key in self.sums:  # its terms stand above it
+            plain = ""
+        free = {x.name for f in formulas for x in f.free_symbols}
+        if any(n not in self.numbers for n in free) or all(_is_atom(f) for f in formulas):
+            return plain, ""
+        names = numerals({n: self.numbers[n] for n in free}, [s.unit], self.latex)
+        formulas = [f.xreplace(self._nothing(f)) for f in formulas]
+        text = self._joined([written(f, names, self.latex, numbers=True) for f in formulas])
+        return plain, text if len(text) <= LONGEST else ""
+
+    def _nothing(self, formula):
+        """The symbols of a formula of which round-off is left, such as cos(60 deg) - 1/2, as 0."""
+        known = {
+            x: self.numbers[x.name] for x in formula.free_symbols if x.name not in self.p.units
+        }
+        return {x: 0 for x, (number, of) in known.items() if abs(number) <= self._noise(of)}
+
+    def _noise(self, stated_in):
+        return 1e-12 * self.sizes.get(stated_in, 0.0)
+
+    def _whole(self, formulas):
+        """The name of the vector that has these components, "" if there is none."""
+        keys = {f.name.rpartition("_")[0] for f in formulas if f.is_Symbol}
+        key = keys.pop() if len(keys) == 1 else ""
+        own = [component(key, n, len(formulas)) for n in range(len(formulas))]
+        if len(formulas) < 2 or not all(
+            (f.is_Symbol and f.name == name) or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
+            for f, name in zip(formulas, own, strict=True)
+        ):
+            return ""
+        return symbol(key, len(formulas) == 3) if self.latex else key
+
+    def _joined(self, parts):
+        if len(parts) == 1:
+            return parts[0]
+        if not self.latex:
+            return f"[{', '.join(parts)}]"
+        if len(parts) == 9:
+            return matrix_symbol([parts[n : n + 3] for n in (0, 3, 6)])
+        return rf"\left[{list_symbol(parts)}\right]"
+
+    def _value(self, s):
+        value = s.value
+        if isinstance(value, Vector):
+            value = value.rounded(self._noise(s.unit))
+        if self.latex:
+            return _latex(value, self.p.notation) + unit_symbol(s.unit)
+        return formatted(value) + ("" if s.unit == "1" else f" {s.unit}")
+
+
+def _is_atom(formula):
+    """True if a formula is a symbol, with a sign, or a number."""
+    return formula.is_number or formula.is_Symbol or (-formula).is_Symbol
 
 
 def _is_sum(answer):
@@ -64,19 +254,16 @@ def _sentence(means):
 
 
 def _where(s):
-    places = [f"section {s.section}"] * bool(s.section) + [f"({s.equation})"] * bool(s.equation)
+    """Where the book finds a quantity; the equation as it writes it, but for a term of a sum."""
+    places = [f"section {s.section}"] * bool(s.section)
+    if s.equation:
+        stated = book_equations().get(s.equation)
+        places.append(f"({s.equation})" + f" ${stated}$" * bool(stated and not s.term))
     return f", {', '.join(places)}" if places else ""
-
-
-def _equation(latex, value, unit, notation):
-    stated = _latex(value, notation) + unit_symbol(unit)
-    return f"${latex} = {stated}$" if latex else f"${stated}$"
 
 
 def _latex(value, notation):
     """An answer in LaTeX, numbers with six significant digits."""
-    if isinstance(value, Vector):
-        value = _without_noise(value)
     if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
         return matrix_symbol([[_latex(x, notation) for x in row] for row in value])
     if isinstance(value, (Vector, tuple, list)):
@@ -86,52 +273,40 @@ def _latex(value, notation):
         return rf"\text{{{value}}}"
     if is_numeric(value):
         return number_symbol(value if isinstance(value, int) else float(value))
-    import sympy
-
-    return sympy.latex(value, symbol_names={x: notation.get(x.name) or symbol(x.name)
-                                            for x in value.free_symbols})  # fmt: skip
-
-
-def _without_noise(vector):
-    """The vector without components that are round-off, such as cos(60 deg) - 1/2."""
-    numbers = [abs(x) for x in vector.components() if is_numeric(x)]
-    return vector.rounded(1e-12 * float(max(numbers))) if numbers else vector
+    names = {x.name: notation.get(x.name) or symbol(x.name) for x in value.free_symbols}
+    return written(value, names, latex=True)
 
 
 def formatted(value: Any) -> str:
     """An answer as text, numbers with six significant digits."""
     if isinstance(value, (Vector, tuple, list)):
         return "[" + ", ".join(formatted(v) for v in value) + "]"
-    return (
-        f"{float(value):.6g}"
-        if is_numeric(value) and not isinstance(value, (int, str))
-        else str(value)
-    )
+    if isinstance(value, (int, str)):
+        return str(value)
+    return f"{float(value) + 0.0:.6g}" if is_numeric(value) else written(value, {}, latex=False)
 
 
-def _answer(p, a, value, found):
-    latex = "" if is_word(a.key) and not a.latex else p.notation[a.key]
-    equation = _equation(latex, value, a.unit, p.notation)
-    yield f"**{_sentence(typeset(a.means, p))}:** {equation}"
-    yield ""
-    if _is_sum(value):
-        # in chapter 2 the equations have other numbers than in the engine
-        own = [s.equation for s in found if s.term and s.key.startswith(f"{a.key}_")]
-        yield from _ledger(value.explain(), a.unit, p, own[0] if own else "")
-        yield ""
+def _ledger(a, value, p, found):
+    """The terms of an answer as a table, each in words, how it is found, and its value. A zero term
+    is left out if it comes from a frame or a force, and listed if it belongs to an equation of
+    relative motion.
 
-
-def _ledger(explained, unit, p, number):
-    """The terms of an answer as a table, each in words and with its value. A zero term is left out
-    if it comes from a frame or a force, and listed if it belongs to an equation of relative motion.
+    found : the lines of terms by their names
     """
+    explained = value.explain()
     equation = explained.equation
-    yield f"*By equation ({number or equation.number}) the sum of*"
+    # in chapter 2 the equations have other numbers than in the engine
+    number = next((x.step.equation for x in found.values()), equation.number)
+    stated = book_equations().get(number)
+    yield f"By equation ({number}){f', ${stated}$,' * bool(stated)} the sum of"
     yield ""
     yield "| term | value |"
     yield "| --- | --- |"
     for name, term in explained.terms.items():
         if name in equation.terms or any(x != 0 for x in map(to_plain, term.c)):
-            cells = _words(name, equation, p), f"${_latex(term, p.notation)}{unit_symbol(unit)}$"
-            cells = (c.replace("|", r"\vert ") for c in cells)  # a bar would end the cell
-            yield f"| {' | '.join(cells)} |"
+            equal = [f"{_latex(term, p.notation)}{unit_symbol(a.unit)}"]
+            equal = found[name].equal if name in found else equal
+            cells = _words(name, equation, p), " = ".join(equal)
+            words, how = (c.replace("|", r"\vert ") for c in cells)  # a bar would end the cell
+            yield f"| {words} | ${how}$ |"
+    yield ""

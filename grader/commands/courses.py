@@ -323,8 +323,8 @@ def take_in(assignment: str, archive: Path, course_path: Path, replace: bool, ti
 
     ARCHIVE is what a learning platform gives as "download all submissions". A notebook is a
     student's if its folder, or where it has none its name, holds their id or their whole name and
-    nobody else's: of a name that a platform numbered, what comes before and with the numbers. The
-    table lists the matches. Exit code 1 if a file was left out.
+    no word that may be of anybody else's: of a name that a platform numbered, what comes before the
+    numbers. The table lists the matches. Exit code 1 if a file was left out.
     """
     from ..course import Course
     from ..course import take_in as take

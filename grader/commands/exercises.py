@@ -22,7 +22,7 @@ from .shared import FOLDER, SEED, console, progress_bar
     help="Replace a given, in the unit of the text: --given omega=0.9. May be repeated.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
-@click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
+@click.option("--explain", is_flag=True, help="Also print how: steps, equations, terms of sums.")
 def solve(
     names: tuple[str, ...], seed: int | None, changed: tuple[str, ...], as_json: bool, explain: bool
 ) -> None:
@@ -33,7 +33,13 @@ def solve(
     """
     from exercises.catalogue import select
 
-    from ..reports import answers_json, answers_text, solve_problem, terms_text
+    from ..reports import (
+        answers_json,
+        answers_text,
+        given_values,
+        solution_text,
+        solve_problem,
+    )
 
     problems = select(names)
     changes = dict(_pair(c) for c in changed)
@@ -45,8 +51,9 @@ def solve(
             )
     out = {}
     for p in problems:
+        own = {n: v for n, v in changes.items() if n in p.units}
         try:
-            results = solve_problem(p, seed, {n: v for n, v in changes.items() if n in p.units})
+            results = solve_problem(p, seed, own)
         except (ArithmeticError, ValueError) as error:
             if not changes:
                 raise
@@ -57,7 +64,7 @@ def solve(
         if not as_json:
             console.print(answers_text(p, results))
             if explain:
-                console.print(terms_text(p, results))
+                console.print(solution_text(p, given_values(p, seed, own)), soft_wrap=True)
     if as_json:
         click.echo(json.dumps(out, indent=1))
 

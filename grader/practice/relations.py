@@ -5,9 +5,9 @@ of the quantities, for which a student's own can stand.
 
 import math
 
-from exercises.catalogue.steps import listed_steps
-from exercises.catalogue.variants import flat
-from newton_euler.algebra.trace import Step, Trace
+from exercises.catalogue.tracing import traced_quantities
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import unit
 from newton_euler.classroom.practising.programs import OPERATIONS, operate
 
 
@@ -26,7 +26,7 @@ def relations(p, values):
     trace = next((x.trace for parts in components.values() for x, _ in parts if _is_step(x)), None)
     if trace is None:
         return None
-    numbers = _evaluated(trace, values)
+    numbers = _evaluated(trace, p.base(values))
     starts = {x.number for parts in components.values() for x, _ in parts if _is_step(x)}
     program, place, reached = [], {}, {}
     for s in trace.steps:
@@ -61,23 +61,10 @@ def _is_step(x):
 
 def _traced(p):
     """{key: [(traced component in base units, factor to the unit of the text)]}."""
-    trace = Trace()
-    g = p.base({n: trace.new("argument", n) for n in p.units})
-    found = {s.key: (s.value, s.unit) for s in listed_steps(p, g)}
-    found |= {k: (x, p.answer(k).unit) for k, x in p.code.solve(g).items()
-              if not p.answer(k).kind.is_word}  # fmt: skip
-    return {
-        key: [_inward(part, factor) for part in flat(x)]
-        for key, (x, stated) in found.items()
-        if not isinstance(x, (str, int)) and not callable(x)
-        for factor in [_factor(stated, p.system)]
-    }
-
-
-def _factor(stated, system):
-    from newton_euler.algebra.units import unit
-
-    return unit(stated).from_base(1.0, system)
+    found = traced_quantities(p)
+    factors = {key: unit(u).from_base(1.0, p.system) for key, u in found.units.items()}
+    return {key: [_inward(x, factors[key]) for x in parts]
+            for key, parts in found.components.items()}  # fmt: skip
 
 
 def _inward(x, factor):
@@ -85,13 +72,13 @@ def _inward(x, factor):
     return (x.args[0], -factor) if _is_step(x) and x.op == "neg" else (x, factor)
 
 
-def _evaluated(trace, values):
+def _evaluated(trace, g):
     """The number of each traced operation for these values, None where it is no plain number."""
     found = []
     for s in trace.steps:
         arguments = [found[a.number] if _is_step(a) else a for a in s.args]
         if s.op == "argument":
-            found.append(float(values[s.args[0]]))
+            found.append(float(getattr(g, s.args[0])))
         elif None in arguments or s.op not in OPERATIONS:
             found.append(None)
         else:

@@ -8,7 +8,7 @@ export       CSV of every part, and the files that learning platforms import
 diagnoses    how often the mistakes of the exercises are recognised
 """
 
-from .answers import answers_json, answers_text, given_values, nested, solve_problem, terms_text
+from .answers import answers_json, answers_text, given_values, nested, solution_text, solve_problem
 from .diagnoses import diagnosis_shares, shares_table
 from .export import FORMATS, export
 from .statistics import part_statistics, statistics_csv, statistics_figure, statistics_table

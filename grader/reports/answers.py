@@ -9,6 +9,7 @@ from newton_euler.algebra.vectors import Vector
 
 from ..assignment.cells import Values
 from ..assignment.solution import formatted
+from ..assignment.solution import lines as solution_lines
 
 Results = Mapping[str, Any]  # the answers of a problem, by key
 
@@ -56,11 +57,15 @@ def answers_text(p: Problem, results: Results) -> str:
     return "\n".join(line.replace("[", r"\[") if line.startswith("  ") else line for line in lines)
 
 
-def terms_text(p: Problem, results: Results) -> str:
-    """The terms of the answers that are sums of named terms, as text with rich's markup."""
-    texts = [
-        str(results[a.key].explain(a.unit))
-        for a in p.answers
-        if isinstance(results[a.key], Vector) and results[a.key].terms
-    ]
-    return "\n".join(text.replace("[", r"\[") for text in texts)
+def solution_text(p: Problem, values: Values) -> str:
+    """How each step and answer of a problem is found, as text with rich's markup: its meaning with
+    section and equation of the book, the formula in symbols, in numbers, and the value.
+    """
+    out = []
+    for line in solution_lines(p, {**p.sympy_symbols(), **values}, latex=False):
+        s = line.step
+        cited = [f"section {s.section}"] * bool(s.section) + [f"({s.equation})"] * bool(s.equation)
+        out.append(", ".join([s.means, *cited]))
+        out += [f"    {row}" for row in (*line.together, *line.with_numbers)]
+        out.append(f"  {' = '.join([line.name, *line.equal])}")
+    return "\n".join(out).replace("[", r"\[")

@@ -15,6 +15,7 @@ from collections.abc import Callable
 from functools import cached_property
 from importlib import import_module, util
 from operator import itemgetter
+from traceback import walk_tb
 from typing import Any, NamedTuple
 
 from . import scalars
@@ -362,6 +363,20 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
     return Compiled(*recorded(f, **constants)._replace(backend=backend))
 
 
+def _needed_values(error):
+    """True if a function of NumPy or SciPy that had traced values raised this error."""
+    for frame, _ in walk_tb(error.__traceback__):
+        if frame.f_globals.get("__name__", "").partition(".")[0] in ("numpy", "scipy"):
+            return any(map(_traced, frame.f_locals.values()))
+    return False
+
+
+def _traced(x):
+    """True for traced values, also in lists and arrays."""
+    x = x.ravel().tolist() if getattr(getattr(x, "dtype", None), "kind", "") == "O" else x
+    return isinstance(x, Step) or (isinstance(x, (list, tuple)) and any(map(_traced, x)))
+
+
 def recorded(f, **constants):
     """The :class:`Recording` of the formula ``f``, see :func:`compiled`: its steps without a
     text, which takes twice as long to write.
@@ -384,10 +399,11 @@ def recorded(f, **constants):
     leaves, keys = [], []
     try:
         shape = _shape(f(*by_place, **values), leaves, keys)
-    except TypeError as error:
+    except (TypeError, ValueError) as error:
         # a function of NumPy does not know steps, and its own message does not help; NumPy has no
         # class of its own for this error
-        if "ufunc" not in str(error) or isinstance(error, NewtonEulerError):
+        of_numpy = "ufunc" in str(error) and not isinstance(error, NewtonEulerError)
+        if not (of_numpy or _needed_values(error)):
             raise
         raise ScalarError(NO_VALUE) from error
     defaults = {

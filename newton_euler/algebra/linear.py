@@ -8,7 +8,9 @@ unknowns that are not determined and the equations that are redundant.
 """
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field
 from functools import cache
 from inspect import signature
@@ -160,6 +162,56 @@ class LinearForm(_Own):
         self._refuse("an unknown is raised to a power")
 
 
+# -- what is solved, for those who show it
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Linear equations with their solution.
+
+    equations : pairs of the coefficients of the unknowns and the right side
+    names : of the unknowns. values : of those that are determined, by their names
+    """
+
+    equations: Sequence[tuple[Sequence[Scalar], Scalar]]
+    names: Sequence[str]
+    values: Mapping[str, Scalar]
+
+
+_shown: ContextVar[list[Solved] | None] = ContextVar("shown", default=None)
+
+
+@contextmanager
+def solved_equations() -> Iterator[list[Solved]]:
+    """A list of the linear equations that are solved in the ``with`` block.
+
+    >>> with solved_equations() as found:
+    ...     _ = solve_rates(lambda spin: 0.5 * spin - 2.0, 1)
+    >>> found[0].equations, dict(found[0].values)
+    ([((0.5,), 2.0)], {'spin': 4.0})
+    """
+    found: list[Solved] = []
+    token = _shown.set(found)
+    try:
+        yield found
+    finally:
+        _shown.reset(token)
+
+
+def _show(equations, names, values):
+    if (found := _shown.get()) is not None:
+        found.append(Solved([(e.coefficients, e.right) for e in equations], names, values))
+
+
+def _arguments(conditions):
+    """The names of the arguments of a function."""
+    return [
+        p.name
+        for p in signature(conditions).parameters.values()
+        if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
+    ]
+
+
 # -- a few rates
 
 
@@ -213,7 +265,12 @@ def solve_rates(conditions: Callable, count: int) -> tuple:
                 "the conditions contradict each other: with the rates that fit best, one of them "
                 f"is {worst:.3g} instead of 0"
             )
-    return tuple(map(to_plain, rates))
+    rates = tuple(map(to_plain, rates))
+    if _shown.get() is not None:
+        names = _arguments(conditions)
+        names = names if len(names) == count else [f"u_{n}" for n in range(1, count + 1)]
+        _show(equations, names, dict(zip(names, rates, strict=True)))
+    return rates
 
 
 def _unknowns(count):
@@ -361,11 +418,7 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
     Not determined: A, B: only A = 3 - B is known; more equations are needed, or fewer unknowns
     """
     if names is None:
-        names = [
-            p.name
-            for p in signature(conditions).parameters.values()
-            if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
-        ]
+        names = _arguments(conditions)
     names = tuple(names.replace(",", " ").split() if isinstance(names, str) else names)
     if not names:
         raise LinearError("there are no unknowns: name them, as in solve_linear(laws, 'a N alpha')")
@@ -393,9 +446,11 @@ def _solved(equations, names):
     except _Varies:
         return _instant_by_instant(equations, names)
     values = found.values if numbers else _of_expressions(equations, found)
+    named = MappingProxyType({names[k]: to_plain(values[k]) for k in sorted(values)})
+    _show(equations, names, named)
     return Solution(
         names,
-        MappingProxyType({names[k]: to_plain(values[k]) for k in sorted(values)}),
+        named,
         tuple(n for k, n in enumerate(names) if k not in found.values),
         tuple(found.relations(names)) if numbers else (),
         MappingProxyType(found.redundant()),

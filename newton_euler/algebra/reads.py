@@ -31,6 +31,7 @@ FIXED = {
 ENGINE = {"newton_euler"}
 # kinds of values that never change: a name can only be given another one
 CONSTANTS = (bool, int, float, complex, str, bytes, type(None), range, Fraction, _Own)
+RANDOM = "numpy.random"
 NUMBERS = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 # by these a function reaches what its byte code does not name
 HIDDEN = {"eval", "exec", "globals", "locals", "open", "input", "__import__", "compile"}
@@ -43,6 +44,7 @@ class Reads:
     checks : tuples (get, a, b, value) that find it again: get(a, b) is the value
     known : False if some of it can change unseen, as the attribute of an object or an entry of a
         list; it then never counts as the same
+    prints : True if it is known that print is among it
 
     >>> g = 9.81
     >>> read = Reads(lambda s, p, t: -g)
@@ -50,10 +52,10 @@ class Reads:
     (True, False)
     """
 
-    __slots__ = ("_noted", "checks", "known")
+    __slots__ = ("_noted", "checks", "known", "prints")
 
     def __init__(self, *functions):
-        self.checks, self.known, self._noted = [], True, set()
+        self.checks, self.known, self.prints, self._noted = [], True, False, set()
         waiting, seen = [*functions], {}
         while waiting and self.known:
             x = waiting.pop()
@@ -88,7 +90,9 @@ class Reads:
         elif isinstance(x, BuiltinFunctionType):
             if not isinstance(x.__self__, (ModuleType, type(None))):
                 waiting.append(x.__self__)
-            self.known = self.known and x.__name__ not in HIDDEN
+            fixed = not isinstance(x.__self__, ModuleType) or _is_fixed(x.__self__)
+            self.known = self.known and fixed and x.__name__ not in HIDDEN
+            self.prints = self.prints or x is print
         elif _root(type(x)) == "newton_euler" and hasattr(x, "__dataclass_fields__"):
             waiting += [getattr(x, f.name) for f in fields(x)]  # a model has functions of its user
         else:
@@ -123,6 +127,9 @@ class Reads:
             for n in names & vars(x).keys():
                 if (id(vars(x)), n) not in self._noted:
                     self._note_name(vars(x), n, loaded, names, waiting)
+        elif isinstance(x, ModuleType):
+            reached = {x.__name__, *(f"{x.__name__}.{n}" for n in names)}
+            self.known = self.known and RANDOM not in reached
 
     def _note(self, get, a, b, waiting):
         """Note one value that can become another, and return it."""

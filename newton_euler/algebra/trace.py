@@ -11,8 +11,10 @@ from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, scalar
 
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
-    "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by "
-    "where(x < y, a, b), and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
+    "a formula is traced without values: it must not branch on them (if, and, max, ==) or round "
+    "them (int, round, %, //), but chooses by where(x < y, a, b), and takes sin, cos, sqrt ... "
+    "from newton_euler, not from math or numpy; in place of numpy.interp and scipy.interpolate it "
+    "takes table(ts, values), and in place of numpy.linalg solve_linear and sqrt(x*x + y*y)"
 )
 
 
@@ -30,6 +32,9 @@ class Step(_Own):
 
     def __init__(self, trace, op, args, number):
         self.trace, self.op, self.args, self.number = trace, op, args, number
+
+    def __repr__(self):
+        return f"<traced {self.args[0] if self.op == 'argument' else self.op}>"
 
     # A minus sign moves outward until it becomes a subtraction or cancels; rounding is symmetric,
     # so none of these moves changes a bit.
@@ -133,7 +138,10 @@ class Step(_Own):
     def _no_value(self, *_):
         raise ScalarError(NO_VALUE)
 
-    __bool__ = __float__ = _no_value
+    __bool__ = __float__ = __complex__ = __int__ = __index__ = __round__ = _no_value
+    __trunc__ = __floor__ = __ceil__ = __divmod__ = __rdivmod__ = __invert__ = _no_value
+    __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = _no_value
+    __and__ = __rand__ = __or__ = __ror__ = __xor__ = __rxor__ = _no_value
 
     def __eq__(self, other):
         return self is other or self._no_value()
@@ -184,7 +192,8 @@ class Trace:
         for a in args:
             if isinstance(a, Step) and a.trace is not self and self in a.trace.around():
                 return a.trace.step(op, *args)  # it is part of the inner formula
-        args = [self.inward(a) for a in args]
+        # of NumPy's numbers those that are arrays without an axis cannot be keys
+        args = [a[()] if getattr(a, "shape", None) == () else self.inward(a) for a in args]
         keys = [self.key(a) for a in args]
         key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute
         if key not in self.known:
@@ -209,8 +218,9 @@ class Trace:
             return a.key()
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
-                "an array of instants cannot be a constant of a compiled formula; make it one "
-                "of its arguments"
+                f"an array {a.shape} meets a traced value, which stands for one number: write the "
+                "entries one by one, as [c*x for c in array], or make the array an argument of the "
+                "compiled formula"
             )
         return type(a), repr(a) if isinstance(a, float) else a
 

@@ -42,15 +42,17 @@ def counted(
 
 def _is_one_guess(readings, right, key, asked, axes):
     """True if all that is not the key is the right vector along axes that the problem has; where it
-    does not say how its axes lie in the ground, also along those that the student chose.
+    does not say how its axes lie in the ground, the student may have chosen the axes of the ground,
+    and of those between it and a frame of their own in which the vector is right.
     """
     free = not axes or 0 in axes  # else the axes are those of the ground
     return all(
         any(asked.kind.is_right(r, points, asked.atol) for points in axes.values())
-        or (free and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol))
-        for r, is_key in zip(readings, right, strict=True)
-        if not is_key
-    )
+        or (free and (right[0] or place == GROUND)
+            and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol))
+        for place, r in enumerate(readings)
+        if not right[place]
+    )  # fmt: skip
 
 
 def _sizes(points):

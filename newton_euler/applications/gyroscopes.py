@@ -281,7 +281,10 @@ def steady_precession(
     D = _discriminant(a, h, c, I, "spin" if omega_z is None else "omega_z")
     # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
     q = (h + _sense(h) * sqrt(D)) / 2
-    _check_any_root(q, c)
+    if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
+        raise GyroError(
+            "no steady precession is possible: without spin a body at this angle can hold no moment"
+        )
     slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
     stiffness = tuple(_stiffness(I0, I, theta, psi, spin, omega_z) for psi in (slow, fast))
     return SteadyPrecession(to_plain(slow), to_plain(fast), to_plain(D), stiffness)
@@ -345,13 +348,6 @@ def _discriminant(a, h, c, I, what):
 def _sense(h):
     """The sign of h: +1 for zero. An expression is taken as different from zero."""
     return where(to_plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
-
-
-def _check_any_root(q, c):
-    if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
-        raise GyroError(
-            "no steady precession is possible: without spin a body at this angle can hold no moment"
-        )
 
 
 def _quotient(n, d, otherwise):

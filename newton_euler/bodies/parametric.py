@@ -132,9 +132,11 @@ def _check_mass(found, name):
 
 def _tidy(x):
     """An expression as a fraction of polynomials without common factors; numbers as they are."""
+    if not is_expression(x):
+        return x
     import sympy
 
-    return x if not is_expression(x) else sympy.cancel(x)
+    return sympy.cancel(x)
 
 
 def _tangents(position, parameters):

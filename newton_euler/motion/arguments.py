@@ -96,6 +96,8 @@ def sample_request(samples, t0, t1):
     """The samples: None, a number of times, or an array of times between t0 and t1."""
     if samples is None or (type(samples) is int and samples > 0):
         return samples
+    if getattr(samples, "shape", None) == () and samples.dtype.kind in "iu":
+        return sample_request(int(samples), t0, t1)  # a whole number of NumPy
     what = "samples are a number of times, or times"
     if hasattr(samples, "__next__"):
         samples = list(islice(samples, LONGEST_SEQUENCE))

@@ -42,6 +42,16 @@ class Motions:
     def __len__(self):
         return len(next(iter(self.states.values())))
 
+    @property
+    def t_end(self) -> float:
+        """The time of the last sample, at which the motions end."""
+        return float(self.times[-1])
+
+    @property
+    def end(self) -> dict:
+        """The last states, arrays (motions,) by name."""
+        return {name: x[:, -1] for name, x in self.states.items()}
+
 
 class Sweep(NamedTuple):
     """The ``states`` (states, motions, times) of many motions, the ``errors``, inf where a motion

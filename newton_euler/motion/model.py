@@ -15,6 +15,7 @@ from itertools import islice
 from keyword import iskeyword
 from types import FunctionType, MappingProxyType
 from typing import Any
+from warnings import warn
 
 from ..algebra.compile import compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
@@ -344,12 +345,26 @@ class Model(Portable):
         laws = {n: x for n, x in self.parameters.items() if is_law(x)}
         free = tuple(n for n in self.parameters if n not in laws)
         try:
-            count = len(self._rhs_text(free, tuple(laws.items()), laws.values())[1].leaves)
+            reads, text = self._rhs_text(free, tuple(laws.items()), laws.values())
+            again = text if reads.known else recorded(self._formula(self._rates, free))
         except (AttributeError, TypeError, ZeroDivisionError) as error:
             raise ModelError(f"{what} fails when it is tried: {error}") from error
-        if count != len(states):
+        if len(text.leaves) != len(states):
             raise ModelError(
-                f"{what} returns {count} rates for the {len(states)} states {', '.join(states)}"
+                f"{what} returns {len(text.leaves)} rates for the {len(states)} states "
+                f"{', '.join(states)}"
+            )
+        if content(again) != content(text):
+            raise ModelError(
+                f"{what} is not the same at each call, as with random numbers or the time of day, "
+                "but it is a formula: draw the numbers before, and make them parameters or a "
+                "table(ts, values)"
+            )
+        if reads.prints:
+            warn(
+                f"{what} prints when it is traced, without values, not during the motion; print "
+                "what integrate returns",
+                stacklevel=4,
             )
 
 

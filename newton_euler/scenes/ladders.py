@@ -149,9 +149,13 @@ class Ladder:
 
         from ..motion.integration import integrate
         from ..motion.prepared import prepared_model
+        from ..motion.solution import FarError
 
         times = np.linspace(0.0, self.t, INSTANTS)
-        motion = integrate(rung.model, self.t, rung.start, rtol, samples=times)
+        try:
+            motion = integrate(rung.model, self.t, rung.start, rtol, samples=times)
+        except FarError as error:  # as the radial speed on a nearly circular orbit
+            motion = error.reached
         values = prepared_model(rung.model).function(rung.observed)(times, *motion.states.values())
         return np.array([np.broadcast_to(v, times.shape) for v in values], dtype=float)
 

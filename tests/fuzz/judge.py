@@ -38,24 +38,31 @@ def variants(positional, named, skip):
         yield name, lambda x, name=name: (positional, {**named, name: x})
 
 
-def judged(f, call, every=None, seconds=SECONDS):
-    """[(argument, bad value, outcome, what came)] for every argument of the call.
+def trials(f, call, every=None):
+    """[(argument, bad value, its maker, the arguments with a value)] for every argument of the call.
 
-    every : only one in so many calls, always the same ones
+    every : only one in so many, always the same ones
     """
     positional, named = call
     if inspect.isclass(f):
         positional = positional[1:]
     skip = 0 if inspect.isclass(f) or "." not in f.__qualname__ else 1
     names = list(inspect.signature(inspect.unwrap(f)).parameters)
-    found = []
-    for slot, with_value in variants(positional, named, skip):
-        label = slot if isinstance(slot, str) else names[min(slot, len(names) - 1)]
-        for word, make in bad_values().items():
-            if every and hash_of(f.__qualname__, label, word) % every:
-                continue
-            found.append((label, word, *outcome(f, *with_value(make()), seconds)))
-    return found
+    return [
+        (label, word, make, with_value)
+        for slot, with_value in variants(positional, named, skip)
+        for label in [slot if isinstance(slot, str) else names[min(slot, len(names) - 1)]]
+        for word, make in bad_values().items()
+        if not every or hash_of(f.__qualname__, label, word) % every == 0
+    ]
+
+
+def judged(f, call, every=None, seconds=SECONDS):
+    """[(argument, bad value, outcome, what came)] for the trials of a call."""
+    return [
+        (label, word, *outcome(f, *with_value(make()), seconds))
+        for label, word, make, with_value in trials(f, call, every)
+    ]
 
 
 def hash_of(*words):
@@ -152,7 +159,7 @@ def table(functions, calls, every=None, report=lambda *_: None, seconds=SECONDS)
     bad_values()  # made once, and not in each child
     found = {}
     for name, f in functions.items():
-        if name not in calls:
+        if name not in calls or not trials(f, calls[name], every):
             continue
         ours, theirs = context.Pipe(duplex=False)
         child = context.Process(

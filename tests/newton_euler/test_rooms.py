@@ -6,7 +6,8 @@ import re
 import subprocess
 import sys
 import tomllib
-from collections import defaultdict
+from collections import Counter, defaultdict
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -27,9 +28,16 @@ BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
 FILES = modules(ENGINE)
 
 
+@cache
 def tree_of(module):
     """The syntax tree of a module."""
     return ast.parse(FILES[module].read_text(encoding="utf-8"))
+
+
+def faulty(check):
+    """{module: what the check finds wrong in it}."""
+    found = {module: check(module) for module in FILES}
+    return {module: wrong for module, wrong in found.items() if wrong}
 
 
 def room_of(module):
@@ -67,14 +75,12 @@ def test_the_rooms_are_those_of_the_plan():
     assert found == set(BELOW)
 
 
-@pytest.mark.parametrize("module", sorted(FILES))
-def test_imports_go_down_only(module):
-    assert climbing(module) == []
+def test_imports_go_down_only():
+    assert faulty(climbing) == {}
 
 
-@pytest.mark.parametrize("module", sorted(FILES))
-def test_no_private_name_is_taken_from_another_room(module):
-    assert taken_privately(module) == []
+def test_no_private_name_is_taken_from_another_room():
+    assert faulty(taken_privately) == {}
 
 
 def test_an_import_that_climbs_and_a_private_name_are_seen():
@@ -119,13 +125,21 @@ def test_no_folders_import_each_other_in_a_circle():
     assert circle(folder_graph(climbing)) == ["a", "a.methods"]
 
 
-def test_every_module_can_be_imported_first():
-    """Each in a fork of a process that has imported none, so that no order of imports is hidden."""
-    modules = [m for m in sorted(FILES) if not m.endswith("__main__")]
+PACKAGES = [m for m in sorted(FILES) if FILES[m].name == "__init__.py" and "chapters" not in m]
+EVERY = [m for m in sorted(FILES) if not m.endswith("__main__")]
+
+
+@pytest.mark.parametrize(
+    "first", [PACKAGES, pytest.param(EVERY, marks=pytest.mark.slow)], ids=["packages", "all"]
+)
+def test_every_module_can_be_imported_first(first):
+    """Each in a fork of a process that has imported none, so that no order of imports is hidden; a
+    module comes after its package in any case.
+    """
     program = f"""
 import os, sys
 import matplotlib.figure, mpmath, numpy, scipy.integrate, sympy  # once, and not in every fork
-for name in {modules!r}:
+for name in {first!r}:
     if not os.fork():
         try:
             __import__(name)
@@ -137,9 +151,6 @@ for name in {modules!r}:
     command = [sys.executable, "-W", "error", "-c", program]
     done = subprocess.run(command, cwd=ENGINE.parent, capture_output=True, text=True, timeout=600)
     assert (done.stdout, done.stderr) == ("", "")
-
-
-PACKAGES = [m for m in sorted(FILES) if FILES[m].name == "__init__.py" and "chapters" not in m]
 
 
 def public_names(package):
@@ -203,11 +214,15 @@ def test_all_errors_of_the_engine_have_one_base():
     assert [e for e in errors if not issubclass(e, newton_euler.NewtonEulerError)] == []
 
 
-@pytest.mark.parametrize("module", sorted(FILES))
-def test_public_functions_and_classes_have_docstrings(module):
+def bare(module):
+    """The public functions, classes and methods without a docstring."""
     kinds = (ast.FunctionDef, ast.ClassDef)
     public = [n for n in tree_of(module).body if isinstance(n, kinds) and n.name[0] != "_"]
-    assert [n.name for n in public if not ast.get_docstring(n)] == []
+    return [n.name for n in public if not ast.get_docstring(n)]
+
+
+def test_public_functions_and_classes_have_docstrings():
+    assert faulty(bare) == {}
 
 
 def defined(body):
@@ -227,12 +242,16 @@ def overloaded(node):
     )
 
 
-@pytest.mark.parametrize("module", sorted(FILES))
-def test_nothing_is_defined_twice(module):
+def twice(module):
+    """The names that a block of a module defines again."""
     tree = tree_of(module)
-    for block in [tree, *(n for n in ast.walk(tree) if isinstance(n, ast.ClassDef))]:
-        names = defined(block.body)
-        assert sorted(set(names)) == sorted(names)
+    blocks = [tree, *(n for n in ast.walk(tree) if isinstance(n, ast.ClassDef))]
+    names = [(n, name) for n, block in enumerate(blocks) for name in defined(block.body)]
+    return [name for (_, name), count in Counter(names).items() if count > 1]
+
+
+def test_nothing_is_defined_twice():
+    assert faulty(twice) == {}
 
 
 def test_notebooks_released_before_the_rooms_still_find_expect_and_receipt():

@@ -8,28 +8,12 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler import Frame, at
-from newton_euler.algebra.scalars import atan2, cos, sin
-from newton_euler.kinematics.coordinates import polar_coordinates
 from newton_euler.kinematics.rotations import RotationError, euler_from_quaternion, unwound
 from newton_euler.scenes.spatial import top
-
-RATE = 3.0  # rad/s
 
 
 def wrapped(angle):
     return np.arctan2(np.sin(angle), np.cos(angle))
-
-
-@pytest.mark.parametrize("t", [0.2, math.pi / 3 - 1e-12, math.pi / 3, math.pi / 3 + 1e-12, 4.0])
-def test_rates_of_angles_do_not_see_the_cut_and_are_right_to_1e_minus_15(t):
-    found = at(lambda t: atan2(2 * sin(RATE * t), 2 * cos(RATE * t)), t)
-    assert abs(found.rate - RATE) < 2e-15  # rad/s
-    assert abs(found.acceleration) < 4e-15
-    ground = Frame("ground")
-    x, y = 2 * math.cos(RATE * t), 2 * math.sin(RATE * t)
-    _, theta = polar_coordinates(ground.vector(x, y, 0), ground.vector(-RATE * y, RATE * x, 0))
-    assert abs(theta.rate - RATE) < 2e-15
 
 
 def test_unwrap_takes_a_turn_of_10_rad_per_sample_for_minus_2_6_and_the_rates_tell_better():

@@ -33,18 +33,6 @@ def test_the_default_solver_is_lost_by_the_size_of_the_orbit_after_10_periods(e)
     assert distance(ORBIT.solution(t, start), exact(e, t)) < 3e-14
 
 
-@pytest.mark.parametrize("e", [0.0, 0.5, 0.9, 0.99, 0.999, 0.999999])
-def test_the_exact_orbit_is_right_to_1e_minus_14_and_at_the_closest_place_to_the_way_run_in_5_round_offs_of_t(
-    e,
-):
-    start, fastest = from_farthest(1.0, 1.0, e), math.sqrt((1 + e) / (1 - e))
-    for t in (1e-3, 1.0, 3.0, math.pi, 3.2, 20.0, -7.0, 10.5 * PERIOD):
-        x = ORBIT.solution(t, start)
-        v = math.hypot(*x[2:])
-        assert v <= fastest * (1 + 1e-6)
-        assert distance(x, exact(e, t)) < 1e-14 + 1e-15 * (abs(t) + 1) * v
-
-
 @pytest.mark.parametrize("e", [0.9, 0.999])
 def test_it_obeys_keplers_equation_in_30_digits(e):
     with mpmath.workdps(30):
@@ -54,17 +42,6 @@ def test_it_obeys_keplers_equation_in_30_digits(e):
         x, y, *_ = orbit(mpmath.mpf(1)).solution(t, start)
         assert abs(x - mpmath.cos(E) + e) < 1e-25
         assert abs(y - mpmath.sqrt(1 - e**2) * mpmath.sin(E)) < 1e-25
-
-
-@pytest.mark.parametrize("e", [0.5, 0.99, 0.999])
-def test_energy_momentum_and_laplace_vector_are_kept_to_round_off_over_the_distance(e):
-    start = from_farthest(1.0, 1.0, e)
-    for t in (1.0, math.pi - 0.01, 40.0):
-        x = ORBIT.solution(t, start)
-        r = math.hypot(*x[:2])
-        for name in ORBIT.invariants:
-            assert abs(ORBIT.invariant(name, x) - ORBIT.invariant(name, start)) < 4e-15 / r
-    assert ORBIT.invariant("laplace_x", start) == pytest.approx(e, rel=1e-12)
 
 
 @pytest.mark.parametrize("less", [1e-2, 1e-9, 1e-12, 1e-15])

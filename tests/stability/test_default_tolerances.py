@@ -7,14 +7,12 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler.motion import second_order
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from tests.stability.naive import solved
 
 G = 9.81
 PENDULUM = physical_pendulum(1.0, 0.0, 1.0, G)  # of 1 kg on 1 m; theta from the lowest place
-SPRING = second_order("oscillator", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 
 
 def test_a_pendulum_released_at_3_1_rad_gains_more_energy_than_it_has_and_turns_over_dozens_of_times():
@@ -45,10 +43,3 @@ def test_beside_the_highest_place_it_turns_back_from_one_side_and_over_from_the_
     )
     assert back < math.pi
     assert over > 2 * math.pi
-
-
-@pytest.mark.parametrize("amplitude", [1.0, 1e-3, 1e-6, 1e-8])
-def test_the_engine_is_accurate_relative_to_the_size_of_a_state_and_says_so(amplitude):
-    motion = integrate(SPRING, 20.0, (amplitude, 0.0), 1e-9, "dop853")
-    assert motion.end["x"] == pytest.approx(amplitude * math.cos(40.0), abs=1e-8 * amplitude)
-    assert motion.error <= 1e-9

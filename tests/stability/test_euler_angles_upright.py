@@ -2,14 +2,11 @@
 
 import math
 
-import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.kinematics.rotations import RotationError, euler_rates, matrix_from_quaternion
-from newton_euler.motion.model import ModelError
+from newton_euler.kinematics.rotations import matrix_from_quaternion
 from newton_euler.scenes.spatial import top
-from tests.kinds import close
 from tests.stability.naive import TIGHT, solved
 
 # W: transverse angular velocity at the closest approach to the vertical, rad/s
@@ -35,17 +32,3 @@ def test_the_frame_that_does_not_spin_passes_the_vertical_with_the_same_steps_to
     found = solved(top.nonspinning_frame(I0, I, 0.0, OMEGA_Z), 2.0, start, **TIGHT)
     assert np.linalg.norm(axis_of(found.y[:, -1]) - axis_of(end)) < 1e-9
     assert found.nfev < 200  # Euler's angles take seven times as many beside the vertical
-
-
-def test_the_exact_motion_through_the_vertical_is_right_to_1e_minus_15():
-    closest, body = (1.0, 0.0, 0.0, 0.0, 0.0, W), top.free(I0, I, OMEGA_Z)
-    exact = body.solution(mpmath.mpf(1), tuple(map(mpmath.mpf, closest)))
-    assert close(body.solution(1.0, closest), exact, 1e-15)
-
-
-def test_at_the_vertical_the_rates_are_refused_in_words():
-    for theta in (0.0, math.pi):
-        with pytest.raises(RotationError, match="axes of precession and spin coincide"):
-            euler_rates(0.3, theta, 0.1, (0.0, 1.0, 2.0))
-    with pytest.raises(ModelError, match="coordinates are singular"):
-        top.euler(I0, I, 0.0, OMEGA_Z).derivative((0.0, 0.0, 0.0, 1.0, 1.0))

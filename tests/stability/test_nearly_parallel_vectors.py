@@ -53,14 +53,6 @@ def test_the_angle_with_a_zero_vector_is_refused(x):
         v.angle_to(v)
 
 
-def test_the_component_across_is_lost_by_subtraction_but_not_by_the_cross_product():
-    e, v = ground.vector(*A).direction(), ground.vector(*near(1e-12))
-    true = 1e-12 * math.sqrt(10)
-    assert abs((v - e * v.dot(e)).norm() / true - 1) > 1e-8
-    exactly = mpmath.sin(exact(A, near(1e-12))) * v.norm()
-    assert abs(e.cross(v).norm() / float(exactly) - 1) < 1e-3
-
-
 def test_moments_about_g_taken_back_from_a_point_1e7_lengths_away_are_right_to_what_is_left():
     body = Frame("body")
     G, beside = body.point("G", 1e7, 0, 0), body.point("H", 1e7 + 1e-6, 0, 0)

@@ -43,7 +43,9 @@ def settled(chart, found):
     """
     better = found.copy()
     columns = {m for island in islands(found) for _, m in island.cells}
-    again = {m: _column(chart, found, m) for m in sorted(columns)}
+    up, across = found.shape
+    xs, ys = chart.x.centres(across).tolist(), chart.y.centres(up).tolist()
+    again = {m: list(chart.column(xs[m], ys)) for m in sorted(columns)}
     for island in islands(found):
         for n, m in island.cells:
             better[n, m] = again[m][n]
@@ -51,12 +53,6 @@ def settled(chart, found):
         if len(island.cells) <= SPECK:
             _give_to_neighbours(better, island)
     return better, int((better != found).sum())
-
-
-def _column(chart, found, m):
-    up, across = found.shape
-    x = float(chart.x.centres(across)[m])
-    return list(chart.column(x, chart.y.centres(up).tolist()))
 
 
 def _give_to_neighbours(found, island):

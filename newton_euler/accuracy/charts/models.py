@@ -70,11 +70,8 @@ def choice(points, tolerance):
 
 def beaten(points):
     """Models beaten by another, clearly cheaper and no less accurate: each with the first such."""
-    found = []
-    for p in points:
-        by = [q for q in points if _beats(q, p)]
-        found += [(p, by[0])] if by else []
-    return found
+    by = ((p, next((q for q in points if _beats(q, p)), None)) for p in points)
+    return [(p, q) for p, q in by if q]
 
 
 def _beats(q, p):
@@ -160,17 +157,11 @@ def _chosen(points, ladder, tolerance):
         text += f", off by {number(p.error)} {_unit(ladder)} at most".replace("  ", " ")
     rest = (q for q in points if q.error <= tolerance and q is not p)
     equal = [q for q in rest if q.cost <= 1.2 * p.cost]
-    text += (
-        f"; {listed(_name(points, q) for q in equal)} {_cost(equal)} about the same"
-        if equal
-        else ""
-    )
+    if equal:
+        verb = "costs" if len(equal) == 1 else "cost"
+        text += f"; {listed(_name(points, q) for q in equal)} {verb} about the same"
     left = f" It leaves out {listed(p.drops)}." if p.drops else " It leaves out nothing."
     return f"{text}.{left}"
-
-
-def _cost(models):
-    return "costs" if len(models) == 1 else "cost"
 
 
 def _name(points, p):

@@ -5,7 +5,7 @@ range of settings. The methods and their errors against 40 digits are in :mod:`.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
-from time import perf_counter
+from timeit import Timer
 
 from ...algebra.errors import ArgumentError
 from ...algebra.scalars import sqrt
@@ -24,6 +24,7 @@ class Question:
     error : a function of the result of a method and of the setting
     worst_only : the setting belongs to the question (an angle), not the method (a step): only the
         worst error of each method is charted against its cost
+    timed_each : the setting changes the cost, so the time is taken at each, not only at the first
     """
 
     what: str
@@ -84,19 +85,13 @@ def measured_ways(ways, exact):
     """The points of several ways, {name: function}, to the result ``exact``, one number or several:
     their times and relative distances.
     """
-    prepared = {name: _first_call(way) for name, way in ways.items()}
+    prepared = {name: Timer(way).timeit(1) for name, way in ways.items()}
     costs = timed(*ways.values(), runs=5, shortest=1e-3)
     costs = dict(zip(ways, costs if len(ways) > 1 else (costs,), strict=True))
     return [
         Measured(name, costs[name], _distance(way(), exact), prepared=prepared[name] - costs[name])
         for name, way in ways.items()
     ]
-
-
-def _first_call(way):
-    begun = perf_counter()
-    way()
-    return perf_counter() - begun
 
 
 def _distance(result, exact):

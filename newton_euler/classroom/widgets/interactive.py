@@ -36,7 +36,9 @@ def interactive_figure(
     pictures all over the ranges of the sliders before the first is shown. For plots, ``draw`` sets
     the limits of the axes. Without a kernel or ipywidgets the first picture stands alone.
     """
-    _check_names(sliders)
+    names = [slider.name for slider in sliders]
+    if not names or len(set(names)) < len(names):
+        raise ArgumentError(f"an interactive figure has sliders with different names; got {names}")
     stage = Stage(draw, size, panels)
     start = {slider.name: slider.start for slider in sliders}
     stage.rehearse([*_samples(sliders, bool(stage.sketches(start))), start])
@@ -48,12 +50,6 @@ def interactive_figure(
 
     shown = show(picture(start, png=True), display_id=True)
     _show_sliders(sliders, start, lambda values: _update(shown, picture, values))
-
-
-def _check_names(sliders):
-    names = [slider.name for slider in sliders]
-    if not names or len(set(names)) < len(names):
-        raise ArgumentError(f"an interactive figure has sliders with different names; got {names}")
 
 
 def _for_values(text, values):

@@ -90,7 +90,8 @@ class Stage:
             elif self._rehearsed:
                 ax.clear()
             else:
-                _remove_plots(ax)
+                for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts, *ax.images):
+                    artist.remove()
 
     def _lay_out(self, sketches):
         """Sketches fill the figure except for titles; plots keep room for the labels of axes."""
@@ -106,12 +107,6 @@ class Stage:
         else:
             self.figure.tight_layout(rect=(0, 0, 1, 0.95))
             self.figure.set_layout_engine(None)  # else every picture is laid out, and drawn twice
-
-
-def _remove_plots(ax):
-    for of_a_kind in (ax.lines, ax.patches, ax.collections, ax.texts, ax.images):
-        for artist in [*of_a_kind]:
-            artist.remove()
 
 
 def in_words(values):

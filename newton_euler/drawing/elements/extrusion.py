@@ -19,7 +19,9 @@ def extrude(canvas, outline, holes, along, normal, style="body"):
         if dot3(normal_of(loop), along) * sense < 0:
             loop = loop[::-1]
         for wall in _seen_walls(canvas, loop, along):
-            _add_wall(canvas, wall, along, "side" if sense > 0 else "inside")
+            around = [*wall, *(moved(P, 1, along) for P in reversed(wall))]
+            flat = normal_of(around) if len(wall) == 2 else None
+            canvas.line(around, "side" if sense > 0 else "inside", closed=True, normal=flat)
     for step, outwards in ((0, scale3(-1, along)), (1, along)):
         face, *bores = ([moved(P, step, along) for P in loop] for loop in loops)
         canvas.end(face, outwards, style, holes=bores)
@@ -45,9 +47,3 @@ def _seen_walls(canvas, loop, along):
         else:
             runs.append(list(edges[n]))
     return runs
-
-
-def _add_wall(canvas, run, along, style):
-    wall = [*run, *(moved(P, 1, along) for P in reversed(run))]
-    flat = len(run) == 2
-    canvas.line(wall, style, closed=True, normal=normal_of(wall) if flat else None)

@@ -28,20 +28,15 @@ def faults(ax: Any) -> list[str]:
     >>> print(*faults(ax))
     the axes x and z are seen on one line within 6 degrees; choose another azimuth or elevation
     """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
     sketches = sketches_on(ax)
-    _draw(ax.figure)
+    FigureCanvasAgg(ax.figure).draw()  # finishes the sketches and places their labels
     found = _label_faults(ax)
     for drawn in filter(None, (sketch.drawn for sketch in sketches)):
         found += [fault for triad in drawn.triads for fault in _alike(drawn, *triad)]
         found += _strays(ax, drawn)
     return found
-
-
-def _draw(figure):
-    """Draw a figure, which finishes its sketches and places their labels."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    FigureCanvasAgg(figure).draw()
 
 
 def _alike(view, origin, axes):

@@ -1,30 +1,88 @@
 """The worked solution that is made of the steps of a problem."""
 
+import math
+import re
+
 import pytest
 
 from exercises.catalogue import problem, select
-from exercises.catalogue.variants import draw
+from exercises.catalogue.variants import draw, flat
 from grader.assignment.notebook import typeset
-from grader.assignment.solution import worked_solution
+from grader.assignment.solution import lines, worked_solution
+from newton_euler.algebra.scalars import is_numeric, to_plain
+from newton_euler.algebra.units import unit
 from newton_euler.answers.notation import number_symbol
 
 ALL = select(["all"])
+FUNCTIONS_OF_MATH = {name: getattr(math, name) for name in dir(math) if name[0] != "_"}
 
 
+SEEDS = (b"one", *(pytest.param(seed, marks=pytest.mark.slow) for seed in (b"two", b"three")))
+QUANTITY = re.compile(r"(?<![\w.])(\d[\d.]*(?:e[-+]\d+)?) ([A-Za-z][\w/^*]*)")
+
+
+@pytest.mark.parametrize("seed", SEEDS, ids=bytes.decode)
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_a_worked_solution_has_the_students_numbers_and_every_answer(p):
-    values = {**draw(p, b"solution"), **p.sympy_symbols()}
+def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
+    values = {**draw(p, seed), **p.sympy_symbols()}
     text = worked_solution(p, values)
     for a in p.answers:
         assert typeset(a.means, p)[1:] in text
     for name, given in p.givens.items():
         assert number_symbol(values[name]) in text, given
+    for formula in re.findall(r"\$([^$]*)\$", text):
+        assert re.sub(r"\\[{}]", "", formula).count("{") == formula.replace("\\}", "").count("}")
+        assert len(re.findall(r"\\left\b", formula)) == len(re.findall(r"\\right\b", formula))
+    assert text.count("$") % 2 == 0
+    own = text.partition("*Solution*")[2]
+    assert all(len(digits(x)) <= 6 for x in re.findall(r"\d*\.\d+", own)), own
+
+
+def digits(number):
+    return number.replace(".", "").strip("0")
+
+
+@pytest.mark.parametrize("seed", SEEDS, ids=bytes.decode)
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_what_is_shown_with_numbers_is_the_key(p, seed):
+    """The text with numbers, computed by Python, gives the value behind it, and that is the key."""
+    values = {**p.sympy_symbols(), **draw(p, seed)}
+    right = p.solve(values)
+    for line in lines(p, values, latex=False):
+        *formulas, value = line.equal
+        if line.step.key in right:
+            assert line.step.value == right[line.step.key] or str(line.step.value) == str(
+                right[line.step.key]
+            )
+        numbers = [x for x in map(to_plain, flat(line.step.value)) if is_numeric(x)]
+        if not numbers or len(numbers) < len(flat(line.step.value)):
+            continue  # words and formulas
+        shown = read(value.removesuffix(f" {line.step.unit}"), p)
+        assert shown == pytest.approx([float(x) for x in numbers], rel=5e-6, abs=1e-12)
+        size = max(map(abs, shown), default=0.0)
+        for text in formulas:
+            if (computed := read(text, p, line.step.unit)) is not None:
+                assert computed == pytest.approx(shown, rel=2e-4, abs=2e-4 * size), text
+
+
+def read(text, p, stated_in="1"):
+    """The numbers of a text, None where it has symbols."""
+    in_base = QUANTITY.sub(lambda m: f"({unit(m[2]).to_base(float(m[1]), p.system)!r})", text)
+    try:
+        found = eval(in_base, {"__builtins__": {}, "Abs": abs, **FUNCTIONS_OF_MATH})
+    except NameError:
+        return None
+    found = flat(found) if isinstance(found, (list, tuple)) else (found,)
+    units = {m[2] for m in QUANTITY.finditer(text)} - {"deg"}  # an angle needs no coherent units
+    converted = units or stated_in == "deg" or not any(unit(stated_in).dimension.powers)
+    factor = unit(stated_in).from_base(1.0, p.system) if converted else 1.0
+    return [factor * x for x in found]
 
 
 def test_a_worked_solution_cites_the_equation_of_its_chapter():
     p = problem("2/38")
     text = worked_solution(p, p.book_values)
-    assert "*By equation (2.25) the sum of*" in text
+    assert "By equation (2.25), $\\mathbf{a}_A = " in text
     assert "(4.18)" not in text
     assert "{-0}" not in text
     assert "| the acceleration of the origin of the moving frame | $" in text

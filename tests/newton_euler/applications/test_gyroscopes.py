@@ -315,17 +315,23 @@ def test_at_discriminant_zero_both_rates_are_one(kind):
     assert close(least_spin(I0, I, zero, mgr=mgr), least, small(kind))
 
 
-def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is():
+@pytest.mark.parametrize("off", [1e-2, 1e-6, 1e-10])
+@pytest.mark.parametrize("of", ["spin", "omega_z"])
+def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is(of, off):
     top = 0.6, 0.25, 0.9
-    for of in ("spin", "omega_z"):
-        least = least_spin(*top, mgr=1.5, of=of)
-        at_rate = lambda part: steady_precession(*top, mgr=1.5, **{of: part * least})  # noqa: B023
-        assert at_rate(1 + 1e-6).slow < at_rate(1 + 1e-6).fast
-        assert at_rate(-(1 + 1e-6)).slow < 0
-        assert at_rate(1).discriminant >= 0
-        words = rf"negative; {of} must be at least {least:.6g} rad/s in size"
-        with pytest.raises(GyroError, match=words):
-            at_rate(1 - 1e-6)
+    least = least_spin(*top, mgr=1.5, of=of)
+    at_rate = lambda part: steady_precession(*top, mgr=1.5, **{of: part * least})
+    above = at_rate(1 + off)
+    assert above.slow < above.fast
+    assert at_rate(-(1 + off)).slow < 0
+    assert at_rate(1).discriminant >= 0
+    for rate in map(mp.mpf, (above.slow, above.fast)):
+        spin = (1 + off) * least - (rate * mp.cos(0.9) if of == "omega_z" else 0)
+        moment = steady_moment(*top, rate, spin)
+        assert abs(moment / (1.5 * mp.sin(0.9)) - 1) < 1e-14
+    words = rf"negative; {of} must be at least {least:.6g} rad/s in size"
+    with pytest.raises(GyroError, match=words):
+        at_rate(1 - off)
 
 
 @pytest.mark.parametrize("of", ["spin", "omega_z"])
@@ -526,16 +532,20 @@ def test_nutation_of_arrays():
 # -- the sleeping top
 
 
-@pytest.mark.parametrize(
-    ("part", "stable"), [(0.9, False), (0.9999, False), (1.0, True), (1.0001, True), (1.1, True)]
-)
+@pytest.mark.parametrize(("part", "stable"), [
+    (0.9, False), (1 - 1e-4, False), (1 - 1e-12, False), (1.0, True), (1 + 1e-12, True), (1.1, True),
+])  # fmt: skip
 def test_the_sleeping_top_on_both_sides_of_its_threshold(part, stable):
     I0, I, mgr = 0.25, 0.5, 1.0  # critical rate 2 sqrt(I0 mgr)/I = 2
     found = sleeping_top(I0, I, mgr, 2.0 * part)
-    assert found.critical == 2.0
-    assert found.stable is stable
+    assert (found.critical, found.stable, found.growth == 0) == (2.0, stable, stable)
     assert found.margin == pytest.approx(part**2, rel=1e-15)
-    assert (found.growth == 0) == stable
+    if not stable:
+        growth = math.sqrt(mgr / I0) * math.sqrt((1 - part) * (1 + part))
+        assert found.growth == pytest.approx(growth, rel=4e-16 / (1 - part))
+    if part <= 1 - 1e-4:  # from upright, by the energy
+        falls = nutation(I0, I, mgr, 1e-9, 0.0, 0.0, omega_z=2.0 * part).theta_max
+        assert falls == pytest.approx(math.acos(2 * part**2 - 1), rel=1e-8)
 
 
 def test_a_hanging_top_needs_no_spin():

@@ -172,7 +172,7 @@ def test_components_of_a_symbolic_motion_follow_the_symbols():
 @pytest.mark.parametrize("back", [cylindrical_coordinates, spherical_coordinates])
 def test_on_the_axis_the_way_back_is_refused_in_words(back):
     ground = Frame("ground")
-    for x in (0.0, 1e-17, mp.mpf(0)):
+    for x in (0.0, 0.1 + 0.2 - 0.3, mp.mpf(0)):
         with pytest.raises(
             SingularError,
             match=r"on (the|a) .*z axis.*theta and its rates do not exist.*rectangular components",
@@ -186,7 +186,7 @@ def test_on_the_axis_the_way_back_is_refused_in_words(back):
         polar_coordinates(ground.vector(0.0, 0.0, 0))
 
 
-@pytest.mark.parametrize("distance", [1e-1, 1e-4, 1e-8, 1e-12])
+@pytest.mark.parametrize("distance", [1e-1, 1e-4, 1e-8, 1e-14])
 @every_system
 def test_near_the_axis_rates_are_large_and_right_to_the_last_digits(system, distance):
     """A straight line that misses the axis: theta' = v/distance."""

@@ -177,18 +177,6 @@ def test_turns_about_moving_axes_are_turns_about_fixed_axes_in_reverse_order():
 # -- infinitesimal rotations, angular velocity and acceleration (4.9)-(4.14)
 
 
-def turned(kind, matrix, t, dt):
-    """The matrix at t and dt later in floats or mpf, and axis and angle of the turn in between."""
-    before, after = (
-        [[number(x) for x in row] for row in matrix(time)] for time in (t, t + numbers(kind, dt))
-    )
-    return before, after, *axis_angle(product(after, transpose(before)))
-
-
-def largest(differences):
-    return max(np.max(abs(x)) for x in differences)
-
-
 @every_kind
 def test_eqn_4_9_angular_velocity_is_the_limit_of_small_rotations(kind):
     """The rotation during dt, axis times angle over dt, differs from omega in proportion to dt."""
@@ -196,9 +184,12 @@ def test_eqn_4_9_angular_velocity_is_the_limit_of_small_rotations(kind):
     omega = [number(x) for x in body.angular_velocity(ground).components(ground)]
     error = []
     for dt in (1e-4, 5e-5):
-        _, _, axis, angle = turned(kind, matrix, t, dt)
+        before, after = (
+            [[number(x) for x in row] for row in matrix(s)] for s in (t, t + numbers(kind, dt))
+        )
+        axis, angle = axis_angle(product(after, transpose(before)))
         mean = angle / number(numbers(kind, dt))
-        error.append(largest(e * mean - w for e, w in zip(axis, omega, strict=True)))
+        error.append(max(np.max(abs(e * mean - w)) for e, w in zip(axis, omega, strict=True)))
     assert error[0] < 1e-3  # rad/s
     assert 1.99 < error[0] / error[1] < 2.01
 
@@ -473,12 +464,17 @@ def test_quaternions_compose_as_matrices_do(e, a, f, b):
 
 
 @laws
-@given(st.tuples(*[st.floats(-100, 100)] * 4).filter(lambda q: sum(x * x for x in q) > 1e-3))
-def test_a_quaternion_of_any_length_gives_a_true_rotation(q):
+@given(
+    st.tuples(*[st.floats(-100, 100)] * 4).filter(lambda q: sum(x * x for x in q) > 1e-3),
+    st.sampled_from([1.0, 1e-100, 1e100]),
+)
+def test_a_quaternion_of_any_length_gives_a_true_rotation(q, size):
+    q = [size * x for x in q]
     R = matrix_from_quaternion(q)
     assert close(product(transpose(R), R), UNIT, 16 * EPS)
     assert close(R, matrix_from_quaternion(normalised(q)), 16 * EPS)
     assert close(R, matrix_from_quaternion([-x for x in q]), 0)
+    assert abs(math.hypot(*normalised(q)) - 1) < 2 * EPS
 
 
 between = st.floats(-3, 3)

@@ -92,6 +92,13 @@ def test_a_number_of_samples_stays_as_it_is(samples):
     assert sample_request(samples, 2.0, 5.0) is samples
 
 
+@pytest.mark.parametrize("whole", [np.int64(7), np.array(7), np.uint8(7)], ids=repr)
+def test_a_number_of_samples_may_be_one_of_numpy(whole):
+    assert sample_request(whole, 2.0, 5.0) == 7
+    with pytest.raises(ModelError, match="samples are a number of times"):
+        sample_request(0 * whole, 2.0, 5.0)
+
+
 @pytest.mark.parametrize("samples", [[2.0, 3.5, 5.0], (2, 5), (t for t in (2.0, 5.0)), [5.0]])
 def test_samples_are_times_of_the_motion_its_ends_among_them(samples):
     found = sample_request(samples, 2.0, 5.0)

@@ -3,6 +3,8 @@ it refuses, in words.
 """
 
 import math
+import random
+import time
 from dataclasses import FrozenInstanceError
 from types import SimpleNamespace
 
@@ -10,8 +12,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy
+from scipy import interpolate
 
-from newton_euler import Dimension, cos, exp, sin
+from newton_euler import Dimension, cos, exp, sin, where
 from newton_euler.algebra import ZERO
 from newton_euler.algebra.scalars import DivisionError, RangeError
 from newton_euler.motion.model import (
@@ -144,6 +147,81 @@ def test_a_model_that_does_not_fit_together_says_so_when_it_is_made(
 ):
     with pytest.raises(ModelError, match=words):
         Model("fall", parameters, tuple(states), rates)
+
+
+DATA = np.linspace(0.0, 3.0, 7)
+TABLE, LINEAR = r"table\(ts, values\)", "solve_linear and sqrt"
+
+
+@pytest.mark.parametrize(
+    ("rate", "words"),
+    [
+        (lambda s, p, t: s.v % 2.0, "round them"),
+        (lambda s, p, t: 2.0 % s.v, "round them"),
+        (lambda s, p, t: s.v // 2.0, "round them"),
+        (lambda s, p, t: divmod(7.0, s.v)[0], "round them"),
+        (lambda s, p, t: round(s.v, 1), "round them"),
+        (lambda s, p, t: int(t), "round them"),
+        (lambda s, p, t: math.trunc(t), "round them"),
+        (lambda s, p, t: math.ceil(t), "round them"),
+        (lambda s, p, t: [1.0, 2.0][t], "round them"),
+        (lambda s, p, t: complex(s.v), "round them"),
+        (lambda s, p, t: where((s.v > 0) | (t > 1), 1.0, 2.0), r"\(if, and,"),
+        (lambda s, p, t: where(~(s.v > 0), 1.0, 2.0), r"\(if, and,"),
+        (lambda s, p, t: np.interp(s.v, DATA, DATA), TABLE),
+        (lambda s, p, t: DATA[np.searchsorted(DATA, t)], TABLE),
+        (lambda s, p, t: interpolate.CubicSpline(DATA, DATA)(t), TABLE),
+        (lambda s, p, t: interpolate.interp1d(DATA, DATA)(t), TABLE),
+        (lambda s, p, t: np.linalg.solve([[2.0, s.v], [0.0, 1.0]], [s.v, t])[0], LINEAR),
+        (lambda s, p, t: np.linalg.norm(np.array([s.v, t])), LINEAR),
+        (lambda s, p, t: np.array([1.0, 2.0]) * s.v, r"an array \(2,\) meets a traced value"),
+    ],
+)  # fmt: skip
+def test_what_needs_values_is_refused_with_what_does_the_same(rate, words):
+    with pytest.raises(ModelError, match=words):
+        Model("q", {}, ("v",), lambda s, p, t: (rate(s, p, t),))
+
+
+def test_an_error_of_numpy_that_traced_values_did_not_cause_stays_its_own():
+    with pytest.raises(np.linalg.LinAlgError):
+        Model("q", {}, ("v",), lambda s, p, t: (s.v * np.linalg.inv(np.zeros((2, 2)))[0, 0],))
+
+
+def test_a_constant_of_numpy_without_an_axis_is_a_number():
+    rates = lambda s, p, t: (np.array(2.0) * sin(np.array(3) * t) - s.v / np.float32(2),)
+    model = Model("driven", {}, ("v",), rates)
+    assert close(model.derivative((1.0,), 0.5), (2 * math.sin(1.5) - 0.5,), 1e-15)
+
+
+RNG = np.random.default_rng(1)
+
+
+@pytest.mark.parametrize(
+    "draw", [random.random, lambda: np.random.normal(), RNG.normal, time.perf_counter, lambda: next(COUNT)]
+)  # fmt: skip
+@pytest.mark.parametrize("law", [False, True])
+def test_rates_that_differ_from_call_to_call_are_refused(draw, law):
+    parameters = {"F": lambda s, p, t: draw()} if law else {"F": 1.0}
+    with pytest.raises(ModelError, match="not the same at each call"):
+        Model("q", parameters, ("v",), lambda s, p, t: ((p.F if law else draw()) - s.v,))
+
+
+COUNT = iter(range(10**6))
+
+
+def test_what_a_model_reads_in_lists_and_arrays_is_the_same_at_each_call():
+    known = {"c": [1.0, 2.0], "log": []}
+    Model("q", {}, ("v",), lambda s, p, t: (known["log"].append(t), -known["c"][1] * s.v)[1:])
+
+
+def test_print_in_the_rates_is_reported(capsys):
+    def rates(s, p, t):
+        print("v is", s.v)
+        return (-s.v,)
+
+    with pytest.warns(UserWarning, match="'q' prints when it is traced, without values"):
+        Model("q", {}, ("v",), rates)
+    assert "v is <traced v>" in capsys.readouterr().out
 
 
 PULLED = Model("pulled", {}, ("x",), lambda s, p, t: (-1 / s.x,))

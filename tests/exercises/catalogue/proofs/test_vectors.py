@@ -4,6 +4,7 @@ import pytest
 from mpmath import mp, mpf
 
 from exercises.catalogue.proofs.vectors import (
+    at_angle,
     cross,
     minus,
     plus,
@@ -45,3 +46,9 @@ def test_vector_tools():
     assert scaled(3, a) == [3, 6, 6]
     assert size(a) == 3
     assert cross(a, b) == [10, -4, -1]
+
+
+def test_at_angle_is_x_turned_about_z_and_raised():
+    turned = times(rot("z", mpf("0.7")), [mpf(2), 0, 5])
+    assert near(at_angle(mpf(2), mpf("0.7"), 5), turned)
+    assert at_angle(mpf(2), 0)[2] == 0

@@ -3,7 +3,10 @@
 import math
 
 import mpmath as mp
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from newton_euler import Frame
 from newton_euler.applications.gyroscopes import GyroError, steady_precession
@@ -22,17 +25,29 @@ def test_section_10_7_rod_on_a_turning_shaft():
     assert abs(found.slow) == pytest.approx(4.0, rel=1e-14)
 
 
-@pytest.mark.parametrize(("part", "swings_out"), [(0.999, False), (1.001, True)])
-def test_section_10_7_on_both_sides_of_the_least_rate(part, swings_out):
-    data = rod(3.0, 2.0, part * least_rate(**rod(3.0, 2.0, 1.0, 9.81)), 9.81)
-    assert (stiffness(0.0, **data) < 0) == swings_out
-    if swings_out:
-        theta = swing_out(**data)
-        expected = (data["omega"] * math.sin(theta)) ** 2
-        assert stiffness(theta, **data) == pytest.approx(expected, rel=1e-9)
-    else:
-        with pytest.raises(GyroError, match="hangs straight down; it swings out above"):
+def turning(ratio):
+    """The rod of 3 kg and 2 m at ``ratio`` times the rate at which it swings out."""
+    return rod(3.0, 2.0, ratio * least_rate(**rod(3.0, 2.0, 1.0, 9.81)), 9.81)
+
+
+@pytest.mark.parametrize("off", [1e-2, 1e-6, 1e-10, 1e-14])
+def test_section_10_7_on_both_sides_of_the_least_rate(off):
+    below, above = turning(1 - off), turning(1 + off)
+    assert stiffness(0.0, **below) > 0 > stiffness(0.0, **above)
+    theta = swing_out(**above)
+    assert stiffness(theta, **above) == pytest.approx((above["omega"] * math.sin(theta)) ** 2)
+    for data in (below, turning(np.array([1 - off, 1.1]))):
+        with pytest.raises(GyroError, match=r"hangs straight down; it swings out above 2\.712"):
             swing_out(**data)
+
+
+@given(st.floats(-13, 0.5))
+def test_section_10_7_the_angle_is_right_to_the_rounding_of_the_rate_over_the_distance(exponent):
+    data = turning(1 + 10**exponent)
+    with mp.workdps(40):
+        weight, difference, omega = (mp.mpf(data[n]) for n in ("weight_moment", "inertia_difference", "omega"))  # fmt: skip
+        true = mp.acos(weight / (difference * omega**2))
+    assert abs(swing_out(**data) / true - 1) < 4e-16 / 10**exponent + 4e-16
 
 
 def test_section_10_7_stiffness_is_the_slope_of_the_model():

@@ -153,6 +153,12 @@ def test_upright_euler_angles_fail_and_the_other_two_models_do_not():
     assert all(map(math.isfinite, upright))
 
 
+def test_the_moment_of_gravity_does_not_grow_with_the_length_of_the_quaternion():
+    model = top.nonspinning_frame(**TOP)
+    short, long = (model.derivative((*(x * q for q in (0.96, 0.28, 0.0, 0.0)), 0.1, 0.2)) for x in (1, 1.086))  # fmt: skip
+    assert close(long[4:], short[4:], 1e-14)  # rad/s^2
+
+
 @pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
 def test_the_free_body_has_an_exact_solution(kind):
     I0, I, wz, t = numbers(kind, "0.6", "0.25", 9, 2)

@@ -1,0 +1,56 @@
+"""What the code of a problem computes, traced once: its steps and answers as traced scalars, and
+the linear equations that it solves on the way.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from newton_euler.algebra.linear import Solved, solved_equations
+from newton_euler.algebra.trace import Step as Scalar
+from newton_euler.algebra.trace import Trace
+
+from .model import Problem
+from .steps import Step, listed_steps
+from .variants import flat
+
+
+@dataclass(frozen=True)
+class Traced:
+    """The computation of a problem in base units.
+
+    givens : the traced number of each given and symbol, the argument of its name
+    components : {key: its traced numbers}, of the steps in their order and then of the answers;
+        words and counts are left out
+    units : the unit in which each of them is stated
+    solved : the linear equations that were solved, in their order
+    steps : the steps themselves, whose values are traced
+    """
+
+    trace: Trace
+    givens: Mapping[str, Scalar]
+    components: Mapping[str, Sequence[Any]]
+    units: Mapping[str, str]
+    solved: Sequence[Solved]
+    steps: Sequence[Step]
+
+
+def traced_quantities(p: Problem) -> Traced:
+    """The traced computation of ``p``. Raises ScalarError where it branches on values."""
+    trace = Trace()
+    givens = {n: trace.new("argument", n) for n in p.units}
+    g = p.base(dict.fromkeys(p.units, 1.0)).but(**givens)
+    with solved_equations() as solved:
+        steps = listed_steps(p, g)
+        answers = p.code.solve(g)
+    found = [(s.key, s.value, s.unit) for s in steps]
+    found += [(a.key, answers[a.key], a.unit) for a in p.answers if not a.kind.is_word]
+    numbers = [x for x in found if not isinstance(x[1], (str, int)) and not callable(x[1])]
+    return Traced(
+        trace,
+        givens,
+        {key: flat(x) for key, x, _ in numbers},
+        {key: stated for key, _, stated in numbers},
+        tuple(solved),
+        steps,
+    )

@@ -1,0 +1,350 @@
+"""How each quantity of a problem follows from the givens and from the quantities before it, as
+formulas of SymPy: read off the traced computation.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+from exercises.catalogue import Problem
+from exercises.catalogue.tracing import traced_quantities
+from newton_euler.algebra.linear import Solved
+from newton_euler.algebra.scalars import FUNCTIONS
+from newton_euler.algebra.trace import Step
+from newton_euler.classroom.practising.programs import operate
+
+LONGEST = 30  # operations of a formula that a reader follows, and of all components
+LONGEST_LIST = 45
+NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FUNCTIONS, "atan2")}}
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """How a quantity is found.
+
+    formulas : of its components, each None where it is no formula to read
+    together : equations that are solved first, as pairs of their two sides
+    unknowns : the names of their unknowns
+    solved : True if it is itself an unknown of such equations, of these or of earlier ones
+    """
+
+    formulas: tuple = ()
+    together: tuple = ()
+    unknowns: frozenset = frozenset()
+    solved: bool = False
+
+
+@dataclass(eq=False)
+class Unwritten(Exception):
+    """A computation that no short formula shows."""
+
+
+def component(key: str, n: int, count: int) -> str:
+    """The name of a component of the quantity ``key``: "v_x" of the vector v."""
+    if count == 1:
+        return key
+    axes = ("xx xy xz yx yy yz zx zy zz" if count == 9 else "x y z").split()
+    return f"{key}_{axes[n] if n < len(axes) else n + 1}"
+
+
+def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivation]:
+    """The :class:`Derivation` of each step and answer of ``p``; empty where its computation cannot
+    be traced. ``values`` decide between cases.
+    """
+    found = _traced(p)
+    if found is None:
+        return {}
+    choices = [s.args[0] for s in found.trace.steps if s.op == "where"]
+    g = p.base({**p.sympy_symbols(), **values})
+    return _derivations(p, tuple(_value(c, g, {}) for c in choices))
+
+
+@lru_cache(maxsize=400)
+def _traced(p):
+    try:
+        return traced_quantities(p)
+    except (TypeError, ValueError, ArithmeticError, AttributeError):
+        return None
+
+
+@lru_cache(maxsize=400)
+def _derivations(p, cases):
+    """The derivations where the choices of the computation, in their order, are ``cases``."""
+    found = _traced(p)
+    choices = [s.args[0] for s in found.trace.steps if s.op == "where"]
+    numbers = [c.number if isinstance(c, Step) else None for c in choices]
+    lowest = {n: (q.vary or (q.value,))[0] for n, q in p.givens.items()}
+    lowest |= {n: q.vary[0] for n, q in p.symbols.items()}
+    positive = frozenset(n for n, low in lowest.items() if low > 0)
+    reader = _Reader(found, dict(zip(numbers, cases, strict=True)), positive)
+    return {key: reader.derived(key) for key in found.components}
+
+
+@dataclass
+class _Reader:
+    """Writes traced numbers as formulas, cut at what is known already."""
+
+    found: Any
+    cases: Mapping[int, Any]
+    positive: frozenset[str]
+    known: dict[int, Any] = field(default_factory=dict)
+    shown: set[int] = field(default_factory=set)
+
+    def __post_init__(self):
+        self.answers = set()  # the numbers of what was an unknown of equations that are shown
+        for name, x in self.found.givens.items():
+            self._name(x, name)
+        self.unknowns = {}  # number of a traced value: (its equations, its name)
+        for equations in self.found.solved:
+            for name, x in equations.values.items():
+                x, _ = _unsigned(x)
+                if isinstance(x, Step) and x.number not in self.known:
+                    self.unknowns.setdefault(x.number, (equations, name))
+        self.called = {}
+        for key, parts in self.found.components.items():
+            for n, x in enumerate(parts):
+                x, sign = _unsigned(x)
+                if isinstance(x, Step):
+                    self.called.setdefault(x.number, (component(key, n, len(parts)), sign))
+
+        components = self.found.components.items()
+        self.taken = {*self.found.givens}
+        self.taken |= {component(k, n, len(x)) for k, x in components for n in range(len(x))}
+
+    def symbol(self, name):
+        """The symbol of a name; positive where all numbers that are drawn for it are."""
+        import sympy
+
+        return sympy.Symbol(name, positive=True if name in self.positive else None)
+
+    def _name(self, x, name):
+        x, sign = _unsigned(x)
+        if isinstance(x, Step):
+            self.known.setdefault(x.number, sign * self.symbol(name))
+
+    def derived(self, key):
+        """The derivation of a quantity, which is known from now on."""
+        parts = self.found.components[key]
+        self.together, self.wanted = [], set()
+        formulas = tuple(self._formula(x, component(key, n, len(parts)))
+                         for n, x in enumerate(parts))  # fmt: skip
+        if sum(f.count_ops() for f in {*formulas} - {None}) > LONGEST_LIST:
+            formulas = ()
+        for n, x in enumerate(parts):
+            self._name(x, component(key, n, len(parts)))
+        solved = any(getattr(_unsigned(x)[0], "number", None) in self.answers for x in parts)
+        return Derivation(formulas, tuple(self.together), frozenset(self.wanted), solved)
+
+    def _formula(self, x, name):
+        """The formula of a component called ``name``, None where there is none to read."""
+        try:
+            formula = _simplest(self._written(x, {}))
+        except Unwritten:
+            return None
+        if formula == self.symbol(name) or _is_long(formula):
+            return None
+        return formula
+
+    def _written(self, x, memo):
+        import sympy
+
+        if not isinstance(x, Step):
+            return _constant(x)
+        if x.number in self.known:
+            return self.known[x.number]
+        if x.number in memo:
+            return memo[x.number]
+        if x.number in self.unknowns and (name := self._solved(x)) is not None:
+            return name
+        memo[x.number] = formula = self._operation(x, memo)
+        if isinstance(formula, sympy.Basic) and formula.has(sympy.zoo, sympy.nan):
+            raise Unwritten
+        return formula
+
+    def _operation(self, x, memo):
+        import sympy
+
+        if x.op == "pi":
+            return sympy.pi
+        if x.op == "where":
+            return self._written(x.args[1 if self._holds(x.args[0]) else 2], memo)
+        if x.op == "item" and isinstance(x.args[0], Step):
+            return self._within(x.args[0], x.args[1], memo, x)
+        if x.op not in _WRITTEN and x.op not in NAMES:
+            raise Unwritten
+        args = [self._written(a, memo) for a in x.args]
+        return _WRITTEN[x.op](*args) if x.op in _WRITTEN else getattr(sympy, NAMES[x.op])(*args)
+
+    def _holds(self, condition):
+        """Which case holds for the values of this sheet."""
+        case = self.cases.get(getattr(condition, "number", None))
+        if case is None:
+            raise Unwritten
+        return case
+
+    # -- a root, an integral, and linear equations
+
+    def _within(self, whole, n, memo, x):
+        """A root or an integral of a formula within this one."""
+        import sympy
+
+        if whole.op not in ("root", "integral"):
+            raise Unwritten
+        inner, start, end, *outside = whole.args
+        root = whole.op == "root"
+        name = self.called.get(x.number, (self._free("u"), 1))[0] if root else self._free("u")
+        variable = self.symbol(name)
+        own = dict(zip(inner.parameters, [variable, *outside], strict=True))
+        reader = _Inner(self, own, memo)
+        formula = reader.written(inner.leaves[n])
+        if root:
+            self._show_together([(formula, sympy.Integer(0))], {name})
+            self.answers.add(x.number)
+            return variable
+        limits = self._written(start, memo), self._written(end, memo)
+        return sympy.Integral(formula, (variable, *limits))
+
+    def _solved(self, x):
+        """The name of an unknown, after its equations are shown; None if they are too long."""
+        equations, name = self.unknowns[x.number]
+        name, sign = self.called.get(x.number, (self._free(name), 1))
+        if id(equations) not in self.shown:
+            rows = self._rows(equations)
+            if not rows:
+                return None
+            self.shown.add(id(equations))
+            self._show_together(rows, {str(n) for n in self._unknowns(equations).values()})
+        self.answers.add(x.number)
+        self.known[x.number] = sign * self.symbol(name)
+        return self.known[x.number]
+
+    def _free(self, name):
+        """A name for what is no quantity of the problem, other than theirs."""
+        return name if name not in self.taken else next(x for x in "uwqXYZ" if x not in self.taken)
+
+    def _rows(self, equations: Solved) -> Sequence[tuple[Any, Any]]:
+        """Linear equations as pairs of their two sides; none if one of them is too long."""
+        names = self._unknowns(equations)
+        everything = self.unknowns
+        self.unknowns = {n: x for n, x in everything.items() if x[0] is not equations}
+        rows = []
+        try:
+            for coefficients, right in equations.equations:
+                parts = zip(coefficients, equations.names, strict=True)
+                left = sum(self._written(c, {}) * names[name] for c, name in parts)
+                rows.append((_simplest(left), _simplest(self._written(right, {}))))
+        except Unwritten:
+            return ()
+        rows = [row for row in rows if row[0] != row[1]]
+        if any(_is_long(left - right) for left, right in rows):
+            return ()
+        self.unknowns = everything
+        return rows
+
+    def _unknowns(self, equations):
+        """The unknowns of linear equations as symbols, by the names that the code has for them."""
+        symbols = {}
+        for name in equations.names:
+            x, sign = _unsigned(equations.values.get(name))
+            called, other = self.called.get(getattr(x, "number", None), (self._free(name), 1))
+            symbols[name] = sign * other * self.symbol(called)
+        return symbols
+
+    def _show_together(self, rows, unknowns):
+        if any(_is_long(left - right) for left, right in rows):
+            raise Unwritten
+        self.together += [row for row in map(_positive, rows) if row not in self.together]
+        self.wanted |= {name.removeprefix("-") for name in unknowns}
+
+
+@dataclass
+class _Inner:
+    """Writes the formula within a root or integral; ``own`` are its arguments by name."""
+
+    outer: _Reader
+    own: Mapping[str, Any]
+    memo: dict
+
+    def written(self, x):
+        """The formula of a traced number of the inner trace."""
+        import sympy
+
+        if not isinstance(x, Step):
+            return _constant(x)
+        if x.op == "argument":
+            value = self.own[x.args[0]]
+            known = isinstance(value, sympy.Basic)
+            return value if known else self.outer._written(value, self.memo)
+        if x.op == "pi":
+            return sympy.pi
+        if x.op not in _WRITTEN and x.op not in NAMES:
+            raise Unwritten
+        args = [self.written(a) for a in x.args]
+        return _WRITTEN[x.op](*args) if x.op in _WRITTEN else getattr(sympy, NAMES[x.op])(*args)
+
+
+_WRITTEN: Mapping[str, Any] = {
+    "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
+    "/": lambda a, b: a / b, "neg": lambda a: -a,
+}  # fmt: skip
+
+
+def _unsigned(x):
+    """A traced number without its minus sign, and the sign."""
+    return (x.args[0], -1) if isinstance(x, Step) and x.op == "neg" else (x, 1)
+
+
+def _simplest(formula):
+    """The formula, with sin^2 + cos^2 = 1 where that makes it shorter."""
+    import sympy
+
+    if formula.has(sympy.sin) and formula.has(sympy.cos) and not _is_long(formula):
+        other = sympy.trigsimp(sympy.expand(formula))
+        return min(formula, other, key=lambda f: f.count_ops())
+    return formula
+
+
+def _positive(row):
+    """The two sides of an equation without minus signs before their terms, where there are two."""
+    import sympy
+
+    terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
+    left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
+    right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
+    return (left, right) if left and right else row
+
+
+def _is_long(formula):
+    return formula.count_ops() > LONGEST
+
+
+def _constant(x):
+    """A number of the code as a reader writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
+    import sympy
+
+    x = float(x)
+    if x.is_integer():
+        return sympy.Integer(int(x))
+    for unit, name in ((1.0, 1), (math.pi, sympy.pi), (math.sqrt(2), sympy.sqrt(2))):
+        near = sympy.Rational(x / unit).limit_denominator(60) if math.isfinite(x) else 0
+        if near and math.isclose(float(near) * unit, x, rel_tol=1e-14):
+            return near * name
+    return sympy.Float(x)
+
+
+def _value(x, values, memo):
+    """The number of a traced condition for givens, None where it has none."""
+    if not isinstance(x, Step):
+        return float(x)
+    if x.number not in memo:
+        try:
+            args = (
+                [getattr(values, x.args[0])] if x.op == "argument"
+                else [_value(a, values, memo) for a in x.args]
+            )  # fmt: skip
+            memo[x.number] = operate("value" if x.op == "argument" else x.op, *args)
+        except (TypeError, ValueError, ArithmeticError, KeyError):
+            memo[x.number] = None
+    return memo[x.number]

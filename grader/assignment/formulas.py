@@ -1,0 +1,124 @@
+"""Formulas of SymPy as a reader sees them, in LaTeX or as text, with six digits: with symbols, or
+with numbers in the place of the symbols.
+"""
+
+import math
+from collections.abc import Collection, Mapping
+from functools import cache
+from typing import Any
+
+from newton_euler.algebra.units import unit
+from newton_euler.answers.notation import number_symbol, unit_symbol
+
+Quantity = tuple[Any, str]  # a number and its unit
+
+
+def written(formula: Any, names: Mapping[str, str], latex: bool, numbers: bool = False) -> str:
+    """A formula in LaTeX or as text, its symbols by ``names``, which are ``numbers`` or not."""
+    return _printer(latex)(names, numbers).doprint(formula)
+
+
+def numerals(quantities: Mapping[str, Quantity], units: Collection[str], latex: bool) -> dict:
+    """{name: number as it is written} of quantities. They have their units, unless these and
+    ``units`` belong to one system, where all can be left out.
+    """
+    bare = coherent([*units, *(u for _, u in quantities.values())])
+    return {n: _numeral(*q, bare, latex) for n, q in quantities.items()}
+
+
+def coherent(units: Collection[str]) -> bool:
+    """True if numbers in these units can be put into a formula without a factor, as mm and mm/s^2;
+    an angle in degrees shows its unit.
+
+    >>> coherent(["m", "s", "m/s"]), coherent(["mm", "m/s^2", "s"])
+    (True, False)
+    """
+    import numpy as np
+
+    found = [unit(u) for u in units if u != "deg"]
+    powers = np.array([[float(x) for x in u.dimension.powers] for u in found]).reshape(-1, 3)
+    factors = np.array([math.log(u.to_base(1.0)) for u in found])
+    scales, *_ = np.linalg.lstsq(powers, factors, rcond=None)
+    return bool(np.allclose(powers @ scales, factors, rtol=0, atol=1e-9))
+
+
+def _numeral(x, stated_in, bare, latex):
+    bare = (bare and stated_in != "deg") or stated_in == "1"
+    if latex:
+        return number_symbol(float(x)) + ("" if bare else unit_symbol(stated_in))
+    return f"{float(x):.6g}" + ("" if bare else f" {stated_in}")
+
+
+def _is_apart(text):
+    """True if a number stands in parentheses as a factor: -3, 2 x 10^3, 25 km/h."""
+    return text[:1] in "-0123456789" and not text.replace(".", "").isdigit()
+
+
+class _Names:
+    """Prints symbols by their names, and floats with six digits."""
+
+    names: Mapping[str, str]
+    numbers: bool
+
+    def _print_Symbol(self, expr, style="plain"):
+        return self.names.get(expr.name, expr.name)
+
+    def _print_Add(self, expr, order=None):
+        text = super()._print_Add(expr, order)
+        return text.replace("+ -", "- ").replace("- -", "+ ") if self.numbers else text
+
+    def _is_apart(self, expr):
+        return self.numbers and expr.is_Symbol and _is_apart(self._print_Symbol(expr))
+
+
+@cache
+def _printer(latex):
+    return _latex_printer() if latex else _text_printer()
+
+
+def _latex_printer():
+    from sympy.printing.latex import LatexPrinter
+
+    class Printer(_Names, LatexPrinter):
+        def __init__(self, names, numbers):
+            dots = {"mul_symbol": "dot"} if numbers else {}
+            super().__init__({"fold_func_brackets": True, "inv_trig_style": "full", **dots})
+            self.names, self.numbers = names, numbers
+
+        def _print_Float(self, expr):
+            return number_symbol(float(expr))
+
+        def _needs_mul_brackets(self, expr, first=False, last=False):
+            return self._is_apart(expr) or super()._needs_mul_brackets(expr, first, last)
+
+        def _needs_function_brackets(self, expr):
+            return self._is_apart(expr) or super()._needs_function_brackets(expr)
+
+        def parenthesize_super(self, s):
+            return s  # no symbol of ours has a power of its own
+
+        def parenthesize(self, item, level, is_neg=False, strict=False):
+            if self._is_apart(item):
+                return rf"\left({self._print(item)}\right)"
+            return super().parenthesize(item, level, is_neg, strict)
+
+    return Printer
+
+
+def _text_printer():
+    from sympy.printing.str import StrPrinter
+
+    class Printer(_Names, StrPrinter):
+        def __init__(self, names, numbers):
+            super().__init__()
+            self.names, self.numbers = names, numbers
+
+        def _print_Float(self, expr):
+            return f"{float(expr):.6g}"
+
+        def parenthesize(self, item, level, strict=False):
+            if self._is_apart(item):
+                return f"({self._print(item)})"
+            return super().parenthesize(item, level, strict)
+
+    return Printer
