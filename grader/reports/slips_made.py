@@ -5,6 +5,7 @@ diagnosis is measured with. It knows nothing of what the diagnosis looks for.
 import math
 import random
 from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
 from typing import Any, NamedTuple
 
 from exercises.catalogue import Problem
@@ -15,6 +16,7 @@ from newton_euler.algebra.scalars import ZERO, pi, where
 from newton_euler.algebra.scalars import function as function_of
 from newton_euler.algebra.trace import Inner, Step, Trace
 from newton_euler.algebra.units import SI, US, Dimension, unit
+from newton_euler.algebra.vectors import Vector
 
 BETWEEN: dict[str, Callable[..., Any]] = {
     "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
@@ -255,6 +257,7 @@ class Made(NamedTuple):
     kind: str
     answers: dict[str, tuple]
     wrong: tuple[str, ...]
+    name: str = ""  # of a listed mistake
 
 
 def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterator[Made]:
@@ -269,6 +272,8 @@ def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterato
             yield from _spread(kind, _changed(f, base, right, edit), right, rng)
     yield from _of_other_numbers(p, f, right, rng)
     yield from _following(f, base, right, rng)
+    yield from _listed(p, values, right, rng)
+    yield from _in_other_places(p, values, right)
 
 
 def _changed(f, base, right, edit):
@@ -320,3 +325,28 @@ def _following(f, base, right, rng):
         later = tuple(k for k in wrong if k != key and not _same(wrong[k], right[k]))
         if later:
             yield Made("follows", {**right, **wrong}, later)
+
+
+LISTED = "listed, in one part"
+
+
+def _listed(p, values, right, rng):
+    """Each listed mistake in one part, the others right."""
+    for name, answers in p.wrong({**values, **symbol_points(p)}).items():
+        numbers = {k: flat(x) for k, x in answers.items() if k in right}
+        numbers = {k: x for k, x in numbers.items() if not _same(x, right[k])}
+        if numbers and (len(right) > 1):
+            key = rng.choice(sorted(numbers))
+            yield Made(LISTED, {**right, key: numbers[key]}, (key,), name)
+
+
+def _in_other_places(p, values, right):
+    """Answers exchanged with others of their kind and unit; vectors along the axes of others."""
+    for a, b in combinations([p.answer(key) for key in right], 2):
+        if (a.kind, a.unit) == (b.kind, b.unit):
+            wrong = {a.key: right[b.key], b.key: right[a.key]}
+            yield Made("exchanged", {**right, **wrong}, (a.key, b.key))
+    for key, x in p.solve({**values, **symbol_points(p)}).items():
+        for frame in x.frame.tree if isinstance(x, Vector) else ():
+            if not _same(other := flat(x.components(frame)), right[key]):
+                yield Made("other axes", {**right, key: other}, (key,))

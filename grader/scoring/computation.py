@@ -8,8 +8,8 @@ from typing import Any
 
 from exercises.catalogue import Problem
 from exercises.catalogue import problem as find_problem
-from exercises.catalogue.variants import POINTS, flat
-from newton_euler.algebra.trace import Trace
+from exercises.catalogue.tracing import traced_quantities
+from exercises.catalogue.variants import POINTS
 from newton_euler.algebra.units import unit
 from newton_euler.answers.perturbed import Computation, Perturbed, Traced
 
@@ -24,15 +24,14 @@ def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
 
 @cache
 def _computation(problem_id):
-    p, trace = find_problem(problem_id), Trace()
-    g = p.base(dict.fromkeys(p.units, 1.0)).but(**{n: trace.new("argument", n) for n in p.units})
-    found = p.code.solve(g)
+    p = find_problem(problem_id)
+    found = traced_quantities(p).components
     answers = {
         a.key: Traced(
-            [(x, unit(a.unit).from_base(1.0, p.system)) for x in flat(found[a.key])],
+            [(x, unit(a.unit).from_base(1.0, p.system)) for x in found[a.key]],
             POINTS if a.kind.is_formula else 1,
         )
         for a in p.answers
-        if not a.kind.is_word
+        if a.key in found
     }
     return Computation(answers, p.units, p.system)

@@ -138,8 +138,11 @@ def _simplest(fit, near, elsewhere):
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
     found = [(n + elsewhere.contradicts(hit.cause), hit) for n, hit in fitting]
     simplest = min((n for n, _ in found), default=0)
-    words = {hit.cause.text: hit for n, hit in reversed(found) if n == simplest}
-    return sorted(reversed(words.values()), key=lambda hit: -elsewhere.explains(hit.cause))[:MOST]
+    words: dict[str, Hit] = {}
+    for n, hit in found:
+        if n == simplest:
+            words.setdefault(hit.cause.text, hit)
+    return sorted(words.values(), key=lambda hit: -elsewhere.explains(hit.cause))[:MOST]
 
 
 def _closest(stages):

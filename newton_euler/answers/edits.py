@@ -2,7 +2,7 @@
 square, sine for cosine, one given for another, a unit. Each has its words and how simple it is.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from math import pi
@@ -12,7 +12,7 @@ from ..algebra import scalars
 from ..algebra.errors import NewtonEulerError
 from ..algebra.source import WITHIN, operations
 from ..algebra.trace import Step
-from ..algebra.units import SI, US, Dimension, System, Unit, unit
+from ..algebra.units import SI, US, Dimension, System, unit
 from .causes import Cause, computed, unconverted
 from .typed import Product, described, typed
 
@@ -24,13 +24,12 @@ MASS, LENGTH, AREA, INERTIA = (Dimension(m, l) for m, l in ((1, 0), (0, 1), (0, 
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 G = 9.81  # m/s^2, where the text gives none
 BODIES = {
-    Fraction(1): "a ring", Fraction(1, 2): "a disk about its axis", Fraction(2, 5): "a solid sphere",
+    Fraction(1): "a ring", Fraction(1, 2): "a disk about its axis",
     Fraction(1, 4): "a disk about a diameter", Fraction(1, 3): "a rod about its end",
-    Fraction(1, 12): "a rod about its centre", Fraction(2, 3): "a spherical shell",
+    Fraction(1, 12): "a rod about its centre", Fraction(2, 5): "a solid sphere",
+    Fraction(2, 3): "a spherical shell",
 }  # fmt: skip
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
-
-Slip = tuple[int, str, str, Any]  # rank, kind, words, what stands for the step
 
 
 class Edit(NamedTuple):
@@ -64,9 +63,8 @@ def edits_of(
     read = {name: unit(units[name]) for name in given}
     leaves = {x for parts in answers for x in parts if isinstance(x, Step)}
     users, dimensions = _users(steps), _dimensions(steps, read)
-    number = partial(
-        _number, dimensions, system, US if any(map(_is_of_feet, read.values())) else SI
-    )
+    own = US if any(u.is_of_feet for u in read.values()) else SI
+    number = partial(_number, dimensions, system, own)
     found = [*_of_angles(steps), *_of_one_unit(given, read, system)]
     found += _of_wholes(answers, given, number)
     for s in steps:
@@ -85,10 +83,6 @@ def edits_of(
 def _is_factor(users):
     """True of what is a factor of one product."""
     return len(users) == 1 and users[0].op in PRODUCT
-
-
-def _is_of_feet(stated):
-    return stated.is_of_feet
 
 
 def _number(dimensions, system, own, s):
@@ -326,7 +320,7 @@ def _of_given(s, given, read, number):
         yield LESS, "g", f"divides {name} by g: mass and weight are exchanged", ("/", s, g)
 
 
-def _of_unit(s, own: Unit, system: System) -> Iterator[Slip]:
+def _of_unit(s, own, system):
     """A given used with its number in another unit."""
     name, factor = s.args[0], own.to_base(1.0, system)
     for ratio in _ratios(own, system):

@@ -9,7 +9,7 @@ that is at most half a percent.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -48,8 +48,6 @@ class Computation:
         units: Mapping[str, str],
         system: System,
     ):
-        from numpy import array
-
         self.answers = answers
         self.steps = needed(x for traced in answers.values() for x, _ in traced.parts)
         self.edits: list[Edit] = edits_of(
@@ -58,7 +56,6 @@ class Computation:
         self.places: dict[Cause, list[int]] = {}
         for n, edit in enumerate(self.edits):
             self.places.setdefault(edit.cause, []).append(n)
-        self.ranks = array([e.rank for e in self.edits])
         self.run = {
             a: Compiled("the formula inside", a.parameters, a.trace, a.leaves)
             for s in self.steps
@@ -66,8 +63,15 @@ class Computation:
             if isinstance(a, Inner)
         }
 
+    @cached_property
+    def ranks(self) -> Any:
+        """How simple each is, as an array."""
+        from numpy import array
 
-def needed(leaves) -> list[Step]:
+        return array([e.rank for e in self.edits])
+
+
+def needed(leaves: Iterable[Any]) -> list[Step]:
     """The steps that these need, in order."""
     waiting, found = [x for x in leaves if isinstance(x, Step)], {}
     while waiting:

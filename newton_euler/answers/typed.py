@@ -7,9 +7,7 @@ from typing import Any
 
 from ..algebra.trace import Step
 
-FUNCTIONS = frozenset(
-    ["sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs", "**"]
-)
+FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"}
 SHORT = 24  # letters of a formula that is named in a sentence
 NAMES = 4  # of givens that are named where a formula is too long
 
@@ -121,6 +119,4 @@ def _atom(s):
     if s.op not in FUNCTIONS:
         return ""
     inside = [_sum(a) for a in s.args]
-    if s.op == "**":
-        return f"{inside[0]}^({inside[1]})" if all(inside) else ""
     return f"{s.op}({', '.join(inside)})" if all(inside) else ""
