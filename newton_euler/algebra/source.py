@@ -13,6 +13,7 @@ from .trace import COMPARISONS, Step
 
 # operations on a formula inside the formula
 WITHIN = "integral", "over_cube", "root"
+WITHOUT_HEYOKA = {*WITHIN, "table"}
 # names in the text that no argument can have
 RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where", *WITHIN}
 
@@ -107,6 +108,8 @@ def _written(op, args, lazy):
         return f"{args[0]} {op} {args[1]}"
     if op == "neg":
         return f"-{args[0]}"
+    if op == "table":
+        return f"{args[1]}({args[0]})"
     if op == "item":  # of the values of a formula inside this one
         return f"{args[0]}[{args[1].strip('()')}]"
     if lazy and op == "where":

@@ -82,10 +82,9 @@ def judge(
     budget: Budget,
     factor: float = 1.0,
 ) -> Judged:
-    """What the answer ``tree`` is, read in the ``form`` that the student had.
-
-    fault : why it cannot be read, or None; budget : the operations of formulas that may be read
-    factor : from the unit of the form to that of the key
+    """What the answer ``tree`` is, read in the ``form`` that the student had, or why it cannot be
+    read (``fault``). ``budget``: the operations of formulas that may be read; ``factor``: from the
+    unit of the form to that of the key.
     """
     if fault is not None:
         return Judged("unreadable", one_line(fault))
