@@ -126,16 +126,44 @@ def enrol(roster: str, course_path: Path, id_column: str | None) -> None:
 
 @click.command()
 @click.argument("assignment")
-@click.argument("when", metavar="'2027-01-31 23:59 Europe/Berlin'")
+@click.argument("when", metavar="'2027-01-31 23:59 Europe/Berlin'|none")
 @COURSE
-def due(assignment: str, when: str, course_path: Path) -> None:
-    """Set the due date of an assignment for everybody, and change nothing else."""
-    from ..course import Course
-    from ..course.due import due_date, set_due
+@STUDENTS
+def due(assignment: str, when: str, course_path: Path, students: tuple[str, ...]) -> None:
+    """Set the due date of an assignment, and change nothing else.
 
-    course, found = Course(course_path), due_date(when)
-    set_due(course, assignment, found)
-    click.echo(f"Due {found:%Y-%m-%d %H:%M} UTC")
+    With --student it is the date of this student alone; "none" takes it away again. Grade after it:
+    what is late, and the penalty (python -m grader late), follow.
+    """
+    from ..course import Course
+    from ..course.due import due_date, set_due, set_own_due
+
+    course, found = Course(course_path), None if when == "none" else due_date(when)
+    if students:
+        set_own_due(course, assignment, students, found)
+    else:
+        set_due(course, assignment, found)
+    who = f" for {', '.join(students)}" if students else ""
+    click.echo(f"Due{who}: {f'{found:%Y-%m-%d %H:%M} UTC' if found else 'no date'}")
+
+
+@click.command()
+@click.argument("share", metavar="none|zero|10%")
+@COURSE
+def late(share: str, course_path: Path) -> None:
+    """Set what late work loses: nothing, all, or a share of its points for each day begun.
+
+    It holds for all assignments of the course, also for work that was graded before: grade again. A
+    policy of your own in nbgrader_config.py comes first.
+    """
+    from ..course import Course
+    from ..course.due import set_late_share
+
+    lost = set_late_share(Course(course_path), share)
+    click.echo(
+        f"Late work loses {100 * lost:g} % of its points for each day begun. Next: python -m "
+        "grader grade ASSIGNMENT --course …"
+    )
 
 
 @click.command()
@@ -151,8 +179,12 @@ def due(assignment: str, when: str, course_path: Path) -> None:
     "--right-or-wrong",
     is_flag=True,
     help="Let the receipts in these copies say whether an answer is right, from a salted slow hash "
-    "of it. A program finds a number from its hash in a minute, a formula in a day; the size of an "
-    "answer is revealed. Copies written later need the option again.",
+    "of it: for practice and homework, where a student who is wrong should go on. From the seventh "
+    "wrong answer on the time until the next check doubles, up to ten minutes; how many there were "
+    "stands in the notebook, and in the note on the problem when it is graded. That stops guessing "
+    "by hand. It does not stop a program, which finds a number in 20 s and a vector in hours, nor "
+    "does a count of zero prove anything: for an exam leave it out. Copies written later need the "
+    "option again.",
 )
 def personal(
     assignment: str,
@@ -323,8 +355,8 @@ def take_in(assignment: str, archive: Path, course_path: Path, replace: bool, ti
 
     ARCHIVE is what a learning platform gives as "download all submissions". A notebook is a
     student's if its folder, or where it has none its name, holds their id or their whole name and
-    nobody else's: of a name that a platform numbered, what comes before and with the numbers. The
-    table lists the matches. Exit code 1 if a file was left out.
+    no word that may be of anybody else's: of a name that a platform numbered, what comes before the
+    numbers. The table lists the matches. Exit code 1 if a file was left out.
     """
     from ..course import Course
     from ..course import take_in as take

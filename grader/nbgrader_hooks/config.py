@@ -29,6 +29,10 @@ def configure(c: Config, course: str) -> None:
         for trait, name in names.items():
             setattr(c[section], trait, name)
 
+    c.GenerateAssignment.exporter_class = "grader.nbgrader_hooks.generate.SourceReader"
+    if (late := root / "late.json").exists():  # written by: python -m grader late
+        c.AssignLatePenalties.plugin_class = "grader.nbgrader_hooks.late.LatePolicy"
+        c.LatePolicy.share_per_day = json.loads(late.read_text())
     c.Autograde.create_student = False  # a folder of an unknown student is reported, not graded
     c.Autograde.sanitize_preprocessors = [f"{PREPROCESSORS}.RebuildFromSource"]
     c.Autograde.autograde_preprocessors = [f"{PREPROCESSORS}.HarvestExecute"]
@@ -36,7 +40,7 @@ def configure(c: Config, course: str) -> None:
     c.Autograde.force = True
     for name in (
         "RebuildFromSource", "HarvestExecute", "GradesAndFigures", "SubmissionReader",
-        "FeedbackPage", "WorkedSolutions",
+        "FeedbackPage", "WorkedSolutions", "SourceReader", "SaveChangedCells",
     ):  # fmt: skip
         c[name].course_path = str(root)
 

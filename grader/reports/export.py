@@ -9,14 +9,18 @@ from .records import entries, lines, questions
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet would run a text that begins so
 
 
-def export(course: Course, assignment: str, form: str, path: str | Path) -> int:
-    """Write results in one of :data:`FORMATS`; returns how many students wait for a person."""
-    found, maximum = lines(course, assignment)
+def export(
+    course: Course, assignment: str, form: str, path: str | Path, penalties: bool = True
+) -> tuple[int, int]:
+    """Write results in one of :data:`FORMATS`; returns how many students wait for a person, and how
+    many have a penalty for lateness, which is subtracted unless ``penalties`` is False.
+    """
+    found, maximum = lines(course, assignment, penalties)
     rows = FORMATS[form](course, assignment, found, maximum)
     # with a byte-order mark Canvas and Moodle take UTF-8 too, and a spreadsheet needs it
     with open(path, "w", newline="", encoding="utf-8-sig" if form == "parts" else "utf-8") as f:
         csv.writer(f).writerows(map(_cell, row) for row in rows)
-    return sum(line.waiting for line in found)
+    return sum(line.waiting for line in found), sum(line.penalty > 0 for line in found)
 
 
 def _parts(course, assignment, found, maximum):

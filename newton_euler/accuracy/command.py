@@ -1,6 +1,4 @@
-"""The command ``python -m newton_euler.accuracy NAME [NAME ...]``: measure, draw the chart, print
-the numbers. ``python -m newton_euler.accuracy honesty`` does it for the honesty of the methods.
-"""
+"""The command ``python -m newton_euler.accuracy``: measure, draw the chart, print the numbers."""
 
 import sys
 from functools import partial
@@ -25,7 +23,6 @@ FOLDER = click.Path(path_type=Path, file_okay=False)
 
 
 def _out(default):
-    """The option --out, for a folder."""
     return click.option("--out", "folder", default=default, type=FOLDER, help="Folder to write to.")
 
 
@@ -125,7 +122,6 @@ def atlas_main(folder, quick):
 
 
 def _chosen(names, known):
-    """The entries of ``known`` of these names."""
     unknown = [name for name in names if name not in known]
     if unknown:
         choice = "; ".join(known.values())

@@ -1,4 +1,4 @@
-"""Errors in words: checks of what is passed to the public functions, by their annotations.
+"""Checks of what is passed to the public functions, by their annotations, in words.
 
 >>> @checked
 ... def weight(m: Scalar, g: Scalar = 9.81) -> Scalar:
@@ -9,9 +9,7 @@ Traceback (most recent call last):
 newton_euler.algebra.scalars.ScalarError: weight: m is a number (float, array, mpf or expression); \
 got '2' of type str; write numbers without quotation marks
 
-What enters as an array of whole numbers goes on as one of floats, see
-:func:`~newton_euler.algebra.scalars.scalar`. Functions that are called millions of times, as the
-methods of vectors, frames and scalars, have checks of their own.
+Functions that are called millions of times, as the methods of vectors, have checks of their own.
 """
 
 import sys
@@ -48,10 +46,8 @@ F = TypeVar("F", bound=Callable)
 
 
 def checked(f: F, unchecked: tuple = ()) -> F:
-    """The function ``f`` with its arguments checked by their annotations; of a class, its
-    constructor.
-
-    unchecked : the names of arguments that the function checks itself, in words of its own
+    """The function ``f`` with its arguments checked by their annotations, except those named in
+    ``unchecked``; of a class, its constructor.
 
     Scalars become what :func:`~newton_euler.algebra.scalars.scalar` makes of them. An error that
     Python or a library raises in the engine's own code, as for arrays that do not fit together, is
@@ -128,9 +124,7 @@ def _brief(x):
 
 
 def _plan(f, unchecked):
-    """(checks by name, those by position, that of what a * gathers); what ** gathers has the name
-    "**".
-    """
+    """(checks by name, by position, of what a * gathers); what ** gathers has the name "**"."""
     where = f.__qualname__[:-9] if f.__name__ == "__init__" else f.__name__
     by_name, by_position, several = {}, [], None
     for p in signature(f).parameters.values():
@@ -145,9 +139,7 @@ def _plan(f, unchecked):
 
 
 def _check_of(parameter, f, where):
-    """The check of one parameter: a function of what is passed that returns what goes on; None if
-    everything does.
-    """
+    """The check of one parameter, from what is passed to what goes on; None if everything does."""
     kind = f.__annotations__.get(parameter.name)
     if isinstance(kind, str):
         kind = eval(kind, f.__globals__)

@@ -1,6 +1,4 @@
-"""Scalars with their first and second time derivative: exact rates of any formula, without a step
-size.
-"""
+"""Scalars with their first and second time derivatives: exact rates of any formula."""
 
 from collections.abc import Callable
 
@@ -42,11 +40,10 @@ from .scalars import (
 
 
 class Moving(_Own):
-    """A scalar at one instant with its first and second time derivative (a jet of order two).
-
-    Arithmetic and functions compute the rates by the product and chain rules, without a step size
-    (forward automatic differentiation: A. Griewank and A. Walther, Evaluating Derivatives, 2008,
-    chapter 13). Make one with :func:`moving` or :func:`at`.
+    """A scalar at one instant with its first and second time derivative (a jet of order two), made
+    by :func:`moving` or :func:`at`. Arithmetic and functions compute the rates by the product and
+    chain rules (forward automatic differentiation: A. Griewank and A. Walther, Evaluating
+    Derivatives, 2008, chapter 13).
 
     >>> from newton_euler import cos
     >>> cos(Moving(0.0, 2.0))
@@ -86,6 +83,13 @@ class Moving(_Own):
     def _of_parts(parts: tuple) -> "Moving":
         """The moving number of these parts."""
         return Moving(*parts)
+
+    def _of_table(self, table):
+        """The value of a :class:`~newton_euler.algebra.tables.Table` with its rates."""
+        slope = table.derivative()
+        first, second = slope(self.value), slope.derivative()(self.value)
+        acceleration = second * self.rate * self.rate + first * self.acceleration
+        return Moving(table(self.value), first * self.rate, acceleration)
 
     def __add__(self, other):
         o = as_moving(other)
@@ -210,11 +214,9 @@ def as_moving(x):
 
 
 def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> Moving:
-    """A scalar with its rates at the instant, for angles and coordinates that change.
-
-    ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per
-    second squared. Without them, the derivatives of a SymPy or SymEngine expression in the symbol
-    ``t`` are taken; those of other values are zero.
+    """A scalar with its rates at the instant, for angles and coordinates that change: d/dt and
+    d2/dt2 of ``value``. Without them, the derivatives of a SymPy or SymEngine expression in the
+    symbol ``t`` are taken; those of other values are zero.
 
     >>> moving(2.0, rate=3.0)**2
     moving(4.0, rate=12.0, acceleration=18.0)
@@ -235,9 +237,7 @@ def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> M
 
 
 def _derived(x):
-    """dx/dt of a symbolic expression in the symbol named t, of any assumptions; zero for any other
-    number.
-    """
+    """dx/dt of a symbolic expression in any symbol named t; zero for other numbers."""
     if x is ZERO or type(x) is float or _root(type(x)) not in ("sympy", "symengine"):
         return ZERO
     times = [s for s in x.free_symbols if str(s) == "t"]
@@ -250,11 +250,9 @@ def _derived(x):
 
 
 def at(f: Callable, t: Scalar) -> Moving:
-    """The function of time ``f`` at the instant ``t`` (s), with its first and second rate, exact up
-    to round-off.
-
-    ``f`` uses the functions of this package (``from newton_euler import sin, sqrt …``); ``t`` may
-    be of any kind.
+    """The function of time ``f`` at the instant ``t`` (s), of any kind, with its first and second
+    rate, exact up to round-off. ``f`` uses the functions of this package (``from newton_euler
+    import sin, sqrt …``).
 
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)

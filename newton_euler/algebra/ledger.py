@@ -40,8 +40,7 @@ class TermError(NewtonEulerError, ValueError, KeyError):
 class Equation:
     """The equation of a sum with named terms.
 
-    kind : what the sum is, as "acceleration"
-    number, symbol : its number in the book, and its LaTeX symbol
+    kind, number, symbol : what the sum is, as "acceleration"; its number in the book; in LaTeX
     terms : by name, a term as (text, LaTeX), for those whose name is not enough
     other : (text, LaTeX) of a term that is not listed; its name becomes the index
 
@@ -80,14 +79,12 @@ NOISE = 1e-14  # of the largest component: anything smaller is round-off and pri
 
 
 class Terms(dict[str, T], Generic[T]):
-    """The terms of a sum, in order, by name.
+    """The terms of a sum, in order, by name. Names are for people: two terms may be called "arm".
+    They are then listed as "arm 1" and "arm 2", and "arm" names both of them to ``without`` and
+    ``reweighted``; ``terms["arm"]`` raises a :class:`TermError`.
 
     terms : a dict, or pairs (name, term), of which several may have the same name
     shared : the name that was given, by each name that was made distinct
-
-    Names are for people: two terms may be called "arm". They are then listed as "arm 1" and
-    "arm 2", and "arm" names both of them to ``without`` and ``reweighted``; ``terms["arm"]`` raises
-    a :class:`TermError`.
 
     >>> terms = Terms([("arm", 1.0), ("arm", 2.0), ("rod", 4.0)])
     >>> terms, sum(terms.values())
@@ -135,9 +132,7 @@ class Terms(dict[str, T], Generic[T]):
         return changed
 
     def weighted(self, factors: Mapping[str, Scalar]) -> list[tuple[Scalar, T]]:
-        """Pairs of the factor given for a term (1 by default) and the term; a factor for a shared
-        name holds for all terms that have it, unless there is one for the distinct name.
-        """
+        """Pairs (factor, term): the factor by the distinct name, else by the shared one, else 1."""
         for name in factors:
             if name not in self.shared.values():
                 self[name]  # raises a TermError if there is none
@@ -148,8 +143,7 @@ class Terms(dict[str, T], Generic[T]):
 
 
 def distinct(names: list[str]) -> list[str]:
-    """The names, with numbers behind those that occur several times; no result equals a name that
-    was given.
+    """The names, numbered where they occur several times; no result equals a name that was given.
 
     >>> distinct(["arm", "rod", "arm", "arm 1"])
     ['arm 2', 'rod', 'arm 3', 'arm 1']
@@ -173,9 +167,7 @@ class NamedTerms:
     reweighted: Any
 
     def without(self, *names: str) -> Scalar:
-        """The sum without the terms named: ``a.without("coriolis")``; without all that have the
-        name, where several share one.
-        """
+        """The sum without all terms of these names: ``a.without("coriolis")``."""
         for n in names:
             if not isinstance(n, str):
                 raise TermError(f"a term is named by a text, as 'coriolis'; got {clipped(n)}")
@@ -218,8 +210,8 @@ class Ledger:
 
 
 class Explanation:
-    """A vector written as a sum of terms: ``str()`` gives text, ``latex`` the formulas, which
-    Jupyter shows.
+    """A vector as a sum of terms: ``str()`` gives text, ``latex`` the formulas, which Jupyter
+    shows.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -284,9 +276,7 @@ class Explanation:
 
 
 def _product(name, symbol):
-    """LaTeX for a term named after frames: "arm" is the symbol with this index, "arm x rod" the
-    cross product of two rates.
-    """
+    """LaTeX of a term named after frames: "arm" is an index, "arm x rod" a cross product."""
     parts = name.split(" x ")
     symbol = symbol if len(parts) == 1 else r"\boldsymbol{\omega}"
     return r"\times".join(rf"{symbol}_{{{latex_text(part)}}}" for part in parts)
@@ -325,13 +315,11 @@ def _comparison(f):
 
 @dataclass(frozen=True, eq=False)
 class Amount(NamedTerms):
-    """An amount of work, energy or power with its terms by name: ``U.value``,
-    ``T.terms["rotation"]``, ``T.explain()``.
+    """An amount of work, energy or power with its terms by name. It acts as its ``value`` in sums,
+    products and comparisons, and in ``float(U)``.
 
     what, number : the name of the quantity, and its equation in the book
     error : estimated error of ``value`` where it comes from an integral, in the same unit
-    It acts as its value in sums, products and comparisons with numbers and other amounts, and in
-    ``float(U)``.
 
     >>> T, V = Amount(7.0, {"translation": 5.0, "rotation": 2.0}), Amount(3.0)
     >>> T + V, 2 * T, T > V, T == 7.0
@@ -380,8 +368,7 @@ class Amount(NamedTerms):
         return "\n".join([f"{self.what}, equation ({self.number})", *lines])
 
     def reweighted(self, /, **factors: Scalar) -> Scalar:
-        """The sum of its terms, each times the factor named for it (others once): the result of a
-        model with these terms left out or weighted.
+        """The sum of its terms, each times the factor named for it (others once).
 
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
@@ -400,9 +387,7 @@ def summed(
     number: str = "11.1",
     error: float = 0.0,
 ) -> Amount:
-    """The :class:`Amount` that is the sum of these terms: numbers or amounts by name, or pairs
-    (name, number).
-    """
+    """The :class:`Amount` that is the sum of numbers or amounts, by name or in pairs (name, x)."""
     parts = Terms(terms)
     total = sum(map(value_of, parts.values()), ZERO)
     return Amount(

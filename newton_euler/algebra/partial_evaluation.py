@@ -1,8 +1,6 @@
 """Partial evaluation: the parts of a right-hand side that depend on its parameters alone are
-computed once before a motion and not at every step.
-
-To heyoka a parameter inside a product is a series like any other; a constant in its place makes the
-product cheap. A division is a recurrence of its own, where a product by the inverse is not.
+computed once before a motion. In a series of heyoka, products by constants are cheap, and quotients
+are not.
 """
 
 import math
@@ -13,11 +11,9 @@ from .trace import Step, Trace
 
 
 def folded(formula, count):
-    """A :class:`~newton_euler.algebra.compile.Compiled` formula in two: one that takes
-    constants, and the formula of the parameters that returns these.
-
-    count : the number of its first arguments that are no parameters; the first of the two takes
-        these and then the constants
+    """A :class:`~newton_euler.algebra.compile.Compiled` formula in two: one that takes the first
+    ``count`` arguments, which are no parameters, and constants; and the formula of the parameters
+    that returns these.
 
     >>> from newton_euler import compiled
     >>> rest, constants = folded(compiled(lambda x, m, g, l: -m*g*l*x/(m*l*l)), 1)

@@ -1,5 +1,5 @@
-"""Integrals with an estimated error: adaptive quadrature of floats to a tolerance, the rules of
-:mod:`newton_euler.algebra.integrals` for other numbers; and cubature in several variables.
+"""Integrals with an estimated error: adaptive quadrature of floats, and cubature in several
+variables.
 """
 
 from itertools import pairwise
@@ -26,9 +26,7 @@ BOXES = {1: 4000, 2: 400, 3: 40}
 
 
 def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
-    """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for
-    :func:`newton_euler.dynamics.work.work_integral`.
-    """
+    """(integral of ``f``, its estimated error); arguments as of :func:`.work.work_integral`."""
     if not 0 < real(rtol, "rtol") < 1:
         raise WorkError(f"rtol is a relative error between 0 and 1, as 1e-10; got {clipped(rtol)}")
     pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
@@ -103,11 +101,8 @@ def _adaptive(f, start, end, rtol, scale):
 
 def cubature(f, n, rtol, name, error=WorkError):
     """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``,
-    and the largest of their estimated errors.
-
-    f : function of an array of places, one a row, that returns an array with their values as rows
-    name, error : what is integrated, for messages, and the class of error raised if the integrals
-        do not converge
+    and the largest of their estimated errors; ``error`` of ``name`` if they do not converge. f is a
+    function of an array of places, one a row, that returns an array with their values as rows.
     """
     import numpy as np
     from scipy.integrate import cubature

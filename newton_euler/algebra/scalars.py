@@ -1,8 +1,8 @@
 """Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
-Every formula of the engine is written once, in plain arithmetic, over *scalars*. A scalar is a
-Python float, a NumPy array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka
-expression, or one of the engine's own kinds:
+Every formula of the engine is written once over *scalars*: a Python float, a NumPy array (many
+instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the
+engine's own kinds:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
@@ -11,9 +11,8 @@ expression, or one of the engine's own kinds:
 ``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.algebra.linear`)
 ``Step``        a value being traced by :func:`newton_euler.algebra.compile.compiled`
 
-This is the only module that tests the type of a number. The others call ``sin``, ``sqrt`` … from
-here and otherwise use ``+ - * /``. None of the heavy libraries is imported here: the library of a
-number is found by the number's type.
+This is the only module that tests the type of a number. It imports none of the heavy libraries:
+that of a number is found by the number's type.
 """
 
 import math
@@ -39,10 +38,9 @@ else:
 
 
 class NewtonEulerError(Exception):
-    """Base of the engine's errors; each is also the built-in error that fits it, as ValueError or
-    TypeError.
+    """Base of the engine's errors; each is also the built-in error that fits it, as ValueError.
 
-    >>> from newton_euler import Frame, NewtonEulerError
+    >>> from newton_euler import Frame
     >>> try:
     ...     Frame("ground").point("P", 1.0, 0, 0).velocity()
     ... except NewtonEulerError as error:
@@ -56,9 +54,7 @@ class ScalarError(NewtonEulerError, TypeError):
 
 
 class SingularError(NewtonEulerError, ValueError):
-    """A direction, radius, rate or integral does not exist here: on an axis, at a pole, at an
-    inflection, on a straight line.
-    """
+    """A direction, radius, rate or integral does not exist here, as on an axis, at a pole."""
 
 
 class DivisionError(SingularError, ZeroDivisionError):
@@ -101,33 +97,25 @@ class _Own:
 
 
 def outranks(x, kind):
-    """True if ``x`` is a number of the engine that wraps those of ``kind``, and so carries out an
-    operation with one of them.
-    """
+    """True if ``x``, a number of the engine, carries out an operation with one of this ``kind``."""
     return isinstance(x, _Own) and x.rank > kind.rank
 
 
 def highest(values):
-    """Of these values the number of the engine's own that carries out an operation with all of
-    them; None if there is none.
-    """
+    """The one of these values, of the engine's kinds, that carries out an operation; or None."""
     own = [x for x in values if isinstance(x, _Own)]
     return max(own, key=lambda x: x.rank) if own else None
 
 
 class Scaled:
-    """Base of vectors and other quantities that a scalar can multiply; they carry out the product,
-    not the scalar.
-    """
+    """Base of vectors and other quantities that carry out the product with a scalar."""
 
     __slots__ = ()
     __array_ufunc__ = None
 
 
 class _Zero(_Own):
-    """The structural zero, :data:`ZERO`, the only object of its class. A sum with it is the other
-    term itself.
-    """
+    """The only object of its class is :data:`ZERO`. A sum with it is the other term itself."""
 
     __slots__ = ()
 
@@ -215,11 +203,10 @@ def scalar(x):
     """The scalar ``x``; a literal ``0`` becomes the structural zero.
 
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
-    (and of bool, and of floats of fewer digits) an array of 64-bit floats, a single one a Python
-    integer. Floats have 53 bits: entries above 2**53 are rounded to the nearest float. Python's
-    integers stay exact.
-    Raises :class:`ScalarError` if ``x`` is not a number (text, None, lists), or has a unit of its
-    own, as quantities of pint and astropy have: without it they would be other numbers.
+    (and of bool, and of floats of fewer digits) an array of 64-bit floats, which rounds entries
+    above 2**53, a single one a Python integer, which is exact. Raises :class:`ScalarError` if ``x``
+    is not a number (text, None, lists), or has a unit of its own, as quantities of pint and astropy
+    have.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -312,7 +299,7 @@ LONGEST = 400  # operations: the most of an expression that is printed
 
 def shown(x):
     """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
-    their number, since its text, in which parts that are shared are repeated, may not end.
+    their number, since its text repeats the parts that are shared.
     """
     if _root(type(x)) not in ("sympy", "symengine") or not hasattr(x, "args"):
         return repr(x)
@@ -352,8 +339,7 @@ def real(x, what):
 
 
 def integer_like(x, like):
-    """The integer ``x`` in the kind of ``like``, so that its root and its quotients are as exact as
-    ``like`` is; other numbers unchanged.
+    """The integer ``x`` in the kind of ``like``, to be as exact as that; other numbers unchanged.
 
     >>> integer_like(2, 1.5)
     2
@@ -400,9 +386,7 @@ _modules: dict = {}
 
 
 def library_of(values):
-    """The module that has functions of these values; of several, the one of an expression before
-    mpmath before NumPy.
-    """
+    """The module of functions of these values: that of an expression before mpmath before NumPy."""
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
@@ -453,8 +437,7 @@ sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
 
 
 def hypot(*values: Scalar) -> Scalar:
-    """The root of the sum of the squares; of floats and arrays wherever it is a float, though the
-    squares overflow or underflow.
+    """The root of the sum of the squares, though the squares overflow or underflow as floats.
 
     >>> hypot(3e-200, 4e-200), hypot(ZERO, ZERO)
     (5e-200, 0)
@@ -506,8 +489,7 @@ def atan2(y: Scalar, x: Scalar) -> Scalar:
 
 
 def pi(like: Scalar = 0.0) -> Scalar:
-    """The number pi in the kind of ``like``: with all digits of an mpf, as a symbol for an
-    expression.
+    """The number pi in the kind of ``like``: with all digits of an mpf; for an expression a symbol.
 
     >>> pi(1.0)
     3.141592653589793
@@ -531,8 +513,7 @@ def radians(degrees: Scalar) -> Scalar:
 
 
 def is_numeric(x: Scalar) -> bool:
-    """True if ``x`` has a value that can be compared: float, array, mpf, but not an expression or a
-    dimension.
+    """True if ``x`` has a value that can be compared; not for an expression or a dimension.
 
     >>> is_numeric(1.0), is_numeric(ZERO)
     (True, True)
@@ -560,8 +541,8 @@ def is_expression(x: Scalar) -> bool:
 
 
 def promote(*values):
-    """The values, each with all the digits and instants of the others: if one is an mpf or an
-    array, all are. Traced values and expressions are unchanged.
+    """The values, each with all the digits and instants of the others, except traced ones and
+    expressions.
 
     >>> promote(1, 2.5)
     (1.0, 2.5)
@@ -584,8 +565,7 @@ def is_comparable(x):
 
 
 def is_zero(x: Scalar) -> bool:
-    """True if ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if all
-    of it is).
+    """True if ``x`` is certainly zero: structurally, or a number (all of an array) equal to 0.
 
     >>> is_zero(0.0), is_zero(ZERO), is_zero(1e-300)
     (True, True, False)
@@ -628,10 +608,8 @@ def max_abs(x):
 
 def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     """``a`` where the condition holds, else ``b``; instant by instant for an array of conditions.
-
-    For numbers, traced values and dimensions, which can be compared; expressions cannot. Both are
-    computed before one is chosen: a divisor that is zero where the quotient is not chosen must be
-    replaced first.
+    For numbers, traced values and dimensions, not expressions. Both are computed before one is
+    chosen: a divisor that is zero where the quotient is not chosen must be replaced first.
 
     >>> where(2.0 > 1.0, "larger", "smaller")
     'larger'
@@ -656,8 +634,7 @@ def anywhere(condition):
 
 
 def epsilon(like=0.0):
-    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or that of the working
-    precision of mpmath.
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or mpmath's.
 
     >>> epsilon(1.0) == 2.0**-52
     True
@@ -667,8 +644,7 @@ def epsilon(like=0.0):
 
 
 def unit_roundoff(values):
-    """The largest relative round-off among numbers of several kinds; integers and fractions have
-    none.
+    """The largest relative round-off among numbers of several kinds; integers have none.
 
     >>> unit_roundoff([1, 2.0]) == 2.0**-52
     True
@@ -684,8 +660,7 @@ def unit_roundoff(values):
 
 
 def with_extra_digits(f, *values):
-    """``f(*values)`` of numbers taken as exact, computed with four times their digits or more and
-    rounded once: for differences in which the digits cancel.
+    """``f(*values)`` of numbers taken as exact, with four times their digits or more, rounded once.
 
     >>> (1 + 1e-20) - 1, with_extra_digits(lambda x: (1 + x) - 1, 1e-20)
     (0.0, 1e-20)
@@ -704,9 +679,9 @@ def with_extra_digits(f, *values):
 
 
 def probe(x):
-    """A number for ``x``, which tells whether ``x`` vanishes without simplifying it: a float, array
-    or mpf itself; of a SymPy or SymEngine expression its value where every symbol (and function,
-    and derivative) has a number of its own between 0.2 and 0.9; None if there is no value.
+    """A number that tells whether ``x`` vanishes without simplifying it: a float, array or mpf
+    itself; of a SymPy or SymEngine expression its value where every symbol (and function, and
+    derivative) has a number of its own between 0.2 and 0.9; None if there is no value.
 
     >>> probe(2.0), probe(ZERO)
     (2.0, 0)
@@ -727,9 +702,7 @@ def probe(x):
 
 
 def _inside_out(x, known):
-    """The value of a SymPy expression to 40 digits, each part computed once; the time of evalf
-    grows exponentially with the depth where sums cancel.
-    """
+    """The value of a SymPy expression to 40 digits, each part once; evalf may take very long."""
     if x not in known:
         value = x.func(*(_inside_out(a, known) for a in x.args)) if x.args else x
         known[x] = value if value.is_Rational else value.evalf(40)
@@ -737,8 +710,6 @@ def _inside_out(x, known):
 
 
 def min_abs(x):
-    """The smallest absolute value in ``x``, as a float: that of a divisor where it is nearest to
-    zero.
-    """
+    """The smallest absolute value in ``x``, as a float: that of a divisor nearest to zero."""
     smallest = abs(without_rates(x))
     return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)

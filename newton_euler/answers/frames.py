@@ -1,9 +1,9 @@
 """Which of the components of a vector counts that came along the axes of several frames.
 
-A Vector says in which frame its components are, and a student may make any frames. If any of its
-components that are right earned the points, frames turned by half a turn would be four guesses in
-one answer. One vector is one guess: its components in the ground are the answer, as its frames
-convert them. Those in another frame are where the rest is the same right vector along other axes.
+A student may make any frames. If any components that are right earned the points, frames turned by
+half a turn would be four guesses in one answer. One vector is one guess: its components in the
+ground are the answer, as its frames convert them; those in another frame are where the rest is the
+same right vector along other axes.
 """
 
 from collections.abc import Iterable, Sequence
@@ -41,16 +41,18 @@ def counted(
 
 
 def _is_one_guess(readings, right, key, asked, axes):
-    """True if all that is not the key is the right vector along axes that the problem has; where it
-    does not say how its axes lie in the ground, also along those that the student chose.
+    """True if all that is not the key is the right vector along axes that the problem has, or,
+    where it does not say how its axes lie in the ground, the student may have chosen those of the
+    ground.
     """
     free = not axes or 0 in axes  # else the axes are those of the ground
     return all(
         any(asked.kind.is_right(r, points, asked.atol) for points in axes.values())
-        or (free and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol))
-        for r, is_key in zip(readings, right, strict=True)
-        if not is_key
-    )
+        or (free and (right[0] or place == GROUND)
+            and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol))
+        for place, r in enumerate(readings)
+        if not right[place]
+    )  # fmt: skip
 
 
 def _sizes(points):

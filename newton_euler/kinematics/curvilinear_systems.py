@@ -1,8 +1,6 @@
 """Components in any orthogonal coordinates from their position function alone (3.4), and gradients
-(A.22).
-
-The unit vector of a coordinate is the direction in which the point moves if that coordinate alone
-increases: e_i = (dr/dq_i)/h_i, with the *scale factor* h_i = abs(dr/dq_i).
+(A.22). The unit vector of a coordinate is e_i = (dr/dq_i)/h_i, with the *scale factor* h_i =
+abs(dr/dq_i).
 """
 
 from collections.abc import Callable, Sequence
@@ -40,12 +38,10 @@ def curvilinear(
 
     position : function of three scalars, of functions of this package, that returns (x, y, z) in
         ``ground``
-    q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3
-        right-handed
+    q1, q2, q3 : numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
     names : of the coordinates, for the names of terms
     Velocity and acceleration in ``ground`` are along e_1, e_2, e_3 (``P.local``), with one term for
-    each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of
-    ``position`` or of the rates are left out.
+    each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …, unless zero by form.
 
     Raises :class:`SingularError` where a scale factor is below round-off (a pole, an axis), and for
     coordinates that are not orthogonal or not right-handed there.
@@ -153,13 +149,11 @@ def _vectors(parts, ground):
 
 @checked
 def gradient(f: Callable, P: Point) -> Vector:
-    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, by exact derivatives.
+    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, the sum of (df/dq_i)/h_i
+    e_i, by exact derivatives, along P's local axes or those of its frame.
 
-    f : function of the coordinates by which P is given, written with the functions of this package:
-        x, y, z in its frame, or those of a
+    f : function of the coordinates by which P is given: x, y, z, or those of a
         :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
-    The result is along the axes of P's frame, or along P's local axes: the sum of (df/dq_i)/h_i
-    e_i.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

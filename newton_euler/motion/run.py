@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import Any
 
-from .error_estimates import error_by_comparison, relative_shift, reported_error
+from .error_estimates import ROUND_OFF_OF_RATES, error_by_comparison, relative_shift, reported_error
 from .events import EventError
 from .knots import knots
 from .methods.base import LengthError
@@ -17,8 +17,18 @@ from .methods.exact import estimated_error, within
 from .methods.table import METHODS, Method
 from .model import ModelError
 from .prepared import PreparedModel
-from .sizes import far_states, forced_error, reproduced, settled, small
-from .solution import AccuracyError, Cost, Motion, MotionError
+from .sizes import (
+    NATURAL_PART,
+    as_natural,
+    far_states,
+    forced_error,
+    reproduced,
+    round_off_over,
+    settled,
+    small,
+    worst_ratio,
+)
+from .solution import AccuracyError, Cost, FarError, Motion, MotionError
 from .trajectory import Trajectory
 
 # seconds of integrating one right-hand side after which importing and compiling heyoka would have
@@ -88,7 +98,9 @@ class Run:
     preparing: float = 0.0
     max_steps: float = math.inf
     long: bool = False  # see :meth:`briefly`
+    own: bool = True  # False: states that are small by cancellation count by their natural sizes
     calls: int = 0
+    last: int = 0  # calls of the last trajectory
     started: float = field(default_factory=perf_counter)
 
     def by_name(self, name):
@@ -136,9 +148,9 @@ class Run:
                 if not method.series and not refused and type(error) is MotionError:
                     raise
                 refused.append(error)
-                if self.long and type(error) is AccuracyError:
+                if self.long and isinstance(error, AccuracyError):
                     break  # no other method rounds less
-        known = [error for error in refused if type(error) is AccuracyError] or refused
+        known = [error for error in refused if isinstance(error, AccuracyError)] or refused
         raise min(known, key=lambda error: error.reached.error)
 
     def candidates(self):
@@ -242,20 +254,18 @@ class Run:
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
-        forced = forced_error(*known[:2], before.count) if known else 0.0
-        if forced > self.rtol:
-            motion = self.motion(before, method, forced)
-            raise AccuracyError(self.far_refusal(motion, known), motion)
         for _ in range(MAX_REFINEMENTS):
             trajectory = self.trajectory(method, tolerance, known, scaled)
-            error = forced + error_by_comparison(before, trajectory, method)
+            forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
+            error = max(forced, error_by_comparison(before, trajectory, method))
             if error <= self.rtol or trajectory.failed:
                 break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound
                 before = self.compared(method, 10 * tolerance, tolerance, known, scaled)
-                error = min(error, forced + error_by_comparison(before, trajectory, method))
+                again = error_by_comparison(before, trajectory, method)
+                error = min(error, max(forced, again))
                 break
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
@@ -263,10 +273,20 @@ class Run:
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, reported_error(error, self.rtol))
         if not error <= self.rtol:
-            far = 10 * forced > error
-            why = self.far_refusal(motion, known) if far else self.refusal(motion)
-            raise AccuracyError(why, motion)
+            if 10 * forced > min(error, 10 * self.rtol):
+                raise self.far_error(method, motion, known)
+            raise AccuracyError(self.refusal(motion), motion)
         return motion
+
+    def far_error(self, method, motion, known):
+        """The error to be raised where round-off is too much for states that are small."""
+        why = self.far_refusal(motion, known)
+        try:
+            reached = replace(self, own=False).calibrated(method)
+        except AccuracyError:
+            return AccuracyError(why, motion)
+        error = max(motion.error, self.rtol * NATURAL_PART * worst_ratio(*known[:2]))
+        return FarError(why, replace(reached, estimate=error))
 
     def resolved(self, before, method, coarse, fine, scaled):
         """The first trajectory and its sizes, None if it failed; where a state is so small that
@@ -275,6 +295,8 @@ class Run:
         known = None
         for _ in range(MAX_REFINEMENTS):
             last, known = known, None if before.failed else before.sizes()
+            if known and not self.own:
+                known = as_natural(known)
             if not known or not (last or small(*known[:2])):
                 return before, known
             if last and settled(last[0], known[0]):
@@ -302,7 +324,7 @@ class Run:
     def trajectory(self, method, tolerance, *more):
         """The trajectory at one tolerance."""
         trajectory = Trajectory(self, method, tolerance, *more)
-        self.calls += trajectory.calls
+        self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
 
     def compared(self, method, tolerance, fine, known=None, scaled=False):
@@ -311,11 +333,13 @@ class Run:
         """
         # not with events: the start may lie on the surface of one
         shift = 0.0 if self.events else relative_shift(fine / tolerance)
+        if known and small(*known[:2]):  # of which round-off is the larger part of the error
+            shift *= min(round_off_over(self.last) / ROUND_OFF_OF_RATES, 1.0)
         state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         shifted = replace(self, state=tuple(state))
         samples = SIZE_SAMPLES if method.series else None
         trajectory = Trajectory(shifted, method, tolerance, known, scaled, samples)
-        self.calls += trajectory.calls
+        self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
 
     def motion(self, trajectory, method, error):

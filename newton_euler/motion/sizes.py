@@ -8,8 +8,9 @@ import math
 NATURAL_PART = 1e-3
 ROUND_OFF = 2e-16  # that its rate brings into a state, as a fraction of its natural size
 # multiples of that: what is below the first is nothing else, as the rate of nutation of a steady
-# precession; the second is the error that it makes
-NOTHING, FORCED = 300.0, 10.0
+# precession; the second is the error by one step, which grows like a random walk (measured)
+NOTHING, FORCED = 300.0, 2.0
+STEP_CALLS = 12  # of the rates, about
 TIME_SAFETY = 3.0  # on the error by round-off of the time; measured
 
 
@@ -85,7 +86,7 @@ def reproduced(known, again, apart, rtol):
         nothing = NOTHING * ROUND_OFF * n
         noise = size < nothing or (apart[k] > size / 3 and size < 100 * nothing)
         if size <= NATURAL_PART * n and (noise or not 0.5 < other / size < 2.0):
-            made = max(FORCED * ROUND_OFF * n, min(size, other))
+            made = max(nothing, min(size, other))
             found[k] = min(made / (rtol * NATURAL_PART), n)
     return tuple(found)
 
@@ -95,12 +96,29 @@ def settled(before, after):
     return before is not None and all(2 * b >= a for a, b in zip(before, after, strict=True))
 
 
-def forced_error(sizes, natural, steps):
+def as_natural(known):
+    """The sizes ``known``, with natural sizes for the states that are small by cancellation."""
+    sizes = list(known[0])
+    for k in small(*known[:2]):
+        sizes[k] = known[1][k]
+    return tuple(sizes), *known[1:]
+
+
+def round_off_over(calls):
+    """The relative round-off that the steps of so many calls of the rates bring into a state."""
+    return FORCED * ROUND_OFF * (1 + calls / STEP_CALLS) ** 0.5
+
+
+def forced_error(sizes, natural, calls):
     """The error, relative to their sizes, that round-off forces on states that are small by
-    cancellation, over so many steps.
+    cancellation, over so many calls of the rates.
     """
-    ratios = [natural[k] / sizes[k] for k in small(sizes, natural)]
-    return FORCED * ROUND_OFF * max(ratios, default=0.0) * (1 + steps / 100) ** 0.5
+    return round_off_over(calls) * worst_ratio(sizes, natural)
+
+
+def worst_ratio(sizes, natural):
+    """The largest natural size over the size, of the states that are small by cancellation."""
+    return max([natural[k] / sizes[k] for k in small(sizes, natural)], default=0.0)
 
 
 def far_states(system, t, x, sizes, natural):

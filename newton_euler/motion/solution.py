@@ -36,6 +36,13 @@ class AccuracyError(MotionError):
     """
 
 
+class FarError(AccuracyError):
+    """Raised where the round-off of a large state is too much for one that is small beside it, as
+    the speed on a spring far from the origin; ``reached`` is as accurate as requested relative to
+    what the couplings of the states make of them, see :mod:`newton_euler.motion.sizes`.
+    """
+
+
 class Cost(NamedTuple):
     """``seconds`` of all runs, including imports and compilations, and those of ``preparing`` the
     model; ``calls`` of the right-hand side.

@@ -1,5 +1,5 @@
-"""Models of the scenes of the book, and ladders of models, from the coarsest to the fullest;
-:data:`SCENES` and :data:`LADDERS` have them by name.
+"""Models of the scenes of the book, and ladders of models, by name in :data:`SCENES` and
+:data:`LADDERS`.
 
 >>> model, t, start = scene("pendulum").motion
 >>> model.states, t, start

@@ -2,13 +2,8 @@
 accurate enough.
 
 Rungs may have different states, but the same quantity is *observed*, as the position of a shot. The
-error of a rung is its largest distance, over the whole time, from the fullest. Each model names
-what it leaves out, with a bound of the error where one is known; else the error is measured.
-
->>> from newton_euler.scenes import ladder
->>> choice = smallest(ladder("projectile"), 1.0)  # metre
->>> choice.model.name
-'projectile, Coriolis and effective gravity'
+error of a rung is its largest distance from the fullest; it is measured where no model bounds what
+it leaves out.
 """
 
 import math
@@ -38,8 +33,8 @@ ROUGH, FINEST = 1e-9, 1e-11
 class Rung(Portable):
     """One model of a ladder.
 
-    model : the :class:`~newton_euler.motion.model.Model`; it ``neglects`` what the fuller rungs
-        contain, with bounds of the error against the fullest
+    model : it ``neglects`` what the fuller rungs contain, with bounds of the error against the
+        fullest
     start : its states at t = 0
     observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the
         unit of the ladder
@@ -85,9 +80,7 @@ def observed_states(*names):
 class Ladder:
     """The models of one scene, with one start, for one question.
 
-    name : of the scene
-    of : what is observed, with its unit, as "position, m"
-    t : the time for which it is asked
+    of, t : what is observed, with its unit, as "position, m", and for what time
     rungs : a tuple of :class:`Rung`, the cheapest and coarsest first; the last, the fullest, is
         what the others are measured against
     """
@@ -149,9 +142,13 @@ class Ladder:
 
         from ..motion.integration import integrate
         from ..motion.prepared import prepared_model
+        from ..motion.solution import FarError
 
         times = np.linspace(0.0, self.t, INSTANTS)
-        motion = integrate(rung.model, self.t, rung.start, rtol, samples=times)
+        try:
+            motion = integrate(rung.model, self.t, rung.start, rtol, samples=times)
+        except FarError as error:  # as the radial speed on a nearly circular orbit
+            motion = error.reached
         values = prepared_model(rung.model).function(rung.observed)(times, *motion.states.values())
         return np.array([np.broadcast_to(v, times.shape) for v in values], dtype=float)
 
@@ -163,9 +160,8 @@ class Ladder:
 
     @checked
     def error(self, rung: Rung, accuracy: float = 0.0) -> float:
-        """The largest of :meth:`distances`, in the ladder's unit; infinite for a rung that cannot
-        be integrated to the end. ``accuracy`` : of this error; by default the best that can be
-        reached.
+        """The largest of :meth:`distances`, to within ``accuracy`` (by default the best that can be
+        reached); infinite for a rung that cannot be integrated to the end.
         """
         return float(self.distances(rung, accuracy).max())
 
@@ -214,9 +210,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Choice:
-    """The result of :func:`smallest`: the ``rung``, and by name the :class:`Evidence` of every rung
-    up to it; ``print`` it for an explanation.
-    """
+    """The ``rung`` found by :func:`smallest`, and by name the :class:`Evidence` of all up to it."""
 
     rung: Rung
     evidence: Mapping
@@ -242,12 +236,12 @@ class Choice:
 
 @checked
 def smallest(ladder: Ladder, tolerance: float) -> Choice:
-    """The cheapest rung whose error stays within ``tolerance``, in the ladder's unit: a
-    :class:`Choice`.
+    """The :class:`Choice` of the cheapest rung whose error stays within ``tolerance``, in the
+    ladder's unit.
 
-    From the cheapest on, a rung is accepted if the bound of what it neglects is small enough, or
-    its motion near enough to that of the fullest. The bound of the fullest itself, if it has one,
-    is added; :class:`ModelError` if that is too large.
+    A rung is accepted if the bound of what it neglects is small enough, or its motion near enough
+    to that of the fullest, whose own bound, if it has one, is added. :class:`ModelError` if none is
+    accepted.
 
     >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))

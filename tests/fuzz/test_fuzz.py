@@ -3,7 +3,8 @@
 import pytest
 
 from newton_euler.algebra import ScalarError
-from tests.fuzz.judge import judged, outcome, stripped, table
+from tests.fuzz.bad import quantities
+from tests.fuzz.judge import judged, outcome, stripped, table, trials
 from tests.fuzz.names import public_callables
 from tests.fuzz.valid import valid_calls
 
@@ -83,6 +84,17 @@ def test_all_bad_values_are_refused_in_words(doors):
         {n: f for n, f in functions.items() if not n.startswith(LEFT)}, calls, seconds=PATIENCE
     )
     assert not unworded(found)
+
+
+def test_no_argument_of_a_model_or_a_motion_takes_a_quantity_and_drops_its_unit(doors):
+    functions, calls = doors
+    taken = [
+        (name, label, word)
+        for name in (n for n in calls if room_of(n) == "motion")
+        for label, word, make, with_value in trials(functions[name], calls[name])
+        if word in quantities() and outcome(functions[name], *with_value(make()))[0] == "answered"
+    ]
+    assert taken == []
 
 
 def test_an_error_from_inside_is_told_from_one_in_words():

@@ -30,6 +30,12 @@ def test_help_teaches(name, words):
     assert command(*name, "-h") == (code, out)
 
 
+def test_list_says_how_many_sheets_a_problem_has():
+    lines = command("list", "8/5", "5/26")[1].splitlines()
+    assert lines[1].split()[0] == "8/5"
+    assert [line.split()[-1] for line in lines[1:3]] == ["2.09e+03", "1"]
+
+
 def test_solve_takes_other_numbers_and_variants():
     book, other = (
         json.loads(command("solve", "4/16", "--json", *more)[1])["4/16"]

@@ -61,9 +61,6 @@ def pushed(n, w):
     return Model("pushed spring", {"n": n, "w": w}, ("x", "v"), _pushed_rates, exact=_pushed)
 
 
-# -- the truth
-
-
 def truth(model, t, start):
     """The states at ``t``, mpf, from these floats."""
     with mpmath.workdps(60):
@@ -86,9 +83,6 @@ def errors(model, t, start):
     rows = zip(end, truth(model, t, start), size, strict=True)
     true = max(float(abs(x - y)) / s for x, y, s in rows)
     return true, exact.estimated_error(system, t, start, end)
-
-
-# -- the families
 
 
 def _springs(chance):
@@ -165,9 +159,6 @@ def drawn(name, runs=RUNS):
     return [FAMILIES[name](chance) for _ in range(runs)]
 
 
-# -- the estimate
-
-
 @pytest.mark.parametrize("name", FAMILIES)
 def test_the_estimate_covers_the_true_error_and_is_in_the_median_within_100_times_it(name):
     found = [errors(*case) for case in drawn(name)]
@@ -220,9 +211,6 @@ def test_a_formula_that_cannot_be_traced_and_a_parameter_that_is_a_whole_number(
     assert exact.estimated_error(system, 0.5, (-0.7,), system.solution(0.5, (-0.7,))) < 1e-14
 
 
-# -- what is accepted
-
-
 def accepted(model, t, start, rtol, system=None):
     """Whether the closed form is taken, with what is known of the model so far."""
     system = system or PreparedModel(model)
@@ -252,9 +240,6 @@ def test_what_a_pendulum_can_hold_for_a_thousand_million_seconds():
 def test_the_closed_form_of_every_scene_is_accepted(name):
     model, t, start = SCENES[name]
     assert accepted(model, t, tuple(map(float, start)), 1e-9)
-
-
-# -- formulas that are no solutions
 
 
 def _wrong_spring(stretch=1.0, sign=1.0, offset=0.0, until=math.inf):

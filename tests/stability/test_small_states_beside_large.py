@@ -9,6 +9,7 @@ import pytest
 
 from newton_euler import Model, sin, sqrt
 from newton_euler.motion import AccuracyError, Event, integrate, prepare, second_order
+from newton_euler.motion.solution import FarError
 
 EARTH = 3.986004418e14
 
@@ -123,6 +124,22 @@ def test_the_speed_on_a_spring_far_away_is_right_by_its_own_size_or_refused_in_w
             words = ""
             assert abs(found.end["dx"] / (2 * a) + math.sin(20.0)) <= found.error <= rtol
         assert not words or ("take the distance from" in words and 30 * lost > rtol)
+
+
+def test_a_small_state_is_not_refused_where_round_off_leaves_it_as_accurate_as_asked():
+    """A kilometre beside a millimetre: 2e-10 of its size are lost, and 1e-9 was asked."""
+    pytest.importorskip("heyoka")
+    found = integrate(far_spring(1e3), 1.0, (1e3 + 1e-3, 0.0), 1e-9)
+    a = (1e3 + 1e-3) - 1e3
+    assert abs(found.end["dx"] / (2 * a) + math.sin(2.0)) <= found.error <= 1e-9
+
+
+def test_what_a_far_motion_reached_is_accurate_but_for_the_small_state():
+    with pytest.raises(FarError) as refused:
+        integrate(far_spring(6.4e6), 10.0, (6.4e6 + 1e-2, 0.0), 1e-9)
+    found, a = refused.value.reached, (6.4e6 + 1e-2) - 6.4e6
+    assert abs(found.end["x"] - 6.4e6 - a * math.cos(20.0)) < 1e-9 * 6.4e6
+    assert abs(found.end["dx"] / (2 * a) + math.sin(20.0)) <= found.error
 
 
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])

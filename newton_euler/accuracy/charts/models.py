@@ -1,6 +1,4 @@
-"""The chart of the models of one scene: what each rung of a ladder costs, how far it is from the
-fullest, and which one to take within a tolerance.
-"""
+"""The chart of the models of one scene, and which one to take within a tolerance."""
 
 import math
 from dataclasses import dataclass
@@ -33,9 +31,7 @@ class MeasuredModel(Measured):
 
 
 def measured_models(ladder, progress=lambda fraction, words: None):
-    """A :class:`MeasuredModel` for each rung of a ladder: the time of a prepared run to 1e-9, and
-    the error in the ladder's unit, that of the fullest rung 0.
-    """
+    """A :class:`MeasuredModel` for each rung: the time of a prepared run to 1e-9, and the error."""
     points = []
     for n, rung in enumerate(ladder.rungs):
         progress(n / len(ladder.rungs), rung.name)

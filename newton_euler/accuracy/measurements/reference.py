@@ -1,8 +1,8 @@
 """The final state of a motion to 30 digits, against which the errors of all methods are taken.
 
-By heyoka in multiple precision; where it is not installed, and to check it, in mpmath's numbers by
-extrapolation (W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only,
-and each further run, with 2, 4, 6, … steps, removes one. No method that is measured works so.
+By heyoka in multiple precision; without it, and to check it, in mpmath's numbers by extrapolation
+(W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only, and each
+further run, with 2, 4, 6, … steps, removes one. No method that is measured works so.
 """
 
 import importlib
@@ -32,8 +32,8 @@ def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tupl
 
 
 def by_heyoka(model, t, start):
-    """The same states by Taylor series in heyoka's numbers of 42 digits. Heyoka divides by a number
-    through its inverse, a float: dividing by 60 leaves 17 digits, by 64 all.
+    """The same states in heyoka's numbers of 42 digits. Heyoka divides by a number through its
+    inverse, a float: dividing by 60 leaves 17 digits, by 64 all.
     """
     import mpmath as mp
 

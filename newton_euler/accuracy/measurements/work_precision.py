@@ -34,19 +34,16 @@ STEPPING, CLOSED = "stepping methods", "closed forms"  # the families
 
 @dataclass(frozen=True)
 class WorkPrecision:
-    """What was measured on one scene.
+    """What was measured on one scene. A method that the scene cannot use has no points.
 
-    scene : a :class:`~newton_euler.scenes.catalogue.Scene`
     points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance
         ``asked`` for
-    ratios : {tolerance: (time of "auto" / time of the best other method, name of that method)},
-        measured in turns; the best method is the cheapest that was asked for the same tolerance and
-        reached it
+    ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
+        name)}, measured in turns
     preparing : {method: seconds that its first run took more than the next, to write and compile
         code}; all imports were made before
-    too_slow : {method: after which run it was not asked for smaller tolerances}
-    unable : {method: why it cannot reach the smaller tolerances}; methods that the scene cannot use
-        have no points and are in neither
+    too_slow, unable : {method: after which run it was not asked for smaller tolerances}, or why it
+        cannot reach them
     """
 
     scene: Scene
@@ -79,9 +76,8 @@ def work_precision(
     progress: Callable[[float, str], object] = lambda fraction, words: None,
 ) -> WorkPrecision:
     """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
-    is the time of ``integrate`` after its model is prepared and its code compiled. The error is
-    that of the worst state at the end, relative to the largest size of this
-    state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
+    is the time of ``integrate`` after its model is prepared and its code compiled, the error that
+    of the worst state at the end, as in :class:`~newton_euler.motion.solution.Motion`.
 
     longest : a method whose run takes more seconds is not asked for more digits
     """

@@ -68,8 +68,8 @@ def turned(x, y, angle):
 
 
 def growth(n, t):
-    """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at the time t if x'' = n^2 x + a, for a
-    start at 1, a rate of 1, and a = 1.
+    """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at t if x'' = n^2 x + a, for a start at 1,
+    a rate of 1, and a = 1.
 
     >>> [round(q, 9) for q in growth(2.0, 0.25)]
     [1.127625965, 0.260547653, 0.031906491]
@@ -93,10 +93,9 @@ def circular_or_hyperbolic(square, t):
 
 def stumpff(k, z, largest=1):
     """k! times Stumpff's function c_k(z) = 1/k! - z/(k + 2)! + z^2/(k + 4)! - ..., by as many terms
-    as |z| <= ``largest`` takes to round-off.
+    as |z| <= ``largest`` takes to round-off (K. Stumpff, Himmelsmechanik I, 1959).
 
-    c_0(x^2) = cos(x), c_1(x^2) = sin(x)/x, x^2 c_2(x^2) = 1 - cos(x), x^3 c_3(x^2) = x - sin(x). K.
-    Stumpff, Himmelsmechanik I, 1959.
+    c_0(x^2) = cos(x), c_1(x^2) = sin(x)/x, x^2 c_2(x^2) = 1 - cos(x), x^3 c_3(x^2) = x - sin(x).
 
     >>> round(0.5**3*stumpff(3, 0.25)/6 - (0.5 - sin(0.5)), 16)
     0.0

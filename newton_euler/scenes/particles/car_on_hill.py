@@ -33,8 +33,8 @@ def car(
     """The Model of a car whose wheels roll without slipping, against the air: states s, the
     distance up the hill, and v.
 
-    m : mass of the whole car, wheels included
-    wheel_mass, gyration, radius : of each wheel; gyration is its radius of gyration about the axle
+    m, wheel_mass : mass of the whole car, wheels included, and of each wheel
+    gyration, radius : of each wheel; gyration is its radius of gyration about the axle
     air : the drag over the square of the speed, rho C_D A/2, kg/m
     force, slope : the force at the wheels and the inclination of the road (rad, positive uphill);
         numbers, or laws (s, p, t)
@@ -56,8 +56,8 @@ def ladder(
 
     start : s, v; the rest are numbers, as for :func:`car`.
     Raises :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``.
-    The fullest model has no closed form that holds both for a force larger and for one smaller than
-    the component of the weight along the road.
+    The fullest model has no closed form that holds for a force both larger and smaller than the
+    component of the weight along the road.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (10.0, 5.0, 0.1)]

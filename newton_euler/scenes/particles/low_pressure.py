@@ -1,9 +1,9 @@
 """Horizontal motion of air near a centre of low pressure (6.11), where it turns counterclockwise in
 the northern hemisphere.
 
-Ground axes: x east, y north; the latitude is one number. The pressure grows with the square of the
-distance from the centre; ``pressure_gradient`` is its gradient over density and distance. With
-g/length for it the equations are those of small swings of Foucault's pendulum.
+x east, y north, at one latitude. The pressure grows with the square of the distance from the
+centre; ``pressure_gradient`` is its gradient over density and distance, 1/s^2. With g/length for it
+the equations are those of small swings of Foucault's pendulum.
 """
 
 from ...algebra.scalars import Scalar, radians, sqrt
@@ -38,13 +38,12 @@ def air_near_low(
     rate: Scalar = EARTH_RATE,
 ) -> Model:  # fmt: skip
     """The Model of a parcel of air (6.33): states x, y from the centre, and dx, dy, seen from the
-    ground.
+    ground. Without friction, energy and absolute angular momentum are invariants, and there is an
+    exact solution.
 
-    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for air on which only
-        the Coriolis acceleration acts, which moves in circles
+    pressure_gradient : inward acceleration over distance; 0 for air that moves in circles, by the
+        Coriolis acceleration alone
     friction : deceleration over speed, 1/s
-    Without friction, energy and absolute angular momentum are invariants, and there is an exact
-    solution.
 
     >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
     >>> # it moves north, to the centre, and is deflected to the east
@@ -63,8 +62,8 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of one parcel of air: the Earth at rest, rotating, and friction as well.
 
-    pressure_gradient : a number above 0; friction : a number, not negative; start : x, y, dx, dy in
-        m and m/s
+    pressure_gradient, friction : numbers, the first above 0, the second not negative; start : x, y,
+        dx, dy in m and m/s
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]

@@ -1,11 +1,9 @@
 """Kepler's problem: a body under the attraction of a fixed centre, in the plane of its orbit; exact
-for ellipses.
+for ellipses. Satellites over the equator of an oblate Earth.
 
 The exact solution is by the eccentric anomaly, written with 1 - e and 1 - cos(E): no digits cancel,
-however close the ellipse is to a parabola. Parabolas and hyperbolas are integrated.
-
-Satellites over the equator: in the plane of the equator the attraction of an oblate Earth is mu/r^2
-+ 3 mu J2 R^2/(2 r^4) towards the centre (5.5). ``oblateness`` is J2 R^2, in m^2.
+however close the ellipse is to a parabola. Over the equator the attraction is mu/r^2 + 3 mu J2
+R^2/(2 r^4) towards the centre (5.5); ``oblateness`` is J2 R^2, in m^2.
 """
 
 import math
@@ -46,15 +44,14 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 )  # fmt: skip
 def orbit(mu: Scalar) -> Model:
     """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
-    over mass, and the Laplace vector's two components.
+    over mass, and the Laplace vector, of the size of the eccentricity, towards the closest
+    approach.
 
-    mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the
-        eccentricity and points to the closest approach.
+    mu : the constant of the attraction mu/r^2, m^3/s^2
     The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at
     most 7 times the round-off of the distance from the centre plus t times the speed there
     (measured on 2000 random ellipses, two thirds of them almost parabolas). It raises
-    :class:`~newton_euler.motion.model.ModelError` for parabolas, hyperbolas, straight lines through
-    the centre, and expressions.
+    :class:`~newton_euler.motion.model.ModelError` for other orbits, and expressions.
 
     >>> import math
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]
@@ -176,7 +173,7 @@ def _halley(E, e, rest, M):
 
 
 def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
-    """The Model of a circular orbit of radius r: its only state is the azimuth ``angle`` (rad);
+    """The Model of a circular orbit of radius r; its only state is the azimuth ``angle`` (rad).
     ``sense`` is 1 for counterclockwise, -1 for clockwise.
 
     >>> circle(8.0, 2.0).derivative((0.0,))

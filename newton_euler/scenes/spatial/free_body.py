@@ -3,13 +3,9 @@ separatrix too.
 
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is
 Jacobi's: with b the intermediate axis and a the one that the motion circles, w_a is a dn, w_b a sn,
-w_c a cn. Near the separatrix, the motions that leave the intermediate axis and come back to it, k^2
-is 1 within round-off, and formulas in k^2 lose all digits. Here 1 - k^2 comes from a difference of
-two squares, in twice the digits where these cancel, and the state from that of the start by the
-addition theorem, :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
-
-Two approximations keep the rate about z constant: w_x and w_y go around an ellipse (a circle for a
-symmetric body), or run away where z is the intermediate axis.
+w_c a cn. Near the separatrix k^2 is 1 within round-off, and formulas in k^2 lose all digits. Here 1
+- k^2 comes from a difference of two squares, in twice the digits where these cancel, and the state
+from that of the start by :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
 """
 
 from ...algebra.scalars import Scalar, is_finite, is_numeric, max_abs, sqrt, where
@@ -37,9 +33,8 @@ def free_body(I_x: Scalar, I_y: Scalar, I_z: Scalar) -> Model:
     """The Model of the free body: states w_x, w_y, w_z along its principal axes (rad/s); invariants
     ``energy`` and ``momentum``, the size of H.
 
-    The numbers given are taken as exact, and the exact solution is right to a few round-offs of t
-    times the rate of the motion, wherever it starts: near the separatrix, on it, or at rest about
-    an axis. t, and the states, may be arrays; expressions raise
+    The exact solution takes the numbers given as exact, and is right to a few round-offs of t times
+    the rate of the motion, wherever it starts. t, and the states, may be arrays; expressions raise
     :class:`~newton_euler.motion.model.ModelError`.
 
     >>> body = free_body(1.0, 2.0, 3.0)
@@ -117,8 +112,8 @@ def _gap(k, I, w):
 
 
 def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
-    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; the rate about z is
-    ``spin``.
+    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; ``spin`` is the constant
+    rate about z.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
@@ -128,7 +123,8 @@ def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Mod
 
 
 def small_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
-    """The Model to first order in its states w_x and w_y; ``spin`` is the constant rate about z.
+    """The Model to first order in its states w_x and w_y: on an ellipse, or running away where z is
+    the intermediate axis.
 
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-1.0, 5.0)

@@ -1,9 +1,9 @@
-"""The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the
-free symmetric body (10.8).
+"""The symmetric top with a fixed point under gravity (10.5, 10.6): :func:`nutation` for nutation
+alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a fast top, :func:`euler` for
+psi and phi off the vertical; and the free symmetric body (10.8).
 
 I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, constant,
-is a parameter. :func:`nutation` is for nutation alone, :func:`attitude` for pictures,
-:func:`nonspinning_frame` for a fast top, :func:`euler` for psi and phi off the vertical.
+is a parameter.
 """
 
 from dataclasses import replace
@@ -65,15 +65,11 @@ def nutation(
         sleeping top, and then theta = 0 is no singular place
     I0 theta'' = mgr sin(theta) - d/dtheta (p_psi - p_phi cos(theta))^2/(2 I0 sin^2(theta)), with
     the quotient by half angles as (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q
-    = p_psi - p_phi = momentum_difference. A pendulum has I = 0.
-
-    The exact solution is by elliptic functions; it goes through the vertical where
-    ``momentum_difference``, or the sum p for the downward one, is exactly 0, and counts the turns
-    of a pendulum. ``mgr`` may be of either sign or 0.
+    = p_psi - p_phi = momentum_difference. A pendulum has I = 0; ``mgr`` may be of either sign or 0.
+    The exact solution is by elliptic functions; it goes through the vertical where q, or p for the
+    downward one, is exactly 0, and counts the turns of a pendulum.
 
     >>> top = nutation(0.02, 0.01, 0.5, 100.0, 0)
-    >>> top.derivative((0.0, 0.1))
-    (0.1, 0.0)
     >>> [round(x, 6) for x in top.solution(0.05, (0.0, 0.1))]  # it goes through the upright
     [0.00384, 0.033918]
     """
@@ -148,9 +144,8 @@ def nonspinning_frame(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Mo
     with Omega_z = 0: it has no singular position and no fast angle.
 
     states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in
-        it (rad/s)
-    invariants : energy, p_psi and the norm of the quaternion. That of the body follows by
-        :func:`newton_euler.chapters.examples.ch10.body_quaternion`.
+        it (rad/s); that of the body: :func:`newton_euler.chapters.examples.ch10.body_quaternion`
+    invariants : energy, p_psi and the norm of the quaternion
 
     >>> # upright: the axis of the tilting moves on
     >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
@@ -196,11 +191,9 @@ _NONSPINNING_INVARIANTS = {
     10.0, tilted(0.6), **TOP,
 )  # fmt: skip
 def attitude(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
-    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z, for animations.
-
-    states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s);
-        invariants as for :func:`nonspinning_frame`
-    The start is a *unit* quaternion: the rates do not divide by its length.
+    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z, for animations: states
+    and invariants as for :func:`nonspinning_frame`, but of the body. The start is a *unit*
+    quaternion: the rates do not divide by its length.
 
     >>> attitude(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
     (0.0, -5.0)
@@ -225,10 +218,9 @@ def _attitude_rates(s, p, t):
     10.0, (1.0, 0.0, 0.0, 0.0, 0.8, 0.0), I0=3.0, I=1.0, omega_z=6.0,
 )  # fmt: skip
 def free(I0: Scalar, I: Scalar, omega_z: Scalar) -> Model:
-    """The Model of a symmetric body without moment (10.35), (10.36): the states of
-    :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.
-
-    The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
+    """The Model of a symmetric body without moment (10.35), (10.36): :func:`nonspinning_frame` with
+    the exact solution; omega_z is not zero. The frame turns about the constant H at the rate H/I0,
+    and back about its axis at I omega_z/I0.
 
     >>> body = free(0.02, 0.01, 100.0)
     >>> # I omega_z/I0 = 50 rad/s

@@ -91,9 +91,6 @@ def test_a_problem_that_asks_for_formulas_has_the_symbols_for_them(p):
     assert not p.symbolic or p.symbols
 
 
-# -- numbers go in and out in the units of the text
-
-
 def test_numbers_reach_the_code_in_base_units_and_leave_it_in_those_of_the_text():
     p = problem("4/18")
     g = p.base(p.book_values)
@@ -118,9 +115,6 @@ def test_formulas_contain_exactly_the_symbols_of_the_text():
 def test_dimensions_pass_through_base():
     p = problem("4/2")
     assert p.base({n: Dimension(0, 1, 0) for n in p.units}).d == Dimension(0, 1, 0)
-
-
-# -- errors
 
 
 LACKING = {"beta_1": 120, "b": 8, "L": 16}

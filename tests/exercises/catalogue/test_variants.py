@@ -71,9 +71,6 @@ def test_a_problem_of_symbols_only_has_nothing_to_draw():
     assert draw(problem("4/42"), b"any") == {}
 
 
-# -- numbers that make a bad problem
-
-
 def test_objection_to_numbers_that_hide_a_mistake():
     """At 45 degrees sine and cosine may be exchanged unseen."""
     p = problem("4/21")

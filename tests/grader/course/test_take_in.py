@@ -158,6 +158,15 @@ def test_one_damaged_notebook_loses_none_of_the_others(named, tmp_path, packed):
     assert (name, "it is damaged" in why) == (f"{packed}ben.ipynb", True)
 
 
+def test_work_that_cannot_be_written_loses_none_of_the_others(named, tmp_path):
+    (named.path / "submitted").mkdir(exist_ok=True)
+    (named.path / "submitted/ben").write_text("a file where a folder belongs")
+    path = archive(tmp_path / "w.zip", {f"{s}.ipynb": "{}" for s in ("ada", "ben", "eve")})
+    found = take_in(named, "ch04", path)
+    assert set(found.taken) == {"ada", "eve"}
+    assert "cannot be written" in found.refused[0][1]
+
+
 def test_a_file_that_a_student_named_after_another_takes_nobodys_place(named, tmp_path):
     files = {"ben_1_ch04.ipynb": "{}", "x_2_ch04_ben.ipynb": '{"a": 1}'}
     found = take_in(named, "ch04", archive(tmp_path / "w.zip", files))

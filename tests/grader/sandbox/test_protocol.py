@@ -66,8 +66,6 @@ def test_the_first_error_since_the_givens_is_reported_with_the_answers(harvester
     }
 
 
-# -- the instructor's tests
-
 OUTCOMES = {
     "assert f(2) == 4": (None, None),
     "assert f(2) == 5, 'f(2) is wrong'": ("AssertionError, line 1: f(2) is wrong", None),

@@ -3,7 +3,6 @@ derivatives, dimensions.
 """
 
 import copy
-import importlib
 import math
 import pickle
 import subprocess
@@ -529,22 +528,6 @@ def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, need
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
     assert out.stdout.strip() == needed
-
-
-@pytest.mark.parametrize("module", ["scalars", "jets", "vectors", "compile", "units"])
-def test_public_names_have_docstrings(module):
-    m = importlib.import_module(f"newton_euler.algebra.{module}")
-    mine = {
-        n: o
-        for n, o in vars(m).items()
-        if not n.startswith("_") and getattr(o, "__module__", None) == m.__name__ and callable(o)
-    }
-    bare = [n for n, o in mine.items() if not (o.__doc__ or "").strip()]
-    bare += [
-        f"{n}.{a}" for n, o in mine.items() if isinstance(o, type)
-        for a, v in vars(o).items() if not a.startswith("_") and (callable(v) or isinstance(v, property)) and not (v.__doc__ or "").strip()
-    ]  # fmt: skip
-    assert bare == []
 
 
 def test_at_of_an_mpf_keeps_its_digits_where_constants_are_floats():

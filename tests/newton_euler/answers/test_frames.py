@@ -78,3 +78,18 @@ def test_a_ground_that_the_problem_does_not_place_may_lie_as_a_student_chose(axe
 def test_but_not_so_that_its_components_are_another_guess(axis):
     angle = 2 * math.pi / 3 if axis == (1, 1, 1) else math.pi / 2
     assert counted(turned(KEY[0], (axis, angle)), KEY, Asked(), {}.items()) is None
+
+
+def test_of_directions_in_a_chain_of_frames_at_most_two_are_guesses():
+    """Those in a frame of the student's own and in the ground that the student placed; what lies
+    between is neither.
+    """
+    steps = [("z", 0.5), ("z", 0.6), ("z", 0.7)]
+    passed = 0
+    for place in range(4):
+        frames = [Frame("ground")]
+        for axis, angle in steps:
+            frames.append(frames[-1].rotate("mine", axis, angle=angle, rate=1.0))
+        vector = frames[place].vector(*KEY[0]).expressed_in(frames[-1])
+        passed += counted(readings(vector), KEY, Asked(), {}.items()) is not None
+    assert passed == 2

@@ -100,7 +100,6 @@ def test_invariants_are_kept_by_the_integrated_rates(name, rung):
         assert max(motion.drift.values()) < 1e-7, motion.drift
 
 
-# -- limits: what makes a rung wrong, in terms of one small number e, and the order in which its
 # error vanishes with it
 
 # balanced by a thrust of 972 N
@@ -159,8 +158,6 @@ def test_bounds_hold_and_are_as_narrow_as_stated(name, rung):
             ratios.append(error / found.rung(rung).bound(found.t))
     assert REACHED.get(rung, 0.99) < max(ratios) < 1 + 1e-6
 
-
-# -- the new models against other ways to find them
 
 slopes, airs = st.floats(0.05, 1.4), st.floats(1e-4, 0.1)
 
@@ -274,9 +271,6 @@ def test_a_balanced_aircraft_flies_straight_or_in_a_level_turn():
     turn = ladder("aircraft", **bank, thrust=972.0, bank=0.4, t=60.0)
     assert turn.error(turn.rung("aircraft in a level turn")) < 1e-6
     assert turn.error(turn.rung("aircraft, straight")) > 100
-
-
-# -- refusals, and the other side of each
 
 
 def test_a_sphere_that_goes_uphill_is_refused():

@@ -28,7 +28,6 @@ from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
 from tests.models import from_farthest
-from tests.motions import reference
 
 EPS = 2.0**-52
 
@@ -277,10 +276,6 @@ def test_upright_at_rest_it_stays_for_a_while_and_a_pendulum_pulled_upwards_hang
 # -- the top
 
 
-def test_after_10_seconds_the_benchmarks_top_is_right_to_1e_minus_14():
-    assert close(text(top.nutation(*TOP))(10.0, 0.6, 0.0), reference("top, nutation"), 1e-14)
-
-
 def random_top(rng):
     I0, theta = rng.uniform(0.3, 3), rng.uniform(0.05, 3.1)
     I, mgr, spin = rng.uniform(0, 2) * I0, rng.gauss(0, 5), rng.gauss(0, 6)
@@ -407,14 +402,6 @@ def test_its_text_on_arrays_of_times_and_through_heyoka_gives_what_it_gives_one_
     pytest.importorskip("heyoka")
     fast = compiled(lambda t: f(t, *start), backend="heyoka")
     assert close(tuple(fast(times)), tuple(one_by_one), 1e-13)
-
-
-@pytest.mark.parametrize(("model", "start"), MODELS)
-def test_two_halves_of_the_way_lead_where_the_whole_does_and_back(model, start):
-    f = text(model)
-    whole = f(6.0, *start)
-    assert close(f(3.5, *f(2.5, *start)), whole, 2e-13)
-    assert close(f(-6.0, *whole), start, 2e-13)
 
 
 @pytest.mark.parametrize(("model", "start"), MODELS)

@@ -1,0 +1,163 @@
+"""Whose the files of an archive are, by the names that a learning platform or a teacher gave them.
+
+A file is a student's only if all that tells in a name is theirs: of "Ada Smith" nobody knows who
+she is where only an Ada Lovelace is on the roster, even if her id is "ada".
+"""
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import permutations, takewhile
+from pathlib import PurePosixPath
+
+from nbgrader.api import Student
+
+# how platforms name work: ``who`` handed it in, ``number`` is the platform's own of that person;
+# what comes after it is a name that the student chose
+PLATFORMS = tuple(map(re.compile, (
+    r"(?P<who>.+?)_\d+_assignsubmission_",  # Moodle
+    r"(?P<who>.+?)(_LATE)?_(?P<number>\d+)_\d+_",  # Canvas
+    r"(?P<who>.+)_attempt_\d{4}-",  # Blackboard; the assignment's title comes before the id
+    r"\d+-\d+ - (?P<who>.+?) - ",  # Brightspace
+)))  # fmt: skip
+Words = tuple[str, ...]
+WORDS = re.compile(r"[^\W_]+")
+# words that say what a file is, and not whose
+SILENT = frozenset(WORDS.findall("""
+    answer answers archive assignment assignments attachment attachments attempt code copy copies
+    corrected download draft exercise exercises export exports file files final finished folder
+    homework hw ipynb jupyter late my nb new notebook notebooks of old part problem problems set
+    sheet solution solutions student students submission submissions submit submitted task tasks
+    the upload uploads version week work works zip s v v1 v2 v3 v4 v5
+"""))  # fmt: skip
+LONGEST_NAME = 6  # words of a name that may be joined in any order
+
+
+@dataclass(frozen=True)
+class Person:
+    """The words by which a student is known: ids, the whole name, the name joined to one word in
+    any order, and all that may stand beside these.
+    """
+
+    ids: tuple[Words, ...]
+    name: Words
+    joined: frozenset[str]
+    own: frozenset[str]
+    number: str  # by which the platform knows the student, "" if the roster has none
+
+    @classmethod
+    def read(cls, student: Student) -> "Person":
+        """What the roster has of a student."""
+        mail, number = student.email or "", student.lms_user_id or ""
+        ids = tuple(w for x in (student.id, number, mail.partition("@")[0]) if (w := words(x)))
+        both = student.first_name and student.last_name
+        name = words(f"{student.first_name} {student.last_name}") if both else ()
+        joined = permutations(name) if 0 < len(name) <= LONGEST_NAME else ()
+        names = frozenset(map("".join, joined))
+        own = names.union(words(mail), name, *ids)
+        return cls(ids, name, names, own, number)
+
+    def is_named(self, found: Words, silent: frozenset[str]) -> bool:
+        """True if these words are of this student, and none of them of anybody else."""
+        telling = [i for i in self.ids if not all(_is_silent(w, silent) for w in i)]
+        return all(w in self.own or _is_silent(w, silent) for w in found) and (
+            any(_holds(found, i) for i in telling)
+            or (bool(self.name) and {*self.name} <= {*found})
+            or not self.joined.isdisjoint(found)
+        )
+
+
+def _is_silent(word, silent):
+    return word in silent or (word.isdigit() and len(word) < 5)
+
+
+def words(text: str) -> Words:
+    """Words in lower case without accents: ("jane", "doe", "4711") of "Doé_Jane-4711"."""
+    plain = unicodedata.normalize("NFKD", text)
+    plain = "".join(c for c in plain if not unicodedata.combining(c))
+    return tuple(WORDS.findall(plain.casefold()))
+
+
+def _holds(found, wanted):
+    n = len(wanted)
+    return any(found[k : k + n] == wanted for k in range(len(found) - n + 1))
+
+
+@dataclass(frozen=True)
+class Roster:
+    """The people to whom work may belong, and the words that tell of nobody."""
+
+    people: Mapping[str, Person]
+    silent: frozenset[str]
+
+    def tells(self, part: str) -> bool:
+        """True if a name of a folder or file says whose it is."""
+        return _of_platform(part) or not all(_is_silent(w, self.silent) for w in words(part))
+
+    def named_in(self, part: str, common: frozenset[str] = frozenset()) -> list[str]:
+        """The students of whom the name of a folder or file tells, apart from ``common`` words."""
+        who, number = _who(part)
+        if number and (known := [s for s, p in self.people.items() if p.number == number]):
+            return known
+        found = tuple(w for w in words(who) if w not in common)
+        return [
+            s for s, p in self.people.items()
+            if p.is_named(found, self.silent) and not (number and p.number)
+        ]  # fmt: skip
+
+    def owners(self, folders: Sequence[str], own: str, common: frozenset[str]) -> list[str]:
+        """The students whose the outermost telling folder is, or the file where no folder tells,
+        and the others whose names folders within it are.
+        """
+        telling = [part for part in folders if self.tells(part)] or [own]
+        first, *inner = telling
+        found = self.named_in(first) or self.named_in(first, common)
+        if not self.tells(first):
+            parts = {words(part) for part in (*folders, own)}
+            found = [s for s, p in self.people.items() if not parts.isdisjoint(p.ids)]
+        others = [s for part in inner if found for s in self.named_in(part)]
+        return list(dict.fromkeys([*found, *others]))
+
+
+def _of_platform(part):
+    return next((m for p in PLATFORMS if (m := p.match(part))), None)
+
+
+def _who(part):
+    """(who handed a part in, their number) as a platform wrote it, or (the part, None)."""
+    match = _of_platform(part)
+    return (match["who"], match.groupdict().get("number")) if match else (part, None)
+
+
+def owners(
+    names: Sequence[str], assignment: str, people: Mapping[str, Person]
+) -> dict[str, list[str]]:
+    """{name of a file: the students whose it may be}.
+
+    A folder of all files holds the work of a class if it has no name that a platform gives to that
+    of one, is nobody's on the roster, and what lies in it belongs to two students or more.
+    """
+    roster = Roster(people, SILENT | {*words(assignment)})
+    paths = {n: PurePosixPath(n.removesuffix(".ipynb").replace("\\", "/")).parts for n in names}
+    lead = _shared(path[:-1] for path in paths.values())
+    inside = _owners({n: path[len(lead) :] for n, path in paths.items()}, roster)
+    whose = {found[0] for found in inside.values() if len(found) == 1}
+    of_one = any(_of_platform(part) or roster.named_in(part) for part in lead)
+    return inside if len(whose) > 1 and not of_one else _owners(paths, roster)
+
+
+def _owners(paths, roster):
+    telling = {next(filter(roster.tells, folders), own) for *folders, own in paths.values()}
+    common = _common({words(_who(part)[0]) for part in telling})
+    return {n: roster.owners(folders, own, common) for n, (*folders, own) in paths.items()}
+
+
+def _shared(folders: Iterable[Sequence[str]]) -> list[str]:
+    """The folders in which all files are."""
+    return [level[0] for level in takewhile(lambda x: len({*x}) == 1, zip(*folders, strict=False))]
+
+
+def _common(found: set[Words]) -> frozenset[str]:
+    """The words of all of several names, as the title of the course."""
+    return frozenset.intersection(*map(frozenset, found)) if len(found) > 1 else frozenset()

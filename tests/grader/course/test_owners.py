@@ -1,0 +1,76 @@
+"""Whose a file is by its name: as platforms name work, and as those do who are on no roster."""
+
+import pytest
+from nbgrader.api import Student
+
+from grader.course.owners import Person, owners
+
+ROSTER = [
+    {"id": "ada", "first_name": "Ada", "last_name": "Lovelace", "lms_user_id": "4711"},
+    {"id": "ben", "first_name": "Ben", "last_name": "Müller-Lüdenscheidt"},
+    {"id": "dan", "email": "daniel.g@uni.edu"},
+    {"id": "eve"},
+    {"id": "s1234567", "first_name": "Ann", "last_name": "Lee"},
+]
+COMMON = (
+    "late", "attempt", "homework", "notebook", "copy", "file", "assignment", "submission", "work",
+    "final", "ch04", "hw", "1", "2026",
+)  # fmt: skip
+MOODLE = "_77_assignsubmission_file_/"
+
+
+def owned(names, *more):
+    people = {s["id"]: Person.read(Student(**s)) for s in (*ROSTER, *({"id": i} for i in more))}
+    return [found[0] if len(found) == 1 else "" for found in owners(names, "ch04", people).values()]
+
+
+HONEST = {
+    "lovelaceada_LATE_4711_98765_ch04-1.ipynb": "ada",
+    "müllerlüdenscheidtben_5_98765_ch04.ipynb": "ben",
+    "Ann Lee_123_assignsubmission_file_ch04.ipynb": "s1234567",
+    "Ann Lee s1234567_123_assignsubmission_file_/ch04.ipynb": "s1234567",
+    "Lee, Ann(s1234567)/Submission attachment(s)/ch04.ipynb": "s1234567",
+    "Homework 4_eve_attempt_2026-05-01-10-11-12_work.ipynb": "eve",
+    "12345-67890 - Ann Lee - Oct 3, 2026 1122 PM/ch04.ipynb": "s1234567",
+    "Ann Lee - ch04.ipynb": "s1234567",
+    "eve_ch04_final.ipynb": "eve",
+    "eve (1).ipynb": "eve",
+    "2026-05-01 eve.ipynb": "eve",
+    "daniel.g@uni.edu/ch04.ipynb": "dan",
+    "submitted/eve/ch04/ch04.ipynb": "eve",
+    "eve/homework/work.ipynb": "eve",
+    "ada\\ch04.ipynb": "ada",
+}
+
+
+@pytest.mark.parametrize("ids", [(), COMMON], ids=["", "ids are common words"])
+@pytest.mark.parametrize(("name", "student"), HONEST.items(), ids=HONEST)
+def test_work_is_its_owners_as_platforms_and_people_name_it(name, student, ids):
+    assert owned([name], *ids) == [student]
+
+
+STRANGERS = [
+    f"Ada Smith{MOODLE}ch04.ipynb", f"Tom Ben{MOODLE}ch04.ipynb", f"Lee Ann Smith{MOODLE}a.ipynb",
+    f"Eve-Marie Curie{MOODLE}ch04.ipynb", "Zoe Quinn_4711_assignsubmission_file_/ch04.ipynb",
+    f"Zoe Quinn{MOODLE}Ada Lovelace_1_assignsubmission_file_ch04.ipynb", "Lee Ann Smith/ch04.ipynb",
+    "quinnzoe_99_4711_ch04.ipynb", "quinnzoe_LATE_99_12_ada.ipynb", "lovelaceada_9999_12_ch04.ipynb",
+    "ada_9999_12_ch04.ipynb", "annleee_1_2_ch04.ipynb", "zoe/ada/ch04.ipynb", "zoe\\ada.ipynb",
+    "submitted/zoe/ch04/ada.ipynb", "daniel.g@other.edu/ch04.ipynb", "group 3 ada ben/ch04.ipynb",
+    "ch04_zoe_attempt_2026-05-01-10-11-12_ada.ipynb", "adam/ch04.ipynb",
+    "12-34 - Zoe Quinn - Oct 3, 2026 1122 PM/ada.ipynb",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("others", [[], ["eve.ipynb"], ["eve/a.ipynb", "ben/a.ipynb"]], ids=len)
+@pytest.mark.parametrize("stranger", STRANGERS)
+def test_the_work_of_a_stranger_is_given_to_nobody(stranger, others):
+    """Also where a name or number of theirs is that of a student, or they name files after one."""
+    found = dict(zip([stranger, *others], owned([stranger, *others]), strict=True))
+    assert found == {stranger: ""} | {name: name[:3] for name in others}
+
+
+def test_a_title_in_all_names_and_a_folder_around_all_are_nobodys():
+    assert owned(["Mechanics II/eve.ipynb", "Mechanics II/ben.ipynb"]) == ["eve", "ben"]
+    assert owned(["Mechanics eve.ipynb", "Mechanics ben.ipynb"]) == ["eve", "ben"]
+    assert owned([f"Zoe Quinn{MOODLE}{s}.ipynb" for s in ("eve", "ben")]) == ["", ""]
+    assert owned(["Ada Smith a.ipynb", "Ada Smith b.ipynb"]) == ["", ""]
