@@ -50,8 +50,9 @@ def integral(f: Callable, start: Scalar, end: Scalar, breaks: Sequence[Scalar] =
     f : function of one number that returns a scalar, a Vector, or a tuple of them, smooth between
         the limits and ``breaks``. It may be infinite at ``start`` = 0 if integrable, as x**-0.5,
         but at no other end
-    breaks : in order, where f has corners or jumps Raises :class:`SingularError` where the integral
-        does not settle, :class:`WorkError` where SymPy finds no formula.
+    breaks : in order, where f has corners or jumps
+    Raises :class:`SingularError` where the integral does not settle, :class:`WorkError` where SymPy
+    finds no formula.
 
     >>> round(integral(lambda x: x**-0.5, 0.0, 4.0), 12)
     4.0

@@ -84,6 +84,13 @@ class Moving(_Own):
         """The moving number of these parts."""
         return Moving(*parts)
 
+    def _of_table(self, table):
+        """The value of a :class:`~newton_euler.algebra.tables.Table` with its rates."""
+        slope = table.derivative()
+        first, second = slope(self.value), slope.derivative()(self.value)
+        acceleration = second * self.rate * self.rate + first * self.acceleration
+        return Moving(table(self.value), first * self.rate, acceleration)
+
     def __add__(self, other):
         o = as_moving(other)
         return Moving(self.value + o.value, self.rate + o.rate, self.acceleration + o.acceleration)

@@ -215,9 +215,9 @@ def solve_rates(conditions: Callable, count: int) -> tuple:
     gears, joints (4.4, 4.9). There may be more conditions than rates if they agree.
 
     conditions : a function of ``count`` rates that returns what must be zero (scalars, Vectors, or
-        a tuple of them), linear in the rates, as every velocity is Raises :class:`LinearError` if
-        the conditions do not determine a rate or contradict each other, and :class:`ScalarError` if
-        they are not linear.
+        a tuple of them), linear in the rates, as every velocity is
+    Raises :class:`LinearError` if the conditions do not determine a rate or contradict each other,
+    and :class:`ScalarError` if they are not linear.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")

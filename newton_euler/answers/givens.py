@@ -1,9 +1,7 @@
 """With which numbers an answer was computed: problems share names such as ``omega``, and cells may
-run in any order.
-
-``given`` ends a problem's cell of numbers. From its first call on, IPython's cells are watched:
-when a name gets a value, the given names at the start of that cell are remembered. Outside
-IPython nothing is watched.
+run in any order. From the first call of ``given``, which ends a problem's cell of numbers,
+IPython's cells are watched: when a name gets a value, the given names at the start of that cell are
+remembered.
 """
 
 import ast
@@ -126,9 +124,8 @@ def in_notebook() -> bool:
 
 def stale(problem: str, answers: dict, names_of_answers: set) -> str:
     """A sentence on the first of ``answers`` that was computed with other numbers than ``problem``
-    gives; "" if there is none.
-
-    names_of_answers : of all problems; what is computed under such a name is no given number
+    gives, or "". What is computed under one of ``names_of_answers``, of all problems, is no given
+    number.
     """
     watch = watching()
     for key, value in answers.items():

@@ -17,12 +17,9 @@ POINTS = 8  # places at which formulas are tried
 
 
 def doubts(form: Form, tree: Any, symbols: Mapping[str, str], sane: Any) -> list[str]:
-    """What makes an answer impossible, in sentences.
-
-    tree : the answer as it was read
-    symbols : {name: unit} of formulas
-    sane : what is known of it: ``(low, high)``, between which its size is for whatever numbers the
-        problem may give; :data:`KINETIC`; or None
+    """What makes an answer, the ``tree`` as it was read, impossible, in sentences. ``symbols``:
+    {name: unit} of formulas; ``sane``: ``(low, high)``, between which its size is for whatever
+    numbers the problem may give, or :data:`KINETIC`, or None.
     """
     if form.kind.is_word or tree is None:
         return []

@@ -78,9 +78,9 @@ def reactions(
     about : the point O of the axis for the terms; default: the foot of the centre of mass terms of
         A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance of G;
         ``dynamic``, from omega^2 and the products of inertia about O; ``static_euler`` and
-        ``dynamic_euler``, the same from the angular acceleration Raises :class:`RotorError` if the
-        bearings coincide, if ``about`` is off the axis, or if body and bearings move otherwise than
-        about AB.
+        ``dynamic_euler``, the same from the angular acceleration
+    Raises :class:`RotorError` if the bearings coincide, if ``about`` is off the axis, or if body
+    and bearings move otherwise than about AB.
 
     >>> from newton_euler import Frame, particle
     >>> ground = Frame("ground")
@@ -265,8 +265,8 @@ def balance(
         point a body that is not balanced statically changes its products of inertia: give the O of
         the exercise.
     tolerance : relative, of the radius of gyration k about O (the root mean square distance of the
-        mass from it; at least a thousandth of AB), and of m k^2 An array is balanced if every
-        instant is. Raises :class:`RotorError` for expressions.
+        mass from it; at least a thousandth of AB), and of m k^2
+    An array is balanced if every instant is. Raises :class:`RotorError` for expressions.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk
@@ -301,8 +301,9 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
     radius from the axis (kg m).
 
     planes : the distances (m) of the planes from A along the axis, positive towards B;
-        :class:`RotorError` if they coincide With U and P the static imbalance and the products of
-        inertia about A, at z1 and z2: U1 = (P - z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1).
+        :class:`RotorError` if they coincide
+    With U and P the static imbalance and the products of inertia about A, at z1 and z2: U1 = (P -
+    z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1).
 
     >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")
@@ -335,8 +336,9 @@ def balancing_masses(
     the Bodies ``weight 1`` and ``weight 2``.
 
     radius, mass : their distance from the axis (m) or their mass (kg), one number or a pair; the
-        other follows, zero where no weight is needed A hole of the same mass on the opposite side
-        is equivalent. Raises :class:`RotorError` for a radius or mass that is not positive.
+        other follows, zero where no weight is needed
+    A hole of the same mass on the opposite side is equivalent. Raises :class:`RotorError` for a
+    radius or mass that is not positive.
 
     >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")

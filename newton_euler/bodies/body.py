@@ -1,11 +1,5 @@
-"""Rigid bodies: mass, centre of mass, inertia, momentum and angular momentum (chapters 5 and 7).
-
-The sign convention of the products is that of :class:`newton_euler.bodies.inertia.Inertia`. Units:
-any consistent ones; in SI kg, m, kg m^2.
-
-    L = m v_G, F = dL/dt        body.momentum(ground), .rate(ground)             (5.2), (5.8), (7.5)
-    H_G = I omega               body.angular_momentum(ground)                    (7.12)
-    H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
+"""Rigid bodies: mass, centre of mass, inertia, momentum and angular momentum (chapters 5 and 7), in
+any consistent units; for the sign of the products see :class:`newton_euler.bodies.inertia.Inertia`.
 """
 
 from collections.abc import Iterable, Sequence
@@ -24,7 +18,7 @@ ROUNDED = 1e-2
 
 
 class Body:
-    """A rigid body: name, mass, centre of mass, inertia matrix; or a composite of others, see
+    """A rigid body: name, mass, centre of mass, inertia matrix; or a composite, see
     :func:`composite`.
 
     centre : the centre of mass G, a Point of the body, or a Frame whose origin is G
@@ -73,10 +67,9 @@ class Body:
         return self.about(self.centre)
 
     def about(self, point: PointLike, frame: Frame | None = None) -> Inertia:
-        """The :class:`Inertia` about ``point`` (7.26), of a composite that of all parts (7.14).
-
-        frame : the axes; default: those of the frame of the body
-        terms : the parts by name, of a composite; else ``own`` and ``transfer``
+        """The :class:`Inertia` about ``point`` (7.26), of a composite that of all parts (7.14),
+        along the axes of ``frame`` (default: that of the body); terms ``own`` and ``transfer``, or
+        the parts by name.
         """
         frame, point = self.frame if frame is None else frame, place(point, "the inertia matrix")
         if not self.parts:
@@ -109,11 +102,9 @@ class Body:
 
     @checked
     def angular_momentum(self, observer: Frame, about: Point | None = None) -> Vector:
-        """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23).
-
-        It is the *relative* angular momentum (7.6), equal to the absolute one if B is fixed in
-        ``observer``.
-        terms : ``orbital``, ``own``
+        """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23),
+        terms ``orbital``, ``own``: the *relative* angular momentum (7.6), equal to the absolute one
+        if B is fixed in ``observer``.
         """
         own = self.inertia.times(self.frame.angular_velocity(observer))
         if about is None or about is self.centre:
@@ -143,12 +134,11 @@ def particle(mass: Scalar, point: PointLike, name: str = "particle") -> Body:
 def centre_of_mass(
     parts: Iterable[Body | tuple[Scalar, Point]], frame: Frame | None = None, name: str = "G"
 ) -> Point:
-    """The centre of mass of particles and bodies together, a Point of ``frame`` (5.4), (5.9),
-    (5.11).
+    """The centre of mass of particles and bodies together, a Point of ``frame`` (default: that of
+    the first part) (5.4), (5.9), (5.11). Raises :class:`MassError` unless the total mass is
+    positive.
 
     parts : bodies, or pairs (mass, Point); a removed part has negative mass, as in ``-hole``
-    frame : default: the frame of the first part
-    Raises :class:`MassError` unless the total mass is positive.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

@@ -9,9 +9,6 @@ and carry their minus sign in the *inertia matrix* (7.13) only:
           [  I_xx  -I_xy  -I_zx ]
     [I] = [ -I_xy   I_yy  -I_yz ]   so that   {H} = [I] {omega}   (7.12)
           [ -I_zx  -I_yz   I_zz ]
-
-An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)``
-is the angular momentum.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -40,19 +37,17 @@ from .principal_axes import Principal, Symmetry, principal, symmetry
 
 
 class Inertia(Scaled, NamedTerms):
-    """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13).
+    """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13). ``A +
+    B`` is that of two bodies together, about the point and in the frame of A; ``-A`` that of a
+    hole.
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
-    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals, without the
-        minus sign of the matrix
-    mass, centre : mass of the body and its centre of mass, a Point; needed to go to another point,
-        otherwise they may be left out
+    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals
+    mass, centre : mass of the body and its centre of mass, a Point; only needed to go to another
+        point
     frame : the axes; default: those of the frame in which ``point`` is given
     tolerance : of the check that some body can have this inertia, see :meth:`check`;
         :class:`MassError` otherwise; None: no check
-
-    ``A + B`` is the inertia of two bodies together, about the point and in the frame of A; ``-A``
-    that of a hole.
 
     >>> from newton_euler import Frame
     >>> body = Frame("body")
@@ -130,12 +125,12 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def times(self, omega: Vector) -> Vector:
-        """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
+        """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix:
+        that of the whole motion about G or a point fixed in body and ground (else see
+        :meth:`Body.angular_momentum`).
 
         H has a rate if omega has one, I alpha + omega_frame x H: the entries are taken as constant
-        in the frame of the matrix, also where that precesses without spinning. H is that of the
-        whole motion about G or a point fixed in body and ground; else :meth:`Body.angular_momentum`
-        adds the motion of G.
+        in the frame of the matrix, also where that precesses without spinning.
         """
         rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
@@ -150,9 +145,8 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def moment(self, axis: str | Vector) -> Scalar:
-        """The moment of inertia about an axis through ``point``: n . I n.
-
-        axis : "x", "y", "z", or a Vector of any length along it
+        """The moment of inertia n . I n about an ``axis`` through ``point``: "x", "y", "z", or a
+        Vector.
 
         >>> from newton_euler import Frame
         >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
@@ -167,8 +161,7 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def radius_of_gyration(self, axis: str | Vector) -> Scalar:
-        """k = sqrt(moment/mass) about an axis through ``point`` (7.27): the radius of a ring with
-        the same mass and moment.
+        """k = sqrt(moment/mass) about an axis through ``point`` (7.27).
 
         >>> from newton_euler import Frame
         >>> G = Frame("rod").origin
@@ -182,10 +175,10 @@ class Inertia(Scaled, NamedTerms):
 
     def about(self, point: PointLike) -> "Inertia":
         """The inertia matrix about another point, along the same axes: the parallel axis theorem
-        (7.25), (7.26) between any two points.
+        (7.25), (7.26) between any two points. With d1, d2 the vectors from them to G, I_xx changes
+        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y), without
+        cancellation.
 
-        With d1, d2 the vectors from them to G, I_xx changes by m (d2y^2 - d1y^2 + d2z^2 - d1z^2)
-        and I_xy by m (d2x d2y - d1x d1y), without cancellation.
         terms : ``own``, the matrix about the first point, and ``transfer``, the change
 
         >>> from newton_euler import Frame
@@ -278,11 +271,10 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def check(self, tolerance: float = 1e-9, slack: float = 0.0) -> "Inertia":
-        """The inertia itself, if some body can have it; :class:`MassError` otherwise.
+        """The inertia itself, if some body can have it; :class:`MassError` otherwise. Mass and the
+        integrals of x^2, y^2, z^2 are positive, hence the triangle inequality of the moments;
+        Schwarz's inequality bounds the products; all also about G. Expressions are not checked.
 
-        Mass and the integrals of x^2, y^2, z^2 are positive, hence the triangle inequality of the
-        moments; Schwarz's inequality bounds the products; all also about G. Expressions are not
-        checked.
         tolerance : relative to the largest moment; rounded data of a thin plate may need more
         slack : added to that, the round-off of earlier subtractions
         """

@@ -1,9 +1,6 @@
 """Bodies given by a formula: mass, centre of mass and inertia as integrals over curves, surfaces
 and volumes (5.12), (5.13), (7.10).
 
-A shape is a function ``position`` of one, two or three parameters, in any coordinates, with the
-limits of each.
-
 Floats are integrated by SciPy's adaptive cubature, with an error estimate; arrays, mpf, dimensions
 and traced numbers by Gauss rules; with symbols, or ``exact=True``, SymPy finds the formulas.
 """
@@ -39,8 +36,8 @@ class IntegratedBody(Body):
     """A :class:`newton_euler.bodies.body.Body` found by integration.
 
     content : its length, area or volume
-    error : estimated error of mass, first and second moments, relative to the mass and size of the
-        body; 0 if exact
+    error : that of mass, first and second moments, relative to mass and size, an estimate; 0 if
+        exact
     """
 
     content: Scalar = None
@@ -63,14 +60,14 @@ def integrated(
 
     position : function of the parameters that returns (x, y, z) in ``frame``, with functions of
         this package (sin, sqrt …)
-    limits : for each parameter a pair (from, to); either may be a function of the parameters before
-        it
+    limits : for each parameter a pair (from, to), either a function of the parameters before it or
+        a number
     mass, density : the mass, or the density per length, area or volume, a number or a function of
         x, y, z; if both are given the density is relative
-    exact : by SymPy, also where limits or density hold symbols, which are taken as positive; a
-        parametrisation that folds back raises an error
-    rtol : required accuracy; roots at the limits, as in y = -sqrt(r^2 - x^2), do no harm
-    Raises :class:`MassError` if the integrals do not converge to ``rtol``.
+    exact : by SymPy, with symbols taken as positive; a parametrisation that folds back raises an
+        error
+    rtol : required accuracy, :class:`MassError` if it is not reached; roots at the limits, as in y
+        = -sqrt(r^2 - x^2), do no harm
 
     >>> from newton_euler import Frame, cos, sin
     >>> import math

@@ -5,10 +5,10 @@ second axis (of several equally large ones the first) is positive; the third axi
 right-handed. Where moments are equal within round-off, the axes nearest to those of the frame are
 returned.
 
-Expressions cannot be ordered by size, unless they are numbers times one common factor. If the
-matrix is diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn
-by half of atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix gives
-real formulas with an arc cosine, ascending.
+Expressions have no order, unless they are numbers times one common factor. If the matrix is
+diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn by half of
+atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix gives real formulas
+with an arc cosine, ascending.
 """
 
 from dataclasses import dataclass
@@ -45,14 +45,14 @@ UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
 
 @dataclass(frozen=True)
 class Principal:
-    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined.
+    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined,
+    which ``print`` reports.
 
     noise : relative error of the entries of the matrix; default: round-off
     gaps : for each axis, the distance of its moment from the nearest other one
     turns : for each axis, the angle in rad by which an error of noise times the largest moment
         typically turns it, atan2(noise, gap); it can be a few times that
-    All three are empty for expressions; for arrays each entry has shape (N,). ``print(p)`` reports
-    in words.
+    All three are empty for expressions; for arrays each entry has shape (N,).
     """
 
     inertia: Any
@@ -105,12 +105,11 @@ class Principal:
 
 
 def principal(inertia: Any, noise: float | None = None) -> Principal:
-    """Principal moments and axes of an :class:`Inertia` (7.18)-(7.20).
+    """Principal moments and axes of an :class:`Inertia` (7.18)-(7.20), exact for exact numbers
+    where the characteristic polynomial has exact roots; for expressions formulas. Errors of the
+    moments: a few round-offs of the largest; of the axes: those divided by the relative gap.
 
     noise : relative error of its entries, as 5e-4 for three digits; for the report only
-    Exact numbers keep exact roots where the characteristic polynomial has them; expressions get
-    formulas. Errors of the moments: a few round-offs of the largest; of the axes: those divided by
-    the relative gap.
 
     >>> from newton_euler import Frame, Inertia
     >>> p = Inertia(Frame("body").origin, (8.0, 11.0, 11.0), (3.0, 0.0, -3.0)).principal()
@@ -287,11 +286,9 @@ def _less(rows, x):
 
 @dataclass(frozen=True)
 class Symmetry:
-    """The symmetries that an inertia matrix shows; those of the body may be fewer (the matrix of a
-    cube is that of a sphere).
+    """The symmetries that an inertia matrix shows; those of the body may be fewer (as of a cube).
 
-    axes : the axes of the frame, as "z", that are principal at the point, as an axis of symmetry or
-        the normal of a plane of symmetry of the body is
+    axes : the axes of the frame, as "z", that are principal at the point
     planes : the planes of the frame, as "xy", that may be planes of symmetry through the point:
         both products with their normal vanish
     kind : "sphere" (three equal moments), "top" (two: the body moves as one with rotational
@@ -318,10 +315,8 @@ class Symmetry:
 
 
 def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
-    """The :class:`Symmetry` of an inertia matrix.
-
-    tolerance : products and differences below it times the largest moment count as zero
-    Expressions count as zero or equal only where their form shows it.
+    """The :class:`Symmetry` of an inertia matrix. Products and differences below ``tolerance``
+    times the largest moment count as zero; expressions only where their form shows it.
 
     >>> from newton_euler import Frame, Inertia
     >>> s = Inertia(Frame("body").origin, (2.0, 2.0, 3.0)).symmetry()

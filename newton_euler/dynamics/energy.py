@@ -182,8 +182,8 @@ def speed_after(speed: Scalar, work: Amount | Scalar, m: Scalar) -> Scalar:
     (11.14).
 
     work : U, or the loss of potential energy (11.29), or the sum of both
-    m : the mass; of a body with T = (some m) v^2/2, as in rolling, that m Raises
-        :class:`EnergyError` if the kinetic energy is less than the work against the motion.
+    m : the mass; of a body with T = (some m) v^2/2, as in rolling, that m
+    Raises :class:`EnergyError` if the kinetic energy is less than the work against the motion.
 
     >>> round(speed_after(2.0, 2.0*9.81*0.15, 2.0), 3)  # the ball on a cord, 0.15 m lower
     2.635

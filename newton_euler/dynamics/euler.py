@@ -86,8 +86,8 @@ def angular_acceleration(
     moment : of the external forces about the point of ``inertia``, a Vector; about a point B that
         accelerates subtract d x m a_B first (8.9)
     turning : Omega as in :func:`euler_moment`; default: omega, where the last term is zero
-    terms : ``moment``, ``gyroscopic``, and with ``turning`` also ``turning`` Raises
-        :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod.
+    terms : ``moment``, ``gyroscopic``, and with ``turning`` also ``turning``
+    Raises :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod.
 
     >>> from newton_euler import Frame, Inertia
     >>> body = Frame("body")

@@ -45,8 +45,9 @@ def work_integral(
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise
         dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy, which may
         take long
-    breaks : in order, where f has corners or jumps, or begins and ends a short pulse Raises
-        :class:`WorkError` where it does not converge, f is not finite, or SymPy finds no formula.
+    breaks : in order, where f has corners or jumps, or begins and ends a short pulse
+    Raises :class:`WorkError` where it does not converge, f is not finite, or SymPy finds no
+    formula.
 
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
     -1.0
@@ -72,8 +73,8 @@ def work_along(
     rectangular ``terms`` x, y, z (11.5).
 
     force : function of x, y, z that returns (F_x, F_y, F_z), along the axes of the path
-    path : function of one parameter, from ``start`` to ``end``, that returns (x, y, z) The others
-        are those of :func:`work_integral`.
+    path : function of one parameter, from ``start`` to ``end``, that returns (x, y, z)
+    The others are those of :func:`work_integral`.
 
     >>> from newton_euler import cos, sin
     >>> U = work_along(lambda x, y, z: (-y, x, 0), lambda a: (cos(a), sin(a), 0), 0.0, 1.5)
@@ -114,8 +115,8 @@ def work_in_time(
     """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
     force, velocity : functions of time that return Vectors or triples: the force and the velocity
-        of its point of application, or the moment of a couple and the angular velocity The others
-        are those of :func:`work_integral`.
+        of its point of application, or the moment of a couple and the angular velocity
+    The others are those of :func:`work_integral`.
 
     >>> weight, velocity = lambda t: (0, 0, -19.62), lambda t: (5.0, 0, 10.0 - 9.81*t)
     >>> round(work_in_time(weight, velocity, 0.0, 1.0).value, 9)

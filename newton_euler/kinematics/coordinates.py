@@ -241,9 +241,9 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
     velocity ``v`` and acceleration ``a`` are given.
 
     r, v, a : Vectors; components are taken along the frame of ``r``, in which v and a are seen
-        Without ``v`` the results are plain numbers; with it moving ones (without ``a`` the second
-        rates are None). theta is in (-pi, pi]. Raises :class:`SingularError` at the origin, where
-        theta and its rates do not exist, and for vectors out of the plane.
+    Without ``v`` the results are plain numbers; with it moving ones (without ``a`` the second rates
+    are None). theta is in (-pi, pi]. Raises :class:`SingularError` at the origin, where theta and
+    its rates do not exist, and for vectors out of the plane.
 
     >>> G = Frame("ground")
     >>> polar_coordinates(G.vector(2.0, 0, 0), v=G.vector(0, 6.0, 0), a=G.vector(0, 0, 0))

@@ -39,9 +39,9 @@ def curvilinear(
     position : function of three scalars, of functions of this package, that returns (x, y, z) in
         ``ground``
     q1, q2, q3 : numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
-    names : of the coordinates, for the names of terms Velocity and acceleration in ``ground`` are
-        along e_1, e_2, e_3 (``P.local``), with one term for each rate: ``u'``, …; and ``u''``,
-        ``u'^2``, ``u' v'``, …, unless zero by form.
+    names : of the coordinates, for the names of terms
+    Velocity and acceleration in ``ground`` are along e_1, e_2, e_3 (``P.local``), with one term for
+    each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …, unless zero by form.
 
     Raises :class:`SingularError` where a scale factor is below round-off (a pole, an axis), and for
     coordinates that are not orthogonal or not right-handed there.

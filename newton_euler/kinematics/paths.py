@@ -189,9 +189,9 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
     (2.14), (3.13).
 
     v, a, jerk : Vectors, all seen from one observer; the frame of ``v`` is the parent of the triad
-    jerk : da/dt; only needed for the torsion Raises :class:`SingularError` at rest, and where v x a
-        is below round-off (a straight path, an inflection), to which terms of ``v`` and ``a`` that
-        cancel add.
+    jerk : da/dt; only needed for the torsion
+    Raises :class:`SingularError` at rest, and where v x a is below round-off (a straight path, an
+    inflection), to which terms of ``v`` and ``a`` that cancel add.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -210,9 +210,9 @@ def frenet_along(path: Callable, q: Scalar, ground: Frame, name: str = "path") -
     (3.4)-(3.13), by exact derivatives.
 
     path : function of the parameter, returning (x, y, z) along the axes of ``ground``
-    q : a moving parameter (see :func:`at_speed`); a plain number is a time, with the rate 1 Raises
-        :class:`SingularError` as :func:`frenet` does, here where a direction changes by its own
-        size while q changes by its round-off.
+    q : a moving parameter (see :func:`at_speed`); a plain number is a time, with the rate 1
+    Raises :class:`SingularError` as :func:`frenet` does, here where a direction changes by its own
+    size while q changes by its round-off.
 
     >>> from newton_euler import Frame, cos, sin
     >>> helix = frenet_along(lambda s: (3.0*cos(s), 3.0*sin(s), 4.0*s), 0.0, Frame("ground"))

@@ -167,8 +167,8 @@ def axis_angle(R: Matrix, tolerance: float = 1e-9) -> tuple[tuple, Scalar]:
     angle 0 no axis is determined and (0, 0, 1) is returned.
 
     tolerance : how far R^T R may be from 1; :class:`RotationError` beyond, and for reflections
-        Accuracy: the round-off of the entries, also near 0 and pi, where the arc cosine of (R11 +
-        R22 + R33 - 1)/2 loses half of the digits.
+    Accuracy: the round-off of the entries, also near 0 and pi, where the arc cosine of (R11 + R22 +
+    R33 - 1)/2 loses half of the digits.
 
     >>> axis, angle = axis_angle(((0, 0, 1), (1, 0, 0), (0, 1, 0)))
     >>> [round(x, 6) for x in axis], round(angle, 6)

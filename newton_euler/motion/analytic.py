@@ -5,7 +5,7 @@ formula, a series continues the old one.
 from ..algebra.source import uses
 from ..algebra.trace import COMPARISONS, Step
 
-KINKS = {"where", "abs", *COMPARISONS}
+KINKS = {"where", "abs", "table", *COMPARISONS}
 # sqrt(v*v) is v to a series but abs(v) to every other method; a motion can pass the branch point
 BRANCHES = {"sqrt", "asin", "acos", "atan2", "**"}
 # exp(-1000*h) is below round-off in the series of a ball above the floor, yet large on the floor
@@ -13,8 +13,31 @@ HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 
 
 def kinks(traced):
-    """The operations of the rates that choose between formulas, as where and abs: a sorted list."""
-    return sorted({s.op for s in _varying(traced) if s.op in KINKS} - set(COMPARISONS))
+    """The operations of the rates that choose between formulas, as where and abs, at places that
+    are not known in advance: a sorted list.
+    """
+    known = {s.number for s in clocked(traced)}
+    found = {s.op for s in _varying(traced) if s.op in KINKS and s.number not in known}
+    return sorted(found - set(COMPARISONS))
+
+
+def clocked(traced):
+    """The tables in the rates whose place is a linear function of the time: a list of steps."""
+    varying, linear = _varying(traced), set()
+    changing = {s.number for s in varying}
+    for s in varying:
+        moving = [a for a in s.args if isinstance(a, Step) and a.number in changing]
+        clock = s.op == "argument" and s.args[0] == traced.rhs.parameters[0]
+        if clock or (_is_linear(s, moving) and all(a.number in linear for a in moving)):
+            linear.add(s.number)
+    return [s for s in varying if s.op == "table" and s.args[0].number in linear]
+
+
+def _is_linear(step, moving):
+    """True if a step is a linear function of those of its arguments that are ``moving``."""
+    if step.op == "*" or (step.op == "/" and moving[0] is step.args[0]):
+        return len(moving) == 1
+    return step.op in ("+", "-", "neg")
 
 
 def hazards(traced):

@@ -1,6 +1,9 @@
 """Times at which every method must stop: a pulse of a force that depends on time is missed by a
-method whose steps have grown while nothing happened.
+method whose steps have grown while nothing happened, and a step across a place where the pieces of
+a table join is not accurate.
 """
+
+import math
 
 from ..algebra.compile import Compiled
 from ..algebra.trace import Step
@@ -15,15 +18,29 @@ MAX_EVENTS = 1000  # pulses: more are an oscillation, which no step can miss
 
 def knots(system, t0, t1):
     """The times between t0 and t1, in order, at which a function of time in the rates begins or
-    ceases to change next to a quiet time; () for most models.
+    ceases to change next to a quiet time, or a table goes on to its next piece; () for most models.
     """
     if system.autonomous:
         return ()
     kept = vars(system).get("_knots")
     if kept is None or kept[0] != (t0, t1):
-        kept = (t0, t1), _found(system, t0, t1)
+        found = {*_found(system, t0, t1), *_joints(system, t0, t1)}
+        kept = (t0, t1), tuple(sorted(found))
         system._knots = kept
     return kept[1]
+
+
+def _joints(system, t0, t1):
+    """The times at which the tables that are read by the clock go on to their next piece."""
+    tables, rhs = system.traced.clocked, system.traced.rhs
+    read = Compiled("clock", rhs.parameters, rhs.trace, [s.args[0] for s in tables]).on_floats
+    states = [0.0] * len(system.model.states)
+    ends = zip(*[read(t, *states, *system.p) for t in (t0, t1)], strict=True)
+    for (place, table), (begin, end) in zip([s.args for s in tables], ends, strict=True):
+        for x in map(float, table.places):
+            part = (x - begin) / ((end - begin) or math.inf)
+            if 0.0 < part <= 1.0:
+                yield x if place.op == "argument" else t0 + part * (t1 - t0)
 
 
 def _found(system, t0, t1):

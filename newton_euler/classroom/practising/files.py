@@ -1,7 +1,6 @@
-"""Reads a practice file, which an instructor makes by ``python -m grader practice``.
-
-It may come from anywhere: what is too large, does not fit together, or would write codes to a
-terminal is refused in words when it is read. Nothing of it is run.
+"""Reads a practice file, which an instructor makes by ``python -m grader practice``. It may come
+from anywhere: what is too large, does not fit together, or would write codes to a terminal is
+refused in words. Nothing of it is run.
 """
 
 import json

@@ -53,10 +53,9 @@ class Checked(Message):
 
 
 class PracticeProblem:
-    """One problem of a practice file with one set of numbers at a time, the book's first.
-
-    ``p`` alone shows text and figure; ``p.new()`` takes other numbers, which ``p.givens`` has by
-    name; ``p.check(...)``, ``p.check_step(...)``, ``p.next_step()``, ``p.solution()``.
+    """One problem of a practice file with one set of numbers at a time, the book's first. ``p``
+    alone shows text and figure; ``p.new()`` takes other numbers, which ``p.givens`` has by name;
+    ``p.check(...)``, ``p.check_step(...)``, ``p.next_step()``, ``p.solution()``.
     """
 
     def __init__(self, file: PracticeFile, problem: str, progress: Progress):
@@ -168,8 +167,8 @@ class PracticeProblem:
         return self._check(answers, self.answers, "answer", "p.check_step")
 
     def check_step(self, **steps: object) -> Checked:
-        """The same for steps on the way, any of ``p.steps`` in any order. The message says so where
-        a later step follows rightly from a wrong one.
+        """The same for any of ``p.steps``. The message says so where one follows rightly from a
+        wrong one.
         """
         return self._check(steps, self.steps, "step", "p.check")
 

@@ -19,11 +19,7 @@ class Pulley:
 
 def route(stops, turns=None):
     """The spans, a pair of places for each two neighbouring stops, and the arcs, a list of places
-    for each stop (empty unless it is a pulley).
-
-    stops : triples and pulleys; a route that ends on the pulley on which it began is a closed belt
-    turns : for each pulley 1 or -1, whether the cable goes round it right-handed about its normal
-        or left-handed; by default the turns with the shortest route
+    for each stop (empty unless it is a pulley); stops and turns as of :meth:`.Machines.cable`.
     """
     turned = [n for n, stop in enumerate(stops) if isinstance(stop, Pulley)]
     closed = len(stops) > 2 and stops[0] is stops[-1] and 0 in turned

@@ -24,11 +24,9 @@ class Solids(Recorder):
         thickness: float = 0,
         hole: float = 0,
     ) -> None:
-        """Draw a disk about C.
-
-        spoke : a place on its rim to which a line from C is drawn; it shows how the disk has turned
-        thickness : in metres, half of it on either side of C
-        hole : radius of a round hole about C
+        """Draw a disk about C, ``thickness`` metres thick, with a round ``hole`` of this radius.
+        ``spoke``: a place on its rim to which a line from C is drawn; it shows how the disk has
+        turned.
         """
         C, normal, r = self._place(C), self._unit(normal), self._length(radius)
         thickness, hole = self._or_default(thickness) or 0.0, self._bore(hole, r)
@@ -62,7 +60,7 @@ class Solids(Recorder):
 
         >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
-        >>> from newton_euler.drawing.sketch import Sketch
+        >>> from newton_euler.drawing import Sketch
         >>> ground = Frame("ground")
         >>> s = Sketch(Figure().add_subplot(), ground)
         >>> corners = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]

@@ -32,12 +32,11 @@ def label_shifts(canvas, half_of, edges, before):
     """Each label with the way from its place to its middle, in points.
 
     half_of : gives half the width and height of a label, in points
-    edges : of the figure, left bottom and right top, in points from where the drawing has its
-        origin
+    edges : of the figure, left bottom and right top, in points from the origin of the drawing
 
-    Greedy: one label after the other takes the cheapest of 16 directions and 4 distances. The cost
-    counts what it would cover, the angle from its preferred direction and the distance; a place
-    other than that of the previous picture costs more, so that labels do not jump.
+    Greedy: one label after the other takes the cheapest of 16 directions and 4 distances, by what
+    it would cover, the angle from its preferred direction and the distance; a place other than that
+    of the previous picture costs more, so that labels do not jump.
     """
     import numpy as np
 

@@ -18,8 +18,7 @@ def faults(ax: Any) -> list[str]:
 
     >>> from matplotlib.figure import Figure
     >>> from newton_euler import Frame
-    >>> from newton_euler.drawing.sketch import Sketch
-    >>> from newton_euler.drawing.page.legibility import faults
+    >>> from newton_euler.drawing import Sketch
     >>> ax, ground = Figure().add_subplot(), Frame("ground")
     >>> s = Sketch(ax, ground, azimuth=2)
     >>> s.axes((0, 0, 0), ground)

@@ -150,10 +150,8 @@ def normal_of(corners):
 
 
 def convex_hull(view, points):
-    """The points on the convex hull as seen on the page, counter-clockwise.
-
-    By Andrew's monotone chain (1979), on a fine grid of whole numbers, so that points above each
-    other are that exactly, in the order and at the turns.
+    """The points on the convex hull as seen on the page, counter-clockwise, by Andrew's monotone
+    chain (1979) on a fine grid of whole numbers, so that points above each other are that exactly.
     """
     if not points:
         return []

@@ -1,9 +1,7 @@
 """The base of a sketch: it converts places and directions to triples, records drawing commands, and
-renders them when the figure is finished.
-
-A command draws on a :class:`~newton_euler.drawing.page.primitives.Canvas`, for which the length of
-a point of the page in metres is known. Finishing finds the length with which everything fits on the
-page, or takes that of a :class:`Window`, which the pictures of an animation share.
+renders them when the figure is finished. A command draws on a :class:`.Canvas`, for which the
+length of a point of the page in metres is known: that with which everything fits on the page, or
+that of a :class:`Window`, which the pictures of an animation share.
 """
 
 import math

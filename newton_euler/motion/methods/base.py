@@ -8,6 +8,7 @@ The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion
 
 from bisect import bisect_right
 from itertools import pairwise
+from math import inf, nextafter
 
 from ...algebra.errors import NewtonEulerError
 
@@ -44,7 +45,7 @@ class Stepper:
     step_times : the times between steps; ``calls`` : evaluations of the right-hand side
     scales : for each state what its error is relative to: its largest absolute value so far, but
         not less than its ``floors``; ``noise`` : the round-off in each state
-    stops : times between the start and the goal that no step may pass over
+    stops : times after the start, up to the goal, that no step may pass over
     steps : for each step a tuple whose last elements are the state before it; empty for a method
         that does not keep its steps
     most_steps : the most steps of one motion
@@ -78,7 +79,13 @@ class Stepper:
 
     def next_stop(self):
         """The time at which the next step must end at the latest."""
-        return next((t for t in self.stops if t > self.t), self.goal)
+        n = bisect_right(self.stops, self.t)
+        return self.stops[n] if n < len(self.stops) else self.goal
+
+    def before_stop(self):
+        """The same, but the last float before it where rates may jump there."""
+        n = bisect_right(self.stops, self.t)
+        return nextafter(self.stops[n], -inf) if n < len(self.stops) else self.goal
 
     @property
     def checkpoints(self):

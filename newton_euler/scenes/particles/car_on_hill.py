@@ -54,10 +54,10 @@ def ladder(
     """The models of one start, for the distance (m) until ``t``: a particle, on wheels, against the
     air.
 
-    start : s, v; the rest are numbers, as for :func:`car`. Raises
-        :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``.
-        The fullest model has no closed form that holds for a force both larger and smaller than the
-        component of the weight along the road.
+    start : s, v; the rest are numbers, as for :func:`car`.
+    Raises :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``.
+    The fullest model has no closed form that holds for a force both larger and smaller than the
+    component of the weight along the road.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (10.0, 5.0, 0.1)]

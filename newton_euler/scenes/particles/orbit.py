@@ -47,11 +47,11 @@ def orbit(mu: Scalar) -> Model:
     over mass, and the Laplace vector, of the size of the eccentricity, towards the closest
     approach.
 
-    mu : the constant of the attraction mu/r^2, m^3/s^2 The exact solution, for ellipses, takes the
-        numbers given as exact. Its error in position is at most 7 times the round-off of the
-        distance from the centre plus t times the speed there (measured on 2000 random ellipses, two
-        thirds of them almost parabolas). It raises :class:`~newton_euler.motion.model.ModelError`
-        for other orbits, and expressions.
+    mu : the constant of the attraction mu/r^2, m^3/s^2
+    The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at
+    most 7 times the round-off of the distance from the centre plus t times the speed there
+    (measured on 2000 random ellipses, two thirds of them almost parabolas). It raises
+    :class:`~newton_euler.motion.model.ModelError` for other orbits, and expressions.
 
     >>> import math
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]

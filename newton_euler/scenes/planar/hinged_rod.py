@@ -129,8 +129,9 @@ def ladder(
     """The models of the thin rod, for theta (rad) until ``t``: small swings, any, a shaft let go.
 
     omega, shaft : rate of the shaft at the start, and its moment of inertia; start : theta,
-        theta_rate Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate`
-        itself, where small swings are not harmonic.
+        theta_rate
+    Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small
+    swings are not harmonic.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]

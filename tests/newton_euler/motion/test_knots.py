@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from newton_euler import Model, cos, exp, sin, where
+from newton_euler import Model, cos, exp, integrate, sin, table, where
 from newton_euler.motion import second_order
 from newton_euler.motion.knots import INTERVALS, knots
 from newton_euler.motion.prepared import prepared_model
@@ -145,3 +145,52 @@ def test_parameters_are_those_of_the_model():
     for when in (3.0, 7.0):
         begin, end = knots(prepared_model(model.changed(when=when)), 0.0, 10.0)
         assert begin < when < end
+
+
+STEPS = [0.0, 1.5, 1.6, 7.0, 12.0]
+CLOCKS = {  # the place at which a table is read, and the times at which it comes to its places
+    "time": (lambda s, p, t: t, (1.5, 1.6, 7.0)),
+    "later": (lambda s, p, t: t - 2.0, (2.0, 3.5, 3.6, 9.0)),
+    "slower": (lambda s, p, t: (1 + t * p.q) / 2 + 3.0, (7.0,)),
+    "backwards": (lambda s, p, t: 8.0 - t, (1.0, 6.4, 6.5, 8.0)),
+    "by a divisor": (lambda s, p, t: -(-t / p.q), (1.5, 1.6, 7.0)),
+}
+
+
+@pytest.mark.parametrize("name", CLOCKS)
+@pytest.mark.parametrize("kind", ["linear", "previous"])
+def test_a_motion_stops_where_a_table_of_time_goes_on_to_its_next_piece(name, kind):
+    place, times = CLOCKS[name]
+    f = table(STEPS, [1.0, 4.0, -2.0, 0.5, 0.7], kind, "hold")
+    found = at(lambda s, p, t: s.x * f(place(s, p, t)), q=1.0)
+    assert all(min(abs(t - x) for x in found) < 1e-14 * t for t in times)
+    model = second_order("read", {"q": 1.0}, ("x",), lambda s, p, t: (f(place(s, p, t)),))
+    assert not prepared_model(model).traced.kinks
+
+
+@pytest.mark.parametrize("place", [
+    lambda s, p, t: s.x, lambda s, p, t: t + s.x, lambda s, p, t: t * t, lambda s, p, t: 1 / t,
+    lambda s, p, t: t * s.x, lambda s, p, t: sin(t),
+])  # fmt: skip
+def test_a_table_read_by_anything_else_is_a_kink(place):
+    f = table(STEPS, STEPS, outside="hold")
+    model = second_order("read", {}, ("x",), lambda s, p, t: (f(place(s, p, t)),))
+    assert prepared_model(model).traced.kinks == ["table"]
+
+
+@pytest.mark.parametrize("method", ["dop853", "scipy DOP853"])
+def test_a_jump_of_a_table_costs_no_rejected_steps(method):
+    jumps = table([0.0, 1.0, 2.0, 3.0], [1.0, -50.0, 80.0, 3.0], "previous")
+    level = table([0.0, 1.0, 2.0, 3.0], [1.0, 1.0, 1.0, 1.0], "previous")
+    run = lambda f: integrate(
+        Model("pushed", {}, ("v",), lambda s, p, t: (f(t) - 0.1 * s.v,)), 3.0, (0.0,), 1e-6, method
+    )
+    assert run(jumps).cost.calls < 2.5 * run(level).cost.calls
+
+
+def test_thousands_of_places_are_passed_in_as_many_steps():
+    f = table([n / 400 for n in range(4001)], [(-1.0) ** n for n in range(4001)])
+    model = Model("pushed", {}, ("v",), lambda s, p, t: (f(t),))
+    motion = integrate(model, 10.0, (1.0,), rtol=1e-6)
+    assert motion.end["v"] == pytest.approx(1.0, abs=1e-12)
+    assert motion.cost.calls < 200_000
