@@ -17,20 +17,20 @@ def kinks(traced):
     are not known in advance: a sorted list.
     """
     known = {s.number for s in clocked(traced)}
-    found = {s.op for s in _varying(traced) if s.op in KINKS and s.number not in known}
+    found = {s.op for s in varying(traced) if s.op in KINKS and s.number not in known}
     return sorted(found - set(COMPARISONS))
 
 
 def clocked(traced):
     """The tables in the rates whose place is a linear function of the time: a list of steps."""
-    varying, linear = _varying(traced), set()
-    changing = {s.number for s in varying}
-    for s in varying:
+    steps, linear = varying(traced), set()
+    changing = {s.number for s in steps}
+    for s in steps:
         moving = [a for a in s.args if isinstance(a, Step) and a.number in changing]
         clock = s.op == "argument" and s.args[0] == traced.rhs.parameters[0]
         if clock or (_is_linear(s, moving) and all(a.number in linear for a in moving)):
             linear.add(s.number)
-    return [s for s in varying if s.op == "table" and s.args[0].number in linear]
+    return [s for s in steps if s.op == "table" and s.args[0].number in linear]
 
 
 def _is_linear(step, moving):
@@ -45,7 +45,7 @@ def hazards(traced):
     point that a motion could pass without a singularity there, as a root that is not also in a
     denominator, and those that vanish below round-off.
     """
-    steps = _varying(traced)
+    steps = varying(traced)
     poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
     # a negative power is a denominator
     poles |= {
@@ -55,7 +55,7 @@ def hazards(traced):
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
 
 
-def _varying(traced):
+def varying(traced):
     """The steps of the trace that the rates need and that change during a motion."""
     rhs, found = traced.rhs, {}
     changing, needed = set(rhs.parameters[: traced.arguments]), uses(rhs.trace, rhs.leaves)
