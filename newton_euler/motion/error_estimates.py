@@ -10,8 +10,8 @@ from .sizes import time_round_off
 # 115 models, at 1e-3 to 1e-12: these cover 98 % of the true errors, and are 15 times too large in
 # the median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
-# on the smallest difference of three runs at nearly one tolerance; measured on 63 models with kinks,
-# of which it covers all errors at 1e-12, and is 6 times too large in the median
+# on the smallest difference of three runs at nearly one tolerance; measured on 63 models with
+# kinks: it covers all errors at 1e-12, and is 6 times too large in the median
 AGREED_SAFETY = 4.0
 REPORTED_SAFETY = 3.0  # on the error that is reported: with it 99 % are covered
 # on the difference of a run of heyoka from one of higher order, which is its error, and on the
@@ -53,7 +53,7 @@ def error_by_comparison(before, trajectory, method):
     if method.adaptive:
         growth = fine / max(coarse, 1) * ratio ** (1 / method.order)
         regular = regular and 1 / STEPS_OFF < growth < STEPS_OFF
-    if traced.kinks or traced.hazards:
+    if traced.surprises or traced.hazards:
         regular = False
     more = _clock_error(trajectory)
     if method.series and traced.hazards:

@@ -292,7 +292,7 @@ class Run:
 
     def irregular(self, method):
         """True if steps across a kink may be off by far, whatever the tolerance is."""
-        return method.adaptive and (self.system.traced.kinks or self.system.traced.hazards)
+        return method.adaptive and (self.system.traced.surprises or self.system.traced.hazards)
 
     def agreed(self, method, first, known):
         """Of three trajectories at nearly the same tolerance, with different steps, one of the two

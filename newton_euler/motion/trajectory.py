@@ -101,7 +101,7 @@ class Trajectory:
         and the times that no step may pass over.
         """
         nothing, series = (0.0,) * len(x), self.method.series
-        own = KINKED_PART if system.traced.kinks else OWN_PART
+        own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
             return nothing, nothing, ()
         stops = () if self.step else knots(system, self.origin, self.goal)
