@@ -54,8 +54,13 @@ class Computation:
             self.steps, [[x for x, _ in a.parts] for a in answers.values()], units, system
         )
         self.places: dict[Cause, list[int]] = {}
+        self.own: dict[int, tuple[list[int], list[Any]]] = {}  # of a step: edits, expressions
         for n, edit in enumerate(self.edits):
             self.places.setdefault(edit.cause, []).append(n)
+            for number, expression in edit.instead.items():
+                lanes, expressions = self.own.setdefault(number, ([], []))
+                lanes.append(n)
+                expressions.append(expression)
         self.run = {
             a: Compiled("the formula inside", a.parameters, a.trace, a.leaves)
             for s in self.steps
@@ -178,30 +183,30 @@ class _Lanes:
         import numpy as np
 
         self.np, self.run, self.operations = np, computation.run, operations(np)
-        self.values = {n: np.atleast_1d(np.asarray(x, float)) for n, x in values.items()}
-        self.points = max((len(x) for x in self.values.values()), default=1)
-        self.count = len(computation.edits)
+        # a number is not an array of one, which costs more
+        self.values = {n: np.asarray(x, float)[()] for n, x in values.items()}
+        self.points = max((np.size(x) for x in self.values.values()), default=1)
+        self.count, self.own = len(computation.edits), computation.own
         self.base, self.rows = {}, {}
         for s in computation.steps:
             self.base[s.number] = self._plain(s, self.base)
-        self.own = {s.number: ([], []) for s in computation.steps}
-        for lane, edit in enumerate(computation.edits):
-            for number, expression in edit.instead.items():
-                lanes, numbers = self.own[number]
-                lanes.append(lane)
-                numbers.append(np.broadcast_to(self._expression(expression), self.points))
 
     def row(self, s):
         """The row of a step, of which the arguments have theirs."""
         row = self.base[s.number]
         if any(self.rows[a.number] is not self.base[a.number] for a in steps_in(s)):
             row = self._within(s) if s.op in WITHIN else self._plain(s, self.rows)
-        lanes, numbers = self.own[s.number]
-        if lanes:
+        if s.number in self.own:
+            lanes, expressions = self.own[s.number]
             row = self.np.array(self.np.broadcast_to(row, (self.count, self.points)))
-            row[lanes] = numbers
+            row[lanes] = self._columns([self._expression(x) for x in expressions])
         self.rows[s.number] = row
         return row
+
+    def _columns(self, numbers):
+        if self.points == 1:
+            return self.np.array(numbers, float).reshape(-1, 1)
+        return [self.np.broadcast_to(x, self.points) for x in numbers]
 
     def _plain(self, s, rows):
         if s.op == "argument":

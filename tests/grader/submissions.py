@@ -54,6 +54,18 @@ def as_lines(cells):
     return [{**c, "source": c["source"].splitlines(True)} for c in cells]
 
 
+def bare(cells):
+    """As an editor leaves them that keeps texts only."""
+    return [{"cell_type": c["cell_type"], "metadata": {}, "source": c["source"]} for c in cells]
+
+
+def bare_with_a_copy(cells):
+    """And a student's own cell that begins as the answer cell does, whose metadata are there."""
+    own = next(c for c in cells if c["id"] == "answer-4-16")
+    (copy,) = bare([own])
+    return [{**copy, "source": copy["source"] + "\na_D = 1"}, *cells]
+
+
 AS_RIGHT = {  # changes that cost nothing
     "no receipt cell": lambda c: without(work(c, "dan"), "receipt-4-16"),
     "no statement and no numbers": lambda c: without(
@@ -66,6 +78,9 @@ AS_RIGHT = {  # changes that cost nothing
     "metadata of an old schema": lambda c: with_json(
         c, '"schema_version": 3', '"schema_version": 1'
     ),
+    "no metadata and ids of cells": lambda c: with_cells(c, bare),
+    "no metadata and ids, in another order": lambda c: with_cells(c, lambda x: bare(x)[::-1]),
+    "an own cell that begins as the answer cell": lambda c: with_cells(c, bare_with_a_copy),
     "text as a list of lines": lambda c: with_cells(c, as_lines),
 }
 COPIES = "2 copies of the answer cell; the first one that was filled in was graded"

@@ -113,7 +113,7 @@ def test_a_build_adds_to_a_course_and_loses_nothing(tmp_path):
 
     roster.write_text("id\nada\nben\n")
     assert "Enrolled 1 students" in ran(command("enrol", roster, "--course", place))
-    assert "Due 2027-01-31 22:59 UTC" in ran(
+    assert "Due: 2027-01-31 22:59 UTC" in ran(
         command("due", "ch04", "2027-01-31 23:59 Europe/Berlin", "--course", place)
     )
     assert path.read_bytes() == mine

@@ -2,6 +2,7 @@
 
 import pytest
 
+from grader.course import Course
 from grader.grading import grade
 from tests.grader.courses import append_config, command, nbgrader, ran
 
@@ -91,5 +92,5 @@ def test_what_cannot_be_set_is_said_and_changes_nothing(fresh, arguments, words)
     code, out = command(name, "--course", fresh.path, *others)
     assert code == 2
     assert words in " ".join(out.split())
-    assert not (fresh.path / "late.json").exists()
+    assert Course(fresh.path).settings.keys() == {"id", "secret_sha256"}
     assert not (fresh.path / "extensions.json").exists()
