@@ -59,7 +59,7 @@ def test_an_error_of_a_right_hand_side_arrives_as_raised_and_one_of_the_engine_n
     with pytest.raises(IndexError, match="tuple index out of range") as caught:
         Model("mine", {}, ("x",), own)
     assert not isinstance(caught.value, NewtonEulerError)
-    with pytest.raises(ModelError, match="right-hand side of 'mine' fails .*no state 'y'"):
+    with pytest.raises(ModelError, match=r"right-hand side of 'mine' fails .*no state 'y'"):
         Model("mine", {}, ("x",), misspelt)
 
 
