@@ -32,7 +32,7 @@ from .scalars import (
     advice,
     clipped,
     is_numeric,
-    scalar,
+    real_scalar,
     to_plain,
 )
 from .vectors import FrameError, Vector
@@ -229,7 +229,7 @@ def _first_of(converters):
 
 def _number(x):
     try:
-        y = scalar(x)
+        y = real_scalar(x)
     except ScalarError:
         return REFUSED
     return x if x is ZERO else to_plain(y)
@@ -239,7 +239,7 @@ def _real(x):
     if type(x) is float:
         return x
     y = _number(x)
-    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO) or isinstance(y, complex):
+    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO):
         return REFUSED
     return y if is_numeric(y) and not getattr(y, "shape", ()) else REFUSED
 
