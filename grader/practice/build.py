@@ -5,10 +5,9 @@ import io
 import json
 import math
 import os
-import re
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
 
@@ -47,8 +46,9 @@ def write_practice(path, problems, count=10, help="solution", graded=None, worke
 
     count : how many sets of numbers each has, the book's among them
     help : the most that a student is shown: one of ``HELP``
-    graded : {problem id: [numbers of a student's sheet]} of what a course grades: none of these
-        numbers is practised, and of problems whose answers are the same for everybody nothing
+    graded : {problem id: [numbers of a student's sheet]} of what a course grades: no answer that is
+        practised is near one of these sheets', and problems are left out whose answers are
+        formulas, or the same for everybody
     done : called after each problem
     """
     if help not in HELP:
@@ -90,13 +90,15 @@ def page_of(name, count, help, graded=None, draw=figure_png):
 
     graded : the numbers that students have of it, None where it is in no course
     """
+    if graded is not None and problem(name).symbols:
+        return LeftOut(name, "it is graded as a formula, which its steps and numbers would tell")
     p = twin(problem(name))
     sets = sets_of_numbers(p, count, graded or ())
     computed = [quantities(p, values) for values in sets]
+    if not sets:
+        return LeftOut(name, "all its answers are near graded ones")
     if graded is not None and (same := _same_for_all(p, computed)):
         return LeftOut(name, f"its {' and '.join(same)} would give away a graded answer")
-    if not sets:
-        return LeftOut(name, "all its numbers are graded ones")
     figures, variants = {}, []
     for values, (described, right) in zip(sets, computed, strict=True):
         variants.append(_variant(p, values, described, right, help))
@@ -113,7 +115,7 @@ def page_of(name, count, help, graded=None, draw=figure_png):
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *astuple(cause)) for key, cause in labels],
+        "labels": [(key, c.group, c.name, c.text) for key, c in labels],
         "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
     return page, figures
@@ -157,13 +159,13 @@ def _variant(p, values, described, right, help):
     solution = worked_solution(p, values, text=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
-        "statement": _without_links(statement(p, values, figure=False)),
+        "statement": statement(p, values, figure=False),
         "text": _plain(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
         "program": relations(p, values) if help != "check" else None,
         "terms": _terms(p, values) if help != "check" else {},
-        "solution": _without_links(solution),
+        "solution": solution,
     }
 
 
@@ -187,11 +189,6 @@ def _plain(p, values):
     if p.frame:
         lines.append(f"{frame_heading(p)}: {plain(p.frame, p.units)}")
     return "\n\n".join(lines)
-
-
-def _without_links(markdown):
-    """The notebooks of the chapters are not where a practice file is."""
-    return re.sub(r"\[([^\]]*)\]\([^)\s]*\.ipynb[^)\s]*\)", r"\1", markdown)
 
 
 def _smaller(png):

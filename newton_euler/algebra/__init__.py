@@ -30,5 +30,6 @@ from .scalars import (
     tanh,
     where,
 )
+from .tables import Table, TableError, table
 from .units import Dimension, DimensionError, Unit, UnitError, unit
 from .vectors import FrameError, Vector, cross, dot, same

@@ -36,7 +36,7 @@ from .scalars import (
     scalar,
     without_rates,
 )
-from .source import RESERVED, WITHIN, generate, runtime_names
+from .source import RESERVED, WITHOUT_HEYOKA, generate, runtime_names
 from .trace import NO_VALUE, Inner, Step, Trace, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
@@ -259,8 +259,8 @@ class Compiled:
         ):
             return False
         if self._heyoka is None:
-            if any(s.op in WITHIN for s in self.trace.steps):
-                self.backend = "numpy"  # heyoka has neither
+            if any(s.op in WITHOUT_HEYOKA for s in self.trace.steps):
+                self.backend = "numpy"
                 return False
             if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":

@@ -5,6 +5,7 @@ its user. On floats, what only one side of a choice needs stands under an ``if``
 import math
 import operator
 from itertools import takewhile
+from typing import Any
 
 from .integrals import integrals, over_cube
 from .roots import root
@@ -13,6 +14,7 @@ from .trace import COMPARISONS, Step
 
 # operations on a formula inside the formula
 WITHIN = "integral", "over_cube", "root"
+WITHOUT_HEYOKA = {*WITHIN, "table"}
 # names in the text that no argument can have
 RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where", *WITHIN}
 
@@ -107,6 +109,8 @@ def _written(op, args, lazy):
         return f"{args[0]} {op} {args[1]}"
     if op == "neg":
         return f"-{args[0]}"
+    if op == "table":
+        return f"{args[1]}({args[0]})"
     if op == "item":  # of the values of a formula inside this one
         return f"{args[0]}[{args[1].strip('()')}]"
     if lazy and op == "where":
@@ -114,6 +118,16 @@ def _written(op, args, lazy):
     if lazy and op in COMPARISONS:
         return f"{args[0]} {COMPARISONS[op]} {args[1]}"
     return op if op == "pi" else f"{op}({', '.join(args)})"
+
+
+def operations(library: Any) -> dict[str, Any]:
+    """The function of each operation of a trace, over math or NumPy."""
+    functions = {n: getattr(library, n) for n in (*FUNCTIONS, "atan2") if hasattr(library, n)}
+    return {
+        "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+        "**": operator.pow, "pow": operator.pow, "neg": operator.neg, "abs": abs,
+        "item": operator.getitem, "pi": lambda: library.pi, **functions, **runtime_names(library),
+    }  # fmt: skip
 
 
 def _integral(formula, start, end, *outer):

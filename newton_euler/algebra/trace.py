@@ -132,6 +132,10 @@ class Step(_Own):
         """The step of :func:`newton_euler.algebra.roots.root`."""
         return _inner("root", lambda x: (f(x),), (low, high), (f((low + high) / 2),))[0]
 
+    def _of_table(self, table):
+        """The step of the value of a :class:`~newton_euler.algebra.tables.Table` here."""
+        return self.trace.step("table", self, table)
+
     def _no_value(self, *_):
         raise ScalarError(NO_VALUE)
 
@@ -210,7 +214,7 @@ class Trace:
                     "as an argument"
                 )
             return "#", a.number
-        if isinstance(a, Inner):
+        if hasattr(a, "key"):  # a formula inside this one, or a table
             return a.key()
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(

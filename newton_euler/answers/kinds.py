@@ -436,9 +436,16 @@ class Choice(_Word):
     has_options = True
 
     def read(self, value, form, symbols, budget):
-        if value not in form.of:
+        """The word of the list that is meant: capitals and blanks say nothing."""
+        found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
+        given = str(value) if isinstance(value, str) else ""
+        if not (word := found.get(given) or found.get(_plain(given))):
             raise form.error(f"got {str(value)[:80]!r}")
-        return value
+        return word
+
+
+def _plain(word):
+    return " ".join(word.casefold().split())
 
 
 KINDS: dict[str, Kind] = {
