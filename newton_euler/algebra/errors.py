@@ -32,7 +32,7 @@ from .scalars import (
     advice,
     clipped,
     is_numeric,
-    scalar,
+    real_scalar,
     to_plain,
 )
 from .vectors import FrameError, Vector
@@ -104,6 +104,15 @@ def _passed_through_a_callers_function(error):
             return True
         at = at.tb_next
     return False
+
+
+def raised_by_the_engine(error: BaseException) -> bool:
+    """True if the engine itself raised this error, False if a function that it called did."""
+    at = error.__traceback__
+    while at and at.tb_next:
+        at = at.tb_next
+    module = at.tb_frame.f_globals.get("__name__", "") if at else ""
+    return module.partition(".")[0] == "newton_euler"
 
 
 def _in_words(called, error):
@@ -220,7 +229,7 @@ def _first_of(converters):
 
 def _number(x):
     try:
-        y = scalar(x)
+        y = real_scalar(x)
     except ScalarError:
         return REFUSED
     return x if x is ZERO else to_plain(y)
@@ -230,7 +239,7 @@ def _real(x):
     if type(x) is float:
         return x
     y = _number(x)
-    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO) or isinstance(y, complex):
+    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO):
         return REFUSED
     return y if is_numeric(y) and not getattr(y, "shape", ()) else REFUSED
 

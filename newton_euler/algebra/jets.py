@@ -26,7 +26,7 @@ from .scalars import (
     is_numeric,
     log,
     min_abs,
-    scalar,
+    real_scalar,
     shown,
     sin,
     sinh,
@@ -143,7 +143,7 @@ class Moving(_Own):
             )
         if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
             return self if power else 1
-        u, power = self.value, to_plain(scalar(power))
+        u, power = self.value, to_plain(real_scalar(power))
         if self.rests():
             return Moving(u**power)
         return self._chain(
@@ -156,7 +156,7 @@ class Moving(_Own):
 
     def __rpow__(self, base):
         # the logarithm in the kind of the value, with all its digits
-        return exp(self * log(self.value * 0 + scalar(base)))
+        return exp(self * log(self.value * 0 + real_scalar(base)))
 
     def _chain(self, f, df, ddf):
         """The number f(self), given f and its first two derivatives at the value."""
@@ -210,7 +210,7 @@ _DERIVATIVES = {
 
 def as_moving(x):
     """The moving number ``x``, or one of the value ``x`` whose rates are zero by structure."""
-    return x if isinstance(x, Moving) else Moving(scalar(x))
+    return x if isinstance(x, Moving) else Moving(real_scalar(x))
 
 
 def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> Moving:
@@ -229,10 +229,10 @@ def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> M
         return value
     if callable(value) and _root(type(value)) not in LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
-    value = scalar(value)
+    value = real_scalar(value)
     rates = [value]
     for x in (rate, acceleration):
-        rates.append(_derived(rates[-1]) if x is None else integer_like(scalar(x), value))
+        rates.append(_derived(rates[-1]) if x is None else integer_like(real_scalar(x), value))
     return Moving(*rates)
 
 
@@ -261,7 +261,7 @@ def at(f: Callable, t: Scalar) -> Moving:
         raise ScalarError(
             f"at takes a function of time, as at(lambda t: t**2, 2.0); got {clipped(f)}"
         )
-    t = to_plain(scalar(t))
+    t = to_plain(real_scalar(t))
     # the rate 1 in the kind of t: else constants are multiplied with 16 digits before they meet t
     try:
         return as_moving(f(Moving(t, integer_like(1, t))))

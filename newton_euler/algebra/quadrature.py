@@ -37,8 +37,6 @@ def _piece(f, start, end, rtol, exact):
     """(value, estimated error) of one smooth piece."""
     if exact:
         return by_formula(lambda x: (f(x),), start, end)[0], 0.0
-    if isinstance(start, complex) or isinstance(end, complex):
-        raise WorkError(f"the limits are real numbers, got {start!r} and {end!r}")
     kinds = start, end, _value(f, start + (end - start) / 32)
     if not all(map(is_numeric, kinds)) or any(hasattr(x, "_parts") for x in kinds):
         return integral(f, start, end), 0.0

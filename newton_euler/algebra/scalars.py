@@ -268,8 +268,39 @@ def _of_numpy(x):
     return x.astype(float) if kinds <= {float, int, bool, Fraction, _Zero} else x
 
 
+def real_scalar(x):
+    """The :func:`scalar` of a quantity of mechanics. Raises :class:`ScalarError` also for complex
+    numbers and arrays without numbers, which have no meaning there.
+
+    >>> real_scalar(1 + 2j)
+    Traceback (most recent call last):
+        ...
+    newton_euler.algebra.scalars.ScalarError: expected real numbers, got (1+2j) of type complex; \
+give its real part, if that is meant
+    """
+    if type(x) is float:
+        return x
+    y = scalar(x)
+    if type(y) is not int and not isinstance(y, _Own) and _is_unreal(y):
+        raise ScalarError(
+            f"expected real numbers, got {clipped(x)} of type {type(x).__name__}{advice(x)}"
+        )
+    return y
+
+
+def _is_unreal(x):
+    dtype = getattr(x, "dtype", None)
+    if dtype is None:
+        return isinstance(x, complex) or type(x).__name__ == "mpc"
+    return x.size == 0 or dtype.kind == "c" or (dtype.kind == "O" and any(map(_is_unreal, x.flat)))
+
+
 def advice(x):
     """What to do with a value that is no number, as the end of a message."""
+    if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
+        return "; it is empty"
+    if _is_unreal(x):
+        return "; give its real part, if that is meant"
     if hasattr(x, "magnitude") and hasattr(x, "to"):
         return "; it has a unit: pass the number in your base units, as q.to('m').magnitude"
     if hasattr(x, "unit"):

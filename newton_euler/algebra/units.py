@@ -210,6 +210,7 @@ UNITS = {
 
 
 _FEET = {"in", "ft", "mi", "slug", "lb", "oz"}
+_ANGLES = {"rad", "deg", "rev"}
 
 
 class UnitError(NewtonEulerError, ValueError):
@@ -271,6 +272,11 @@ class Unit:
     def is_of_turning(self) -> bool:
         """True of degrees and revolutions, and of rates in them: their factors have pi in them."""
         return self.pi_power != 0
+
+    @property
+    def is_of_angle(self) -> bool:
+        """True of an angle, as opposed to a rate of it or a pure number."""
+        return len(self.parts) == 1 and not _ANGLES.isdisjoint(self.parts)
 
     @property
     def is_of_feet(self) -> bool:

@@ -3,24 +3,25 @@ wrong answer meets more closely than by chance.
 
 **The test.** A slip is at a distance ``gap`` from an answer, no less than what the answer was
 rounded by. Of the slips that are as simple or simpler, ``n`` are within a quarter of the size of
-the answer; in the ``d`` components in which it differs from the key, a random answer at this place
-would be as near to one of them with the chance ``n (gap / a quarter)^d``. A slip is named where
-that is at most half a percent.
+the answer; a random answer of ``d`` components at this place would be as near to one of them with
+the chance ``n (gap / a quarter)^d``. A slip is named where that is at most :data:`CHANCE`. Counted
+over all places, random numbers are named in less than half a percent.
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..algebra.compile import Compiled
 from ..algebra.scalars import to_plain
 from ..algebra.source import WITHIN, operations
 from ..algebra.trace import Inner, Step
-from ..algebra.units import SI, System
+from ..algebra.units import SI, unit
 from .causes import Cause
-from .edits import Edit, edits_of, steps_in
+from .edits import edits_of
 from .fit import Fit
+from .formulas import Edit, Formulas, needed, steps_in
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
 
@@ -30,29 +31,15 @@ CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits wri
 CHANCE_BESIDE = 0.05  # the same where some of its components are right
 
 
-class Traced(NamedTuple):
-    """An answer of a traced computation: [(component, factor to its unit)], and the number of
-    points at which it is compared.
-    """
-
-    parts: Sequence[tuple[Any, float]]
-    points: int
-
-
 class Computation:
     """A traced computation: the steps that its answers need, and the slips in it."""
 
-    def __init__(
-        self,
-        answers: Mapping[str, Traced],
-        units: Mapping[str, str],
-        system: System,
-    ):
-        self.answers = answers
-        self.steps = needed(x for traced in answers.values() for x, _ in traced.parts)
-        self.edits: list[Edit] = edits_of(
-            self.steps, [[x for x, _ in a.parts] for a in answers.values()], units, system
-        )
+    def __init__(self, formulas: Formulas):
+        self.answers, self.system = formulas.answers, formulas.system
+        self.steps = needed(x for a in self.answers.values() for x in a.parts)
+        self.edits: list[Edit] = edits_of(formulas)
+        stages = [x for stage in formulas.stages for x in stage.parts]
+        self.every = needed([*self.steps, *stages])
         self.places: dict[Cause, list[int]] = {}
         self.own: dict[int, tuple[list[int], list[Any]]] = {}  # of a step: edits, expressions
         for n, edit in enumerate(self.edits):
@@ -63,7 +50,7 @@ class Computation:
                 expressions.append(expression)
         self.run = {
             a: Compiled("the formula inside", a.parameters, a.trace, a.leaves)
-            for s in self.steps
+            for s in self.every
             for a in s.args
             if isinstance(a, Inner)
         }
@@ -74,17 +61,6 @@ class Computation:
         from numpy import array
 
         return array([e.rank for e in self.edits])
-
-
-def needed(leaves: Iterable[Any]) -> list[Step]:
-    """The steps that these need, in order."""
-    waiting, found = [x for x in leaves if isinstance(x, Step)], {}
-    while waiting:
-        s = waiting.pop()
-        if s.number not in found:
-            found[s.number] = s
-            waiting += steps_in(s)
-    return [found[n] for n in sorted(found)]
 
 
 class Perturbed:
@@ -101,14 +77,18 @@ class Perturbed:
         with np.errstate(all="ignore"):
             lanes = _Lanes(self.computation, self.values)
             rows = {s.number: lanes.row(s) for s in self.computation.steps}
-        count = len(self.computation.edits)
-        found = {}
-        for key, (parts, points) in self.computation.answers.items():
-            columns = [f * (rows[x.number] if isinstance(x, Step) else float(x)) for x, f in parts]
-            # a number has one point, beside formulas too
-            one = [c[..., :points] if np.ndim(c) else c for c in columns]
-            found[key] = np.stack([np.broadcast_to(c, (count, points)) for c in one], axis=-1)
-        return found
+            return {k: self._answer(a, rows) for k, a in self.computation.answers.items()}
+
+    def _answer(self, answer, rows):
+        import numpy as np
+
+        numbers = [rows[x.number] if isinstance(x, Step) else float(x) for x in answer.parts]
+        factor = unit(answer.unit).from_base(1.0, self.computation.system)
+        columns = [factor * x for x in numbers]
+        # a number has one point, beside formulas too
+        one = [c[..., : answer.points] if np.ndim(c) else c for c in columns]
+        shape = len(self.computation.edits), answer.points
+        return np.stack([np.broadcast_to(c, shape) for c in one], axis=-1)
 
     def of(self, key: str, cause: Cause) -> list[Points]:
         """What the slips of this cause make of an answer; none if it is no slip of this kind."""
@@ -121,7 +101,9 @@ class Perturbed:
         import numpy as np
 
         edits = self.computation.edits
-        if not edits or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
+        if key not in self.computation.answers or fit.index is None:
+            return []
+        if not edits or not 0 < math.hypot(*fit.first[0]) < math.inf:
             return []
         rows = self._rows[key]
         with np.errstate(all="ignore"):
@@ -171,7 +153,7 @@ def _numbers_near(rows, fit, kind, ranks):
     return found
 
 
-NO_SLIPS = Perturbed(Computation({}, {}, SI), {})
+NO_SLIPS = Perturbed(Computation(Formulas({}, {}, SI)), {})
 
 
 class _Lanes:
@@ -184,11 +166,11 @@ class _Lanes:
 
         self.np, self.run, self.operations = np, computation.run, operations(np)
         # a number is not an array of one, which costs more
-        self.values = {n: np.asarray(x, float)[()] for n, x in values.items()}
+        self.values = {n: np.squeeze(x)[()] for n, x in values.items()}
         self.points = max((np.size(x) for x in self.values.values()), default=1)
         self.count, self.own = len(computation.edits), computation.own
         self.base, self.rows = {}, {}
-        for s in computation.steps:
+        for s in computation.every:
             self.base[s.number] = self._plain(s, self.base)
 
     def row(self, s):

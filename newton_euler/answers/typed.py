@@ -83,7 +83,7 @@ def _sum(x):
     if not isinstance(x, Step) or x.op not in ("+", "-"):
         return _product(x)
     a, b = map(_sum, x.args)
-    if x.op == "-" and isinstance(x.args[1], Step) and x.args[1].op in ("+", "-"):
+    if b and x.op == "-" and isinstance(x.args[1], Step) and x.args[1].op in ("+", "-"):
         b = f"({b})"
     sign, b = (" - ", b[1:]) if (b.startswith("-") and x.op == "+") else (f" {x.op} ", b)
     return f"{a}{sign}{b}" if a and b else ""

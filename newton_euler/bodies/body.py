@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Terms
-from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, scalar, shown
+from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, shown
 from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
@@ -49,7 +49,7 @@ class Body:
             raise FrameError(f"the frame of {name} is a Frame; got {clipped(frame)}")
         if not isinstance(parts, (tuple, list)) or not all(isinstance(p, Body) for p in parts):
             raise MassError(f"the parts of {name} are bodies; got {clipped(parts)}")
-        self.name, self.mass, self.parts = name, scalar(mass), tuple(parts)
+        self.name, self.mass, self.parts = name, real_scalar(mass), tuple(parts)
         self.centre = G = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
             inertia = Inertia(G, inertia, frame=frame or axes_at(G), tolerance=None)

@@ -26,6 +26,7 @@ from ..algebra.scalars import (
     is_positive,
     is_zero,
     real,
+    real_scalar,
     scalar,
     sqrt,
     to_plain,
@@ -76,7 +77,7 @@ class Inertia(Scaled, NamedTerms):
         self.frame = axes_at(self.point) if frame is None else frame
         self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")
         self.products = _three(products, "products (I_xy, I_yz, I_zx)")
-        self.mass, self.centre = None if mass is None else scalar(mass), centre
+        self.mass, self.centre = None if mass is None else real_scalar(mass), centre
         if centre is not None and not isinstance(centre, Point):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
         if not isinstance(self.frame, Frame):
@@ -249,7 +250,7 @@ class Inertia(Scaled, NamedTerms):
         return self + (-other if isinstance(other, Inertia) else other)
 
     def __mul__(self, s):
-        s = scalar(s)
+        s = real_scalar(s)
         mass = None if self.mass is None else s * self.mass
         return self._like(scale3(s, self.moments), scale3(s, self.products), mass=mass)
 
@@ -292,7 +293,7 @@ class Inertia(Scaled, NamedTerms):
 
 def _three(values, what):
     try:
-        given = tuple(scalar(x) for x in values) if len(values) == 3 else ()
+        given = tuple(real_scalar(x) for x in values) if len(values) == 3 else ()
     except TypeError:
         given = ()
     if len(given) != 3:

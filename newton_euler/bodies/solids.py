@@ -20,7 +20,7 @@ not positive.
 from typing import TypedDict, Unpack
 
 from ..algebra.errors import checked
-from ..algebra.scalars import ZERO, Scalar, clipped, pi, scalar, sin, sqrt
+from ..algebra.scalars import ZERO, Scalar, clipped, pi, real_scalar, scalar, sin, sqrt
 from ..algebra.vectors import add3, cross3, dot3, scale3, sub3, sum3
 from ..kinematics.frames import Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, positive
@@ -369,7 +369,7 @@ def _mass(shape, matter, content, **lengths):
         raise MassError(
             f"{name} needs either mass=... or density=... (per length, area or volume), {got}"
         )
-    m = scalar(density) * content if mass is None else scalar(mass)
+    m = scalar(density) * content if mass is None else real_scalar(mass)
     positive(m, f"the mass of {name}")
     return name, m
 

@@ -21,6 +21,7 @@ from ..algebra.scalars import (
     is_numeric,
     max_abs,
     probe,
+    real_scalar,
     scalar,
     short,
     to_plain,
@@ -191,7 +192,7 @@ class Potential:
     rtol: float = 1e-10
 
     def __call__(self, x: Scalar, y: Scalar, z: Scalar) -> Scalar:
-        target = tuple(scalar(c) for c in (x, y, z))
+        target = tuple(real_scalar(c) for c in (x, y, z))
         V = self._from_base(tuple(c.value if isinstance(c, Moving) else c for c in target))
         if not any(isinstance(c, Moving) for c in target):
             return V
@@ -200,7 +201,7 @@ class Potential:
         return Moving(V, rate.value, rate.rate) if isinstance(rate, Moving) else Moving(V, rate)
 
     def _from_base(self, target):
-        base = tuple(map(scalar, self.base))
+        base = tuple(map(real_scalar, self.base))
         line = tuple(x - a for a, x in zip(base, target, strict=True))
         exact = not all(map(is_numeric, (*target, *base)))
         force = _checked(self.force)

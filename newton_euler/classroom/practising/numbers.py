@@ -8,7 +8,7 @@ from typing import Any
 from ...answers.causes import Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
-from ...answers.perturbed import NO_SLIPS
+from ...answers.perturbed import NO_SLIPS, Perturbed
 from ...answers.tolerance import Points
 from .programs import Program
 
@@ -87,6 +87,10 @@ class KeptNumbers:
             elif name not in seen:
                 seen.add(name)
                 yield from self._tried_before(name, seen)
+
+    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Perturbed:
+        """No slips: the computation of later quantities from earlier ones is one of numbers."""
+        return NO_SLIPS
 
     def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
         """The points that follow from {earlier quantity: points}; None for words."""

@@ -37,6 +37,9 @@ class Fall:
     def wrong(self, key):
         return [model[1:] for model in self._wrong if model[0] == key]
 
+    def sequel(self, key, earlier):
+        return NO_SLIPS
+
     def following(self, key, earlier):
         ((v,),) = earlier["v"]
         return ((v**2,),) if key == "square" else (("falls" if v > 0 else "rises",),)
@@ -125,6 +128,9 @@ class Two(Fall):
     def __init__(self):
         super().__init__()
         self.earlier = {"square": ("v", "bounces")}
+
+    def sequel(self, key, earlier):
+        return NO_SLIPS
 
     def following(self, key, earlier):
         if None in earlier.values():
