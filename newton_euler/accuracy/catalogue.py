@@ -101,7 +101,9 @@ def _models(name, quick, progress, tolerance=None):
     points = measured_models(rungs, progress)
     draw_models(points, rungs, figure, tolerance)
     caption, title = models_caption(points, rungs, tolerance), f"models of {name}"
-    return DrawnChart(title, tuple(points), caption, points_table(points, rungs.of), figure)
+    return DrawnChart(
+        title, tuple(points), caption, points_table(points, rungs.of, "operations", ""), figure
+    )
 
 
 def _comparison(name, quick, progress):

@@ -61,7 +61,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
         all methods of integration: the true error against the time and against
         the calls of the right-hand side, and the drift of the invariants
     "models of projectile" and others
-        from the coarsest model to the fullest: time against what is left out
+        from the coarsest model to the fullest: operations against what is left out
     a comparison, as "angle"
         where nothing is integrated: several methods for the same number
     "map of sleeping top" and others
@@ -73,9 +73,10 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Closed forms and
     methods that step have a front each. Times are those of a run after all imports and
-    compilations; a grey bar ends at the time of the first run. Among models the ring is the choice:
-    the cheapest within the tolerance. Errors are taken against a reference of 30 digits. Times
-    differ by a tenth from run to run, and by more while the machine has other work.
+    compilations; a grey bar ends at the time of the first run. Among models the cost is counted in
+    operations, and the ring is the choice: the smallest within the tolerance. Errors are taken
+    against a reference of 30 digits. Times differ by a tenth from run to run, and by more while the
+    machine has other work.
 
     \b
     Examples:
