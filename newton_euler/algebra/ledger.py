@@ -200,8 +200,7 @@ class Ledger:
 
 
 class Explanation:
-    """A vector as a sum of terms: ``str()`` gives text, ``latex`` the formulas, which Jupyter
-    shows.
+    """A vector as a sum of terms: ``str()`` gives text, ``latex`` what Jupyter shows.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)

@@ -380,8 +380,7 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
     conditions : a function of the unknowns that returns what must be zero, linear in them: best a
         dict of scalars and Vectors by the name of the equation (a Vector is three equations, as
         "force.x"); or a tuple, or one of them. Each equation may have its own unit
-    names : of the unknowns, in the order of the arguments, as "a N alpha" or a tuple; default: the
-        names of the arguments
+    names : of the unknowns, in order, as "a N alpha" or a tuple; default: those of the arguments
 
     Numbers are eliminated equation by equation, with a choice of pivots. Arrays are solved for all
     instants. Expressions give formulas, without simplification: unknowns that stand alone first,
@@ -504,8 +503,7 @@ class _Elimination:
     agree. A row is a sum of equations: its coefficients, its right side, and how much of each
     equation is in it. ``rows`` has them by the unknown that is their pivot, with 1 there,
     ``dependent`` those without by the number of the last equation. Sizes are compared unknown by
-    unknown (in ``scale``) and within a condition (``usual``, for each equation), so that units do
-    not matter.
+    unknown (in ``scale``) and within a condition (``usual``, for each equation), in their units.
     """
 
     def __init__(self, equations, count, faithful, numbers):

@@ -1,8 +1,7 @@
 """Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
 Every formula of the engine is written once over *scalars*: a Python float, a NumPy array (many
-instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the
-engine's own kinds:
+instants at once), an ``mpmath.mpf``, a expression of SymPy, SymEngine or heyoka, or one of these:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
@@ -203,8 +202,7 @@ def scalar(x):
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
     (and of bool, and of floats of fewer digits) an array of 64-bit floats, which rounds entries
     above 2**53, a single one a Python integer, which is exact. Raises :class:`ScalarError` if ``x``
-    is not a number (text, None, lists), or has a unit of its own, as quantities of pint and astropy
-    have.
+    is not a number (text, None, lists), or has a unit of its own, as those of pint and astropy.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -556,9 +554,7 @@ def is_expression(x: Scalar) -> bool:
 
 
 def promote(*values):
-    """The values, each with the digits and instants of the others; traced ones and expressions
-    stay.
-    """
+    """The values, each with the digits and instants of the others; others stay."""
     values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
         return values

@@ -164,11 +164,9 @@ def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None
 
 @checked
 def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
-    """The moment I psi' x phi' on a body whose spin axis precesses at right angles to itself
-    (10.38).
+    """The moment I psi' x phi' on a spin axis that precesses at right angles (10.38).
 
-    precession, spin : Vectors, rad/s, at right angles (:class:`GyroError` otherwise); I about the
-        spin
+    precession, spin : Vectors, rad/s, at right angles (:class:`GyroError` otherwise)
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -210,8 +208,7 @@ def steady_spin(
     moment: Scalar = None,
 ) -> Scalar:
     """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it; for
-    ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` if I or the
-    precession is zero.
+    ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` without either.
 
     >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
     102.0
@@ -437,8 +434,7 @@ class FreePrecession:
     """The steady precession of a symmetric body without moment, about its angular momentum H = H K,
     at the ``rate`` psi'.
 
-    sense : "direct" if spin and precession have the same sense, else "retrograde"; None for
-        expressions
+    sense : "direct" if that of the spin, else "retrograde"; None for expressions
     body_cone, space_cone : half-angles (rad) of the cones of the instantaneous axis about k and K
     """
 

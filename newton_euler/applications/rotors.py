@@ -1,5 +1,4 @@
-"""Rotation about a fixed axis (chapter 9): the bearing forces of a rotor, its imbalance and
-balancing.
+"""Rotation about a fixed axis (chapter 9): bearing forces, imbalance, balancing.
 
 A rotor turns about the line AB of two bearings, Points at rest. The unit vector e points from A to
 B, rates and moments are right-handed about it. O is a point of the axis, the bearings lie at -a and
@@ -246,8 +245,7 @@ class Balance:
 def balance(
     body: Body, A: Point, B: Point, about: Point | None = None, tolerance: float = 1e-9
 ) -> Balance:
-    """Whether a rotor is balanced (9.4): statically if G is on the axis, dynamically if the axis is
-    principal at O.
+    """Whether a rotor is balanced (9.4): statically, G on the axis; dynamically, a principal axis.
 
     about : the point O; default: the foot of G, so that the two are independent. About another
         point a body that is not balanced statically changes its products of inertia: give the O of

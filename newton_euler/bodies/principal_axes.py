@@ -2,8 +2,7 @@
 
 Order and sign are always the same: moments ascending; the largest component of the first and of the
 second axis (of several equally large ones the first) is positive; the third axis makes them
-right-handed. Where moments are equal within round-off, the axes nearest to those of the frame are
-returned.
+right-handed. Where moments are equal within round-off, the axes are nearest to those of the frame.
 
 Expressions have no order, unless they are numbers times one common factor. If the matrix is
 diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn by half of

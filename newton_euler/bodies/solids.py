@@ -8,8 +8,7 @@ as in the book's table, "y", "z", or with a minus sign where the body has a sens
 direction give the body a frame of its own, ``ground.rotate(...)``.
 
 Mass: either ``mass=`` or ``density=`` is given, the mass per length, area or volume. ``name=``
-names the body; default: the name of the shape. :class:`MassError` for lengths or a mass that are
-not positive.
+names the body; default: the name of the shape. :class:`MassError` for what is not positive.
 
 >>> from newton_euler import Frame
 >>> part = Frame("part")

@@ -67,8 +67,7 @@ def resultant_moment(
 
     observer : an inertial frame
     about : G (default), or any Point B, however it moves, or a Frame for its origin
-    via : the frame in which H is differentiated, and whose components the result has; default: that
-        of the body
+    via : the frame in which H is differentiated, and of the result; default: that of the body
     terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of
         ``via``; unless about G, ``reference``, d x m a_B
 

@@ -59,8 +59,7 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
 @checked
 def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     """The one unknown force R = m a - (the known forces) (6.1), along the axes of ``a``, a Vector
-    as the ``known`` are. Terms: ``inertia``, which is m a, and each known force with its sign
-    turned.
+    as the ``known`` are. Terms: ``inertia``, which is m a, and minus each known force.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

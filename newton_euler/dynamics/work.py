@@ -41,11 +41,9 @@ def work_integral(
 
     f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise
-        dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy, which may
-        take long
+        dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy
     breaks : in order, where f has corners or jumps, or begins and ends a short pulse
-    Raises :class:`WorkError` where it does not converge, f is not finite, or SymPy finds no
-    formula.
+    Raises :class:`WorkError` where it does not converge, is not finite, or has no formula.
 
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
     -1.0

@@ -1,9 +1,7 @@
-"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest that is
-accurate enough.
+"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest that will do.
 
 Rungs may have different states, but the same quantity is *observed*, as the position of a shot. The
-error of a rung is its largest distance from the fullest; it is measured where no model bounds what
-it leaves out.
+error of a rung is its largest distance from the fullest, measured where no bound is known.
 """
 
 import math
@@ -33,8 +31,7 @@ ROUGH, FINEST = 1e-9, 1e-11
 class Rung(Portable):
     """One model of a ladder.
 
-    model : it ``neglects`` what the fuller rungs contain, with bounds of the error against the
-        fullest
+    model : it ``neglects`` what the fuller rungs contain, with bounds of its error
     start : its states at t = 0
     observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the
         unit of the ladder

@@ -25,8 +25,7 @@ class Vectors(Recorder):
     ) -> None:
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
-        labels : three, as a string or a list, or "" for arrows without; an axis with the label ""
-            is left out
+        labels : three, as a string or a list, or "" for none; an axis labelled "" is left out
         moved : True for the axes of a frame that moves, which are brown and dashed; fixed ones are
             black. By default those of every frame but the ground of the sketch.
         """

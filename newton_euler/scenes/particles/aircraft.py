@@ -1,5 +1,4 @@
-"""An aircraft as a particle over a ground taken as inertial: in a vertical plane (6.3), in space
-(6.12).
+"""An aircraft as a particle over inertial ground: in a vertical plane (6.3), in space (6.12).
 
 Thrust acts along the velocity, drag against it, lift normal to it and, in a coordinated turn,
 tilted by the *bank* angle to the right; each, and the bank, is a number or a law ``(s, p, t)``. The
@@ -34,8 +33,7 @@ def vertical_flight(
     lift: Scalar | Callable = 0,
 ) -> Model:  # fmt: skip
     """The Model of flight in a vertical plane (6.3): states v, gamma, x, y (y up). Without thrust
-    and drag the energy over mass is an invariant; without lift as well the parabola is its exact
-    solution.
+    and drag the energy over mass is an invariant; without lift as well it is a parabola.
 
     >>> plane = vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62)
     >>> plane.derivative((50.0, 0.0, 0.0, 100.0))

@@ -51,8 +51,7 @@ def ladder(
     air: Scalar = 0.4, g: Scalar = 9.81, force: Scalar = 2500.0, slope: Scalar = 0.08,
     start: tuple[Scalar, ...] = (0.0, 10.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one start, for the distance (m) until ``t``: a particle, on wheels, against the
-    air.
+    """The models of one start, for the distance (m) until ``t``: particle, wheels, air.
 
     start : s, v; the rest are numbers, as for :func:`car`.
     Raises :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``.

@@ -20,8 +20,7 @@ PLACE = "place in plan, m"
 
 
 def any_swing(length: Scalar, g: Scalar) -> Model:
-    """The Model for an Earth at rest, with swings of any size below the level of the support:
-    states x, y, dx, dy.
+    """The Model for an Earth at rest, with swings of any size: states x, y, dx, dy.
 
     >>> # -g sin(theta) cos(theta)
     >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)

@@ -38,8 +38,7 @@ def air_near_low(
     rate: Scalar = EARTH_RATE,
 ) -> Model:  # fmt: skip
     """The Model of a parcel of air (6.33): states x, y from the centre, and dx, dy, seen from the
-    ground. Without friction, energy and absolute angular momentum are invariants, and there is an
-    exact solution.
+    ground. Without friction, energy and absolute angular momentum are invariants; exact.
 
     pressure_gradient : inward acceleration over distance; 0 for air that moves in circles, by the
         Coriolis acceleration alone
@@ -62,8 +61,7 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of one parcel of air: the Earth at rest, rotating, and friction as well.
 
-    pressure_gradient, friction : numbers, the first above 0, the second not negative; start : x, y,
-        dx, dy in m and m/s
+    pressure_gradient, friction : above 0, not negative; start : x, y, dx, dy in m and m/s
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]

@@ -128,8 +128,7 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of the thin rod, for theta (rad) until ``t``: small swings, any, a shaft let go.
 
-    omega, shaft : rate of the shaft at the start, and its moment of inertia; start : theta,
-        theta_rate
+    omega, shaft : the first rate of the shaft, and its inertia; start : theta, theta_rate
     Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small
     swings are not harmonic.
 

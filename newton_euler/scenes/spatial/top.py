@@ -2,8 +2,7 @@
 alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a fast top, :func:`euler` for
 psi and phi off the vertical; and the free symmetric body (10.8).
 
-I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, constant,
-is a parameter.
+Symbols as in :mod:`newton_euler.applications.gyroscopes`; the parameter ``omega_z`` is constant.
 """
 
 from dataclasses import replace
