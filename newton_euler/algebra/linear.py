@@ -444,9 +444,7 @@ def _solved(equations, names):
 
 @dataclass(frozen=True)
 class _Equation:
-    """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition, of which
-    a Vector makes three equations.
-    """
+    """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition."""
 
     name: str
     coefficients: tuple

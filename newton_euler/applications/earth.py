@@ -188,8 +188,7 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
 
 @checked
 def coriolis_acceleration(omega: Vector, v: Vector) -> Vector:
-    """The Coriolis acceleration -2 omega x v for a velocity ``v`` seen from a frame that turns at
-    ``omega``.
+    """The Coriolis acceleration -2 omega x v for ``v`` seen from a frame that turns at ``omega``.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

@@ -1,5 +1,4 @@
-"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a fixed point of its
-axis, or about its centre of mass.
+"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a point of its axis.
 
 Moments of inertia about that point: ``I0`` about a transverse axis, ``I`` about the axis of
 symmetry k (10.17). Euler angles 3-1-3: ``theta`` is the angle from the axis of precession K
@@ -226,8 +225,7 @@ class SteadyPrecession:
     """The two steady precessions at an angle, by :func:`steady_precession`.
 
     slow, fast : the rates psi', rad/s; ``fast`` is infinite where there is no second one
-    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta);
-        zero where both are one
+    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta)
     stiffness : for each of the two, see :func:`nutation_stiffness`
     """
 
@@ -431,8 +429,7 @@ def fast_spin(
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """The steady precession of a symmetric body without moment, about its angular momentum H = H K,
-    at the ``rate`` psi'.
+    """The steady precession of a symmetric body without moment about H = H K, at the ``rate`` psi'.
 
     sense : "direct" if that of the spin, else "retrograde"; None for expressions
     body_cone, space_cone : half-angles (rad) of the cones of the instantaneous axis about k and K

@@ -165,8 +165,7 @@ def composite(
 
     parts, removed : bodies, all fixed in one rigid body; they are the terms of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
-    Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
-    outside of the body).
+    Raises :class:`MassError` without mass, or for moments that no body has (a hole outside).
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk

@@ -44,8 +44,7 @@ UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
 
 @dataclass(frozen=True)
 class Principal:
-    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined,
-    which ``print`` reports.
+    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined.
 
     noise : relative error of the entries of the matrix; default: round-off
     gaps : for each axis, the distance of its moment from the nearest other one
@@ -279,8 +278,7 @@ class Symmetry:
     axes : the axes of the frame, as "z", that are principal at the point
     planes : the planes of the frame, as "xy", that may be planes of symmetry through the point:
         both products with their normal vanish
-    kind : "sphere" (three equal moments), "top" (two: the body moves as one with rotational
-        symmetry (7.21)), or "none"
+    kind : "sphere" (three equal moments), "top" (two: as a body of revolution (7.21)), or "none"
     axis : of a top, the unit Vector of the distinct axis; else None
     """
 

@@ -62,8 +62,7 @@ def _is_fixed(point, body):
 def resultant_moment(
     body: Body, observer: Frame, about: Point | Frame | None = None, via: Frame | None = None
 ) -> Vector:
-    """The moment of all external forces about a point, from the motion of the body: (8.9), (8.10),
-    (8.11), (8.12); N m.
+    """The moment of all external forces, from the motion: (8.9), (8.10), (8.11), (8.12); N m.
 
     observer : an inertial frame
     about : G (default), or any Point B, however it moves, or a Frame for its origin

@@ -70,8 +70,7 @@ def spring_between(
     first: Point | Sequence[Scalar],
     second: Point | Sequence[Scalar],
 ) -> Scalar:
-    """The potential of a straight spring between two places (11.35): its stretch is their distance
-    less the free length.
+    """The potential of a spring between two places (11.35): stretch, distance less free length.
 
     first, second : two Points, and V is that of the instant, without rates; or two triples of
         coordinates along the same axes, which can be differentiated, as by
@@ -223,8 +222,7 @@ def find_potential(
     force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers
     base : where V is zero; straight lines from it must stay where the force exists
     box : the region in which the field is used, three pairs (low, high)
-    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region; a
-        hole is not found without its loop
+    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
         and of the work round a loop, relative to size of F times length. A spot check: a curl that
         is zero at these places alone passes.

@@ -36,8 +36,7 @@ def work_integral(
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> Amount:
-    """The integral of ``f`` from ``start`` to ``end`` with its estimated error: (11.2), (11.3),
-    (11.4) or (11.11), by what f is.
+    """The integral of ``f`` with its estimated error: (11.2), (11.3), (11.4) or (11.11).
 
     f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise

@@ -235,8 +235,7 @@ def smallest(ladder: Ladder, tolerance: float) -> Choice:
     ``tolerance``, in the ladder's unit.
 
     A rung is accepted if the bound of what it neglects is small enough, or its motion near enough
-    to that of the fullest, whose own bound, if it has one, is added. :class:`ModelError` if none is
-    accepted.
+    to that of the fullest, whose own bound is added. :class:`ModelError` if none is accepted.
 
     >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))

@@ -39,8 +39,7 @@ class WorkPrecision:
     ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
         name)}, measured in turns; not where "auto" takes the exact solution, whose time says
         nothing about methods that step
-    preparing : {method: seconds that its first run took more than the next, to write and compile
-        code}; all imports were made before
+    preparing : {method: seconds that its first run took more than the next, to compile code}
     too_slow, unable : {method: after which run it was left out}, or why it failed
     """
 

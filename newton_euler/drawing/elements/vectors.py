@@ -50,8 +50,7 @@ class Vectors(Recorder):
     ) -> None:
         """Draw an arrow from P along ``v``; a dot if ``v`` is zero beside the longest of its kind.
         That is 62 points long (``Sketch(…, arrows=62)``), the others in proportion, but no shorter
-        than a quarter of it, unless the figure moves. For an arrow to the scale of the bodies, see
-        :meth:`arrow`.
+        than a quarter of it, unless the figure moves. To the scale of the bodies: :meth:`arrow`.
 
         kind : velocity, acceleration, rate, force or plain, which sets the colour
         size : a unit, as "m/s", with which the magnitude is written after the label

@@ -77,8 +77,7 @@ def ladder(
     """The models of a flight at fixed controls, for the position (m) until ``t``: straight, in a
     level turn (none without bank), in a vertical plane, in space.
 
-    lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All
-        are numbers.
+    lift, drag : numbers, force over speed squared, kg/m; start : v, chi, gamma, x, y, h.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (200.0, 50.0, 1.0)]

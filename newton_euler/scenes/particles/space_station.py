@@ -63,8 +63,7 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of a throw near (radius, 0) at the rim: uniform gravity, the turning station, air.
 
-    omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before
-        the body reaches it.
+    omega : not zero; start : x, y, dx, dy in m and m/s. t : before it is at the floor.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1)]
