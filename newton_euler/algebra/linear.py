@@ -229,6 +229,7 @@ def solve_rates(conditions: Callable, count: int) -> tuple:
     """
     equations = _equations(conditions(*_unknowns(count)), count)
     noise = RATE_NOISE * _largest(c for e in equations for c in e.coefficients)
+
     rows = [
         e.parts()
         for e in equations
@@ -359,10 +360,8 @@ class Solution:
             f"The equation {name!r} is redundant: it follows from {_quoted(others)}"
             for name, others in self.redundant.items()
         ]
-        return (
-            ". ".join(sentences)
-            or "The equations determine every unknown, and each of them is needed"
-        )
+        nothing = "The equations determine every unknown, and each of them is needed"
+        return ". ".join(sentences) or nothing
 
     def __str__(self):
         lines = [
@@ -553,10 +552,8 @@ class _Elimination:
 
     def _relative(self, row, measure=max_abs):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
-        return [
-            measure(x) / s if s and x is not ZERO else 0.0
-            for x, s in zip(row, self.scale, strict=False)
-        ]
+        pairs = zip(row, self.scale, strict=False)
+        return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in pairs]
 
     def _eliminate(self, n):
         own = (int(n == m) or ZERO for m in range(len(self.equations)))

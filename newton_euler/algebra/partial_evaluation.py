@@ -61,7 +61,5 @@ def folded(formula, count):
     leaves = [in_rest(renewed(leaf)) for leaf in formula.leaves]
     names = [*arguments, *(step.args[0] for _, step in constants.values())]
     values = [x for x, _ in constants.values()]
-    return (
-        Compiled(formula.name, names, rest, leaves),
-        Compiled(formula.name, parameters, early, values),
-    )
+    constants_of = Compiled(formula.name, parameters, early, values)
+    return Compiled(formula.name, names, rest, leaves), constants_of

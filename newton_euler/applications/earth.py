@@ -176,10 +176,8 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
     -0.128
     """
     not_negative(m, "the mass")
-    parts = {
-        "weight": scalar(m) * scalar(g) * ground.k,
-        "rotation": scalar(m) * ground_acceleration(ground),
-    }
+    m = scalar(m)
+    parts = {"weight": m * scalar(g) * ground.k, "rotation": m * ground_acceleration(ground)}
     return named_sum("support force", f"in {ground.name}", parts, ground)
 
 

@@ -339,10 +339,8 @@ def simplex(*corners: Point, **matter: Unpack[Matter]) -> Body:
     # not times 1/(n + 1), which would round before an mpf or a fraction comes in
     middle = tuple(x / (n + 1) for x in sum3(edges))
     arms = [scale3(-1, middle), *(sub3(e, middle) for e in edges)]
-    second = [
-        sum((arm[a] * arm[b] for arm in arms), ZERO) * m / ((n + 1) * (n + 2))
-        for a, b in SECOND_MOMENTS
-    ]
+    sums = (sum((arm[a] * arm[b] for arm in arms), ZERO) for a, b in SECOND_MOMENTS)
+    second = [x * m / ((n + 1) * (n + 2)) for x in sums]
     G = frame.point(f"G of {name}", *add3(first, middle))
     return Body(name, m, G, Inertia(G, *from_second_moments(second), m, G, frame, None))
 

@@ -159,11 +159,8 @@ def rigid_power(body: Body, observer: Frame, force: Vector, moment: Vector) -> A
     >>> rigid_power(ball, ground, 3.0*ground.i, -1.0*ground.k).terms
     {'translation': 0, 'rotation': -4.0}
     """
-    terms = {
-        "translation": power(force, body.centre, observer),
-        "rotation": power(moment, body.frame, observer),
-    }
-    return summed(terms, "power", "11.47")
+    of_force, of_moment = power(force, body.centre, observer), power(moment, body.frame, observer)
+    return summed({"translation": of_force, "rotation": of_moment}, "power", "11.47")
 
 
 @checked

@@ -39,12 +39,8 @@ def euler_moment(
         Omega = turning.expressed_in(frame).c
         # the rate of omega seen in the frame; in the frame of the body it is alpha itself
         rate = sub3(rate, cross3(Omega, w))
-    return _summed(
-        inertia,
-        "Euler's moment",
-        relative=inertia.times3(rate),
-        rotation=cross3(Omega, inertia.times3(w)),
-    )
+    rotation = cross3(Omega, inertia.times3(w))
+    return _summed(inertia, "Euler's moment", relative=inertia.times3(rate), rotation=rotation)
 
 
 @checked

@@ -87,10 +87,8 @@ def work_along(
 
         return f
 
-    parts = {
-        name: work_integral(component(n), start, end, rtol, exact, breaks)
-        for n, name in enumerate("xyz")
-    }
+    how = rtol, exact, breaks
+    parts = {n: work_integral(component(k), start, end, *how) for k, n in enumerate("xyz")}
     return summed(parts, number="11.5", error=sum(p.error for p in parts.values()))
 
 
