@@ -532,8 +532,9 @@ def radians(degrees: Scalar) -> Scalar:
 def is_numeric(x: Scalar) -> bool:
     """True if ``x`` has a value that can be compared; not for an expression or a dimension.
 
-    >>> is_numeric(1.0), is_numeric(ZERO)
-    (True, True)
+    >>> from newton_euler import Dimension
+    >>> is_numeric(1.0), is_numeric(Dimension(1))
+    (True, False)
     """
     if type(x) is float:
         return True
