@@ -13,7 +13,7 @@ from typing import Any
 from ..algebra.errors import checked
 from .checks import Check, check
 from .forms import AnswerError, Form
-from .givens import in_notebook, seals, stale
+from .givens import in_notebook, outdated, seals, stale
 from .notation import formula, is_word, symbol, unit_symbol
 from .sanity import doubts
 from .trees import NODES, dimension_hints, in_words
@@ -65,7 +65,9 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if key not in forms:
             asked = ", ".join(forms)
             raise AnswerError(f"problem {problem} does not ask for {key!r}; it asks for {asked}")
-    answers = {key: (names or {}).get(key) for key in forms} | answers
+    old = outdated(problem, forms.keys() - answers.keys())
+    there = {key: (names or {}).get(key) for key in forms}
+    answers = there | dict.fromkeys(old) | answers
     read, faults = record(forms, symbols, answers)
     receipts[problem] = {"problem": problem, "answers": read, "faults": faults}
     if faults:
@@ -91,9 +93,8 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         for key, form in forms.items()
         if (found := doubts(form, read.get(key), symbols, sane.get(key)))
     }
-    return Receipt(
-        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted, checks
-    )
+    warning = "; ".join([*old.values(), *filter(None, [stale(problem, answers, others)])])
+    return Receipt(problem, read, forms, symbols, warning, notation, doubted, checks)
 
 
 def _blank(forms, read):
@@ -143,7 +144,8 @@ class Receipt:
 
     def __repr__(self):
         if not self._given:
-            return f"{self.problem}: no answer yet."
+            again = f" Look again: {self.warning}." if self.warning else ""
+            return f"{self.problem}: no answer yet.{again}"
         read = "; ".join(self._as_text(key, tree) for key, tree in self._given.items())
         hints = "".join(f"\n  {hint}" for hint in self._hints())
         return f"{self.problem}: {read}. {self._remarks()}{hints}"
@@ -152,7 +154,7 @@ class Receipt:
     def markdown(self):
         """The same as Markdown, with the answers as formulas."""
         if not self._given:
-            return f"{self.problem}: no answer yet."
+            return _escaped(repr(self))
         read = "; ".join(self._as_markdown(key, tree) for key, tree in self._given.items())
         hints = "".join(f"\n- {_escaped(hint)}" for hint in self._hints())
         space = "\n" if hints else ""
