@@ -6,7 +6,7 @@ from exercises.catalogue import problem
 from grader.assignment import make_personal_copies
 from grader.assignment.numbers import numbers_path
 from grader.grading import grade
-from tests.grader.courses import change_source, late_policy, points, read, submit
+from tests.grader.courses import change_source, points, read, submit
 from tests.grader.submissions import work
 
 
@@ -160,24 +160,6 @@ def test_a_problem_uses_its_own_givens_though_another_shares_the_names(fresh):
     read_v = record["notebooks"]["ch04"]["executed"]["receipts"]["4/16"]["answers"]["v_D"]
     assert read_v == [values["omega"], values["b_dot"], 0]
     assert result.points == 8
-
-
-def test_a_late_policy_and_a_due_date_that_come_later_are_applied(fresh):
-    from datetime import timedelta
-
-    grade(fresh, "ch04")
-    late_policy(fresh, "score / 2")
-    with fresh.gradebook() as book:
-        when = book.find_submission("ch04", "ada").timestamp
-        book.find_assignment("ch04").duedate = when - timedelta(days=1)
-        book.db.commit()
-    result = next(r for r in grade(fresh, "ch04") if r.student == "ada")
-    assert (result.points, result.penalty) == (5.5, 5.5)
-    with fresh.gradebook() as book:
-        book.find_assignment("ch04").duedate = when + timedelta(days=1)
-        book.db.commit()
-    result = next(r for r in grade(fresh, "ch04") if r.student == "ada")
-    assert (result.points, result.penalty) == (11, 0)
 
 
 def test_a_resubmission_with_equal_points_has_its_own_time_and_comment(fresh):
