@@ -360,8 +360,6 @@ def _parts(text):
             continue
         match = re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d+))?", token)
         if not match:
-            raise UnitError(
-                f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s'"
-            )
+            raise UnitError(f"cannot read the unit {text!r} at {token!r}; write it as 'kg*m^2/s'")
         parts.append((match[1], sign * int(match[2] or 1)))
     return parts

@@ -1,4 +1,4 @@
-"""Ladders: the models of one scene from the coarsest to the fullest, and the cheapest that is
+"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest that is
 accurate enough.
 
 Rungs may have different states, but the same quantity is *observed*, as the position of a shot. The
@@ -54,9 +54,7 @@ class Rung(Portable):
         """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(
-                f"the bounds of {self.name!r} have no values: give numbers for parameters, start, t"
-            )
+            raise ModelError(f"the bounds of {self.name!r} need numbers for parameters, start, t")
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
@@ -81,7 +79,7 @@ class Ladder:
     """The models of one scene, with one start, for one question.
 
     of, t : what is observed, with its unit, as "position, m", and for what time
-    rungs : a tuple of :class:`Rung`, the cheapest and coarsest first; the last, the fullest, is
+    rungs : a tuple of :class:`Rung`, the smallest and coarsest first; the last, the fullest, is
         what the others are measured against
     """
 
@@ -236,8 +234,8 @@ class Choice:
 
 @checked
 def smallest(ladder: Ladder, tolerance: float) -> Choice:
-    """The :class:`Choice` of the cheapest rung whose error stays within ``tolerance``, in the
-    ladder's unit.
+    """The :class:`Choice` of the smallest rung, the first on the ladder, whose error stays within
+    ``tolerance``, in the ladder's unit.
 
     A rung is accepted if the bound of what it neglects is small enough, or its motion near enough
     to that of the fullest, whose own bound, if it has one, is added. :class:`ModelError` if none is

@@ -39,7 +39,8 @@ class WorkPrecision:
     points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance
         ``asked`` for
     ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
-        name)}, measured in turns
+        name)}, measured in turns; not where "auto" takes the exact solution, whose time says
+        nothing about methods that step
     preparing : {method: seconds that its first run took more than the next, to write and compile
         code}; all imports were made before
     too_slow, unable : {method: after which run it was not asked for smaller tolerances}, or why it
@@ -62,6 +63,8 @@ class WorkPrecision:
             lines.append(f"  {time} {p.calls:8} {p.error:8.1e} {drift:>8}")
         for rtol, (ratio, best) in self.ratios.items():
             lines.append(f"  auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}")
+        if any(p.method == "auto" and p.family == CLOSED for p in self.points):
+            lines.append("  auto takes the exact solution")
         left_out = {**self.too_slow, **self.unable}
         return "\n".join(lines + [f"  {method}: {why}" for method, why in left_out.items()])
 
@@ -111,7 +114,8 @@ def work_precision(
 
 
 def _ratios(reference, points):
-    for rtol in sorted({p.asked for p in points if p.method == "auto"}, reverse=True):
+    stepped = {p.asked for p in points if p.method == "auto" and p.family != CLOSED}
+    for rtol in sorted(stepped, reverse=True):
         reached = [p for p in points if p.asked == rtol and p.error <= rtol and p.method != "auto"]
         if reached:
             best = min(reached, key=lambda p: p.cost).method
