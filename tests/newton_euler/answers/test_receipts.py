@@ -116,7 +116,9 @@ def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
 
 def test_a_hint_stands_in_the_receipt_and_names_the_component():
     expect("0/9", {"r": "m", "omega": "rad/s"}, v="vector_expression, m/s")
-    assert "look again at v: component 2 is in m, but m/s is asked" in repr(receipt("0/9", v=[r * omega, r, 0]))
+    assert "look again at v: component 2 is in m, but m/s is asked" in repr(
+        receipt("0/9", v=[r * omega, r, 0])
+    )
 
 
 def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
