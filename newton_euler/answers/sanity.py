@@ -34,8 +34,9 @@ def doubts(
     points = _points(form, tree, symbols)
     if not points:
         return []
-    bounds, word = (sane[:2], sane[2:]) if isinstance(sane, tuple | list) else ((), (sane,))
-    word = word[0] if word and isinstance(word[0], str) else ""
+    known = sane if isinstance(sane, tuple | list) else (sane,)
+    word = next((x for x in known if isinstance(x, str)), "")
+    bounds = [x for x in known if isinstance(x, int | float)]
     found: list[str] = []
     if bounds and form.kind.has_size:
         found += _size(points[0], form, *bounds)
