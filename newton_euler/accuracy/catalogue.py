@@ -87,9 +87,6 @@ def chart_named(name: str) -> Chart:
     return known[slug(name)]
 
 
-# -- each kind
-
-
 def _scene(name, quick, progress):
     asked = (QUICK, QUICK_METHODS, QUICK_LONGEST) if quick else (TOLERANCES, NAMES, LONGEST)
     found = work_precision(name, *asked, progress)

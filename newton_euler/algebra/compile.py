@@ -170,9 +170,8 @@ class Compiled:
         """
         name = library.__name__
         if name not in self._functions:
-            space = {
-                n: getattr(library, n) for n in (*FUNCTIONS, "atan2", "pi") if hasattr(library, n)
-            }
+            names = (*FUNCTIONS, "atan2", "pi")
+            space = {n: getattr(library, n) for n in names if hasattr(library, n)}
             space.update(runtime_names(library))
             rounded = name in ("math", "numpy", "heyoka")
             space.update({n: _running(c, rounded) for n, c in self._constants.items()})
@@ -190,9 +189,7 @@ class Compiled:
             return error
         kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
         given = ", ".join(f"{n} = {x!r}" for n, x in zip(self.parameters, args, strict=True))
-        return kinds.get(type(error), SingularError)(
-            f"{self.name} has no value at {given}: {error}"
-        )
+        return kinds.get(type(error), SingularError)(f"{self.name} has no value: {given}: {error}")
 
     def _in_order(self, args, named):
         first = dict(zip(self.parameters, args, strict=False))  # too few or too many: see wrong

@@ -204,7 +204,9 @@ def _converter(kind):
         return None  # place() asks which of them it is, in words of its own
     if len(members) > 1:
         converters = [_converter(k) for k in members]
-        return None if None in converters else _first_of(converters)
+        if None in converters:
+            return None
+        return lambda x: next((y for c in converters if (y := c(x)) is not REFUSED), REFUSED)
     if kind in _OF_KIND:
         return _OF_KIND[kind]
     container, parts = typing.get_origin(kind) or kind, typing.get_args(kind)
@@ -218,13 +220,6 @@ def _converter(kind):
     if isinstance(container, type) and container not in (object, Any):
         return lambda x: x if isinstance(x, container) else REFUSED
     return None
-
-
-def _first_of(converters):
-    def convert(x):
-        return next((y for c in converters if (y := c(x)) is not REFUSED), REFUSED)
-
-    return convert
 
 
 def _number(x):

@@ -199,9 +199,6 @@ def _exact(x):
     return sympy.sympify(int(x) if isinstance(x, float) and x.is_integer() else x)
 
 
-# -- over the unit cube
-
-
 def over_cube(f, n):
     """The integrals of the scalars in the tuple ``f(t_1, …, t_n)`` over the unit cube;
     :class:`SingularError` if they do not settle. f is smooth, also at the faces, and called with

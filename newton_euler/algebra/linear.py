@@ -112,9 +112,8 @@ class LinearForm(_Own):
 
     def __add__(self, other):
         if isinstance(other, LinearForm):
-            return LinearForm(
-                self.value + other.value, map(add, self.coefficients, other.coefficients)
-            )
+            coefficients = map(add, self.coefficients, other.coefficients)
+            return LinearForm(self.value + other.value, coefficients)
         if outranks(other, self):
             return NotImplemented
         return LinearForm(self.value + scalar(other), self.coefficients)
@@ -459,9 +458,8 @@ class _Equation:
         return (*self.coefficients, self.right)
 
     def each(self, change):
-        return _Equation(
-            self.name, tuple(map(change, self.coefficients)), change(self.right), self.group
-        )
+        coefficients = tuple(map(change, self.coefficients))
+        return _Equation(self.name, coefficients, change(self.right), self.group)
 
 
 def _equations(conditions, count):
@@ -636,9 +634,8 @@ class _Elimination:
 
     def redundant(self):
         """By name, the equations that follow from others."""
-        found = (
-            [self.equations[n].name for n in self._involved(row)] for row in self.dependent.values()
-        )
+        rows = self.dependent.values()
+        found = ([self.equations[n].name for n in self._involved(row)] for row in rows)
         return {last: tuple(others) for *others, last in found if others}
 
 

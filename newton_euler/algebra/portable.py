@@ -53,11 +53,8 @@ class Steps:
 
     def __init__(self, f):
         trace, self.asked = Trace(), {}
-        f(
-            _Asked("s", self.asked, trace),
-            _Asked("p", self.asked, trace),
-            trace.new("argument", "t"),
-        )
+        s, p = (_Asked(of, self.asked, trace) for of in "sp")
+        f(s, p, trace.new("argument", "t"))
         self.asked = [("t", ""), *self.asked]
         names = [f"{of}_{name}" for of, name in self.asked]
 

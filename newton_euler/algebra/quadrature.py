@@ -81,14 +81,8 @@ def _adaptive(f, start, end, rtol, scale):
     with warnings.catch_warnings():
         warnings.simplefilter("error", IntegrationWarning)
         try:
-            return quad(
-                lambda x: float(_finite(f, x)),
-                start,
-                end,
-                epsabs=rtol * scale,
-                epsrel=rtol,
-                limit=INTERVALS,
-            )
+            wanted = {"epsabs": rtol * scale, "epsrel": rtol, "limit": INTERVALS}
+            return quad(lambda x: float(_finite(f, x)), start, end, **wanted)
         except IntegrationWarning as problem:
             raise WorkError(
                 f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: "

@@ -69,9 +69,7 @@ class _Own:
     """Base of the kinds of number that the engine defines."""
 
     __slots__ = ()
-    __array_ufunc__ = (
-        None  # NumPy hands operations over instead of looping over an array's elements
-    )
+    __array_ufunc__ = None  # NumPy hands operations over and does not loop over elements
     _op_priority = 1000.0  # and so does SymPy
     rank = 0  # of several kinds in one operation, the highest decides
 
@@ -370,11 +368,7 @@ def real(x, what):
 
 
 def integer_like(x, like):
-    """The integer ``x`` in the kind of ``like``, to be as exact as that; other numbers unchanged.
-
-    >>> integer_like(2, 1.5)
-    2
-    """
+    """The integer ``x`` in the kind of ``like``, to be as exact as that; others unchanged."""
     exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
     return like * 0 + x if exact else x
 
@@ -390,11 +384,7 @@ def without_rates(x):
 
 
 def short(x):
-    """The number as text with six digits, for messages and tables; an expression or array in full.
-
-    >>> short(2 / 3)
-    '0.666667'
-    """
+    """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
     return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
@@ -462,9 +452,7 @@ def _define(name):
     return f
 
 
-sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
-    _define(name) for name in FUNCTIONS
-)
+sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = map(_define, FUNCTIONS)
 
 
 def hypot(*values: Scalar) -> Scalar:
@@ -563,20 +551,13 @@ def is_numeric(x: Scalar) -> bool:
 
 
 def is_expression(x: Scalar) -> bool:
-    """True of an expression with symbols: no number, and no kind of the engine's own.
-
-    >>> is_expression(1.0), is_expression(ZERO)
-    (False, False)
-    """
+    """True of an expression with symbols: no number, and no kind of the engine's own."""
     return not is_numeric(x) and not isinstance(x, _Own)
 
 
 def promote(*values):
-    """The values, each with all the digits and instants of the others, except traced ones and
-    expressions.
-
-    >>> promote(1, 2.5)
-    (1.0, 2.5)
+    """The values, each with the digits and instants of the others; traced ones and expressions
+    stay.
     """
     values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
@@ -586,12 +567,7 @@ def promote(*values):
 
 
 def is_comparable(x):
-    """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced.
-
-    >>> from newton_euler import Dimension
-    >>> is_comparable(1.0), is_comparable(Dimension(1))
-    (True, False)
-    """
+    """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced."""
     return is_numeric(x) or hasattr(x, "where")
 
 
@@ -628,11 +604,7 @@ def is_finite(x):
 
 
 def max_abs(x):
-    """The largest absolute value in ``x``, as a float, to be compared with a tolerance.
-
-    >>> max_abs(-3.0), max_abs(ZERO)
-    (3.0, 0.0)
-    """
+    """The largest absolute value in ``x``, as a float, to be compared with a tolerance."""
     largest = abs(without_rates(x))
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
 
@@ -665,29 +637,15 @@ def anywhere(condition):
 
 
 def epsilon(like=0.0):
-    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or mpmath's.
-
-    >>> epsilon(1.0) == 2.0**-52
-    True
-    """
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or mpmath's."""
     library = library_of((like,))
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
 def unit_roundoff(values):
-    """The largest relative round-off among numbers of several kinds; integers have none.
-
-    >>> unit_roundoff([1, 2.0]) == 2.0**-52
-    True
-    """
-    return max(
-        (
-            epsilon(x)
-            for x in values
-            if x is not ZERO and _root(type(x)) != "fractions" and type(x) is not int
-        ),
-        default=epsilon(),
-    )
+    """The largest relative round-off among numbers of several kinds; integers have none."""
+    rounded = (x for x in values if x is not ZERO and type(x) not in (int, Fraction))
+    return max(map(epsilon, rounded), default=epsilon())
 
 
 def with_extra_digits(f, *values):

@@ -225,9 +225,6 @@ class Trace:
         return type(a), repr(a) if isinstance(a, float) else a
 
 
-# -- formulas inside a formula
-
-
 class Inner:
     """The formula that is integrated, or whose root is taken, as a constant of the formula around
     it. What it reads of the outer steps, computed once, it is handed as arguments.

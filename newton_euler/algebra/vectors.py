@@ -411,9 +411,7 @@ class Vector(Scaled, NamedTerms):
         ``unit``: an :class:`Explanation`, which prints as text and shows as a formula in Jupyter.
         """
         if not self._ledger:
-            raise FrameError(
-                f"{self} was not computed as a named sum, as velocities and accelerations are"
-            )
+            raise FrameError(f"{self} was not computed as a named sum, as velocities are")
         return Explanation(self, self._ledger, unit)
 
     def reweighted(self, /, **factors: Scalar) -> "Vector":

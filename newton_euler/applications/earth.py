@@ -379,9 +379,7 @@ def flight_time(
     e = launch_direction(azimuth, elevation)
     down = g - 2 * speed * e[0] * earth_rate3(latitude, rate)[1]
     if not is_positive(down):
-        raise EarthError(
-            "at this speed the Coriolis acceleration outweighs gravity; first order does not hold"
-        )
+        raise EarthError("at this speed the Coriolis acceleration outweighs gravity")
     return 2 * speed * e[2] / down
 
 

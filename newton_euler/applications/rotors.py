@@ -9,15 +9,6 @@ about O less the moment of the weight, the forces ON the shaft are
     A = e x (N - b e x F)/l,   B = -e x (N + a e x F)/l,   A_e + B_e = e . F,   M = e . N
 
 which are (9.3), (9.6), (9.9), (9.10) for any direction.
-
->>> from newton_euler import Frame
->>> from newton_euler.bodies.solids import disk
->>> ground = Frame("ground")
->>> shaft = ground.rotate("shaft", "x", rate=10.0)
->>> A, B = shaft.point("A", -0.2, 0, 0), shaft.point("B", 0.3, 0, 0)
->>> wheel = disk(0.1, shaft.point("G", 0, 0.01, 0), "x", mass=2.0)  # off its centre (9.2)
->>> print(reactions(wheel, A, B, ground).A)  # -m d omega^2 b/l
-[0, -1.2, 0] in shaft
 """
 
 from collections.abc import Sequence
@@ -180,9 +171,6 @@ def _check_motion(body, A, e, length, ground):
             )
 
 
-# -- balance
-
-
 @dataclass(frozen=True)
 class Imbalance:
     """The static and the dynamic imbalance (9.4) about the point O, at right angles to the axis, in
@@ -290,9 +278,6 @@ def balance(
     offset, tilt = max_abs(eccentricity / sqrt(total / body.mass)), max_abs(product / total)
     sizes = max_abs(eccentricity), max_abs(product), offset, tilt, tolerance
     return Balance(offset <= tolerance, tilt <= tolerance, *sizes)
-
-
-# -- balancing
 
 
 @checked

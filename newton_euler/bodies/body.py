@@ -93,8 +93,6 @@ class Body:
         self.inertia.check(tolerance)
         return self
 
-    # -- momenta
-
     @checked
     def momentum(self, observer: Frame) -> Vector:
         """L = m v_G seen from ``observer`` (5.2), (5.8), (7.5)."""

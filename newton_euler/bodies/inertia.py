@@ -110,9 +110,8 @@ class Inertia(Scaled, NamedTerms):
 
         import numpy as np
 
-        entries = np.broadcast_arrays(
-            *(np.asarray(x, dtype=float) for row in self.matrix for x in row)
-        )
+        numbers = (np.asarray(x, dtype=float) for row in self.matrix for x in row)
+        entries = np.broadcast_arrays(*numbers)
         return np.stack(entries).reshape(3, 3, *entries[0].shape)
 
     def __repr__(self):

@@ -6,6 +6,7 @@ and traced numbers by Gauss rules; with symbols, or ``exact=True``, SymPy finds 
 """
 
 from collections.abc import Callable
+from functools import partial
 from itertools import product
 
 from ..algebra.errors import checked
@@ -185,9 +186,8 @@ def _of_any_kind(position, limits, weigh, name):
     middle, _ = _parameters(limits, [0.5] * len(limits))
     reference = [scalar(x) for x in position(*middle)]
     try:
-        values = over_cube(
-            lambda *unit: _moments(position, limits, weigh, reference, unit), len(limits)
-        )
+        moments = partial(_moments, position, limits, weigh, reference)
+        values = over_cube(lambda *unit: moments(unit), len(limits))
     except SingularError as error:
         raise MassError(f"{name}: {error}") from None
     return reference, values, 0.0

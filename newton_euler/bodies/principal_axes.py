@@ -90,9 +90,8 @@ class Principal:
         data = f"data with a relative error of {self.noise:.2g}"
         names = [str(n) for n, fixed in enumerate(self.determined, 1) if not fixed]
         if not names:
-            return (
-                f"all axes are determined, to {max(map(max_abs, self.turns)):.2g} rad, for {data}"
-            )
+            worst = max(map(max_abs, self.turns))
+            return f"all axes are determined, to {worst:.2g} rad, for {data}"
         rest = (
             "any axis is a principal axis"
             if len(names) == 3
@@ -149,13 +148,9 @@ def _with_report(inertia, noise, moments, axes):
     largest = where(-first > third, -first, third)  # round-off can make the first negative
     low, high = second - first, third - second
     gaps = low, where(low < high, low, high), high
-    turns = tuple(
-        np.arctan2(*(np.asarray(x, dtype=float) for x in (noise * largest, gap))) for gap in gaps
-    )
+    noise_of_largest, *floats = (np.asarray(x, dtype=float) for x in (noise * largest, *gaps))
+    turns = tuple(np.arctan2(noise_of_largest, gap) for gap in floats)
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
-
-
-# -- numbers
 
 
 def _of_arrays(inertia, noise):
@@ -232,9 +227,6 @@ def _by_sympy(rows):
     return zip(*pairs, strict=True)
 
 
-# -- expressions
-
-
 def _of_expressions(rows):
     coupled = [(u, v) for u, v in PAIRS if not is_zero(rows[u][v])]
     diagonal = [rows[n][n] for n in range(3)]
@@ -279,9 +271,6 @@ def _of_full_matrix(rows):
 def _less(rows, x):
     """The matrix less x on its diagonal."""
     return [[y - x if n == m else y for m, y in enumerate(row)] for n, row in enumerate(rows)]
-
-
-# -- symmetry
 
 
 @dataclass(frozen=True)
@@ -329,9 +318,7 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     def vanishes(x):
         return is_zero(x) or (is_numeric(x) and max_abs(x) <= small)
 
-    left = "".join(
-        name for name, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x)
-    )
+    left = "".join(n for n, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x))
     axes = tuple(axis for axis in AXES if axis not in left)
     planes = {"x": "yz", "y": "zx", "z": "xy"}
     kind, axis = _equal_moments(inertia, vanishes)

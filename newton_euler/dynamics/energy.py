@@ -33,9 +33,6 @@ class EnergyError(NewtonEulerError, ValueError):
     """Energies or works that cannot be added up or compared."""
 
 
-# -- kinetic energy
-
-
 @checked
 def kinetic_energy(bodies: Body | Iterable[Body], observer: Frame) -> Amount:
     """The kinetic energy T = m v.v/2 + omega.H/2 of a body (11.45), or of several together (11.42),
@@ -130,9 +127,6 @@ def gyroscope_energy(
     return summed(terms, "kinetic energy", "11.53")
 
 
-# -- rates
-
-
 @checked
 def kinetic_energy_rate(body: Body, observer: Frame) -> Amount:
     """The rate dT/dt of a body from its motion, in W: the terms ``translation``, m a.v (11.36), and
@@ -171,9 +165,6 @@ def rigid_power(body: Body, observer: Frame, force: Vector, moment: Vector) -> A
         "rotation": power(moment, body.frame, observer),
     }
     return summed(terms, "power", "11.47")
-
-
-# -- the energy equation
 
 
 @checked

@@ -79,11 +79,6 @@ def resultant_moment(
     >>> bar = rod(2.0, turning.point("G", 1.0, 0, 0), "x", mass=3.0)
     >>> resultant_moment(bar, ground, about=turning).z
     20.0
-    >>> print(resultant_moment(bar, ground).explain("N m"))  # doctest: +ELLIPSIS
-    moment about the mass centre of rod, seen from ground, by way of turning, equation (8.10), ...
-      relative  dH/dt      [0, 0, 5] N m
-      rotation  omega x H  [0, 0, 0] N m
-      sum                  [0, 0, 5] N m
     """
     about, via = _point(body, about), via or body.frame
     seen = f"seen from {observer.name}, by way of {via.name}"

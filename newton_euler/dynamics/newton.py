@@ -39,9 +39,6 @@ def _mass(m):
     return scalar(m)
 
 
-# -- the motion is given
-
-
 @checked
 def resultant_force(m: Scalar, a: Vector) -> Vector:
     """The resultant external force F = m a (6.1), ``a`` the acceleration of the mass centre in an
@@ -85,9 +82,6 @@ def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) ->
     """
     m = _mass(m)
     return to_plain(m * speed_rate), to_plain(m * speed * speed * flexure)
-
-
-# -- the forces are given
 
 
 @checked
@@ -186,7 +180,5 @@ def _per_mass(m, forces):
 
 def _three(F, name):
     if len(F) > 3:
-        raise FrameError(
-            f"the force {name} has {len(F)} components: {F!r}; give 3, or 2 in the plane"
-        )
+        raise FrameError(f"the force {name} has {len(F)} components: {F!r}; give 3, or 2")
     return (*F, 0, 0, 0)[:3]

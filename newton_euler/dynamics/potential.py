@@ -43,9 +43,6 @@ class NoPotential(WorkError):
         self.place, self.curl, self.circulation = place, curl, circulation
 
 
-# -- potentials of known forces
-
-
 @checked
 def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scalar:
     """The potential V = m g z of a weight (11.34), z the height of the centre of mass.
@@ -123,9 +120,6 @@ def conservative_force(V: Callable, P: Point) -> Vector:
     (0, 0, -9.81)
     """
     return -gradient(V, P)
-
-
-# -- of a force field
 
 
 @checked

@@ -26,8 +26,6 @@ from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
 from ..kinematics.paths import along
 
-# -- the integral
-
 
 @checked
 def work_integral(
@@ -54,9 +52,6 @@ def work_integral(
     """
     value, error = quadrature(f, start, end, rtol, exact, breaks)
     return Amount(to_plain(value), error=error)
-
-
-# -- work
 
 
 @checked
@@ -140,9 +135,6 @@ def constant_force_work(force: Vector, start: Point, end: Point) -> Amount:
     path = (end - start).expressed_in(force.frame).c
     terms = {name: f * d for name, f, d in zip("xyz", force.c, path, strict=True)}
     return summed(terms, number="11.6")
-
-
-# -- power
 
 
 @checked

@@ -116,9 +116,8 @@ class CoordinatePoint(Point):
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):
-    return CoordinatePoint(
-        name, local, x, ground, local, coordinates, scale_factors, system, _TERMS[system]
-    )
+    of_system = coordinates, scale_factors, system, _TERMS[system]
+    return CoordinatePoint(name, local, x, ground, local, *of_system)
 
 
 @checked

@@ -220,9 +220,7 @@ class Frame:
     def common(self, other: "Frame") -> "Frame":
         """The nearest common ancestor, or one of the two; :class:`FrameError` without one."""
         if not isinstance(other, Frame):
-            raise FrameError(
-                f"expected a frame, as in {self.name}.rotate('arm', 'z'), got {other!r}"
-            )
+            raise FrameError(f"expected a frame, as {self.name}.rotate('arm', 'z'), got {other!r}")
         if other is self or other in self._above:
             return other
         for f in (self, *self._above):

@@ -29,8 +29,6 @@ from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, su
 from .frames import Frame
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
-# -- paths as functions
-
 
 @checked
 def along(path: Callable, q: Scalar) -> tuple:
@@ -98,9 +96,6 @@ def _three(c):
     return x, y, z
 
 
-# -- the Frenet triad
-
-
 @dataclass(frozen=True)
 class Frenet:
     """A motion in intrinsic components, from :func:`frenet` or :func:`frenet_along`.
@@ -118,9 +113,7 @@ class Frenet:
     _torsion: Scalar = field(default=None, repr=False)
 
     e_t = property(lambda self: self.frame.i, doc="unit tangent, along the velocity (2.4), (3.4)")
-    e_n = property(
-        lambda self: self.frame.j, doc="principal normal, towards the centre of curvature (3.5)"
-    )
+    e_n = property(lambda self: self.frame.j, doc="normal, towards the centre of curvature (3.5)")
     e_b = property(lambda self: self.frame.k, doc="binormal e_t x e_n (3.7)")
     radius = property(lambda self: 1 / self.flexure, doc="radius of curvature rho (2.12)")
     to_center = property(

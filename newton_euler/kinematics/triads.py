@@ -86,9 +86,6 @@ def turning_of(axes: Sequence[Sequence[Any]]) -> tuple[tuple, tuple]:
     return tuple(x.value for x in omega), tuple(x.rate for x in omega)
 
 
-# -- directions and rounding
-
-
 def norm3(c: Sequence[Scalar]) -> Scalar:
     """The length of a triple."""
     return sqrt(dot3(c, c))

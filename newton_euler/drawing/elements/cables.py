@@ -56,9 +56,8 @@ def route(stops, turns=None):
 
 def _route_with_turns(stops, ways, closed):
     """The length, the spans and the arcs with the given turns."""
-    spans = [
-        _span(stops[n], ways.get(n), stops[n + 1], ways.get(n + 1)) for n in range(len(stops) - 1)
-    ]
+    pairs = enumerate(pairwise(stops))
+    spans = [_span(a, ways.get(n), b, ways.get(n + 1)) for n, (a, b) in pairs]
     arcs = [[] for _ in stops]
     for n, ((_, arrival), (leaving, _)) in enumerate(pairwise(spans), 1):
         if n in ways:

@@ -55,9 +55,8 @@ def oscillation(x, v, square, t, damping=ZERO):
 
 def plane_oscillation(s, square, t, damping=ZERO):
     """x, y, dx, dy at t if both coordinates oscillate so, from the states ``s`` at t = 0."""
-    (x, dx), (y, dy) = (
-        oscillation(*start, square, t, damping) for start in ((s.x, s.dx), (s.y, s.dy))
-    )
+    x, dx = oscillation(s.x, s.dx, square, t, damping)
+    y, dy = oscillation(s.y, s.dy, square, t, damping)
     return x, y, dx, dy
 
 

@@ -71,13 +71,10 @@ def ladder(
     """
     full = air_near_low(latitude, pressure_gradient, friction, rate)
     name, given = "air near a low", full.parameters
-    still = Model(
-        f"{name}, Earth at rest", given, STATES, _still, _ENERGY, _still_exact, (ROTATION, FRICTION)
-    )
-    neglects = (FRICTION,)
-    smooth = Model(
-        f"{name}, without friction", given, STATES, _smooth, _INVARIANTS, _exact, neglects
-    )
+    of_still = _still, _ENERGY, _still_exact, (ROTATION, FRICTION)
+    still = Model(f"{name}, Earth at rest", given, STATES, *of_still)
+    of_smooth = _smooth, _INVARIANTS, _exact, (FRICTION,)
+    smooth = Model(f"{name}, without friction", given, STATES, *of_smooth)
     return Ladder.of_models(name, POSITION, t, start, ("x", "y"), still, smooth, full)
 
 

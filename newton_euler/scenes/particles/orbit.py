@@ -83,9 +83,6 @@ _INVARIANTS = {
 }
 
 
-# -- the exact solution
-
-
 def _exact(s, p, t):
     """The state at t by the eccentric anomaly; nan, when traced, if the orbit is no ellipse."""
     x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
@@ -125,14 +122,10 @@ def _check(x, y, v_x, v_y, mu, t):
     if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
     if not all(map(is_finite, (*state, mu, t))) or max_abs(where(mu <= 0, 1, 0)):
-        raise ModelError(
-            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, {state}, t = {t}"
-        )
+        raise ModelError(f"an orbit needs finite numbers, mu > 0; got mu = {mu}, {state}, t = {t}")
     one, two = x * v_y, y * v_x
     if max_abs(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
-        raise ModelError(
-            "the orbit is a straight line through the centre: its angular momentum is 0"
-        )
+        raise ModelError("the orbit is a straight line through the centre: no angular momentum")
 
 
 def _beta(x, y, v_x, v_y, mu, r):
@@ -169,9 +162,6 @@ def _halley(E, e, rest, M):
     return E - 2 * late * slope / (2 * slope * slope - late * e * sine)
 
 
-# -- a satellite over the equator
-
-
 def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     """The Model of a circular orbit of radius r; its only state is the azimuth ``angle`` (rad).
     ``sense`` is 1 for counterclockwise, -1 for clockwise.
@@ -179,10 +169,8 @@ def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    name, neglects = "satellite, circle", (ECCENTRICITY, BULGE)
-    return constant_rate(
-        name, {"mu": mu, "r": r, "sense": sense}, _circling, "angle", neglects=neglects
-    )
+    given, neglects = {"mu": mu, "r": r, "sense": sense}, (ECCENTRICITY, BULGE)
+    return constant_rate("satellite, circle", given, _circling, "angle", neglects=neglects)
 
 
 @scene(

@@ -76,9 +76,6 @@ def _exact(s, p, t):
     return 2 * counted(half, start, now, turns), 2 * rate
 
 
-# -- smaller models
-
-
 def small_swings(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
     """The Model of small angles, a harmonic oscillator; states as for :func:`physical_pendulum`.
 

@@ -62,9 +62,6 @@ def _momentum(s, p, t):
     return sqrt(dot3(H, H))
 
 
-# -- the exact solution
-
-
 def _exact(s, p, t):
     *I, w_x, w_y, w_z, t = comparable("free body", p.I_x, p.I_y, p.I_z, s.w_x, s.w_y, s.w_z, t)
     _check(I, (w_x, w_y, w_z), t)
@@ -91,9 +88,7 @@ def _check(moments, w, t):
             "must be finite"
         )
     if any(is_numeric(I) and max_abs(where(I > 0, 0, 1)) for I in moments):
-        raise ModelError(
-            f"the principal moments of the exact solution are three positive numbers, got {moments}"
-        )
+        raise ModelError(f"the principal moments are three positive numbers, got {moments}")
 
 
 def _gap(k, I, w):
@@ -106,9 +101,6 @@ def _gap(k, I, w):
     rough = r - p
     cancelled = abs(rough) < abs(p + r) / 16
     return where(cancelled, -k[1] / (I[0] * I[2]) * doubled(difference, *I, w[0], w[2]), rough)
-
-
-# -- a wobble about the axis of spin
 
 
 def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:

@@ -47,9 +47,6 @@ def momentum_difference(
     return I0 * precession * sin(theta) ** 2 - 2 * I * omega_z * sin(theta / 2) ** 2
 
 
-# -- theta alone
-
-
 @scene(
     "10.5", "top, nutation", "the angle of a nutating top from the vertical",
     10.0, (0.6, 0.0),
@@ -97,9 +94,6 @@ def _nutation_energy(s, p, t):
     return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
 
 
-# -- Euler's angles
-
-
 @scene(
     "10.5", "top, angles", "the nutating top in Euler's angles",
     10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP,
@@ -133,9 +127,6 @@ def _euler_energy(s, p, t):
 
 def _euler_vertical(s, p, t):
     return p.I0 * (s.psi_rate * sin(s.theta) ** 2) + p.I * p.omega_z * cos(s.theta)
-
-
-# -- the frame that goes with the axis without spinning
 
 
 @scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
@@ -181,9 +172,6 @@ _NONSPINNING_INVARIANTS = {
     "p_psi": _nonspinning_vertical,
     "norm": lambda s, p, t: s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2,
 }
-
-
-# -- the body's own frame
 
 
 @scene(

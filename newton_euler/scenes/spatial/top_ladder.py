@@ -77,9 +77,7 @@ def asymmetric_top_quaternion(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Sca
     return Model("top of unequal moments, quaternion", locals(), (*QUATERNION, *RATES), _quaternion)
 
 
-@scene(
-    "10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True
-)
+@scene("10.5", "top", "slow and steady precession, nutation, unequal moments", ladder=True)
 def ladder(
     I0: Scalar = 0.02, I: Scalar = 0.01, mgr: Scalar = 0.5, omega_z: Scalar = 150.0,
     theta: Scalar = 0.6, theta_rate: Scalar = 0.0, precession: Scalar = 0.34,
@@ -110,9 +108,6 @@ def ladder(
     return Ladder("top", DIRECTION, t, tuple(rungs))
 
 
-# -- the direction of the axis
-
-
 def _direction(psi, theta):
     """The unit vector along the axis, in the ground."""
     return sin(theta) * sin(psi), -sin(theta) * cos(psi), cos(theta)
@@ -130,8 +125,6 @@ def _along(s, p, t):
 def _third(s, p, t):
     return tuple(row[2] for row in matrix_from_quaternion(_q(s)))
 
-
-# -- rates
 
 _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
 
