@@ -55,6 +55,19 @@ class Dimension(_Own):
         named = [f"{n}^{p}" for n, p in zip("MLT", self.powers, strict=True) if p]
         return f"Dimension({' '.join(named) or '1'})"
 
+    def __str__(self):
+        """In SI units, "kg m/s^2"; of a pure number in words."""
+        named = [f"{u}^{p}".removesuffix("^1") for u, p in self._units if p > 0]
+        below = [f"{u}^{-p}".removesuffix("^1") for u, p in self._units if p < 0]
+        if not named and not below:
+            return "a pure number"
+        over = f"({' '.join(below)})" if len(below) > 1 else "".join(below)
+        return (" ".join(named) or "1") + (f"/{over}" if over else "")
+
+    @property
+    def _units(self):
+        return zip(("kg", "m", "s"), self.powers, strict=True)
+
     def __eq__(self, other):
         return isinstance(other, Dimension) and self.powers == other.powers
 
@@ -146,7 +159,7 @@ class Dimension(_Own):
             _ = args[0] + args[1]  # of one dimension, or this raises
         elif any(self.powers):
             raise DimensionError(
-                f"{name} of a quantity with {self}: its argument must be a pure number"
+                f"{name} of a quantity in {self}: its argument must be a pure number"
             )
         return Dimension()
 

@@ -34,8 +34,8 @@ def expect(
 
     symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where
         :func:`~newton_euler.answers.notation.symbol` would print another symbol
-    sane : maps answers to what any answer must be: ``(low, high)`` for its size, or "kinetic
-        energy"; a receipt warns of one that is not
+    sane : maps answers to what any answer must be, see :func:`~newton_euler.answers.sanity.doubts`;
+        a receipt warns of one that is not
 
     >>> expect("0/1", v="vector, mm/s")
     >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
@@ -88,10 +88,11 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if read.get(key) is not None and key in forms
         if (outcome := check(seal, forms[key].kind, read[key]))
     }
+    beside = {key: (form, read.get(key)) for key, form in forms.items()}
     doubted = {
         key: found
         for key, form in forms.items()
-        if (found := doubts(form, read.get(key), symbols, sane.get(key)))
+        if (found := doubts(form, read.get(key), symbols, sane.get(key), beside))
     }
     warning = "; ".join([*old.values(), *filter(None, [stale(problem, answers, others)])])
     return Receipt(problem, read, forms, symbols, warning, notation, doubted, checks)
