@@ -60,7 +60,8 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
     found = _traced(p)
     if found is None:
         return {}
-    g, memo = p.base({**p.sympy_symbols(), **values}), {}
+    g = p.base({**p.sympy_symbols(), **values})
+    memo: dict[int, Any] = {}
     cases = [_value(c, g, memo) for c in _choices(found)]
     scalars = {key: parts[0] for key, parts in found.components.items() if len(parts) == 1}
     positive = {key for key, x in scalars.items() if (_value(x, g, memo) or 0.0) > 0}
