@@ -14,7 +14,7 @@ HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 
 def kinks(traced):
     """The operations of the rates that choose between formulas, as where and abs: a sorted list."""
-    return sorted({s.op for s in _varying(traced) if s.op in KINKS} - set(COMPARISONS))
+    return sorted({s.op for s in varying(traced) if s.op in KINKS} - set(COMPARISONS))
 
 
 def hazards(traced):
@@ -22,17 +22,20 @@ def hazards(traced):
     point that a motion could pass without a singularity there, as a root that is not also in a
     denominator, and those that vanish below round-off.
     """
-    steps = _varying(traced)
-    poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
+    steps = varying(traced)
+    poles = {f.number for s in steps if s.op == "/" for f in factors(s.args[1])}
     # a negative power is a denominator
     poles |= {
-        n for s in steps if s.op == "**" and _negative(s.args[1]) for n in _factors(s.args[0])
+        f.number
+        for s in steps
+        if s.op == "**" and _negative(s.args[1])
+        for f in factors(s.args[0])
     }
     branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
 
 
-def _varying(traced):
+def varying(traced):
     """The steps of the trace that the rates need and that change during a motion."""
     rhs, found = traced.rhs, {}
     changing, needed = set(rhs.parameters[: traced.arguments]), uses(rhs.trace, rhs.leaves)
@@ -45,16 +48,16 @@ def _varying(traced):
     return [s for n, s in found.items() if n in needed]
 
 
-def _factors(x):
-    """The numbers of the steps of the trace whose zeros are zeros of x."""
+def factors(x):
+    """The steps of the trace whose zeros are zeros of x."""
     if not isinstance(x, Step):
         return set()
     below = set()
     if x.op == "*":
-        below = _factors(x.args[0]) | _factors(x.args[1])
+        below = factors(x.args[0]) | factors(x.args[1])
     elif x.op in ("**", "neg", "sqrt"):
-        below = _factors(x.args[0])
-    return {x.number} | below
+        below = factors(x.args[0])
+    return {x} | below
 
 
 def _negative(x):

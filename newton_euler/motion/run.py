@@ -323,7 +323,7 @@ class Run:
 
     def trajectory(self, method, tolerance, *more):
         """The trajectory at one tolerance."""
-        trajectory = Trajectory(self, method, tolerance, *more)
+        trajectory = Trajectory(self, method, tolerance, *more, watched=True)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
 

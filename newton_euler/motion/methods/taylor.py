@@ -285,6 +285,8 @@ class Taylor(Stepper):
     @cached_property
     def dense(self):
         """The same run step by step; a copy, since several threads may need it at once."""
+        if self.series:
+            return self
         dense = copy(self)
         dense._begin_again()
         dense._by_steps(inf)
