@@ -174,7 +174,8 @@ def _brackets(np, path):
         j, c, cubic, off = _turning(np, path.kinds, rows)
         if not len(j):
             break
-        values, narrow, rough = _judged(np, np.array(path.kinds)[j], cubic, off, n[c], depth > 0)
+        parts = depth > 0 or path.x is None
+        values, narrow, rough = _judged(np, np.array(path.kinds)[j], cubic, off, n[c], parts)
         for row in np.flatnonzero(narrow & ~rough).tolist():
             begin, length = path.ends[n[c[row]]], path.lengths[n[c[row]]]
             for place in _lows(np, path.kinds[j[row]], values[row]):
@@ -207,13 +208,14 @@ def _judged(np, kinds, cubic, off, steps, divided):
     """For each of these: its values along its part, whether it changes fast there, and whether the
     polynomial cannot tell.
 
-    divided : True for parts of steps, in which less counts
+    divided : True for parts of steps, whose ends no stage of the method has seen: less counts
     """
     change, ratio = CHANGE[divided], RATIO[divided]
     values = _cubic(*cubic, np.linspace(0, 1, SAMPLES + 1))
     level = np.where((kinds == "largest")[:, None], -values, abs(values))
     crossed = (np.diff(np.sign(values), axis=1) != 0).sum(axis=1)
-    least, beside = level.min(axis=1), np.minimum(level[:, 0], level[:, -1])
+    of_ends = np.maximum if divided else np.minimum
+    least, beside = level.min(axis=1), of_ends(level[:, 0], level[:, -1])
     least[(crossed > 0) & (kinds != "largest")] = 0.0
     # where the rates jump once in a step, its end shows it
     jumps = np.bincount(steps, crossed * (kinds == "jump"))[steps]

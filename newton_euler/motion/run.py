@@ -101,6 +101,7 @@ class Run:
     own: bool = True  # False: states that are small by cancellation count by their natural sizes
     calls: int = 0
     last: int = 0  # calls of the last trajectory
+    narrow: bool = False  # True if steps of a trajectory had to be repeated
     started: float = field(default_factory=perf_counter)
 
     def by_name(self, name):
@@ -256,6 +257,8 @@ class Run:
                 return self.by(METHODS["taylor"])
         for _ in range(MAX_REFINEMENTS):
             trajectory = self.trajectory(method, tolerance, known, scaled)
+            if trajectory.repeated and not before.watched:
+                before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
             error = max(forced, error_by_comparison(before, trajectory, method))
             if error <= self.rtol or trajectory.failed:
@@ -325,6 +328,7 @@ class Run:
         """The trajectory at one tolerance."""
         trajectory = Trajectory(self, method, tolerance, *more, watched=True)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
+        self.narrow = self.narrow or trajectory.repeated
         return trajectory
 
     def compared(self, method, tolerance, fine, known=None, scaled=False):
@@ -338,7 +342,8 @@ class Run:
         state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         shifted = replace(self, state=tuple(state))
         samples = SIZE_SAMPLES if method.series else None
-        trajectory = Trajectory(shifted, method, tolerance, known, scaled, samples)
+        more = known, scaled, samples, self.narrow
+        trajectory = Trajectory(shifted, method, tolerance, *more)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
 

@@ -73,6 +73,7 @@ class Trajectory:
         self.natural, self.units, self.max_steps = None, (), run.max_steps
         # what its steps did not see, relative to the scales
         self.watched, self.missed = watched and not (self.step or method.closed), 0.0
+        self.repeated = False  # True if steps were repeated since they had not seen something
         self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
         while start:
@@ -186,7 +187,7 @@ class Trajectory:
             passed = passage(stepper, first)
             if not passed:
                 return
-            first = passed.number
+            first, self.repeated = passed.number, True
             stepper.back_to(first, passed.time)
             stepper.step(limit)
         self.missed += passed.size
