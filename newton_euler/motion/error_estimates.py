@@ -54,7 +54,6 @@ def error_by_comparison(before, trajectory, method):
         regular = False
     system, stepper, t0, t1, x1 = trajectory.segments[-1]
     more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
-    more += trajectory.unseen()
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
     return error_by_difference(difference, ratio, tolerance, regular, fine) + more

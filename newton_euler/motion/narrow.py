@@ -9,7 +9,7 @@ divided. Around that time the rates are integrated along the trajectory, in piec
 shorter by powers of two, and compared with the change of the states.
 """
 
-from functools import cache
+from functools import cache, cached_property
 from typing import NamedTuple
 
 from ..algebra.compile import Compiled
@@ -26,6 +26,7 @@ NODES = (0.0, 1e-3, 0.5, 0.999, 1.0)  # of a part, at which arguments are comput
 ROUGH, STEADY = 0.2, 8.0
 NOISE = 1e-12  # of an argument, relative
 SAMPLES = 16  # of the polynomial
+FEW = 4  # steps: more tell by their ends how fast arguments change
 DEPTH, DIVIDED, MOST = 8, 4, 20_000  # of the division of steps: how often, into how many, in all
 ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
 HALVINGS = 44  # of a step towards it
@@ -108,9 +109,17 @@ def passage(stepper, first):
     """The first :class:`Passage` in the steps from number ``first`` on, or None."""
     import numpy as np
 
+    # the same steps again, as of the same call
+    clear = vars(stepper.system).setdefault("_clear", {})
+    key, steps = stepper.tolerance, (first, stepper.start, stepper.t, stepper.x)
+    if clear.get(key) == steps:
+        return None
     with np.errstate(all="ignore"):
-        brackets = _brackets(np, _Path(np, stepper, first))
+        path = _Path(np, stepper, first)
+        brackets = [] if _quiet(np, path) else _brackets(np, path)
         if not brackets:
+            if not first:
+                clear[key] = steps
             return None
         stepper = stepper.dense
         times = np.array([t for bracket in brackets for t in _located(np, stepper, *bracket)])
@@ -135,12 +144,16 @@ class _Path:
         if stepper.steps:
             self.ends = np.array(ends)
             self.x = np.array([*(s[-size:] for s in stepper.steps[first:]), stepper.x]).T
-            self.changes = _rates(stepper, self.ends, self.x)
         else:
             count = len(ends) - 1
             places = np.linspace(0, count, 2 * max(count, stepper.taken) + 1)
             self.ends = np.interp(places, np.arange(count + 1), ends)
         self.lengths = np.diff(self.ends)
+
+    @cached_property
+    def changes(self):
+        """The rates at the ends."""
+        return _rates(self.stepper, self.ends, self.x)
 
     def arguments(self, n, u):
         """The arguments at the fractions u of the parts of numbers n, an array (arguments, u)."""
@@ -171,17 +184,16 @@ def _brackets(np, path):
         u = low + width * np.array(NODES)[:, None]
         rows = path.arguments(np.tile(n, len(NODES)), u.reshape(-1))
         rows = rows.reshape(len(path.kinds), len(NODES), len(n))
-        j, c, cubic, off = _turning(np, path.kinds, rows)
+        parts = depth > 0 or path.x is None
+        j, c, cubic, off = _turning(np, path.kinds, rows, parts)
         if not len(j):
             break
-        parts = depth > 0 or path.x is None
         values, narrow, rough = _judged(np, np.array(path.kinds)[j], cubic, off, n[c], parts)
         for row in np.flatnonzero(narrow & ~rough).tolist():
             begin, length = path.ends[n[c[row]]], path.lengths[n[c[row]]]
-            for place in _lows(np, path.kinds[j[row]], values[row]):
-                edges = np.clip([(place - 1) / SAMPLES, (place + 2) / SAMPLES], 0, 1)
-                edges = begin + length * (low[c[row]] + width * edges)
-                found.append((int(j[row]), *edges.tolist()))
+            for edges in _about(np, path.kinds[j[row]], values[row]):
+                times = begin + length * (low[c[row]] + width * edges)
+                found.append((int(j[row]), *times.tolist()))
         again = np.unique(c[rough])
         if DIVIDED * len(again) > MOST:
             break
@@ -191,17 +203,54 @@ def _brackets(np, path):
     return found
 
 
-def _turning(np, kinds, rows):
-    """The arguments, and the parts of steps, in which one may turn or change its sign; their values
-    and slopes at both ends, and by how much they are not cubic polynomials.
+def _quiet(np, path):
+    """True if no argument changes by much in a step, by its values at the ends of the steps."""
+    if path.x is None or len(path.lengths) < FEW:
+        return False
+    rows = _values(path.stepper, path.ends, path.x)
+    slopes = np.diff(rows) / path.lengths
+    # at the beginning and at the end of a step as in the steps next to it
+    k, m = np.empty_like(slopes), np.empty_like(slopes)
+    k[:, 0], k[:, 1:], m[:, -1], m[:, :-1] = slopes[:, 0], slopes[:, :-1], slopes[:, -1], slopes[:, 1:]
+    cubic = rows[:, :-1], rows[:, 1:], k * path.lengths, m * path.lengths
+    return not _much(np, path.kinds, cubic, False).any()
+
+
+def _much(np, kinds, cubic, divided):
+    """Whether each argument changes by much in each part, an array (arguments, parts).
+
+    cubic : the values of the arguments and their slopes at both ends of each part
+    """
+    a, b, k, m = cubic
+    jump, relative = _of(np, kinds, "jump"), _of(np, kinds, "jump", "ratio")
+    low = np.minimum(abs(a), abs(b))
+    sizes = RATIO[1] * np.maximum(abs(a), abs(b)) if divided else 2 * low
+    much = ~(abs(k) + abs(m) + abs(b - a) <= np.where(relative, sizes, 2 * CHANGE[divided]))
+    if jump.any() and not divided:  # where the rates jump once in a step, its end shows it
+        often = (jump & (a * b <= 0)).sum(axis=0) > 1
+        much &= ~jump | often | (k * m <= 0)
+    return much
+
+
+def _turning(np, kinds, rows, divided):
+    """The arguments, and the parts of steps, in which one changes by much and may turn or change
+    its sign; their values and slopes at both ends, and by how much they are not cubic polynomials.
     """
     a, b = rows[:, 0], rows[:, -1]
     k, m = (rows[:, 1] - a) / NODES[1], (b - rows[:, -2]) / NODES[1]
+    much = _much(np, kinds, (a, b, k, m), divided)
+    if not much.any():
+        return [], [], [], []
     off = abs(rows[:, 2] - (a + b) / 2 - (k - m) / 8) - NOISE * abs(rows).max(axis=1)
     steady = (k * m > 0) & (np.minimum(np.minimum(abs(k), abs(m)), abs(b - a)) > STEADY * off)
-    zero = (a * b <= 0) & (np.array(kinds)[:, None] != "largest")
-    j, c = np.nonzero((~steady | zero) & np.isfinite(off))
+    steady &= (a * b > 0) | _of(np, kinds, "largest")
+    j, c = np.nonzero(~steady & much & np.isfinite(off))
     return j, c, [x[j, c][:, None] for x in (a, b, k, m)], off[j, c]
+
+
+def _of(np, kinds, *chosen):
+    """For each argument whether it is of one of these kinds, a column."""
+    return np.array([[kind in chosen] for kind in kinds])
 
 
 def _judged(np, kinds, cubic, off, steps, divided):
@@ -214,24 +263,24 @@ def _judged(np, kinds, cubic, off, steps, divided):
     values = _cubic(*cubic, np.linspace(0, 1, SAMPLES + 1))
     level = np.where((kinds == "largest")[:, None], -values, abs(values))
     crossed = (np.diff(np.sign(values), axis=1) != 0).sum(axis=1)
-    of_ends = np.maximum if divided else np.minimum
-    least, beside = level.min(axis=1), of_ends(level[:, 0], level[:, -1])
+    least, lower = level.min(axis=1), np.minimum(level[:, 0], level[:, -1])
+    beside = np.maximum(level[:, 0], level[:, -1]) if divided else lower
     least[(crossed > 0) & (kinds != "largest")] = 0.0
-    # where the rates jump once in a step, its end shows it
     jumps = np.bincount(steps, crossed * (kinds == "jump"))[steps]
     of_kind = [kinds == "jump", kinds == "ratio"]
-    known = [ROUGH * np.ptp(values, axis=1), ROUGH * beside]
+    known = [ROUGH * np.ptp(values, axis=1), ROUGH * lower]
     narrow = [(jumps > 1 - divided) & (crossed > 0), least < ratio * beside]
     drop = beside - least
-    rough = off > np.select(of_kind, known, ROUGH * np.maximum(drop, change))
+    rough = off > np.select(of_kind, known, ROUGH * np.maximum(lower - least, change))
     return values, np.select(of_kind, narrow, drop > change), rough
 
 
-def _lows(np, kind, values):
-    """The numbers of the samples before the places that matter."""
-    if kind == "jump":
-        return np.flatnonzero(np.diff(np.sign(values))).tolist()
-    return [int((-values if kind == "largest" else abs(values)).argmin())]
+def _about(np, kind, values):
+    """Between which fractions of a part an argument is looked for, each an array of two."""
+    if kind != "jump":
+        return [np.array([0.0, 1.0])]
+    places = np.flatnonzero(np.diff(np.sign(values))).tolist()
+    return [np.clip([(k - 1) / SAMPLES, (k + 2) / SAMPLES], 0, 1) for k in places]
 
 
 def _values(stepper, times, x):
@@ -239,16 +288,23 @@ def _values(stepper, times, x):
     import numpy as np
 
     rows = stepper.system.traced.narrow.formula.on(np)(times, *x, *stepper.system.p)
-    rows = np.array([np.broadcast_to(row, times.shape) for row in rows], dtype=float)
+    rows = _array(np, rows, len(times))
     return rows[::2] - rows[1::2]
+
+
+def _array(np, rows, count):
+    """An array (rows, count); a row may be a number."""
+    out = np.empty((len(rows), count))
+    for n, row in enumerate(rows):
+        out[n] = row
+    return out
 
 
 def _rates(stepper, times, x):
     import numpy as np
 
     system = stepper.system
-    rows = system.traced.folded[0].on(np)(times, *x, *system.constants)
-    return np.array([np.broadcast_to(row, times.shape) for row in rows], dtype=float)
+    return _array(np, system.traced.folded[0].on(np)(times, *x, *system.constants), len(times))
 
 
 def _located(np, stepper, j, low, high):

@@ -215,9 +215,7 @@ class Run:
 
         def error():
             self.progress, fine = None, trajectory.tolerance
-            return error_by_comparison(
-                self.compared(method, method.other(fine), fine), trajectory, method
-            )
+            return self.error(self.compared(method, method.other(fine), fine), trajectory)
 
         ends = self.t0, self.t1, self.state, trajectory.segments[-1].x1
         if not self.events and known_accurate(self.system, method, self.rtol, *ends):
@@ -260,15 +258,14 @@ class Run:
             if trajectory.repeated and not before.watched:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
-            error = max(forced, error_by_comparison(before, trajectory, method))
+            error = max(forced, self.error(before, trajectory))
             if error <= self.rtol or trajectory.failed:
                 break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound
                 before = self.compared(method, 10 * tolerance, tolerance, known, scaled)
-                again = error_by_comparison(before, trajectory, method)
-                error = min(error, max(forced, again))
+                error = min(error, max(forced, self.error(before, trajectory)))
                 break
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
@@ -346,6 +343,12 @@ class Run:
         trajectory = Trajectory(shifted, method, tolerance, *more)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
+
+    @staticmethod
+    def error(before, trajectory):
+        """The error of a trajectory by comparison with another one, and by what it has not seen."""
+        known = error_by_comparison(before, trajectory, trajectory.method)
+        return known + trajectory.unseen()
 
     def motion(self, trajectory, method, error):
         """The :class:`~newton_euler.motion.solution.Motion` of a trajectory; raises

@@ -167,7 +167,7 @@ class Trajectory:
             stepper.step(limit)
             if watched:
                 self._see(stepper, done, min(limit, MAX_STEPS))
-            for n in range(done, len(stepper.step_times) - 1):
+            for n in range(done, len(stepper.step_times) - 1) if events else ():
                 for found in events_in_step(locators, n):
                     ending = [k for _, k in found if events[k].ends]
                     for t, k in found:
