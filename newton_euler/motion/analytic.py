@@ -26,10 +26,7 @@ def hazards(traced):
     poles = {f.number for s in steps if s.op == "/" for f in factors(s.args[1])}
     # a negative power is a denominator
     poles |= {
-        f.number
-        for s in steps
-        if s.op == "**" and _negative(s.args[1])
-        for f in factors(s.args[0])
+        f.number for s in steps if s.op == "**" and _negative(s.args[1]) for f in factors(s.args[0])
     }
     branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN})

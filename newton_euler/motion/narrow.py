@@ -20,9 +20,9 @@ GROWING, STEEP = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}
 # What an argument changes by in a step before a structure can lie between the stages of a method,
 # or the ratio of its values; and the same in a part of a step
 CHANGE, RATIO = (4.0, 0.5), (0.1, 0.5)
-NODES = (0.0, 1e-3, 0.5, 0.999, 1.0)  # of a part, at which arguments are computed
-# part of its change by which an argument may differ from a cubic polynomial, and how many times that
-# its slope and its change are where it does not turn
+NODES = (0.0, 1e-3, 0.27, 0.5, 0.77, 0.999, 1.0)  # of a part, where arguments are computed
+# part of its change by which an argument may differ from a cubic polynomial, and how many times
+# that its slope and its change are where it does not turn
 ROUGH, STEADY = 0.2, 8.0
 NOISE = 1e-12  # of an argument, relative
 SAMPLES = 16  # of the polynomial
@@ -30,7 +30,7 @@ FEW = 4  # steps: more tell by their ends how fast arguments change
 DEPTH, DIVIDED, MOST = 8, 4, 20_000  # of the division of steps: how often, into how many, in all
 ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
 HALVINGS = 44  # of a step towards it
-LIMIT, ROUND_OFF = 100.0, 1e-13  # tolerances by which a step may differ; and its round-off
+LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
 
 
 class Arguments(NamedTuple):
@@ -149,6 +149,8 @@ class _Path:
             places = np.linspace(0, count, 2 * max(count, stepper.taken) + 1)
             self.ends = np.interp(places, np.arange(count + 1), ends)
         self.lengths = np.diff(self.ends)
+        # True if the ends are not those of steps, or a step next to them has missed something
+        self.closely = self.x is None or stepper.repeated
 
     @cached_property
     def changes(self):
@@ -184,14 +186,15 @@ def _brackets(np, path):
         u = low + width * np.array(NODES)[:, None]
         rows = path.arguments(np.tile(n, len(NODES)), u.reshape(-1))
         rows = rows.reshape(len(path.kinds), len(NODES), len(n))
-        parts = depth > 0 or path.x is None
+        parts = depth > 0 or path.closely
         j, c, cubic, off = _turning(np, path.kinds, rows, parts)
         if not len(j):
             break
-        values, narrow, rough = _judged(np, np.array(path.kinds)[j], cubic, off, n[c], parts)
+        u, values = _samples(np, *cubic)
+        narrow, rough = _judged(np, np.array(path.kinds)[j], values, off, n[c], parts)
         for row in np.flatnonzero(narrow & ~rough).tolist():
             begin, length = path.ends[n[c[row]]], path.lengths[n[c[row]]]
-            for edges in _about(np, path.kinds[j[row]], values[row]):
+            for edges in _about(np, path.kinds[j[row]], u[row], values[row]):
                 times = begin + length * (low[c[row]] + width * edges)
                 found.append((int(j[row]), *times.tolist()))
         again = np.unique(c[rough])
@@ -205,13 +208,18 @@ def _brackets(np, path):
 
 def _quiet(np, path):
     """True if no argument changes by much in a step, by its values at the ends of the steps."""
-    if path.x is None or len(path.lengths) < FEW:
+    if path.closely or len(path.lengths) < FEW:
         return False
     rows = _values(path.stepper, path.ends, path.x)
     slopes = np.diff(rows) / path.lengths
     # at the beginning and at the end of a step as in the steps next to it
     k, m = np.empty_like(slopes), np.empty_like(slopes)
-    k[:, 0], k[:, 1:], m[:, -1], m[:, :-1] = slopes[:, 0], slopes[:, :-1], slopes[:, -1], slopes[:, 1:]
+    k[:, 0], k[:, 1:], m[:, -1], m[:, :-1] = (
+        slopes[:, 0],
+        slopes[:, :-1],
+        slopes[:, -1],
+        slopes[:, 1:],
+    )
     cubic = rows[:, :-1], rows[:, 1:], k * path.lengths, m * path.lengths
     return not _much(np, path.kinds, cubic, False).any()
 
@@ -241,8 +249,11 @@ def _turning(np, kinds, rows, divided):
     much = _much(np, kinds, (a, b, k, m), divided)
     if not much.any():
         return [], [], [], []
-    off = abs(rows[:, 2] - (a + b) / 2 - (k - m) / 8) - NOISE * abs(rows).max(axis=1)
-    steady = (k * m > 0) & (np.minimum(np.minimum(abs(k), abs(m)), abs(b - a)) > STEADY * off)
+    inside = np.array(NODES[2:-2])[:, None]
+    cubic = _cubic(*(x[:, None] for x in (a, b, k, m)), inside)
+    off = abs(rows[:, 2:-2] - cubic).max(axis=1) - NOISE * abs(rows).max(axis=1)
+    slowest = np.minimum(np.minimum(abs(k), abs(m)), abs(b - a))
+    steady = (k * m > 0) & (k * (b - a) > 0) & (slowest > STEADY * off)
     steady &= (a * b > 0) | _of(np, kinds, "largest")
     j, c = np.nonzero(~steady & much & np.isfinite(off))
     return j, c, [x[j, c][:, None] for x in (a, b, k, m)], off[j, c]
@@ -253,14 +264,25 @@ def _of(np, kinds, *chosen):
     return np.array([[kind in chosen] for kind in kinds])
 
 
-def _judged(np, kinds, cubic, off, steps, divided):
-    """For each of these: its values along its part, whether it changes fast there, and whether the
-    polynomial cannot tell.
+def _samples(np, a, b, k, m):
+    """Fractions of parts, with those at which a polynomial turns, and its values there."""
+    d = b - a
+    first, second = 3 * d - 2 * k - m, 3 * (k + m - 2 * d)
+    q = -(first + np.where(first < 0, -1.0, 1.0) * np.sqrt(first * first - second * k))
+    turns = np.hstack([q / second, k / q])
+    turns = np.clip(np.where(np.isfinite(turns), turns, 0.0), 0.0, 1.0)
+    grid = np.tile(np.linspace(0, 1, SAMPLES + 1), (len(a), 1))
+    u = np.sort(np.hstack([grid, turns]))
+    return u, _cubic(a, b, k, m, u)
+
+
+def _judged(np, kinds, values, off, steps, divided):
+    """For each of these arguments: whether it changes fast in its part, and whether its polynomial
+    cannot tell.
 
     divided : True for parts of steps, whose ends no stage of the method has seen: less counts
     """
     change, ratio = CHANGE[divided], RATIO[divided]
-    values = _cubic(*cubic, np.linspace(0, 1, SAMPLES + 1))
     level = np.where((kinds == "largest")[:, None], -values, abs(values))
     crossed = (np.diff(np.sign(values), axis=1) != 0).sum(axis=1)
     least, lower = level.min(axis=1), np.minimum(level[:, 0], level[:, -1])
@@ -272,15 +294,15 @@ def _judged(np, kinds, cubic, off, steps, divided):
     narrow = [(jumps > 1 - divided) & (crossed > 0), least < ratio * beside]
     drop = beside - least
     rough = off > np.select(of_kind, known, ROUGH * np.maximum(lower - least, change))
-    return values, np.select(of_kind, narrow, drop > change), rough
+    return np.select(of_kind, narrow, drop > change), rough
 
 
-def _about(np, kind, values):
+def _about(np, kind, u, values):
     """Between which fractions of a part an argument is looked for, each an array of two."""
     if kind != "jump":
         return [np.array([0.0, 1.0])]
     places = np.flatnonzero(np.diff(np.sign(values))).tolist()
-    return [np.clip([(k - 1) / SAMPLES, (k + 2) / SAMPLES], 0, 1) for k in places]
+    return [u[[max(k - 1, 0), min(k + 2, len(u) - 1)]] for k in places]
 
 
 def _values(stepper, times, x):

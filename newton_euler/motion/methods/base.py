@@ -50,6 +50,7 @@ class Stepper:
     most_steps : the most steps of one motion
 
     resumable : True if the method can go back to one of its steps
+    repeated : True if it has gone back
     taken : the number of steps where not all of them are kept
 
     A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
@@ -59,7 +60,7 @@ class Stepper:
 
     most_steps = MAX_STEPS
 
-    resumable, taken = False, 0
+    resumable, repeated, taken = False, False, 0
 
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
@@ -89,7 +90,7 @@ class Stepper:
     def back_to(self, n, stop):
         """Go back to the beginning of step ``n``, and stop at this time."""
         size = len(self.x)
-        self.t, self.x = self.step_times[n], tuple(self.steps[n][-size:])
+        self.t, self.x, self.repeated = self.step_times[n], tuple(self.steps[n][-size:]), True
         seen = [self.floors, *(map(abs, s[-size:]) for s in self.steps[: n + 1])]
         self.scales = tuple(map(max, *seen))
         del self.steps[n:], self.step_times[n + 1 :]
