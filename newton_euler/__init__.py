@@ -1,5 +1,4 @@
-"""Newton-Euler dynamics of particles and rigid bodies in three dimensions: a small engine for
-teaching and for work.
+"""Newton-Euler dynamics of particles and rigid bodies in three dimensions for teaching and work.
 
 >>> from newton_euler import Frame
 >>> ground = Frame("ground")
@@ -20,8 +19,8 @@ __version__ = "0.2.0"
 # All other public names are imported from their room: from newton_euler.dynamics import weight
 _NAMES = {
     "algebra": """Dimension NewtonEulerError Vector acos asin at atan atan2 compiled cos cosh cross
-        dot exp integral log moving pi radians root sin sinh solve_linear solve_rates sqrt tan tanh
-        unit where""",
+        dot exp integral log moving pi radians root sin sinh solve_linear solve_rates sqrt table
+        tan tanh unit where""",
     "kinematics": """Frame Point axis_angle cylindrical euler_frame frenet polar quaternion
         rotation_matrix spherical""",
     "bodies": "Body Inertia centre_of_mass composite particle",

@@ -23,6 +23,7 @@ from .algebra import sinh as sinh
 from .algebra import solve_linear as solve_linear
 from .algebra import solve_rates as solve_rates
 from .algebra import sqrt as sqrt
+from .algebra import table as table
 from .algebra import tan as tan
 from .algebra import tanh as tanh
 from .algebra import unit as unit

@@ -72,12 +72,25 @@ def drawn_value(given: Given, rng: random.Random) -> float:
     """A number for a given, on a grid of round numbers within its range; ``rng`` chooses."""
     if given.vary is None:
         return given.value
-    low, high = given.vary
-    step = _round_step((high - low) / 40)
-    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    first, last, step = _grid(given.vary)
     value = rng.randint(first, last) * step
     digits = max(0, -math.floor(math.log10(step) + 1e-9))
     return round(value, digits)
+
+
+def sheets(p: Problem) -> int:
+    """How many sets of numbers there are for a problem: 1 where nothing varies. Those that
+    :func:`objection` refuses are counted, too.
+    """
+    grids = [_grid(g.vary) for g in p.givens.values() if g.vary]
+    return math.prod(last - first + 1 for first, last, _ in grids)
+
+
+def _grid(span):
+    """(first, last, step): the round numbers within a range are n * step, n from first to last."""
+    low, high = span
+    step = _round_step((high - low) / 40)
+    return math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9), step
 
 
 def _round_step(x):
@@ -211,5 +224,5 @@ def traced(p: Problem, formula: Callable, more: Iterable[str] = ()) -> Callable 
 
 __all__ = [
     "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "drawn_value",
-    "evaluate", "flat", "objection", "seed", "symbol_points", "symbol_values", "traced",
+    "evaluate", "flat", "objection", "seed", "sheets", "symbol_points", "symbol_values", "traced",
 ]  # fmt: skip

@@ -1,13 +1,13 @@
-"""2/9: an airplane whose passengers are weightless."""
+"""2/9: an airplane whose passengers are weightless, or nearly so."""
 
-from exercises.tools import Sketch, Step, mp, rate, size
+from exercises.tools import Sketch, Step, mp, rate, second_rate
 from newton_euler import Frame, frenet, sqrt
 
 
 def over_the_top(g):
-    """The motion in intrinsic components: level, with the acceleration of what falls freely."""
+    """The motion in intrinsic components: level, with the acceleration by weight and seat."""
     ground = Frame("ground")
-    return frenet(ground.vector(g.v, 0, 0), ground.vector(0, 0, -g.g))
+    return frenet(ground.vector(g.v, 0, 0), ground.vector(0, 0, -(1 - g.n) * g.g))
 
 
 def solve(g):
@@ -16,35 +16,30 @@ def solve(g):
 
 
 def steps(g):
-    P = over_the_top(g)
-    yield Step(
-        "a_n",
-        P.acceleration.y,
-        "m/s^2",
-        "normal component of the acceleration, since the passengers fall freely",
-        "2.3",
-        "2.14",
-    )
-    yield Step("rho", P.radius, "m", "radius of curvature of the path at the top", "2.3", "2.14")
+    a_n = over_the_top(g).acceleration.y
+    yield Step("a_n", a_n, "m/s^2", "normal component of the acceleration, downward: what is left "
+               "of g by the push of the seat, (1 - n) g", "2.3", "2.14")  # fmt: skip
 
 
 def prove(g):
-    """The angle of the velocity on the parabola of what falls freely, as a function of time."""
+    """The angle of the velocity on the parabola with this acceleration, as a function of time."""
 
     def place(t):
-        return [g.v * t, 0, -g.g * t**2 / 2]
+        return [g.v * t, 0, (g.n - 1) * g.g * t**2 / 2]
 
     def angle(t):
         ahead, _, up = rate(place, t)
         return mp.atan2(-up, ahead)
 
-    return {"gam_dot": rate(angle), "rho": size(rate(place)) / rate(angle)}
+    return {"gam_dot": rate(angle), "a_n": -second_rate(place)[2]}
 
 
 def mistakes(g):
     return {
         "km_per_hour": solve(g.but(v=g.stated("v"))),
-        "no_speed": {"gam_dot": sqrt(g.g / g.v)},
+        "no_speed": {"gam_dot": sqrt((1 - g.n) * g.g / g.v)},
+        "seat_for_resultant": {"gam_dot": g.n * g.g / g.v},
+        "no_seat": solve(g.but(n=0 * g.n)),
         "no_acceleration": {"gam_dot": 0 * solve(g)["gam_dot"]},
     }
 

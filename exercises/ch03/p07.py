@@ -1,4 +1,4 @@
-"""3/7: constant speed on a helix that rises at 45 degrees, in rectangular components."""
+"""3/7: constant speed on a helix, in rectangular components."""
 
 from exercises.devices.helix import figure, helix, unrolled
 from exercises.tools import Step, rate, second_rate
@@ -9,13 +9,13 @@ GROUND = Frame("ground")
 
 
 def motion(g, theta):
-    P = GROUND.point("P", *helix(g.b, g.b)(theta))
+    P = GROUND.point("P", *helix(g.b, g.p)(theta))
     return {"v": P.velocity(GROUND), "a": P.acceleration(GROUND)}
 
 
 def angle(g):
     """theta with its rates, which are the same all along."""
-    q = at_speed(helix(g.b, g.b), 0 * g.one, g.nu)
+    q = at_speed(helix(g.b, g.p), 0 * g.one, g.nu)
     return moving(g.theta, rate=q.rate, acceleration=q.acceleration)
 
 
@@ -28,7 +28,7 @@ def steps(g):
 
 
 def prove(g):
-    place = unrolled(g.b, g.b, g.nu, g.theta)
+    place = unrolled(g.b, g.p, g.nu, g.theta)
     return {"v": rate(place), "a": second_rate(place)}
 
 
@@ -41,8 +41,8 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s, O, Q, P = figure(ax, GROUND, g.b, g.b, 1.1, "b", turns=1.1)
+    s, O, Q, P = figure(ax, GROUND, g.b, g.p, 1.1, "b", turns=1.1)
     s.line(O, Q)
     s.line(Q, P)
     s.arc(O, (g.b, 0, 0), Q, label=r"$\theta$")
-    s.dimension(Q, P, label=r"$b\theta$")
+    s.dimension(Q, P, label=r"$p\theta$")

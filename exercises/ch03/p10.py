@@ -1,4 +1,4 @@
-"""3/10: an acceleration that is square to the velocity; flexure."""
+"""3/10: an acceleration that is square to the velocity, or nearly so; flexure."""
 
 from exercises.devices.instant_of_motion import GROUND, figure, speed_and_flexure, vectors
 from exercises.tools import Step, minus, plus, size
@@ -34,7 +34,8 @@ def mistakes(g):
     product = sizes[0].dot(sizes[1])
     return {
         "radius": {"flexure": 1 / flexure(v, a)},
-        "speed_not_squared": {"flexure": a.norm() / v.norm()},
+        "speed_not_squared": {"flexure": flexure(v, a) * v.norm()},
+        "whole_in_flexure": {"flexure": a.norm() / v.norm() ** 2},
         "whole_acceleration": {"speed_rate": a.norm()},
         "signs_dropped": {"v_dot_a": product, "speed_rate": product / v.norm()},
     }

@@ -1,15 +1,15 @@
 """6/11: a slider that a cord holds in the slot of a turning disk."""
 
-from exercises.tools import Sketch, Step, rate, rot, size, times
-from newton_euler import Frame, cos, moving, sin, solve_linear
+from exercises.tools import Sketch, Step, rot, second_rate, times
+from newton_euler import Frame, cos, moving, sin, solve_linear, sqrt
 from newton_euler.dynamics import resultant_force
 from newton_euler.kinematics import polar
 
 
 def slider(g):
-    """Ground, and A on the x axis of the instant; B is ahead of it."""
+    """Ground, and A on the x axis of the instant; B is ahead of it, as the disk turns."""
     ground = Frame("ground")
-    return ground, polar(ground, "A", g.r, moving(0, rate=g.omega))
+    return ground, polar(ground, "A", g.r, moving(0, g.omega, g.n * g.omega**2))
 
 
 def forces(g):
@@ -32,33 +32,25 @@ def steps(g):
     yield Step(
         "F", resultant_force(g.m, a), "N", "resultant of the cord and the slot", "6.1", "6.6"
     )
-    yield Step("N", forces(g).N, "N", "force of the side of the slot on A, square to the slot",
-               "6.1", "6.4")  # fmt: skip
 
 
 def prove(g):
-    """What the energy m (omega d)^2/2, d the distance from O, changes with a move of A along the
-    slot toward B, or across it toward O: the work of the forces in the turning disk.
-    """
+    """Along the slot, the acceleration of A on its circle, m times."""
 
-    def against(direction):
-        def energy(s):
-            x, y, _ = direction
-            return g.m * (g.omega * size([g.r + s * x, s * y, 0])) ** 2 / 2
+    def place(t):
+        return times(rot("z", g.omega * t + g.n * (g.omega * t) ** 2 / 2), [g.r, 0, 0])
 
-        return -rate(energy)
-
-    slot = times(rot("z", -g.psi), [-1, 0, 0])
-    side = times(rot("z", -g.psi), [0, -1, 0])
-    return {"T": against(slot), "N": against(side)}
+    a = second_rate(place)
+    return {"T": -g.m * times(rot("z", g.psi), a)[0], "a_A": a}
 
 
 def mistakes(g):
-    T = solve(g)["T"]
+    whole = g.m * g.r * g.omega**2
     return {
-        "no_side_force": {"T": T / cos(g.psi)},
-        "cord_resolved": {"T": T / cos(g.psi) ** 2},
-        "distance_of_slot": {"T": T * sin(g.psi)},
+        "no_side_force": {"T": whole * sqrt(1 + g.n**2)},
+        "cord_resolved": {"T": whole / cos(g.psi)},
+        "no_euler": {"T": whole * cos(g.psi)},
+        "distance_of_slot": {"T": whole * sin(g.psi) * cos(g.psi)},
     }
 
 

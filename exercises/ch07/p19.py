@@ -12,7 +12,7 @@ def solids(g):
     h = 3 * g.a / 2
     apex = PART.point("apex", 0, h - g.q * h, 0)
     full = cylinder(g.a, h, PART.point("C", 0, h / 2, 0), "y", density=1)
-    return full, cone(g.a, g.q * h, apex, "y", density=1)
+    return full, cone(g.p * g.a, g.q * h, apex, "y", density=1)
 
 
 def of_part(g, k_y):
@@ -28,8 +28,10 @@ def steps(g):
     full, cavity = solids(g)
     share = cavity.mass / full.mass
     m_full = g.m / (1 - share)
-    yield Step("share", share, "1", "mass of the cone over that of the full cylinder, q/3", "7.10")
-    yield Step("m_full", m_full, "kg", "mass of the full cylinder, m/(1 - q/3)", "7.10")
+    yield Step(
+        "share", share, "1", "mass of the cone over that of the full cylinder, p^2*q/3", "7.10"
+    )
+    yield Step("m_full", m_full, "kg", "mass of the full cylinder", "7.10")
     yield Step("I_full", m_full * full.inertia.radius_of_gyration("y") ** 2, "kg*m^2",
                "moment of inertia of the full cylinder", "7.10")  # fmt: skip
     yield Step("I_cone", m_full * share * cavity.inertia.radius_of_gyration("y") ** 2, "kg*m^2",
@@ -44,9 +46,12 @@ def prove(g):
 
     def total(f):
         def tube(r):
-            return r * (1 - g.q * (1 - r / g.a)) * f(r)  # times 2 pi h
+            return r * (1 - g.q * (1 - r / edge)) * f(r)  # times 2 pi h
 
-        return proofs.integral(tube, 0, g.a)
+        outside = proofs.integral(lambda r: r * f(r), edge, g.a)
+        return proofs.integral(tube, 0, edge) + outside
+
+    edge = g.p * g.a
 
     square = total(lambda r: r**2) / total(lambda r: 1)
     return {"I_y": g.m * square, "k_y": sqrt(square), "share": 1 - total(lambda r: 1) * 2 / g.a**2}
@@ -60,7 +65,7 @@ def mistakes(g):
     return {
         "full_mass": of_part(g, right * sqrt(1 - share)),
         "cone_added": of_part(g, sqrt((disk**2 + share * own**2) / (1 + share))),
-        "cone_like_cylinder": of_part(g, disk),
+        "cone_like_cylinder": of_part(g, sqrt((1 - share * g.p**2) / (1 - share)) * disk),
         "no_root": {"k_y": right**2 / g.a},
     }
 
@@ -70,11 +75,13 @@ def draw(g, ax):
     s = Sketch(ax, PART, plane="xy")
     apex, top = (0, h - g.q * h, 0), (0, h, 0)
     left, right = (-g.a, 0, 0), (g.a, 0, 0)
-    s.plate([left, right, (g.a, h, 0), apex, (-g.a, h, 0)])
+    brim = [(side * g.p * g.a, h, 0) for side in (1, -1)]
+    s.plate([left, right, (g.a, h, 0), brim[0], apex, brim[1], (-g.a, h, 0)])
     s.line((-g.a, h, 0), (g.a, h, 0), style="dotted")
     s.line((0, -0.15 * h, 0), top, style="centre")
-    s.arrow(top, (0, 1.3 * h, 0), "y")
+    s.arrow(top, (0, 1.4 * h, 0), "y")
     s.dimension((0, 0, 0), right, label="a", offset=-0.15 * h)
+    s.dimension(top, brim[0], label="$p\\,a$", offset=0.1 * h)
     s.dimension((g.a, h, 0), right, label="h", offset=0.2 * g.a)
     side = (-g.a, h - g.q * h, 0)
     s.line(side, apex, style="dotted")

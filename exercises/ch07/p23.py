@@ -23,17 +23,14 @@ def one(g):
     return bodies.cylinder(g.one, g.one, END, "z", mass=g.one)
 
 
-def trend(error):
-    """The word, from the error as a function of d/r."""
-    return "improves" if error(2) < error(1) else "worsens"
+def trend(first, second):
+    """The word, from both errors."""
+    return "improves" if second < first else "worsens"
 
 
 def solve(g):
-    return {
-        "trend": lambda: trend(lambda q: shortfall(q * g.one, one(g))),
-        "err_1": shortfall(g.q1, one(g)),
-        "err_2": shortfall(g.q2, one(g)),
-    }
+    first, second = (shortfall(q, one(g)) for q in (g.q1, g.q2))
+    return {"trend": lambda: trend(first, second), "err_1": first, "err_2": second}
 
 
 def steps(g):
@@ -46,7 +43,7 @@ def prove(g):
     whole = lambda q: mean(lambda p: (p[0] + q) ** 2 + p[1] ** 2, disk(mp.mpf(1)))
     error = lambda q: 1 - q**2 / whole(q)
     return {
-        "trend": lambda: trend(error),
+        "trend": lambda: trend(error(g.q1), error(g.q2)),
         "err_1": error(g.q1),
         "err_2": error(g.q2),
         "exact_1": whole(g.q1),
@@ -62,6 +59,7 @@ def mistakes(g):
         "of_the_approximation": {"err_2": of_approximation(g.q2)},  # nearly right at q1
         "ring": errors(lambda q: shortfall(q, thin_tube(g.one, END, "z", mass=g.one))),
         "what_is_there": errors(lambda q: 1 - shortfall(q, one(g))),
+        "distance": {"trend": lambda: trend(g.q1, g.q2)},
         "diameter": errors(lambda q: shortfall(2 * q, one(g))),
     }
 

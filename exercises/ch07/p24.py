@@ -4,36 +4,40 @@ from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, cos, pi, sin
 from newton_euler.bodies import arc, wedge
 
-WEDGE = Frame("wedge")  # its origin is on the edge OO', x toward the centre of mass, z along OO'
+WEDGE = Frame("wedge")  # its origin is on the axis OO', x toward the centre of mass, z along OO'
 
 
-def body(g):
+def full(g):
+    """The wedge without the hole, which is the wedge made smaller by q, with q^2 of its mass."""
     # the thickness, along both axes, has no influence
-    return wedge(g.r, g.psi / 2, g.r, WEDGE, "z", "x", mass=g.m)
+    return wedge(g.r, g.psi / 2, g.r, WEDGE, "z", "x", mass=g.m / (1 - g.q**2))
 
 
-def distance(part):
-    """The distance from OO' to GG'."""
-    return part.centre.position(WEDGE).x
+def distance(g, part):
+    """The distance from OO' to GG', where the wedge without the hole is ``part``."""
+    return part.centre.position(WEDGE).x * (1 - g.q**3) / (1 - g.q**2)
 
 
 def solve(g):
-    part = body(g)
-    return {"I_OO": part.about(WEDGE).moment("z"), "I_GG": part.inertia.moment("z")}
+    part = full(g)
+    I_OO = part.about(WEDGE).moment("z") * (1 - g.q**4)
+    return {"I_OO": I_OO, "I_GG": less(g, I_OO, distance(g, part))}
 
 
 def steps(g):
-    d = distance(body(g))
-    yield Step("d", d, "m", "distance of the centre of mass from OO', 4*r*sin(psi/2)/(3*psi)",
-               "5.4", "5.13")  # fmt: skip
+    d = distance(g, full(g))
+    yield Step("m_full", full(g).mass, "kg", "mass with the hole filled, m/(1 - q^2)", "5.4")
+    yield Step("d", d, "m", "distance of the centre of mass from OO', which for q = 0 is "
+               "4*r*sin(psi/2)/(3*psi), times (1 - q^3)/(1 - q^2)", "5.4", "5.13")  # fmt: skip
     yield Step("transfer", g.m * d**2, "kg*m^2", "what the moment about GG' is smaller by, m*d^2",
                "7.8", "7.26")  # fmt: skip
 
 
 def prove(g):
     """Radial slivers, the mass in them growing with the distance from OO'."""
-    sliver = [(2 * share * (x + 1) / 2, g.r * (x + 1) / 2) for share, (x, _, _) in
-              proofs.box(2, 0, 0, order=2)]  # fmt: skip
+    across = [(share, (x + 1) / 2) for share, (x, _, _) in proofs.box(2, 0, 0, order=2)]
+    radii = [(share, g.q + (1 - g.q) * x) for share, x in across]
+    sliver = [(2 * share * u / (1 + g.q), g.r * u) for share, u in radii]
 
     def total(f):
         def at(angle):
@@ -54,27 +58,30 @@ def less(g, I_OO, d):
     return I_OO - g.m * d**2
 
 
-follows = {"I_GG": lambda g, I_OO: less(g, I_OO, distance(body(g)))}
+follows = {"I_GG": lambda g, I_OO: less(g, I_OO, distance(g, full(g)))}
 
 
 def mistakes(g):
-    right, d = solve(g)["I_OO"], distance(body(g))
+    right, d = solve(g)["I_OO"], distance(g, full(g))
+    rim = arc(g.r, g.psi / 2, WEDGE, "z", "x", mass=g.m)
     scaled = right * g.psi / (2 * pi(g.psi))
     return {
         "scaled": {"I_OO": scaled, "I_GG": less(g, scaled, d)},
         "adds_the_transfer": {"I_GG": 2 * right - less(g, right, d)},
-        "arc": {"I_GG": less(g, right, distance(arc(g.r, g.psi / 2, WEDGE, "z", "x", mass=g.m)))},
+        "no_hole": solve(g.but(q=0 * g.q)),
+        "arc": {"I_GG": less(g, right, rim.centre.position(WEDGE).x)},
         "thin": {"I_GG": less(g, right, 2 * g.r / 3)},
     }
 
 
 def draw(g, ax):
     s = Sketch(ax, WEDGE, azimuth=-65, elevation=25)
-    thick, d = 0.35 * g.r, distance(body(g))
+    thick, d = 0.35 * g.r, distance(g, full(g))
     start = (g.r * cos(g.psi / 2), -g.r * sin(g.psi / 2), 0)
     O = (0, 0, 0)
     rim = s.around(O, start, WEDGE.k, g.psi)
-    s.plate([O, *rim], thickness=thick)
+    hole = [tuple(g.q * x for x in P) for P in reversed(rim)]
+    s.plate([*hole, *rim], thickness=thick)
     for name, x in ("O", 0), ("G", d):
         low, high = (x, 0, -0.8 * g.r), (x, 0, 1.05 * g.r)
         s.line(low, high, style="centre")

@@ -16,7 +16,7 @@ def parts(g, l_r, shell_mass=None, panel_mass=None):
     shell = cylindrical_shell(g.one, l_r, CRAFT, "x", **matter(shell_mass))
     middle = g.one + g.c / 2
     panels = [
-        plate(l_r, g.c, CRAFT.point(name, 0, y, 0), "z", name=name, **matter(panel_mass))
+        plate(g.q * l_r, g.c, CRAFT.point(name, 0, y, 0), "z", name=name, **matter(panel_mass))
         for name, y in (("left", -middle), ("right", middle))
     ]
     return shell, panels
@@ -42,15 +42,17 @@ def solve(g):
 
 
 def steps(g):
-    l_r = solve(g)["l_r"]
-    shell, (panel, _) = parts(g, l_r)
+    shell, (panel, _) = parts(g, g.one)
     share = panel.mass / shell.mass
-    yield Step("share", share, "1", "mass of a panel over that of the shell, c/(2*pi)", "7.10")
+    yield Step("share", share, "1", "mass of a panel over that of the shell, c*q/(2*pi)", "7.10")
     k2 = panel.about(CRAFT).moment("x") / panel.mass
     yield Step("panel_x", k2, "1", "moment of a panel about x, over its mass and r^2: "
                "c^2/12 + (1 + c/2)^2", "7.8", "7.26")  # fmt: skip
     yield Step("I_x", 1 + 2 * share * k2, "1", "I_xx over the mass of the shell and r^2", "7.10",
                "7.14")  # fmt: skip
+    yield Step("slope", (1 + 2 * share * g.q**2) / 12, "1", "part of I_yy that grows with "
+               "(l/r)^2, over this and the same: shell and panels as rods; the rest of I_yy is "
+               "1/2 of the shell", "7.10", "7.14")  # fmt: skip
 
 
 def prove(g):
@@ -70,16 +72,18 @@ def prove(g):
         return proofs.mean(lambda p: [p[0] ** 2, p[1] ** 2, p[2] ** 2], body)
 
     (xx, yy, zz), (XX, YY, ZZ) = means(shell), means(panel)
-    m, M = 2 * mp.pi, 2 * g.c  # shell, both panels
+    m, M = 2 * mp.pi, 2 * g.c * g.q  # shell, both panels
+    x2 = m * xx + M * XX * g.q**2
 
     def lacking(l_r):
-        return m * (zz + xx * l_r**2) + M * (ZZ + XX * l_r**2) - m * (yy + zz) - M * (YY + ZZ)
+        return m * zz + M * ZZ + x2 * l_r**2 - m * (yy + zz) - M * (YY + ZZ)
 
     return {
         "l_r": proofs.root(lacking, 0, 100),
         "share": M / 2 / m,
         "panel_x": YY + ZZ,
         "I_x": yy + zz + M / m * (YY + ZZ),
+        "slope": x2 / m,
     }
 
 
@@ -108,13 +112,14 @@ def mistakes(g):
 def draw(g, ax):
     l = 2.2  # over r, not that of the answer
     s = Sketch(ax, CRAFT, azimuth=-60, elevation=30)
-    ends = (-l / 2, 0, 0), (l / 2, 0, 0)
+    ends, half = ((-l / 2, 0, 0), (l / 2, 0, 0)), g.q * l / 2
     for y in (1, -1):
         edge = y * (1 + g.c)
-        s.plate([(-l / 2, y, 0), (l / 2, y, 0), (l / 2, edge, 0), (-l / 2, edge, 0)])
+        s.plate([(-half, y, 0), (half, y, 0), (half, edge, 0), (-half, edge, 0)])
     s.cylinder(*ends, 1, bore=0.97)
     s.arrow(ends[1], (l / 2 + 1.4, 0, 0), "x")
     s.arrow(ends[1], (l / 2, -0.6, 0.8), "r")
     s.arrow((0, 1 + g.c, 0), (0, 1.8 + g.c, 0), "y")
-    s.dimension((l / 2, 1, 0), (l / 2, 1 + g.c, 0), label="$c\\,r$")
-    s.dimension((-l / 2, -1 - g.c, 0), (l / 2, -1 - g.c, 0), label="l")
+    s.dimension((half, 1, 0), (half, 1 + g.c, 0), label="$c\\,r$")
+    s.dimension((-l / 2, 0, 1), (l / 2, 0, 1), label="l", offset=0.2)
+    s.dimension((-half, -1 - g.c, 0), (half, -1 - g.c, 0), label="$q\\,l$")

@@ -16,16 +16,16 @@ from newton_euler.bodies import rod
 
 
 def offset(g):
-    """The distance from the pin to the centre of mass."""
+    """The level distance from the pin to the centre of mass."""
     return (1 - 2 * g.k) * g.L / 2
 
 
 def beam(g):
-    return lambda frame: rod(g.L, frame.point("G", offset(g), 0, 0), "x", mass=mass(g))
+    return lambda frame: rod(g.L, frame.point("G", offset(g), -g.n * g.L, 0), "x", mass=mass(g))
 
 
 def a_B(g, alpha):
-    return -acceleration_of(((1 - g.k) * g.L, 0, 0), alpha).y
+    return -acceleration_of(((1 - g.k) * g.L, -g.n * g.L, 0), alpha).y
 
 
 def answers(g, alpha):
@@ -38,7 +38,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("d", offset(g), "ft", "distance from the pin C to the centre of mass G", "8.5")
+    yield Step("d", offset(g), "ft", "level distance from the pin C to the centre of mass G", "8.5")
     *first, a_G = fall_steps(g, beam(g), "C")
     yield from first
     alpha = falls(g, beam(g)).alpha
@@ -50,8 +50,8 @@ follows = {"R_C": lambda g, a_B: pin_force(g, beam(g), -a_B / ((1 - g.k) * g.L))
 
 
 def prove(g):
-    points = [(u, plus(r, [offset(g), 0, 0])) for u, r in box(g.L, 0, 0, order=2)]
-    alpha, R, B = by_energy(g, points, [(1 - g.k) * g.L, 0, 0])
+    points = [(u, plus(r, [offset(g), -g.n * g.L, 0])) for u, r in box(g.L, 0, 0, order=2)]
+    alpha, R, B = by_energy(g, points, [(1 - g.k) * g.L, -g.n * g.L, 0])
     return {"a_B": -second_rate(B)[1], "R_C": R[1], "alpha": alpha} | sums(g, points, "C")
 
 
@@ -60,6 +60,7 @@ def mistakes(g):
     return {
         "about_G": answers(g, moment / (m * g.L**2 / 12)),
         "about_the_end": answers(g, moment / (m * g.L**2 / 3)),
+        "no_height": solve(g.but(n=0 * g.n)),
         "as_in_statics": {"R_C": g.W / (2 * (1 - g.k))},
         "B_falls_freely": {"a_B": g.g},
     }
@@ -68,17 +69,19 @@ def mistakes(g):
 def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
-    A, C, B = (-g.k * g.L, 0, 0), (0, 0, 0), ((1 - g.k) * g.L, 0, 0)
+    low = -g.n * g.L
+    A, C, B = (-g.k * g.L, low, 0), (0, 0, 0), ((1 - g.k) * g.L, low, 0)
     top = (B[0], 0.4 * g.L, 0)
     s.rod(A, B)
+    s.rod((0, low, 0), C)
     s.hinge(C)
-    s.ground((0, -0.09 * g.L, 0), ground.j)
-    s.line((-0.03 * g.L, -0.09 * g.L, 0), C, style="solid")
-    s.line((0.03 * g.L, -0.09 * g.L, 0), C, style="solid")
+    s.ground((0, 0.09 * g.L, 0), -ground.j)
+    s.line((-0.03 * g.L, 0.09 * g.L, 0), C, style="solid")
+    s.line((0.03 * g.L, 0.09 * g.L, 0), C, style="solid")
     s.cable(B, top)
     s.ground(top, -ground.j)
     s.dimension(A, B, label="L", offset=-0.3 * g.L)
-    s.dimension(A, C, label="$kL$", offset=-0.17 * g.L)
+    s.dimension(A, (0, low, 0), label="$kL$", offset=-0.17 * g.L)
     s.label(A, "A", offset=(-10, 0))
     s.label(B, "B", offset=(10, -4))
-    s.label(C, "C", offset=(0, 12))
+    s.label(C, "C", offset=(14, 6))

@@ -35,8 +35,10 @@ def steps(g):
                "10.5", "10.17")  # fmt: skip
     yield Step("I_0", I_0, "m^2", "moment of inertia about a transverse axis through O, per mass",
                "10.5", "10.17")  # fmt: skip
-    yield Step("omega_z", whole_rate(g), "rev/h", "whole rate about the axis of symmetry, with "
-               "which no moment is needed", "10.6", "10.29")  # fmt: skip
+    omega_z = I_0 / I_z * g.psi_dot * cos(g.theta)
+    yield Step("omega_z", omega_z, "rev/h", "whole rate about the axis of symmetry, with which no "
+               r"moment is needed: $I \omega_z = I_0 \dot\psi \cos\theta$",
+               "10.6", "10.29")  # fmt: skip
 
 
 def by_sign(along):
@@ -73,20 +75,21 @@ def mistakes(g):
         "whole_rate": {"phi_dot": whole_rate(g)},
         "shell": {"phi_dot": spin(g, bodies.cylindrical_shell)},
         "no_cosine": {"phi_dot": spin(g, theta=0 * g.theta)},
-        "retrograde": {"sense": "retrograde"},
+        "opposite": {"sense": lambda: by_sign(-spin(g))},
     }
 
 
 def draw(g, ax):
     ground, axes = frames(g.theta, pi(g.theta) / 2)
     s = Sketch(ax, ground, azimuth=-68, elevation=16)
-    O, C, end = axes.origin, (0, 0, 0.75 * g.L), axes.point("", 0, 0, 0.75 * g.L)
+    high = g.L / 2 + 1.4 * g.R  # beyond the body
+    O, C, end = axes.origin, (0, 0, high), axes.point("", 0, 0, high)
     A, B = (axes.point("", 0, 0, side * g.L / 2) for side in (-1, 1))
     s.cylinder(A, B, g.R)
     s.line(B, end, style="centre")
     s.line(O, C, style="centre")
-    s.arc(O, C, end, label=r"$\theta$", radius=0.66 * g.L)
-    s.turn((0, 0, 0.45 * g.L), ground.k, label=r"$\dot\psi$")
+    s.arc(O, C, end, label=r"$\theta$", radius=0.9 * high)
+    s.turn((0, 0, 0.8 * high), ground.k, label=r"$\dot\psi$")
     s.dimension(A, B, label="L", offset=-1.6 * g.R)
     s.dimension(A, axes.point("", 0, g.R, -g.L / 2), label="R", offset=axes.k * (-0.1 * g.L))
     s.dot(O, "O")

@@ -1,84 +1,90 @@
-"""10/10: for which lengths a thin tube precesses in the sense of its spin."""
+"""10/10: for which lengths a thin tube with a ring precesses in the sense of its spin."""
 
-from exercises.devices.wobbling import difference, needed_spin, neutral_length, sense
+from exercises.devices.wobbling import WOBBLE, needed_spin, neutral_length
 from exercises.tools import Sketch, Step, mpf, proofs
 from newton_euler import Frame, root
-from newton_euler.bodies import cylinder, cylindrical_shell, rod
+from newton_euler.applications import free_precession
+from newton_euler.bodies import cylinder, cylindrical_shell, ring, rod
 
 
-def shell(g, ratio):
-    """A shell of the mass and the radius 1; its frame is at its centre, z along the axis."""
-    return cylindrical_shell(g.one, ratio, Frame("shell"), "z", mass=g.one)
+def tube(g, ratio, kind=cylindrical_shell):
+    """Transverse and axial moment of inertia of a tube of the mass and the radius 1."""
+    I = kind(g.one, ratio, Frame("tube"), "z", mass=g.one).inertia
+    return I.moment("x"), I.moment("z")
 
 
-def excess(body):
-    return difference(body, body.centre)
+def around(g):
+    """Those of the ring."""
+    I = ring(g.one, Frame("ring"), "z", mass=g.one).inertia
+    return g.n * I.moment("x"), g.n * I.moment("z")
 
 
-def limit(g, excess_at):
-    return root(excess_at, g.one / 10, 10 * g.one)
+def whole(g, ratio):
+    return tuple(a + b for a, b in zip(tube(g, ratio), around(g), strict=True))
 
 
-def right_limit(g):
-    return limit(g, lambda ratio: excess(shell(g, ratio)))
+def limit(g, moments):
+    """The ratio at which two moments, functions of it, are equal."""
+
+    def excess(ratio):
+        across, axial = moments(ratio)
+        return across - axial
+
+    return root(excess, g.one / 10, 10 * g.one)
 
 
-def side(g, ratio):
-    """The word, from a shell that is a little longer than the limit."""
-    longer = shell(g, 1.1 * ratio)
-    return "above" if sense(longer, longer.centre) == "direct" else "below"
+def sense(g):
+    return free_precession(*whole(g, g.q), WOBBLE, spin=1.0).sense
 
 
 def solve(g):
-    ratio = right_limit(g)
-    return {"ratio": ratio, "side": lambda: side(g, ratio)}
+    return {"ratio": limit(g, lambda ratio: whole(g, ratio)), "sense": lambda: str(sense(g))}
 
 
 def steps(g):
-    ratio = right_limit(g)
-    I, of_height = shell(g, ratio).inertia, rod(ratio, Frame("rod"), "z", mass=g.one)
-    along = of_height.inertia.moment("x")
-    yield Step("axial", I.moment("z"), "1", "moment of inertia about the axis, over m*r^2", "7.3")
-    yield Step("flat", I.moment("x") - along, "1",
-               "part of the transverse moment that does not depend on l, over m*r^2",
-               "7.3")  # fmt: skip
-    yield Step("square", ratio**2, "1", "square of l/r at which both moments are equal and there "
-               "is no precession, from (l/r)^2/12 = 1 - 1/2", "10.8", "10.36")  # fmt: skip
+    across, axial = whole(g, g.one)
+    flat = across - rod(g.one, Frame("rod"), "z", mass=g.one).inertia.moment("x")
+    yield Step("axial", axial, "1", "moment of inertia about the axis, over m*r^2", "7.3", "7.14")
+    yield Step("flat", flat, "1", "part of the transverse moment that does not depend on l, over "
+               "m*r^2", "7.3", "7.14")  # fmt: skip
+    yield Step("difference", axial - flat, "1", "what the part with l, over m*r^2, (l/r)^2/12, is "
+               "where both moments are equal", "10.8", "10.36")  # fmt: skip
 
 
 def prove(g):
-    """The length at which the shell turns about a slanting axis without a moment; the sense from
-    the spin that a longer one needs to precess without a moment.
+    """The length at which mass points turn about a slanting axis without a moment; the sense from
+    the spin that they need to precess without a moment.
     """
     rim = proofs.ring(mpf(1), order=2)
 
     def points(ratio):
         heights = proofs.box(0, 0, ratio, order=2)
-        return [(u * v, proofs.plus(p, q)) for u, p in rim for v, q in heights]
+        shell = [(u * v, proofs.plus(p, q)) for u, p in rim for v, q in heights]
+        return [(u / (1 + g.n), p) for u, p in shell] + [(g.n * u / (1 + g.n), p) for u, p in rim]
 
-    ratio = neutral_length(points, mpf(1))
-    longer, flat = needed_spin(points(2 * ratio)), proofs.mean(lambda p: p[1] ** 2, rim)
+    spin = needed_spin(points(g.q))
+    axial, across = proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[1] ** 2], rim)
     return {
-        "ratio": ratio,
-        "side": lambda: "above" if longer > 0 else "below",
-        "axial": proofs.mean(lambda p: p[0] ** 2 + p[1] ** 2, points(ratio)),
-        "flat": flat,
-        "square": ratio**2,
+        "ratio": neutral_length(points, mpf(1)),
+        "sense": lambda: "direct" if spin > 0 else "retrograde",
+        "axial": (1 + g.n) * axial,
+        "flat": (1 + g.n) * across,
     }
 
 
 def mistakes(g):
     def solid(ratio):
-        return excess(cylinder(g.one, ratio, Frame("solid"), "z", mass=g.one))
+        return tuple(a + b for a, b in zip(tube(g, ratio, cylinder), around(g), strict=True))
 
     def no_radius(ratio):
-        thin = rod(ratio, Frame("rod"), "z", mass=g.one)
-        return thin.inertia.moment("x") - shell(g, ratio).inertia.moment("z")
+        across, axial = whole(g, ratio)
+        return across - g.one / 2, axial
 
     return {
         "solid": {"ratio": limit(g, solid)},
-        "retrograde": {"side": "below"},
+        "opposite": {"sense": lambda: "retrograde" if sense(g) == "direct" else "direct"},
         "no_radius": {"ratio": limit(g, no_radius)},
+        "no_ring": {"ratio": solve(g.but(n=0 * g.n))["ratio"]},
     }
 
 
@@ -89,6 +95,7 @@ def draw(g, ax):
     low, high = (-l / 2, 0, 0), (l / 2, 0, 0)
     s.line((-0.85 * l, 0, 0), (l, 0, 0), style="centre")
     s.cylinder(low, high, r, bore=0.94 * r)
+    s.ring((0, 0, 0), ground.i, r)
     s.turn((0.85 * l, 0, 0), ground.i, label="spin")
     s.dimension((-l / 2, 0, -r), (l / 2, 0, -r), label="l", offset=-0.4)
     s.dimension(high, (l / 2, 0, r), label="r", offset=0)

@@ -1,4 +1,4 @@
-"""11/14: a central force that grows with the cube of the distance: its test and its potential."""
+"""11/14: a central force with the cube of the distance in it: its test and its potential."""
 
 from exercises.tools import Sketch, Step, gradient, proofs, rate
 from newton_euler import Frame, integral, work_along
@@ -10,7 +10,7 @@ def field(g):
 
     def force(*place):
         square = sum(q * q for q in place)
-        return tuple(g.c * square * q for q in place)
+        return tuple((g.c * square - g.k) * q for q in place)
 
     return force
 
@@ -20,26 +20,24 @@ def place(g):
 
 
 def derivatives(g):
-    """One of each pair, and the other."""
-    J, axes = jacobian(field(g), place(g)), Frame("axes")
-    pairs = ((0, 1), (1, 2), (2, 0))
-    return axes.vector(*(J[n][m] for n, m in pairs)), axes.vector(*(J[m][n] for n, m in pairs))
+    """One of each pair."""
+    J = jacobian(field(g), place(g))
+    return Frame("axes").vector(*(J[n][m] for n, m in ((0, 1), (1, 2), (2, 0))))
 
 
 def solve(g):
     def segment(s):
         return tuple(s * q for q in place(g))
 
-    return {"cross": derivatives(g)[0], "V": -work_along(field(g), segment, 0, 1).value}
+    return {"cross": derivatives(g), "V": -work_along(field(g), segment, 0, 1).value}
 
 
 def steps(g):
-    yield Step("D_2", derivatives(g)[1], "N/m", "derivatives of F_y by x, of F_z by y and of F_x "
-               "by z, the other one of each pair; they are the same, so that F has a potential",
-               "11.9")  # fmt: skip
-    F_r = sum(f * q for f, q in zip(field(g)(*place(g)), place(g), strict=True))
-    yield Step("F_r", F_r, "J", "F.r at the end of the segment from the origin; at its part s, "
-               "F.dr is s^3 ds times this", "11.9", "11.15")  # fmt: skip
+    square = sum(q * q for q in place(g))
+    yield Step("cubic", g.c * square**2, "J", "part of F.r with c at the end of the segment from "
+               "the origin; at its part s, F.dr is s^3 ds times this", "11.9", "11.15")  # fmt: skip
+    yield Step("linear", -g.k * square, "J", "part of F.r with k; at the part s of the segment, "
+               "F.dr has s ds times this", "11.9", "11.15")  # fmt: skip
 
 
 def prove(g):
@@ -47,7 +45,7 @@ def prove(g):
 
     def force(x, y, z):
         r = proofs.size([x, y, z])
-        return [g.c * r**3 * q / r for q in (x, y, z)]
+        return [(g.c * r**3 - g.k * r) * q / r for q in (x, y, z)]
 
     def curve(q):
         return [g.x * q, g.y * q**2, g.z * q**3]
@@ -60,7 +58,6 @@ def prove(g):
     return {
         "cross": [slopes[n][m] for n, m in pairs],
         "V": -proofs.integral(work, 0, 1),
-        "D_2": [slopes[m][n] for n, m in pairs],
     }
 
 
@@ -74,7 +71,8 @@ def mistakes(g):
     return {
         "plus_gradient": {"V": -right["V"]},
         "adds_all_three": {"V": -sum(integral(way, 0, 1) for way in ways)},
-        "no_quarter": {"V": 4 * right["V"]},
+        "no_quarter": {"V": right["V"] - 3 * g.c * (x * x + y * y + z * z) ** 2 / 4},
+        "no_attraction": {"V": solve(g.but(k=0 * g.k))["V"]},
         "half_derivative": {"cross": right["cross"] / 2},
     }
 

@@ -11,7 +11,7 @@ def scene(g, theta):
     ground = Frame("ground")
     hanging = ground.rotate("pendulum", "-y", angle=theta)
     bar = rod(g.l, hanging.point("G", 0, 0, -g.l / 2), "z", mass=g.m)
-    bob = particle(2 * g.m, hanging.point("B", 0, 0, -g.l))
+    bob = particle(g.n * g.m, hanging.point("B", 0, 0, -g.l))
     return ground, hanging.origin, bar, bob
 
 
@@ -64,9 +64,9 @@ def prove(g):
     along = [
         (share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0, order=2)
     ]
-    # x downward; the rod is one third of the whole mass
-    points = [(share / 3, p) for share, p in along] + [(mpf(2) / 3, [g.l, 0, 0])]
-    whole = 3 * g.m
+    # x downward; the rod is 1/(1 + n) of the whole mass
+    points = [(share / (1 + g.n), p) for share, p in along] + [(g.n / (1 + g.n), [g.l, 0, 0])]
+    whole = (1 + g.n) * g.m
 
     def turned(angle):
         return lambda t: [(s, proofs.times(proofs.rot("z", angle(t)), p)) for s, p in points]
@@ -93,7 +93,7 @@ def prove(g):
 
 def mistakes(g):
     right, (of_rod, of_bob) = solve(g)["T"], moments(g)
-    both = 3 * g.m * g.g * g.l * (1 - cos(g.theta_A))
+    both = (1 + g.n) * g.m * g.g * g.l * (1 - cos(g.theta_A))
     _, _, bar, _ = scene(g, 0)
     bob_lost = losses(g)[1]
     return {
@@ -119,7 +119,7 @@ def draw(g, ax):
     s.dimension(O, A, label="l")
     s.label(O, "O", offset=(-12, -14))
     s.label(A, "A", offset=(26, 9))
-    s.label(A, "2m", offset=(28, -9), bold=False)
+    s.label(A, "$n\\,m$", offset=(28, -9), bold=False)
     s.label(
         (0.4 * g.l * sin(g.theta_A), 0, -0.4 * g.l * cos(g.theta_A)),
         "m",

@@ -2,7 +2,6 @@
 
 from exercises.devices.steady_precession import needed
 from exercises.tools import mp, mpf, vanishing
-from newton_euler.applications import free_precession
 
 WOBBLE = 0.1  # rad, the angle of the axis with the angular momentum; any will do
 
@@ -11,12 +10,6 @@ def difference(body, O):
     """Transverse less axial moment of inertia at O: where it vanishes there is no precession."""
     I = body.about(O)
     return I.moment("x") - I.moment("z")
-
-
-def sense(body, O):
-    """ "direct" or "retrograde"; for numbers."""
-    I = body.about(O)
-    return free_precession(I.moment("x"), I.moment("z"), WOBBLE, spin=1.0).sense
 
 
 def needed_spin(points):

@@ -3,13 +3,17 @@ COURSE/attempts/ASSIGNMENT/STUDENT/N and can be put back; its grade stands until
 graded.
 """
 
+import contextlib
 import shutil
 from pathlib import Path
 
-from ..course import Course, CourseError, check_id
+from ..course import Course, CourseError, check_id, load_json, write_json
+from ..course.by_hand import give_student, of_student
 from .numbers import keep_numbers, numbers_path
 from .personal import make_personal_copies
 from .released import released
+
+BY_HAND = "by_hand.json"  # what persons gave for an attempt
 
 
 def parts(course: Course, assignment: str, student: str) -> dict[str, Path]:
@@ -46,7 +50,7 @@ def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Pat
             f"{student} has not handed in {assignment}, so that there is nothing to try again"
         )
     done = max(earlier_attempts(course, assignment, student), default=0) + 1
-    _set_aside(now, attempts_folder(course, assignment, student) / str(done))
+    _set_aside(course, assignment, student, done)
     asked = {i: t for r in released(course, assignment).values() for i, t in r.tasks.items()}
     problems = [task.exercise for task in asked.values()]
     drawn = course.values(f"{assignment}, attempt {done + 1}", student, problems)
@@ -65,12 +69,16 @@ def put_back(course: Course, assignment: str, student: str, number: int) -> None
         )
     now = parts(course, assignment, student)
     if now["submitted"].is_dir():
-        _set_aside(now, attempts_folder(course, assignment, student) / str(max(earlier) + 1))
+        _set_aside(course, assignment, student, max(earlier) + 1)
     for name, path in now.items():
         _remove(path)  # of a sheet that was not handed in
         if (earlier[number] / name).exists():
             path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
             (earlier[number] / name).rename(path)
+    by_hand = earlier[number] / BY_HAND
+    if by_hand.exists():
+        with course.gradebook() as book:
+            give_student(book, assignment, student, load_json(by_hand.read_bytes()))
     shutil.rmtree(earlier[number])
 
 
@@ -87,9 +95,12 @@ def is_work_of_earlier(
     return None
 
 
-def _set_aside(places: dict[str, Path], folder: Path) -> None:
+def _set_aside(course: Course, assignment: str, student: str, number: int) -> None:
+    folder = attempts_folder(course, assignment, student) / str(number)
     folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-    for name, path in places.items():
+    with course.gradebook() as book, contextlib.suppress(ValueError):  # it was not graded yet
+        write_json(folder / BY_HAND, of_student(book, assignment, student))
+    for name, path in parts(course, assignment, student).items():
         if path.exists():
             path.rename(folder / name)
 

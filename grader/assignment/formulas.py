@@ -13,16 +13,39 @@ from newton_euler.answers.notation import number_symbol, unit_symbol
 Quantity = tuple[Any, str]  # a number and its unit
 
 
-def written(formula: Any, names: Mapping[str, str], latex: bool, numbers: bool = False) -> str:
-    """A formula in LaTeX or as text, its symbols by ``names``, which are ``numbers`` or not."""
-    return _printer(latex)(names, numbers).doprint(formula)
-
-
-def numerals(quantities: Mapping[str, Quantity], units: Collection[str], latex: bool) -> dict:
-    """{name: number as it is written} of quantities. They have their units, unless these and
-    ``units`` belong to one system, where all can be left out.
+def written(
+    formula: Any,
+    names: Mapping[str, str],
+    latex: bool,
+    numbers: bool = False,
+    degrees: bool = False,
+) -> str:
+    """A formula in LaTeX or as text, its symbols by ``names``, which are ``numbers`` or not; with
+    ``degrees``, right angles in a sum are not written as pi/2.
     """
-    bare = coherent([*units, *(u for _, u in quantities.values())])
+    printer = _printer(latex)(names, numbers)
+    printer.degrees = degrees
+    return printer.doprint(formula)
+
+
+def simplest(formula: Any) -> Any:
+    """A result as the shortest of its usual forms."""
+    import sympy
+
+    if formula.count_ops() > 150:
+        return formula
+    if formula.has(sympy.Float):  # beside rounded numbers pi and the square root of 2 are some, too
+        formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
+    forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
+    if formula.has(sympy.sin) and formula.count_ops() < 60:
+        forms.append(sympy.trigsimp(formula))
+    return min(forms, key=lambda f: f.count_ops())
+
+
+def numerals(quantities: Mapping[str, Quantity], bare: bool, latex: bool) -> dict:
+    """{name: number as it is written} of quantities; without their units where all is ``bare``, but
+    for degrees.
+    """
     return {n: _numeral(*q, bare, latex) for n, q in quantities.items()}
 
 
@@ -50,8 +73,21 @@ def _numeral(x, stated_in, bare, latex):
 
 
 def _is_apart(text):
-    """True if a number stands in parentheses as a factor: -3, 2 x 10^3, 25 km/h."""
-    return text[:1] in "-0123456789" and not text.replace(".", "").isdigit()
+    """True if what is written for a symbol needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
+    return "/" in text or (text[:1] in "-0123456789" and not text.replace(".", "").isdigit())
+
+
+def _one_root(product):
+    """A product with its square roots of factors as one."""
+    import sympy
+
+    roots = [x for x in product.args if x.is_Pow and abs(x.exp) == sympy.Rational(1, 2)]
+    if len(roots) < 2:
+        return product
+    inside = sympy.Mul(*(x.base ** sympy.sign(x.exp) for x in roots))
+    others = [x for x in product.args if x not in roots]
+    root = sympy.Pow(inside, sympy.Rational(1, 2), evaluate=False)
+    return sympy.Mul(*others, root, evaluate=False) if others else root
 
 
 class _Names:
@@ -59,6 +95,23 @@ class _Names:
 
     names: Mapping[str, str]
     numbers: bool
+    degrees = False
+
+    def _as_ordered_terms(self, expr, order=None):
+        """Terms without a minus sign first."""
+        terms = super()._as_ordered_terms(expr, order)
+        if self.degrees:
+            terms = [self._in_degrees(x) for x in terms]
+        return sorted(terms, key=lambda x: bool(x.as_coeff_Mul()[0] < 0))
+
+    def _in_degrees(self, x):
+        import sympy
+
+        turns = x / sympy.pi
+        if not turns.is_Rational:
+            return x
+        mark = r"^\circ" if self.latex else " deg"
+        return sympy.sign(turns) * sympy.Symbol(f"{float(abs(turns) * 180):.6g}{mark}")
 
     def _print_Symbol(self, expr, style="plain"):
         return self.names.get(expr.name, expr.name)
@@ -67,8 +120,14 @@ class _Names:
         text = super()._print_Add(expr, order)
         return text.replace("+ -", "- ").replace("- -", "+ ") if self.numbers else text
 
+    def _print_Mul(self, expr):
+        joined = _one_root(expr) if expr.is_Mul else expr  # SymPy prints 1/x here, too
+        alone = expr.is_Mul and not joined.is_Mul
+        text = self._print(joined) if alone else super()._print_Mul(joined)
+        return text[3:] if self.numbers and text.startswith("- -") else text.removeprefix("--")
+
     def _is_apart(self, expr):
-        return self.numbers and expr.is_Symbol and _is_apart(self._print_Symbol(expr))
+        return expr.is_Symbol and _is_apart(self._print_Symbol(expr))
 
 
 @cache
@@ -80,6 +139,8 @@ def _latex_printer():
     from sympy.printing.latex import LatexPrinter
 
     class Printer(_Names, LatexPrinter):
+        latex = True
+
         def __init__(self, names, numbers):
             dots = {"mul_symbol": "dot"} if numbers else {}
             super().__init__({"fold_func_brackets": True, "inv_trig_style": "full", **dots})
@@ -87,6 +148,10 @@ def _latex_printer():
 
         def _print_Float(self, expr):
             return number_symbol(float(expr))
+
+        def _print_atan2(self, expr, **_):
+            y, x = map(self._print, expr.args)
+            return rf"\operatorname{{atan2}}\left({y},\ {x}\right)"
 
         def _needs_mul_brackets(self, expr, first=False, last=False):
             return self._is_apart(expr) or super()._needs_mul_brackets(expr, first, last)
@@ -109,6 +174,8 @@ def _text_printer():
     from sympy.printing.str import StrPrinter
 
     class Printer(_Names, StrPrinter):
+        latex = False
+
         def __init__(self, names, numbers):
             super().__init__()
             self.names, self.numbers = names, numbers

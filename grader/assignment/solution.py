@@ -3,7 +3,7 @@
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -26,8 +26,9 @@ from newton_euler.answers.notation import (  # fmt: skip
 
 from .cells import Values
 from .derivations import Derivation, component, derivations
-from .formulas import numerals, written
+from .formulas import coherent, numerals, simplest, written
 from .notebook import statement, typeset
+from .spelled import typeset_formulas
 
 LONGEST = 400  # characters of a formula with numbers
 
@@ -40,6 +41,7 @@ class Line:
     above : True if it is an unknown of equations that were solved before
     name : of the quantity, "" where it has none
     equal : what it is equal to: its formula, that with numbers, its value with the unit
+    reason : why there is no formula, where there is none
     """
 
     step: Step
@@ -48,6 +50,12 @@ class Line:
     above: bool
     name: str
     equal: tuple[str, ...]
+    reason: str = ""
+
+
+WORD, SUM = "it is a word, or counted", "its terms stand above"
+RESULT, SAME = "the result is a formula", "it is the same whatever is given"
+TOO_LONG = "its formula is too long for a page"
 
 
 def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
@@ -62,8 +70,17 @@ def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
         yield writer.line(s)
 
 
+def own_number(number: str, p: Problem) -> str:
+    """An equation of the engine as the chapter of ``p`` numbers it, "" if it comes later."""
+    order = ("A", *map(str, range(2, 12)))
+    chapter = p.id.partition("/")[0]
+    if order.index(number.partition(".")[0]) <= order.index(chapter):
+        return number
+    return book_equations()["own"].get(chapter, {}).get(number, "")
+
+
 @cache
-def book_equations() -> Mapping[str, str]:
+def book_equations() -> Mapping[str, Any]:
     """The equations that are cited, as the book writes them: {number: LaTeX}."""
     folder = Path(exercises.catalogue.__file__).parent
     return tomllib.loads((folder / "book_equations.toml").read_text())
@@ -87,7 +104,7 @@ def worked_solution(p: Problem, values: Values, text: bool = True) -> str:
             terms = {x.step.term[0]: x for key, x in found.items()
                      if x.step.term and key.startswith(f"{a.key}_")}  # fmt: skip
             out += _ledger(a, answers[a.key], p, terms)
-        out += [f"**{_sentence(typeset(a.means, p))}:** {_chain(found[a.key])}", ""]
+        out += [f"**{_sentence(_typeset(a.means, p))}:** {_chain(found[a.key])}", ""]
     return "\n".join(out)
 
 
@@ -100,7 +117,8 @@ def _chain(line):
     numbers = "; ".join(f"${row}$" for row in line.with_numbers)
     begin = f"from {rows}" * bool(rows) + f", with numbers {numbers}" * bool(numbers)
     begin = begin or "from the equations above" * line.above
-    return f"{begin}: {' '.join(pieces)}" if begin else " ".join(pieces)
+    end = f" ({line.reason})" * (line.reason == TOO_LONG)
+    return f"{begin}: {' '.join(pieces)}{end}" if begin else f"{' '.join(pieces)}{end}"
 
 
 class _Writer:
@@ -109,8 +127,11 @@ class _Writer:
     def __init__(self, p, values, quantities, latex):
         self.p, self.latex = p, latex
         self.derivations = derivations(p, values)
-        self.sums = {s.key for s in quantities if not s.term and _is_sum(s.value)}
-        self.names, self.numbers, self.sizes = {}, {}, {}
+        self.sums = {}  # {sum: keys of its terms}
+        for s in quantities:
+            if s.term:
+                self.sums.setdefault(s.means.rpartition(", in ")[-1], []).append(s.key)
+        self.names, self.units, self.numbers, self.sizes = {}, {}, {}, {}
         for name, stated in p.units.items():
             self._know(name, p.notation[name], values[name], stated)
         for s in quantities:
@@ -121,7 +142,7 @@ class _Writer:
                 self._know(key, named, x, s.unit)
 
     def _know(self, name, named, x, stated):
-        self.names[name] = named if self.latex else name
+        self.names[name], self.units[name] = named if self.latex else name, stated
         if is_numeric(x):
             self.numbers[name] = x, stated
             self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
@@ -129,12 +150,33 @@ class _Writer:
     def line(self, s):
         """The line of a step or answer."""
         found = self.derivations.get(s.key, Derivation())
+        if s.key in self.sums:
+            found = replace(found, formulas=tuple(self._sum(s.key, n) for n in range(3)))
         formula, numbers = self._formula(found.formulas, s)
         value = self._value(s)
         chain = [x for x in (formula, numbers) if x]
-        chain = [x for n, x in enumerate(chain) if x not in chain[:n] and x != value]
+        last = (value, value.removesuffix(self._unit(s)))
+        chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
         above = found.solved and not found.together
-        return Line(s, *self._together(found), above, self._name(s), (*chain, value))
+        reason = "" if chain or above or found.together else self._reason(s, found)
+        return Line(s, *self._together(found), above, self._name(s), (*chain, value), reason)
+
+    def _reason(self, s, found):
+        """Why there is no formula."""
+        if isinstance(s.value, (str, int)) or callable(s.value):
+            return WORD
+        if s.key in self.sums or _is_sum(s.value):
+            return SUM
+        if not all(map(is_numeric, map(to_plain, flat(s.value)))):
+            return RESULT
+        known = found.formulas and None not in found.formulas
+        return SAME if known or not found.varies else TOO_LONG
+
+    def _sum(self, key, n):
+        """A component of a sum, of the symbols of its terms."""
+        import sympy
+
+        return sympy.Add(*(sympy.Symbol(component(k, n, 3)) for k in self.sums[key]))
 
     def _together(self, found):
         """The equations that are solved together, with symbols and with numbers."""
@@ -143,9 +185,10 @@ class _Writer:
         used = {n: self.numbers[n] for n in free - found.unknowns if n in self.numbers}
         if len(used) < len(free - found.unknowns) or not used:
             return rows, ()
-        asked = [self.numbers[n][1] for n in free & found.unknowns if n in self.numbers]
-        names = numerals(used, asked, self.latex)
+        bare = coherent([self.numbers[n][1] for n in free if n in self.numbers])
+        names = numerals(used, bare, self.latex)
         with_numbers = self._rows(found.together, lambda f: self._called(f) | names, True)
+        with_numbers = tuple(row for row in with_numbers if row not in rows)
         return rows, with_numbers if sum(map(len, with_numbers)) <= LONGEST else ()
 
     def _rows(self, pairs, named, numbers=False):
@@ -168,20 +211,37 @@ class _Writer:
 
     def _formula(self, formulas, s):
         """A quantity as a formula, and with numbers; "" where there is none to read."""
-        if not formulas or None in formulas or all(f.is_number for f in formulas):
+        import sympy
+
+        if not formulas or None in formulas or all(isinstance(f, sympy.Float) for f in formulas):
             return "", ""
-        plain = self._whole(formulas) or self._joined(
-            [written(f, self._called(f), self.latex) for f in formulas]
+        free = {x.name for f in formulas for x in f.free_symbols}
+        degrees = "deg" in (s.unit, *(self.units.get(n) for n in free))
+        plain = self._whole(formulas, s.key) or self._joined(
+            [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas]
         )
         if s.key in self.sums:  # its terms stand above it
             plain = ""
-        free = {x.name for f in formulas for x in f.free_symbols}
-        if any(n not in self.numbers for n in free) or all(_is_atom(f) for f in formulas):
+        if any(n not in self.numbers for n in free):
             return plain, ""
-        names = numerals({n: self.numbers[n] for n in free}, [s.unit], self.latex)
+        stated = {self.numbers[n][1] for n in free}
+        if all(_is_atom(f) for f in formulas) and stated == {s.unit}:
+            return plain, ""
+        bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
+        names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
         formulas = [f.xreplace(self._nothing(f)) for f in formulas]
-        text = self._joined([written(f, names, self.latex, numbers=True) for f in formulas])
+        text = self._joined([written(f, names, self.latex, True, degrees) for f in formulas])
         return plain, text if len(text) <= LONGEST else ""
+
+    def _mixes(self, formula):
+        """True if an angle in degrees is added to one that is not."""
+        import sympy
+
+        def in_degrees(x):
+            of = x.as_coeff_Mul()[1]
+            return of == sympy.pi or (of.is_Symbol and self.units.get(of.name) == "deg")
+
+        return any(len(set(map(in_degrees, x.args))) == 2 for x in formula.atoms(sympy.Add))
 
     def _nothing(self, formula):
         """The symbols of a formula of which round-off is left, such as cos(60 deg) - 1/2, as 0."""
@@ -193,14 +253,19 @@ class _Writer:
     def _noise(self, stated_in):
         return 1e-12 * self.sizes.get(stated_in, 0.0)
 
-    def _whole(self, formulas):
-        """The name of the vector that has these components, "" if there is none."""
+    def _whole(self, formulas, own_key):
+        """The name of another vector that has these components, "" if there is none."""
         keys = {f.name.rpartition("_")[0] for f in formulas if f.is_Symbol}
         key = keys.pop() if len(keys) == 1 else ""
         own = [component(key, n, len(formulas)) for n in range(len(formulas))]
-        if len(formulas) < 2 or not all(
-            (f.is_Symbol and f.name == name) or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
-            for f, name in zip(formulas, own, strict=True)
+        if (
+            key == own_key
+            or len(formulas) < 2
+            or not all(
+                (f.is_Symbol and f.name == name)
+                or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
+                for f, name in zip(formulas, own, strict=True)
+            )
         ):
             return ""
         return symbol(key, len(formulas) == 3) if self.latex else key
@@ -208,19 +273,22 @@ class _Writer:
     def _joined(self, parts):
         if len(parts) == 1:
             return parts[0]
-        if not self.latex:
-            return f"[{', '.join(parts)}]"
-        if len(parts) == 9:
-            return matrix_symbol([parts[n : n + 3] for n in (0, 3, 6)])
-        return rf"\left[{list_symbol(parts)}\right]"
+        rows = [parts[n : n + 3] for n in (0, 3, 6)] if len(parts) == 9 else []
+        if self.latex:
+            return matrix_symbol(rows) if rows else rf"\left[{list_symbol(parts)}\right]"
+        return f"[{', '.join(map(self._joined, rows) if rows else parts)}]"
 
     def _value(self, s):
         value = s.value
         if isinstance(value, Vector):
             value = value.rounded(self._noise(s.unit))
+        text = _latex(value, self.p.notation) if self.latex else formatted(value)
+        return text + self._unit(s)
+
+    def _unit(self, s):
         if self.latex:
-            return _latex(value, self.p.notation) + unit_symbol(s.unit)
-        return formatted(value) + ("" if s.unit == "1" else f" {s.unit}")
+            return unit_symbol(s.unit)
+        return "" if s.unit == "1" else f" {s.unit}"
 
 
 def _is_atom(formula):
@@ -236,10 +304,14 @@ def _is_sum(answer):
 def _means(step, p):
     """The description of a step, with formulas in LaTeX."""
     if not step.term:
-        return typeset(step.means, p)
+        return _typeset(step.means, p)
     of = step.means.rpartition(", in ")[-1]  # the sum
     words = _words(*step.term, p)
     return f"{words}, in ${symbol(of, step.is_vector)}$"
+
+
+def _typeset(means, p):
+    return typeset_formulas(means, p.notation, lambda text: typeset(text, p))
 
 
 def _words(name, equation, p):
@@ -250,7 +322,8 @@ def _words(name, equation, p):
 
 def _sentence(means):
     """With a capital letter, but "x component of ..." as it is."""
-    return means if means[1:2] in (" ", "") else means[:1].upper() + means[1:]
+    is_name = means[1:2] in (" ", "") and means[:1] != "a"
+    return means if is_name else means[:1].upper() + means[1:]
 
 
 def _where(s):
@@ -271,10 +344,10 @@ def _latex(value, notation):
         return rf"\left[{inside}\right]"
     if isinstance(value, str):
         return rf"\text{{{value}}}"
-    if is_numeric(value):
+    if is_numeric(value) or not value.free_symbols:
         return number_symbol(value if isinstance(value, int) else float(value))
     names = {x.name: notation.get(x.name) or symbol(x.name) for x in value.free_symbols}
-    return written(value, names, latex=True)
+    return written(simplest(value), names, latex=True)
 
 
 def formatted(value: Any) -> str:
@@ -283,7 +356,9 @@ def formatted(value: Any) -> str:
         return "[" + ", ".join(formatted(v) for v in value) + "]"
     if isinstance(value, (int, str)):
         return str(value)
-    return f"{float(value) + 0.0:.6g}" if is_numeric(value) else written(value, {}, latex=False)
+    if is_numeric(value) or not value.free_symbols:
+        return f"{float(value) + 0.0:.6g}"
+    return written(simplest(value), {}, latex=False)
 
 
 def _ledger(a, value, p, found):
@@ -296,9 +371,10 @@ def _ledger(a, value, p, found):
     explained = value.explain()
     equation = explained.equation
     # in chapter 2 the equations have other numbers than in the engine
-    number = next((x.step.equation for x in found.values()), equation.number)
+    number = next((x.step.equation for x in found.values()), own_number(equation.number, p))
     stated = book_equations().get(number)
-    yield f"By equation ({number}){f', ${stated}$,' * bool(stated)} the sum of"
+    cited = f"By equation ({number}){f', ${stated}$,' * bool(stated)} the sum of"
+    yield cited if number else "The sum of"
     yield ""
     yield "| term | value |"
     yield "| --- | --- |"

@@ -40,6 +40,13 @@ STUDENTS = click.option(
     "does not exist. Default: nbgrader's own.",
 )
 @click.option(
+    "--chapters",
+    metavar="URL|FOLDER",
+    help="What the sections that a sheet names link to, from now on in this course: the address "
+    "of the site (python -m website), or the folder of the notebooks as seen from an assignment "
+    "(../chapters, where students have run python -m newton_euler chapters). Default: no links.",
+)
+@click.option(
     "--update",
     is_flag=True,
     help="Add the assignment to a course that exists, or bring one that is there up to date: what "
@@ -54,6 +61,7 @@ def build(
     due: str | None,
     name: str | None,
     exchange: Path | None,
+    chapters: str | None,
     update: bool,
 ) -> None:
     """Make an nbgrader assignment from a chapter.
@@ -71,7 +79,7 @@ def build(
     when = due_date(due) if due else None
     with progress_bar() as bar:
         built = build_assignment(
-            course_path, chapter, students, only, update, bar, name, exchange, id_column
+            course_path, chapter, students, only, update, bar, name, exchange, id_column, chapters
         )
     course = built.course
     if when:
@@ -126,16 +134,44 @@ def enrol(roster: str, course_path: Path, id_column: str | None) -> None:
 
 @click.command()
 @click.argument("assignment")
-@click.argument("when", metavar="'2027-01-31 23:59 Europe/Berlin'")
+@click.argument("when", metavar="'2027-01-31 23:59 Europe/Berlin'|none")
 @COURSE
-def due(assignment: str, when: str, course_path: Path) -> None:
-    """Set the due date of an assignment for everybody, and change nothing else."""
-    from ..course import Course
-    from ..course.due import due_date, set_due
+@STUDENTS
+def due(assignment: str, when: str, course_path: Path, students: tuple[str, ...]) -> None:
+    """Set the due date of an assignment, and change nothing else.
 
-    course, found = Course(course_path), due_date(when)
-    set_due(course, assignment, found)
-    click.echo(f"Due {found:%Y-%m-%d %H:%M} UTC")
+    With --student it is the date of this student alone; "none" takes it away again. Grade after it:
+    what is late, and the penalty (python -m grader late), follow.
+    """
+    from ..course import Course
+    from ..course.due import due_date, set_due, set_own_due
+
+    course, found = Course(course_path), None if when == "none" else due_date(when)
+    if students:
+        set_own_due(course, assignment, students, found)
+    else:
+        set_due(course, assignment, found)
+    who = f" for {', '.join(students)}" if students else ""
+    click.echo(f"Due{who}: {f'{found:%Y-%m-%d %H:%M} UTC' if found else 'no date'}")
+
+
+@click.command()
+@click.argument("share", metavar="none|zero|10%")
+@COURSE
+def late(share: str, course_path: Path) -> None:
+    """Set what late work loses: nothing, all, or a share of its points for each day begun.
+
+    It holds for all assignments of the course, also for work that was graded before: grade again. A
+    policy of your own in nbgrader_config.py comes first.
+    """
+    from ..course import Course
+    from ..course.due import set_late_share
+
+    lost = set_late_share(Course(course_path), share)
+    click.echo(
+        f"Late work loses {100 * lost:g} % of its points for each day begun. Next: python -m "
+        "grader grade ASSIGNMENT --course …"
+    )
 
 
 @click.command()
@@ -151,8 +187,12 @@ def due(assignment: str, when: str, course_path: Path) -> None:
     "--right-or-wrong",
     is_flag=True,
     help="Let the receipts in these copies say whether an answer is right, from a salted slow hash "
-    "of it. A program finds a number from its hash in a minute, a formula in a day; the size of an "
-    "answer is revealed. Copies written later need the option again.",
+    "of it: for practice and homework, where a student who is wrong should go on. From the seventh "
+    "wrong answer on the time until the next check doubles, up to ten minutes; how many there were "
+    "stands in the notebook, and in the note on the problem when it is graded. That stops guessing "
+    "by hand. It does not stop a program, which finds a number in 20 s and a vector in hours, nor "
+    "does a count of zero prove anything: for an exam leave it out. Copies written later need the "
+    "option again.",
 )
 def personal(
     assignment: str,

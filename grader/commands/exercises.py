@@ -185,6 +185,25 @@ def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) 
             console.print(f"[yellow]{p.id}[/]: {escape(fault)}")
 
 
+@click.command("list")
+@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
+def list_problems(names: tuple[str, ...]) -> None:
+    """Print the problems, with the number of their sheets.
+
+    So many sets of numbers can be drawn for students; where it is 1, all have the same problem.
+    """
+    from rich.table import Table
+
+    from exercises.catalogue import select
+    from exercises.catalogue.variants import sheets
+
+    table = Table("problem", "title", "section", "asks for", "sheets", box=None)
+    for p in select(names or ("all",)):
+        asked = ", ".join(dict.fromkeys(a.kind.name.replace("_", " ") for a in p.answers))
+        table.add_row(p.id, escape(p.title), p.section, asked, f"{sheets(p):.3g}")
+    console.print(table)
+
+
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
 @SEED
@@ -241,12 +260,12 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
 
     Each mistake is made with each set of numbers and scored as a student's answer: it is named, or
     misnamed as another, or stays unnamed; passed would be taken for right, and ends with exit
-    code 1.
+    code 1. A second table is of slips that nobody listed, made by random edits of the formulas.
     """
     from exercises.catalogue import select
 
     from ..practice import practice_shares
-    from ..reports import diagnosis_shares, shares_table
+    from ..reports import SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
     problems = select(names or ("all",))
     with progress_bar() as bar:
@@ -259,5 +278,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     if practice:
         click.echo(f"a check takes {1000 * took:.2g} ms")
         return  # random numbers are right now and then
+    slips = slip_shares(problems, draws)
+    console.print(shares_table(slips, "Unlisted slips", "kind", SLIP_OUTCOMES))
     if any(counts["passed"] for counts in found.values()):
         sys.exit(1)

@@ -46,11 +46,19 @@ def stats(assignment: str, course_path: Path, csv_path: Path | None, png_path: P
 @click.option(
     "--to", "path", type=FILE, help="The file to write; default: ASSIGNMENT-FORMAT.csv, here."
 )
-def export(assignment: str, course_path: Path, form: str, path: Path | None) -> None:
+@click.option(
+    "--penalties/--no-penalties",
+    default=True,
+    help="Subtract the penalties for lateness, or leave them to the platform.",
+    show_default=True,
+)
+def export(
+    assignment: str, course_path: Path, form: str, path: Path | None, penalties: bool
+) -> None:
     """Write the results of a graded assignment as CSV.
 
-    The points are those of the gradebook, with what a person gave and extra credit, and without
-    the penalty for lateness.
+    The points are those of the gradebook: with what a person gave and extra credit, less the
+    penalty for lateness. The lines of --format parts have the points before any penalty.
 
     \b
     Canvas:      Gradebook > Import
@@ -62,8 +70,11 @@ def export(assignment: str, course_path: Path, form: str, path: Path | None) -> 
     from ..reports import export as write
 
     path = path or Path(f"{assignment}-{form}.csv")
-    waiting = write(Course(course_path), assignment, form, path)
+    waiting, late = write(Course(course_path), assignment, form, path, penalties)
     click.echo(f"Wrote {path}")
+    if late and form != "parts":
+        what = "subtracted; see --no-penalties" if penalties else "not subtracted"
+        click.echo(f"The penalties of {late} students for lateness are {what}.")
     if waiting:
         click.echo(
             f"{waiting} students have cells that wait for a person (nbgrader's formgrader); their "

@@ -1,10 +1,19 @@
-"""The due date of an assignment."""
+"""The due date of an assignment, for everybody and for single students.
 
-from datetime import UTC, datetime
+A student's own date stands in COURSE/extensions.json, since nbgrader has a place for it only once
+the student has handed in; grading writes it there.
+"""
+
+import json
+from collections.abc import Iterable
+from datetime import UTC, datetime, timedelta
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
+from .files import write_json
 from .folder import Course
 from .identity import CourseError
+
+EXTENSIONS = "extensions.json"  # git ignores it: it names students
 
 
 def due_date(text: str) -> datetime:
@@ -24,12 +33,71 @@ def due_date(text: str) -> datetime:
         ) from error
 
 
-def set_due(course: Course, assignment: str, when: datetime) -> None:
-    """Set the due date of an assignment in nbgrader's gradebook, which keeps it without a zone."""
+def set_due(course: Course, assignment: str, when: datetime | None) -> None:
+    """Set the due date of an assignment in nbgrader's gradebook, which keeps it without a zone;
+    None: it has none.
+    """
+    _check_assignment(course, assignment)
+    with course.gradebook() as book:
+        due = when and when.replace(tzinfo=None)
+        book.update_or_create_assignment(assignment, duedate=due)
+
+
+def set_own_due(
+    course: Course, assignment: str, students: Iterable[str], when: datetime | None
+) -> None:
+    """Give these students a due date of their own; None: they have that of everybody."""
+    _check_assignment(course, assignment)
+    students = list(students)
+    if unknown := sorted(set(students) - set(course.roster())):
+        raise CourseError(f"{', '.join(unknown)}: not on the roster of {course.path}")
+    with course.gradebook() as book:
+        due = book.find_assignment(assignment).duedate
+    if when and not due:
+        raise CourseError(
+            f"{assignment} has no due date for everybody, without which nothing is late; set it "
+            f"first: python -m grader due {assignment} '2027-01-31 23:59 Europe/Berlin'"
+        )
+    dates, own = _dates(course), {s: when.isoformat() for s in students} if when else {}
+    kept = {s: date for s, date in dates.get(assignment, {}).items() if s not in students}
+    dates[assignment] = kept | own
+    write_json(course.path / EXTENSIONS, dates)
+    with course.gradebook() as book:
+        new = extensions(course, assignment, due)
+        for submission in book.assignment_submissions(assignment):
+            if submission.student_id in students:
+                submission.extension = new.get(submission.student_id)
+        book.db.commit()
+
+
+def extensions(course: Course, assignment: str, due: datetime | None) -> dict[str, timedelta]:
+    """{student: how much later than ``due``, a time in UTC without a zone, their work may come}."""
+    own = _dates(course).get(assignment, {}) if due else {}
+    dates = {s: datetime.fromisoformat(text).replace(tzinfo=None) for s, text in own.items()}
+    return {s: date - due for s, date in dates.items()} if due else {}
+
+
+def _dates(course):
+    path = course.path / EXTENSIONS
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+
+def _check_assignment(course, assignment):
     if not (course.path / "source" / assignment).is_dir():
         known = sorted(p.name for p in (course.path / "source").glob("*/"))
         raise CourseError(
             f"{course.path} has no assignment {assignment}; it has {', '.join(known) or 'none'}"
         )
-    with course.gradebook() as book:
-        book.update_or_create_assignment(assignment, duedate=when.replace(tzinfo=None))
+
+
+def set_late_share(course: Course, text: str) -> float:
+    """Set what late work loses for each day begun, "none", "zero" or "10%": the share of 1."""
+    words = {"none": 0.0, "zero": 1.0}
+    try:
+        share = words[text] if text in words else float(text.removesuffix("%")) / 100
+    except ValueError:
+        share = -1.0
+    if not 0 <= share <= 1:
+        raise CourseError(f"the late policy {text!r}: expected none, zero or a share, as in 10%")
+    course.set(late_share_per_day=share)
+    return share

@@ -13,6 +13,7 @@ from typing import Any
 
 from ..assignment.cells import Sources
 from ..course import Course
+from ..course.due import extensions
 from ..submission import Graded
 
 FEW = 100  # students: for up to this many only their rows are read, else those of the class
@@ -21,13 +22,15 @@ FEW = 100  # students: for up to this many only their rows are read, else those 
 @dataclass
 class Entry:
     """What is written for one student: the graded notebooks by name, the time of submission (None:
-    an earlier one stays), and whether the work is new, so that points by hand need a second look.
+    an earlier one stays), whether the work is new, so that points by hand need a second look, and
+    whether it is another attempt, which inherits none of them.
     """
 
     student: str
     notebooks: Mapping[str, Graded]
     timestamp: datetime | None = None
     changed: bool = True
+    again: bool = False
 
 
 @dataclass
@@ -86,6 +89,7 @@ class _Saving:
         from nbgrader import api
 
         self.api, self.db, self.master, self.late = api, book.db, master, _LatePenalties(course)
+        self.extensions = extensions(course, master.name, master.duedate)
         self.cells = {n.name: self._cells(n) for n in master.notebooks if only in (None, n.name)}
         self.inserts, self.updates = defaultdict(list), defaultdict(list)
         sub, nb = api.SubmittedAssignment, api.SubmittedNotebook
@@ -123,12 +127,13 @@ class _Saving:
     def write(self, entry: Entry) -> Total:
         """Note the changes for one student; returns the :class:`Total`."""
         known = self.submissions.get(entry.student)
-        _, own, timestamp, extension = known or (None, self.api.new_uuid(), None, None)
-        row = {"id": own, "timestamp": entry.timestamp or timestamp}
+        _, own, timestamp, before = known or (None, self.api.new_uuid(), None, None)
+        extension = self.extensions.get(entry.student, before)
+        row = {"id": own, "timestamp": entry.timestamp or timestamp, "extension": extension}
         if not known:
             row |= {"assignment_id": self.master.id, "student_id": entry.student}
             self.inserts["SubmittedAssignment"].append(row)
-        elif row["timestamp"] != timestamp:
+        elif (row["timestamp"], extension) != (timestamp, before):
             self.updates["SubmittedAssignment"].append(row)
         seconds, total = self._seconds_late(row["timestamp"], extension), Total()
         for name, cells in self.cells.items():
@@ -154,13 +159,16 @@ class _Saving:
             automatic = graded.points.get(grade_id) if graded else 0.0
             known = self.grades.get((notebook, cell))
             _, _, row_id, before, manual, extra, needs = known or (None,) * 7
+            if entry.again:
+                manual = extra = None
             # points that a person gave for other work need a second look
             waits = automatic is None if manual is None else needs or entry.changed
             row = {"auto_score": automatic, "needs_manual_grade": waits}
             if not known:
                 row |= {"cell_id": cell, "notebook_id": notebook}
                 self.inserts["Grade"].append({"id": self.api.new_uuid(), **row})
-            elif (automatic, waits) != (before, needs):
+            elif (automatic, waits) != (before, needs) or entry.again:
+                row |= {"manual_score": manual, "extra_credit": extra}
                 self.updates["Grade"].append({"id": row_id, **row})
             points += (manual if manual is not None else automatic) or 0.0
             extra_points += extra or 0.0
@@ -172,8 +180,11 @@ class _Saving:
             if not known:
                 row = {"cell_id": cell, "notebook_id": notebook, "auto_comment": text}
                 self.inserts["Comment"].append({"id": self.api.new_uuid(), **row})
-            elif text != known[3]:
-                self.updates["Comment"].append({"id": known[2], "auto_comment": text})
+            elif text != known[3] or entry.again:
+                row = {"id": known[2], "auto_comment": text}
+                self.updates["Comment"].append(
+                    row | {"manual_comment": None} if entry.again else row
+                )
         return points, extra_points
 
     def _seconds_late(self, timestamp, extension):

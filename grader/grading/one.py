@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from ..assignment.attempts import is_work_of_earlier
+from ..assignment.attempts import earlier_attempts, is_work_of_earlier
 from ..assignment.cells import Notebook, Sources, kind, nbgrader_metadata
 from ..assignment.released import personal_path
 from ..course import Course, load_json, write_notebook
@@ -42,11 +42,14 @@ from .records import (
 
 @dataclass
 class Outcome:
-    """The grade of a notebook; is the work new since last time, was the record reused as it is."""
+    """The grade of a notebook; is the work new since last time, was the record reused as it is, is
+    it the first grade of another attempt.
+    """
 
     graded: Graded
     changed: bool
     reused: bool
+    again: bool = False
 
 
 def grade_one(
@@ -100,7 +103,8 @@ def grade_one(
     parts = {"executed": vars(executed), "work": vars(work)}
     record["notebooks"][name] = {**state, **parts, **now}
     write_record(path, record)
-    return Outcome(graded, changed, False)
+    again = not before and bool(earlier_attempts(course, assignment, student))
+    return Outcome(graded, changed, False, again)
 
 
 def _state(sheet, content, sandbox):

@@ -102,7 +102,8 @@ class Run:
             unchanged=all(o.reused for o in outcomes.values()),
         )
         changed = any(o.changed for o in outcomes.values())
-        return result, Entry(student, graded, timestamp, changed)
+        again = any(o.again for o in outcomes.values())
+        return result, Entry(student, graded, timestamp, changed, again)
 
 
 def _missing(folder, names):

@@ -21,7 +21,11 @@ def configure(c: Config, course: str) -> None:
     c.CourseDirectory.root = str(root)
     c.CourseDirectory.db_url = f"sqlite:///{root / 'gradebook.db'}"
     if (root / "course.json").exists():  # earlier versions wrote the id into the configuration
-        c.CourseDirectory.course_id = json.loads((root / "course.json").read_text())["id"]
+        settings = json.loads((root / "course.json").read_text())
+        c.CourseDirectory.course_id = settings["id"]
+        if "late_share_per_day" in settings:  # set by: python -m grader late
+            c.AssignLatePenalties.plugin_class = "grader.nbgrader_hooks.late.LatePolicy"
+            c.LatePolicy.share_per_day = settings["late_share_per_day"]
 
     c.ClearSolutions.code_stub = STUB
     c.ExchangeFactory.fetch_assignment = "grader.assignment.fetch.PersonalFetch"
@@ -29,6 +33,7 @@ def configure(c: Config, course: str) -> None:
         for trait, name in names.items():
             setattr(c[section], trait, name)
 
+    c.GenerateAssignment.exporter_class = "grader.nbgrader_hooks.generate.SourceReader"
     c.Autograde.create_student = False  # a folder of an unknown student is reported, not graded
     c.Autograde.sanitize_preprocessors = [f"{PREPROCESSORS}.RebuildFromSource"]
     c.Autograde.autograde_preprocessors = [f"{PREPROCESSORS}.HarvestExecute"]
@@ -36,7 +41,7 @@ def configure(c: Config, course: str) -> None:
     c.Autograde.force = True
     for name in (
         "RebuildFromSource", "HarvestExecute", "GradesAndFigures", "SubmissionReader",
-        "FeedbackPage", "WorkedSolutions",
+        "FeedbackPage", "WorkedSolutions", "SourceReader", "SaveChangedCells",
     ):  # fmt: skip
         c[name].course_path = str(root)
 

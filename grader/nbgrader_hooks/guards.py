@@ -19,7 +19,7 @@ from .patches import copy_only_nbgraders_own_files, read_regular_files_only
 from .shared import WRITTEN, course_path
 
 
-class _Configured:
+class Configured:
     """Refuses to start unless the whole nbgrader_config.py of the course has run."""
 
     course_path: str
@@ -52,7 +52,7 @@ class _Configured:
         raise NbGraderException(why)
 
 
-class SubmissionReader(_Configured, NotebookExporter):
+class SubmissionReader(Configured, NotebookExporter):
     """Passes ``nbgrader autograde`` an empty notebook in place of each submission: our steps read
     that themselves, as ``python -m grader grade`` does, and produce the file that nbgrader writes.
     nbformat would follow a link, wait for a pipe, and take 7 GB for 60 MB of brackets.
@@ -71,7 +71,7 @@ class SubmissionReader(_Configured, NotebookExporter):
         return text, resources
 
 
-class FeedbackPage(_Configured, HTMLExporter):
+class FeedbackPage(Configured, HTMLExporter):
     """Writes feedback pages. Only files that nbgrader needs itself are copied with them: a page is
     complete, and a file of the student could take its place.
     """

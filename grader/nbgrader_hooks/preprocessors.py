@@ -71,7 +71,8 @@ class HarvestExecute(NbGraderPreprocessor):
         names, outcome = resources["nbgrader"], _graded.pop(_key(resources))
         course, student, name = Course(self.course_path), names["student"], names["notebook"]
         time = read_timestamp(course.path / "submitted" / student / names["assignment"])
-        entry = Entry(student, {name: outcome.graded}, time, outcome.changed)
+        graded = {name: outcome.graded}
+        entry = Entry(student, graded, time, outcome.changed, outcome.again)
         with Gradebook(names["db_url"]) as book, alone(course):
             save(course, book, names["assignment"], [entry], only=name)
         if outcome.graded.note:

@@ -5,10 +5,9 @@ import io
 import json
 import math
 import os
-import re
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
 
@@ -23,8 +22,9 @@ from ..assignment.notebook import frame_heading, number, slug, statement, typese
 from ..assignment.solution import worked_solution
 from ..course import CourseError
 from .plain import plain
-from .quantities import quantities, wrong_numbers
+from .quantities import KEPT, quantities, wrong_numbers
 from .relations import relations
+from .slips import slip_numbers
 from .twins import sets_of_numbers, twin
 
 COLOURS = 64  # of a figure: a quarter of the bytes, and nobody sees it
@@ -47,8 +47,9 @@ def write_practice(path, problems, count=10, help="solution", graded=None, worke
 
     count : how many sets of numbers each has, the book's among them
     help : the most that a student is shown: one of ``HELP``
-    graded : {problem id: [numbers of a student's sheet]} of what a course grades: none of these
-        numbers is practised, and of problems whose answers are the same for everybody nothing
+    graded : {problem id: [numbers of a student's sheet]} of what a course grades: no answer that is
+        practised is near one of these sheets', and problems are left out whose answers are
+        formulas, or the same for everybody
     done : called after each problem
     """
     if help not in HELP:
@@ -90,13 +91,15 @@ def page_of(name, count, help, graded=None, draw=figure_png):
 
     graded : the numbers that students have of it, None where it is in no course
     """
+    if graded is not None and problem(name).symbols:
+        return LeftOut(name, "it is graded as a formula, which its steps and numbers would tell")
     p = twin(problem(name))
     sets = sets_of_numbers(p, count, graded or ())
     computed = [quantities(p, values) for values in sets]
+    if not sets:
+        return LeftOut(name, "all its answers are near graded ones")
     if graded is not None and (same := _same_for_all(p, computed)):
         return LeftOut(name, f"its {' and '.join(same)} would give away a graded answer")
-    if not sets:
-        return LeftOut(name, "all its numbers are graded ones")
     figures, variants = {}, []
     for values, (described, right) in zip(sets, computed, strict=True):
         variants.append(_variant(p, values, described, right, help))
@@ -105,18 +108,26 @@ def page_of(name, count, help, graded=None, draw=figure_png):
             file = f"{slug(name)}-{hashlib.sha256(png).hexdigest()[:12]}.png"
             figures[file] = png  # a figure without numbers is there once
             variants[-1]["figure"] = file
-    labels = list(dict.fromkeys((key, cause) for v in variants for key, cause, _ in v["wrong"]))
-    place = {label: n for n, label in enumerate(labels)}
-    for v in variants:
-        v["wrong"] = [[place[key, cause], x] for key, cause, x in v["wrong"]]
+    labels = _numbered(variants, "wrong")
+    slips = _numbered(variants, "slips")
     page = {
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *astuple(cause)) for key, cause in labels],
+        "labels": [(key, c.group, c.name, c.text) for key, c in labels],
+        "slips": [(key, rank, c.name, c.text, c.where) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
     return page, figures
+
+
+def _numbered(variants, name):
+    """The labels of what all variants have under this name, where each becomes [n, numbers]."""
+    labels = list(dict.fromkeys(tuple(label) for v in variants for *label, _ in v[name]))
+    place = {label: n for n, label in enumerate(labels)}
+    for v in variants:
+        v[name] = [[place[tuple(label)], x] for *label, x in v[name]]
+    return labels
 
 
 def _described(p, computed, help):
@@ -154,16 +165,18 @@ def _same_for_all(p, computed):
 def _variant(p, values, described, right, help):
     shown = {q["key"] for q in described if not q["step"] or help != "check"}
     wrong = wrong_numbers(p, values, described, right)
+    slips = slip_numbers(p, values, described, right)
     solution = worked_solution(p, values, text=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
-        "statement": _without_links(statement(p, values, figure=False)),
+        "statement": statement(p, values, figure=False),
         "text": _plain(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
+        "slips": [(*label, [float(f"{part:.{KEPT}g}") for part in x]) for *label, x in slips],
         "program": relations(p, values) if help != "check" else None,
         "terms": _terms(p, values) if help != "check" else {},
-        "solution": _without_links(solution),
+        "solution": solution,
     }
 
 
@@ -187,11 +200,6 @@ def _plain(p, values):
     if p.frame:
         lines.append(f"{frame_heading(p)}: {plain(p.frame, p.units)}")
     return "\n\n".join(lines)
-
-
-def _without_links(markdown):
-    """The notebooks of the chapters are not where a practice file is."""
-    return re.sub(r"\[([^\]]*)\]\([^)\s]*\.ipynb[^)\s]*\)", r"\1", markdown)
 
 
 def _smaller(png):

@@ -6,17 +6,21 @@ from pathlib import Path
 from ..course import Course
 from .records import entries, lines, questions
 
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet would run a text that begins so
+_FORMULA = frozenset("=+-@＝＋－＠\t\r\n")  # a spreadsheet may run a text that begins so
 
 
-def export(course: Course, assignment: str, form: str, path: str | Path) -> int:
-    """Write results in one of :data:`FORMATS`; returns how many students wait for a person."""
-    found, maximum = lines(course, assignment)
+def export(
+    course: Course, assignment: str, form: str, path: str | Path, penalties: bool = True
+) -> tuple[int, int]:
+    """Write results in one of :data:`FORMATS`; returns how many students wait for a person, and how
+    many have a penalty for lateness, which is subtracted unless ``penalties`` is False.
+    """
+    found, maximum = lines(course, assignment, penalties)
     rows = FORMATS[form](course, assignment, found, maximum)
     # with a byte-order mark Canvas and Moodle take UTF-8 too, and a spreadsheet needs it
     with open(path, "w", newline="", encoding="utf-8-sig" if form == "parts" else "utf-8") as f:
         csv.writer(f).writerows(map(_cell, row) for row in rows)
-    return sum(line.waiting for line in found)
+    return sum(line.waiting for line in found), sum(line.penalty > 0 for line in found)
 
 
 def _parts(course, assignment, found, maximum):
@@ -70,7 +74,7 @@ def _gradescope(course, assignment, found, maximum):
 def _cell(x):
     """A cell of the file: a number, or a text that no spreadsheet takes for a formula."""
     if isinstance(x, str):
-        return f"'{x}" if x.startswith(_FORMULA) else x
+        return f"'{x}" if _FORMULA & {x[:1], x.lstrip()[:1]} else x
     return "" if x is None else f"{x:.10g}"
 
 

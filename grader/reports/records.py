@@ -13,7 +13,9 @@ from ..course import Course, CourseError
 
 @dataclass(frozen=True)
 class Entry:
-    """One student's score of one part; ``key`` is "" for a question of the instructor's own."""
+    """One student's score of one part; ``key`` is "" for a question of the instructor's own.
+    ``waits``: for a person, without points until then.
+    """
 
     student: str
     problem: str
@@ -24,6 +26,7 @@ class Entry:
     message: str = ""
     diagnosis: str | None = None
     causes: tuple[Cause, ...] = ()
+    waits: bool = False
 
 
 OF_A_PART = Entry.__dataclass_fields__.keys() - {"student", "problem"}
@@ -84,8 +87,10 @@ def questions(course: Course, assignment: str, parts: Iterable[Entry]) -> Iterat
                         yield Entry(student, number, BY_HAND, change, 0.0, "")
                 elif grade.max_score:
                     question = f"{name}: {grade.name}" if len(notebooks) > 1 else grade.name
-                    waits = "waits for a person" if grade.needs_manual_grade else ""
-                    yield Entry(student, question, "", points, grade.max_score, "", waits)
+                    words = "waits for a person" if grade.needs_manual_grade else ""
+                    waits = bool(words) and grade.manual_score is None
+                    most = grade.max_score
+                    yield Entry(student, question, "", points, most, "", words, waits=waits)
 
 
 @dataclass(frozen=True)
@@ -99,11 +104,14 @@ class Line:
     lms_user_id: str
     points: float | None = None
     waiting: bool = False
+    penalty: float = 0.0
 
 
-def lines(course: Course, assignment: str) -> tuple[list[Line], float]:
+def lines(course: Course, assignment: str, penalties: bool = True) -> tuple[list[Line], float]:
     """(:class:`Line` of every student by last name, maximum of points): points with what a person
-    gave, extra credit, and without the late penalty, as ``nbgrader export`` has them.
+    gave and extra credit, less the penalty for lateness, as ``nbgrader export`` has them.
+
+    penalties : False to leave that penalty out
     """
     from nbgrader.api import MissingEntry
 
@@ -119,12 +127,13 @@ def lines(course: Course, assignment: str) -> tuple[list[Line], float]:
         found = []
         for s in book.students:
             submission = submissions.get(s.id)
-            points, waiting = None, False
+            points, waiting, penalty = None, False, 0.0
             if submission is not None:
-                points = max(0.0, submission.score - (submission.late_submission_penalty or 0))
+                penalty = submission.late_submission_penalty or 0.0
+                points = max(0.0, submission.score - penalties * penalty)
                 waiting = bool(submission.needs_manual_grade)
             first, last, email, lms = (
                 x or "" for x in (s.first_name, s.last_name, s.email, s.lms_user_id)
             )
-            found.append(Line(s.id, first, last, email, lms, points, waiting))
+            found.append(Line(s.id, first, last, email, lms, points, waiting, penalty))
     return sorted(found, key=lambda x: (x.last_name.casefold(), x.id)), maximum

@@ -21,19 +21,22 @@ FEWEST = 5  # students: a correlation of fewer means nothing
 class PartStatistics:
     """The statistics of one part of a problem.
 
-    difficulty : mean share of its points, so that 1 is easy. discrimination : correlation of its
-        points with those of all other parts; None if too few students handed in or all got the
-        same. verdicts : how many of each. mistakes : [(words, how many)], the most frequent first.
+    difficulty : mean share of its points, so that 1 is easy; of a part without points the share of
+        right answers; None if all wait. discrimination : correlation of its points with those of
+        all other parts; None if too few students handed in or all got the same. verdicts : how
+        many of each. mistakes : [(words, how many)], the most frequent first. waiting : how many
+        wait for a person; they count in nothing else.
     """
 
     problem: str
     key: str
     students: int
     out_of: float
-    difficulty: float
+    difficulty: float | None
     discrimination: float | None
     verdicts: Counter[str]
     mistakes: list[tuple[str, int]]
+    waiting: int = 0
 
 
 def part_statistics(course: Course, assignment: str) -> list[PartStatistics]:
@@ -49,15 +52,21 @@ def part_statistics(course: Course, assignment: str) -> list[PartStatistics]:
 
 
 def _of_part(problem, key, found, totals):
-    points = np.array([e.points for e in found])
-    rest = np.array([totals[e.student] for e in found]) - points
-    out_of = max(e.out_of for e in found)
-    difficulty = float(points.mean() / out_of) if out_of else 0.0
-    verdicts = Counter(e.verdict for e in found)
+    graded = [e for e in found if not e.waits]
+    points = np.array([e.points for e in graded])
+    rest = np.array([totals[e.student] for e in graded]) - points
+    verdicts = Counter(e.verdict for e in graded)
     return PartStatistics(
-        problem, key, len(found), out_of, difficulty, _correlation(points, rest), verdicts,
-        mistake_counts(found),
+        problem, key, len(found), max(e.out_of for e in found), _difficulty(graded),
+        _correlation(points, rest), verdicts, mistake_counts(graded), len(found) - len(graded),
     )  # fmt: skip
+
+
+def _difficulty(graded):
+    if most := max((e.out_of for e in graded), default=0.0):
+        return sum(e.points for e in graded) / (most * len(graded))
+    judged = [e.verdict == "right" for e in graded if e.verdict]
+    return sum(judged) / len(judged) if judged else None
 
 
 def mistake_counts(found: Iterable[Entry]) -> list[tuple[str, int]]:
@@ -87,10 +96,11 @@ def statistics_table(parts: Iterable[PartStatistics]) -> Table:
     table = plain_table(title, *columns, "most frequent mistake")
     for p in parts:
         mistake, count = p.mistakes[0] if p.mistakes else ("", 0)
-        discrimination = "–" if p.discrimination is None else f"{p.discrimination:.2f}"
+        shares = ("–" if x is None else f"{x:.2f}" for x in (p.difficulty, p.discrimination))
         verdicts = (str(p.verdicts[v]) for v in MARK)
         frequent = shown(f"{count}× {mistake}") if count else ""
-        table.add_row(p.problem, p.key, f"{p.difficulty:.2f}", discrimination, *verdicts, frequent)
+        frequent = f"{p.waiting} wait for a person" if p.waiting else frequent
+        table.add_row(p.problem, p.key, *shares, *verdicts, frequent)
     return table
 
 
@@ -100,12 +110,12 @@ def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
         writer = csv.writer(f)
         writer.writerow(
             ("problem", "part", "students", "out_of", "difficulty", "discrimination", *MARK,
-             "mistake", "times")
+             "waiting", "mistake", "times")
         )  # fmt: skip
         for p in parts:
-            own = (p.problem, p.key, p.students, f"{p.out_of:g}", f"{p.difficulty:.4f}",
-                   "" if p.discrimination is None else f"{p.discrimination:.4f}",
-                   *(p.verdicts[v] for v in MARK))  # fmt: skip
+            shares = ("" if x is None else f"{x:.4f}" for x in (p.difficulty, p.discrimination))
+            verdicts = (p.verdicts[v] for v in MARK)
+            own = (p.problem, p.key, p.students, f"{p.out_of:g}", *shares, *verdicts, p.waiting)
             writer.writerow((*own, "", ""))
             empty = [""] * (len(own) - 2)
             writer.writerows((p.problem, p.key, *empty, *m) for m in p.mistakes)

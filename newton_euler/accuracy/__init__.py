@@ -1,7 +1,5 @@
-"""Charts of speed against accuracy, by ``python -m newton_euler.accuracy NAME`` (:mod:`.command`).
-:mod:`.measurements` has what is measured; :mod:`.charts` draws it and writes the captions.
-:mod:`.catalogue` is the table of all charts; :mod:`.show` shows one in a notebook, :mod:`.atlas`
-all of them on a page.
+"""Charts of speed against accuracy: what is measured (:mod:`.measurements`), how it is drawn and
+put into words (:mod:`.charts`), and the table of all charts (:mod:`.catalogue`).
 """
 
 from .charts.axes import chart

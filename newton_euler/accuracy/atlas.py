@@ -1,6 +1,4 @@
-"""The atlas: all charts on one page, grouped by the questions that they answer. The page works
-without a network; atlas.html is the page around them, and the pictures are files beside it.
-"""
+"""The atlas: all charts on one page, by the questions that they answer, which needs no network."""
 
 import platform
 from datetime import date
@@ -16,7 +14,7 @@ TITLE = "Speed and accuracy: an atlas of every scene"
 ANSWERS = {
     METHOD: "All methods of integration on each scene that moves: the error at the end against the "
     "time of a run, and against calls of the right-hand side.",
-    MODEL: "From the coarsest model of a scene to the fullest. The ring is the cheapest within the "
+    MODEL: "From the coarsest model of a scene to the fullest. The ring is the smallest within the "
     "tolerance, the dashed line.",
     FORMULA: "Several ways to the same number, where nothing moves.",
     BORDER: "The cheapest choice that holds, over two parameters. The lines are theory's borders.",
@@ -25,9 +23,7 @@ ANSWERS = {
 
 
 def write_atlas(folder, names=None, quick=False, progress=lambda fraction, words: None):
-    """The path of the page, after drawing all charts, or those of the ``names``. A chart that
-    cannot be made is named on the page with the reason.
-    """
+    """The path of the page, with the charts of these ``names``, or all, or why one is missing."""
     folder.mkdir(parents=True, exist_ok=True)
     wanted = [charts()[name] for name in names or charts()]
     entries = []

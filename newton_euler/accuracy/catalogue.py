@@ -1,4 +1,4 @@
-"""The table of all charts: their names, the questions that they answer, and how each is made."""
+"""The table of all charts."""
 
 import re
 from collections.abc import Callable
@@ -33,12 +33,8 @@ ONLY_SOME = " To be quick, only these methods were measured; quick=False measure
 
 @dataclass(frozen=True)
 class Chart:
-    """An entry of the table.
-
-    name, title, kind : the kind is the heading in a list of all charts
-    question : as :data:`METHOD`
-    make : a function (quick, progress) that measures and draws, and returns a
-        :class:`~newton_euler.accuracy.charts.drawn.DrawnChart`
+    """An entry of the table: ``kind`` is its heading in a list of all charts, ``question`` as
+    :data:`METHOD`; ``make(quick, progress)`` measures, and returns a :class:`.drawn.DrawnChart`.
     """
 
     name: str
@@ -91,9 +87,6 @@ def chart_named(name: str) -> Chart:
     return known[slug(name)]
 
 
-# -- each kind
-
-
 def _scene(name, quick, progress):
     asked = (QUICK, QUICK_METHODS, QUICK_LONGEST) if quick else (TOLERANCES, NAMES, LONGEST)
     found = work_precision(name, *asked, progress)
@@ -108,7 +101,9 @@ def _models(name, quick, progress, tolerance=None):
     points = measured_models(rungs, progress)
     draw_models(points, rungs, figure, tolerance)
     caption, title = models_caption(points, rungs, tolerance), f"models of {name}"
-    return DrawnChart(title, tuple(points), caption, points_table(points, rungs.of), figure)
+    return DrawnChart(
+        title, tuple(points), caption, points_table(points, rungs.of, "operations", ""), figure
+    )
 
 
 def _comparison(name, quick, progress):

@@ -44,11 +44,9 @@ def compare(
 ) -> DrawnChart:
     """Measure, draw and display cost and error of several ways to one result; the chart.
 
-    ways : {name: a function without arguments}, which returns a number, or a Vector or sequence of
-        numbers
+    ways : {name: a function without arguments}, which returns one number or several
     exact : the result, of at least 20 digits (``mpmath.mpf``) or as exact numbers; errors are
         distances from it, relative to its size
-    title : what is computed
 
     >>> import math, mpmath
     >>> ways = {"product": lambda: 1.1 * 1.1, "power": lambda: math.pow(1.1, 2)}

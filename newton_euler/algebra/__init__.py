@@ -1,6 +1,4 @@
-"""Scalars of every kind, vectors, sums with named terms, linear equations, quadrature, generated
-code.
-"""
+"""Scalars of every kind, vectors, sums with named terms, linear equations, compiled code."""
 
 from .compile import compiled
 from .errors import NewtonEulerError
@@ -32,5 +30,6 @@ from .scalars import (
     tanh,
     where,
 )
+from .tables import Table, TableError, table
 from .units import Dimension, DimensionError, Unit, UnitError, unit
 from .vectors import FrameError, Vector, cross, dot, same

@@ -1,11 +1,10 @@
 """``compiled(f)`` runs a formula once on traced scalars and keeps its operations as straight-line
 text, which is fast on every kind of number.
 
-Every operation is a step (:mod:`newton_euler.algebra.trace`); equal steps are one, so that
-common subexpressions are computed once, and steps that no result needs are left out. The text of
-the steps is Python (:mod:`newton_euler.algebra.source`). It runs on floats with ``math``,
-on arrays with NumPy in blocks that stay in the cache, or through heyoka, and on the numbers of
-mpmath, on symbols and on this package's own kinds.
+Every operation is a step (:mod:`newton_euler.algebra.trace`); equal steps are one, and steps that
+no result needs are left out. The text is Python (:mod:`newton_euler.algebra.source`). It runs on
+floats with ``math``, on arrays with NumPy in blocks that stay in the cache, or through heyoka, and
+on the numbers of mpmath, on symbols and on this package's own kinds.
 """
 
 import inspect
@@ -37,7 +36,7 @@ from .scalars import (
     scalar,
     without_rates,
 )
-from .source import RESERVED, WITHIN, generate, runtime_names
+from .source import RESERVED, WITHOUT_HEYOKA, generate, runtime_names
 from .trace import NO_VALUE, Inner, Step, Trace, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
@@ -51,9 +50,7 @@ HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}
 
 
 def _shape(result, leaves, keys):
-    """The text of an expression that builds a result like this one from the tuple ``r`` of its
-    scalars, which are appended to ``leaves``.
-    """
+    """The text that rebuilds a result from the tuple ``r`` of its scalars, the ``leaves``."""
 
     def several(parts):
         return f"({''.join(f'{_shape(part, leaves, keys)}, ' for part in parts)})"
@@ -80,9 +77,7 @@ def _shape(result, leaves, keys):
 
 
 def _builder(shape, keys, count):
-    """The function of ``count`` scalars that builds the result which a text of :func:`_shape`
-    describes.
-    """
+    """The function of ``count`` scalars that builds the result described by :func:`_shape`."""
     if shape == "r[0]":
         return itemgetter(0)
     if shape == f"({''.join(f'r[{n}], ' for n in range(count))})":
@@ -104,8 +99,8 @@ class Recording(NamedTuple):
 
 
 def content(formula):
-    """Steps and result of a :class:`Recording` or :class:`Compiled`, but not its name, for a
-    dictionary: equal for equal formulas, which give equal texts and equal results.
+    """Steps and result of a :class:`Recording` or :class:`Compiled`, without its name: a key that
+    is equal for equal formulas, which give equal texts and equal results.
     """
     steps, leaves = keys_of(formula.trace), tuple(map(formula.trace.key, formula.leaves))
     return tuple(formula.parameters), steps, leaves, formula.shape, tuple(formula.keys)
@@ -117,8 +112,8 @@ def text_of(formula):
 
 
 class Compiled:
-    """A compiled formula, as :func:`compiled` returns it; call it like the formula. ``source`` is
-    its text, ``operations`` the number of its operations.
+    """A compiled formula, by :func:`compiled`; call it like the formula. ``source`` is its text,
+    ``operations`` the number of its operations.
 
     trace, leaves : the steps, and those that are the scalars in the result
     shape, keys : how the result is built from these, see :func:`_shape`; default: a tuple
@@ -159,9 +154,7 @@ class Compiled:
 
     @cached_property
     def dependencies(self):
-        """For each scalar in the result the names of the arguments on which it depends, a list of
-        sets.
-        """
+        """For each scalar in the result the set of names of the arguments on which it depends."""
         known = []
 
         def union(values):
@@ -172,14 +165,13 @@ class Compiled:
         return [union([leaf]) for leaf in self.leaves]
 
     def on(self, library):
-        """The text as a function over one library, from the arguments to the tuple of all scalars
-        in the result; over this package pi comes first.
+        """The text as a function over one library, from the arguments (over this package pi first)
+        to the tuple of all scalars in the result.
         """
         name = library.__name__
         if name not in self._functions:
-            space = {
-                n: getattr(library, n) for n in (*FUNCTIONS, "atan2", "pi") if hasattr(library, n)
-            }
+            names = (*FUNCTIONS, "atan2", "pi")
+            space = {n: getattr(library, n) for n in names if hasattr(library, n)}
             space.update(runtime_names(library))
             rounded = name in ("math", "numpy", "heyoka")
             space.update({n: _running(c, rounded) for n, c in self._constants.items()})
@@ -197,9 +189,7 @@ class Compiled:
             return error
         kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
         given = ", ".join(f"{n} = {x!r}" for n, x in zip(self.parameters, args, strict=True))
-        return kinds.get(type(error), SingularError)(
-            f"{self.name} has no value at {given}: {error}"
-        )
+        return kinds.get(type(error), SingularError)(f"{self.name} has no value: {given}: {error}")
 
     def _in_order(self, args, named):
         first = dict(zip(self.parameters, args, strict=False))  # too few or too many: see wrong
@@ -269,8 +259,8 @@ class Compiled:
         ):
             return False
         if self._heyoka is None:
-            if any(s.op in WITHIN for s in self.trace.steps):
-                self.backend = "numpy"  # heyoka has neither
+            if any(s.op in WITHOUT_HEYOKA for s in self.trace.steps):
+                self.backend = "numpy"
                 return False
             if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
@@ -290,9 +280,7 @@ class Compiled:
         return True
 
     def _by_heyoka(self, np, rows, out):
-        """Writes the results into ``out``, block by block through a buffer that is kept between
-        calls: new memory of this size costs more than the arithmetic.
-        """
+        """Writes the results into ``out``, in blocks: new memory costs more than the arithmetic."""
         count = out.shape[1]
         size = min(count, HEYOKA_BLOCK)
         # a call in another thread meanwhile makes its own
@@ -318,9 +306,7 @@ def _from_steps(name, parameters, steps, leaves, *rest):
 
 
 def _running(constant, rounded):
-    """A constant of a text as the text uses it: a formula inside it compiled, a number as a float
-    where the library has no others.
-    """
+    """A constant as a text uses it: a formula compiled, a number as a float if others are none."""
     if isinstance(constant, Inner):
         return Compiled("the formula inside", constant.parameters, constant.trace, constant.leaves)
     return _float(constant) if rounded else constant
@@ -334,7 +320,9 @@ def _float(constant):
 
 
 def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compiled:
-    """The formula ``f``, traced once into straight-line text, for many fast evaluations.
+    """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
+    takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
+    and returns what ``f`` returns, a Vector as a triple of components.
 
     f : a function of scalars that does not branch on their values (it chooses by ``where``); it
         returns a scalar, a Vector, or tuples and dicts of them
@@ -342,16 +330,10 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
         compilation takes), "numpy" or "heyoka"; for arrays only
     constants : parameters of ``f`` to fix now; they are not parameters of the result
 
-    The result takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place
-    or by name, and returns what ``f`` returns, a Vector as a triple of components. **Batches:** an
-    array argument of shape (N,) is N instants; each component of the result has shape (N,).
-
     >>> from newton_euler import compiled, sin
     >>> height = compiled(lambda v, elevation, g: (v*sin(elevation))**2/(2*g))
-    >>> round(height(20.0, 0.5, 9.81), 3)
-    4.686
-    >>> height.operations
-    5
+    >>> round(height(20.0, 0.5, 9.81), 3), height.operations
+    (4.686, 5)
     """
     if not callable(f) or isinstance(f, type):
         raise ScalarError(f"compiled: f is a function of scalars; got {clipped(f)}")
@@ -378,9 +360,7 @@ def _traced(x):
 
 
 def recorded(f, **constants):
-    """The :class:`Recording` of the formula ``f``, see :func:`compiled`: its steps without a
-    text, which takes twice as long to write.
-    """
+    """The :class:`Recording` of ``f``, see :func:`compiled`, without a text, in half the time."""
     try:
         signature = inspect.signature(f).parameters
     except (TypeError, ValueError) as error:  # as of max
@@ -406,10 +386,7 @@ def recorded(f, **constants):
         if not (of_numpy or _needed_values(error)):
             raise
         raise ScalarError(NO_VALUE) from error
-    defaults = {
-        n: default
-        for n in parameters
-        if (default := signature[n].default) is not inspect.Parameter.empty
-    }
+    given = {n: signature[n].default for n in parameters}
+    defaults = {n: x for n, x in given.items() if x is not inspect.Parameter.empty}
     name = getattr(f, "__name__", "formula")
     return Recording(name, parameters, trace, leaves, shape, keys, defaults)

@@ -1,4 +1,4 @@
-"""Errors in words: checks of what is passed to the public functions, by their annotations.
+"""Checks of what is passed to the public functions, by their annotations, in words.
 
 >>> @checked
 ... def weight(m: Scalar, g: Scalar = 9.81) -> Scalar:
@@ -9,9 +9,7 @@ Traceback (most recent call last):
 newton_euler.algebra.scalars.ScalarError: weight: m is a number (float, array, mpf or expression); \
 got '2' of type str; write numbers without quotation marks
 
-What enters as an array of whole numbers goes on as one of floats, see
-:func:`~newton_euler.algebra.scalars.scalar`. Functions that are called millions of times, as the
-methods of vectors, frames and scalars, have checks of their own.
+Functions that are called millions of times, as the methods of vectors, have checks of their own.
 """
 
 import sys
@@ -34,7 +32,7 @@ from .scalars import (
     advice,
     clipped,
     is_numeric,
-    scalar,
+    real_scalar,
     to_plain,
 )
 from .vectors import FrameError, Vector
@@ -48,10 +46,8 @@ F = TypeVar("F", bound=Callable)
 
 
 def checked(f: F, unchecked: tuple = ()) -> F:
-    """The function ``f`` with its arguments checked by their annotations; of a class, its
-    constructor.
-
-    unchecked : the names of arguments that the function checks itself, in words of its own
+    """The function ``f`` with its arguments checked by their annotations, except those named in
+    ``unchecked``; of a class, its constructor.
 
     Scalars become what :func:`~newton_euler.algebra.scalars.scalar` makes of them. An error that
     Python or a library raises in the engine's own code, as for arrays that do not fit together, is
@@ -110,6 +106,15 @@ def _passed_through_a_callers_function(error):
     return False
 
 
+def raised_by_the_engine(error: BaseException) -> bool:
+    """True if the engine itself raised this error, False if a function that it called did."""
+    at = error.__traceback__
+    while at and at.tb_next:
+        at = at.tb_next
+    module = at.tb_frame.f_globals.get("__name__", "") if at else ""
+    return module.partition(".")[0] == "newton_euler"
+
+
 def _in_words(called, error):
     """The error of the engine for one of Python or a library."""
     if isinstance(error, ZeroDivisionError):
@@ -128,9 +133,7 @@ def _brief(x):
 
 
 def _plan(f, unchecked):
-    """(checks by name, those by position, that of what a * gathers); what ** gathers has the name
-    "**".
-    """
+    """(checks by name, by position, of what a * gathers); what ** gathers has the name "**"."""
     where = f.__qualname__[:-9] if f.__name__ == "__init__" else f.__name__
     by_name, by_position, several = {}, [], None
     for p in signature(f).parameters.values():
@@ -145,9 +148,7 @@ def _plan(f, unchecked):
 
 
 def _check_of(parameter, f, where):
-    """The check of one parameter: a function of what is passed that returns what goes on; None if
-    everything does.
-    """
+    """The check of one parameter, from what is passed to what goes on; None if everything does."""
     kind = f.__annotations__.get(parameter.name)
     if isinstance(kind, str):
         kind = eval(kind, f.__globals__)
@@ -203,7 +204,9 @@ def _converter(kind):
         return None  # place() asks which of them it is, in words of its own
     if len(members) > 1:
         converters = [_converter(k) for k in members]
-        return None if None in converters else _first_of(converters)
+        if None in converters:
+            return None
+        return lambda x: next((y for c in converters if (y := c(x)) is not REFUSED), REFUSED)
     if kind in _OF_KIND:
         return _OF_KIND[kind]
     container, parts = typing.get_origin(kind) or kind, typing.get_args(kind)
@@ -219,16 +222,9 @@ def _converter(kind):
     return None
 
 
-def _first_of(converters):
-    def convert(x):
-        return next((y for c in converters if (y := c(x)) is not REFUSED), REFUSED)
-
-    return convert
-
-
 def _number(x):
     try:
-        y = scalar(x)
+        y = real_scalar(x)
     except ScalarError:
         return REFUSED
     return x if x is ZERO else to_plain(y)
@@ -238,7 +234,7 @@ def _real(x):
     if type(x) is float:
         return x
     y = _number(x)
-    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO) or isinstance(y, complex):
+    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO):
         return REFUSED
     return y if is_numeric(y) and not getattr(y, "shape", ()) else REFUSED
 
@@ -258,11 +254,8 @@ LONGEST_SEQUENCE = 10**7  # entries: the most that are iterated over
 
 
 def _is_iterable(x):
-    return (
-        hasattr(x, "__iter__")
-        and not isinstance(x, (str, bytes))
-        and 0 <= _length(x) <= LONGEST_SEQUENCE
-    )
+    iterable = hasattr(x, "__iter__") and not isinstance(x, (str, bytes))
+    return iterable and 0 <= _length(x) <= LONGEST_SEQUENCE
 
 
 def _is_sequence(x):

@@ -1,6 +1,5 @@
-"""Integrals of every kind of number. Over an interval: by the tanh-sinh rule for numbers, by SymPy
-for formulas, and for the engine's own kinds by what they are. Over the unit cube, for numbers that
-SciPy's adaptive cubature does not take: by products of Gauss rules.
+"""Integrals of every kind of number: over an interval by the tanh-sinh rule, or SymPy; over the
+unit cube by products of Gauss rules, for numbers that SciPy's adaptive cubature does not take.
 """
 
 from collections.abc import Callable, Sequence
@@ -44,23 +43,17 @@ class WorkError(NewtonEulerError, ValueError):
 
 @checked
 def integral(f: Callable, start: Scalar, end: Scalar, breaks: Sequence[Scalar] = ()) -> Scalar:
-    """The integral of ``f`` from ``start`` to ``end``, of every kind of number: floats and mpf to
-    nearly their accuracy, many integrals at once of arrays, the dimension of dimensions, the rates
-    of moving numbers, a step of a formula that is compiled, and of expressions a formula of SymPy.
+    """The integral of ``f`` from ``start`` to ``end``: floats and mpf to nearly their accuracy,
+    many integrals at once of arrays, the dimension of dimensions, the rates of moving numbers, a
+    step of a formula that is compiled, and of expressions a formula of SymPy.
 
-    f : function of one number that returns a scalar, a Vector, or a tuple of them; written with the
-        functions of this package, and smooth between the limits and ``breaks``. It may be infinite
-        at ``start`` = 0 if integrable, as x**-0.5, but at no other end
+    f : function of one number that returns a scalar, a Vector, or a tuple of them, smooth between
+        the limits and ``breaks``. Only at ``start`` = 0 it may be infinite, as x**-0.5
     breaks : in order, where f has corners or jumps
-    Raises :class:`SingularError` where the integral does not settle, and :class:`WorkError` where
-    SymPy finds no formula.
+    Raises :class:`SingularError` where it does not settle, :class:`WorkError` without a formula.
 
     >>> round(integral(lambda x: x**-0.5, 0.0, 4.0), 12)
     4.0
-    >>> from newton_euler import Dimension
-    >>> mass, length = Dimension(1, 0, 0), Dimension(0, 1, 0)
-    >>> integral(lambda x: mass / length * x**2, 0, length)
-    Dimension(M^1 L^2)
     """
     places = [start, *map(scalar, breaks), end]
     pieces = [_piece(f, a, b) for a, b in pairwise(places)]
@@ -118,9 +111,7 @@ def integrals(f, start, end):
 
 
 def _by_parts(kind, f, start, end):
-    """Integrals of numbers that consist of several, as a value and its rates: those of the parts,
-    over limits that are fixed.
-    """
+    """Integrals of numbers with rates: those of the parts, over limits that are fixed."""
     g = f
     if hasattr(start, "_parts") or hasattr(end, "_parts"):
         low, width = start, end - start
@@ -135,9 +126,8 @@ def _by_parts(kind, f, start, end):
 
 
 def _tanh_sinh(f, start, end, sample):
-    """The places of f are a fraction 1/(1 + exp(pi sinh t)) of the way from either end, at equal
-    steps of t (H. Takahasi and M. Mori, Publ. RIMS 9, 721, 1974); halving the step squares the
-    error of a smooth f.
+    """By places at the fraction 1/(1 + exp(pi sinh t)) of the way from either end, for equal steps
+    of t (H. Takahasi and M. Mori, Publ. RIMS 9, 721, 1974); halving these squares the error.
     """
     start, end, *_ = promote(start, end, *sample)
     width, small = end - start, epsilon(end - start)
@@ -206,15 +196,10 @@ def _exact(x):
     return sympy.sympify(int(x) if isinstance(x, float) and x.is_integer() else x)
 
 
-# -- over the unit cube
-
-
 def over_cube(f, n):
-    """The integrals of the scalars in the tuple ``f(t_1, …, t_n)`` over the unit cube.
-
-    f : written with functions of this package, smooth, also at the faces. It is called with arrays
-        of places, or, where it returns numbers of mpmath, with one place at a time
-    Raises :class:`SingularError` if the integrals do not settle.
+    """The integrals of the scalars in the tuple ``f(t_1, …, t_n)`` over the unit cube;
+    :class:`SingularError` if they do not settle. f is smooth, also at the faces, and called with
+    arrays of places, or, where it returns numbers of mpmath, with one place at a time.
     """
     sample = tuple(map(scalar, f(*(NEAR_MIDDLE,) * n)))
     present = [x for x in sample if x is not ZERO]
@@ -279,9 +264,7 @@ def _one_by_one(f, n, order, sample):
 
 @cache
 def _gauss(order, _small):
-    """Places and weights on (0, 1), to the working precision of mpmath: the roots of the Legendre
-    polynomial by Newton's method.
-    """
+    """Gauss places and weights on (0, 1), to mpmath's working precision, by Newton's method."""
     from mpmath import mp
 
     pairs = []

@@ -40,8 +40,7 @@ class TermError(NewtonEulerError, ValueError, KeyError):
 class Equation:
     """The equation of a sum with named terms.
 
-    kind : what the sum is, as "acceleration"
-    number, symbol : its number in the book, and its LaTeX symbol
+    kind, number, symbol : what the sum is, as "acceleration"; its number in the book; in LaTeX
     terms : by name, a term as (text, LaTeX), for those whose name is not enough
     other : (text, LaTeX) of a term that is not listed; its name becomes the index
 
@@ -60,11 +59,7 @@ class Equation:
 
 @cache
 def equation(kind: str) -> Equation:
-    """The :class:`Equation` of this kind of sum, from ``equations.toml``.
-
-    >>> equation("acceleration").number, equation("acceleration").terms["coriolis"][0]
-    ('4.18', '2 omega x v_r')
-    """
+    """The :class:`Equation` of this kind of sum, from ``equations.toml``."""
     import tomllib  # here, since few programs explain a sum
     from pathlib import Path
 
@@ -80,14 +75,12 @@ NOISE = 1e-14  # of the largest component: anything smaller is round-off and pri
 
 
 class Terms(dict[str, T], Generic[T]):
-    """The terms of a sum, in order, by name.
+    """The terms of a sum, in order, by name. Names are for people: two terms may be called "arm".
+    They are then listed as "arm 1" and "arm 2", and "arm" names both of them to ``without`` and
+    ``reweighted``; ``terms["arm"]`` raises a :class:`TermError`.
 
     terms : a dict, or pairs (name, term), of which several may have the same name
     shared : the name that was given, by each name that was made distinct
-
-    Names are for people: two terms may be called "arm". They are then listed as "arm 1" and
-    "arm 2", and "arm" names both of them to ``without`` and ``reweighted``; ``terms["arm"]`` raises
-    a :class:`TermError`.
 
     >>> terms = Terms([("arm", 1.0), ("arm", 2.0), ("rod", 4.0)])
     >>> terms, sum(terms.values())
@@ -115,11 +108,7 @@ class Terms(dict[str, T], Generic[T]):
         raise TermError(f"no term {name!r}; the terms are {', '.join(self) or 'none'}")
 
     def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
-        """The terms of both, in order: those whose names they share are all kept.
-
-        >>> Terms({"x": 1.0}) | {"no slip": 2.0}
-        {'x': 1.0, 'no slip': 2.0}
-        """
+        """The terms of both, in order: those whose names they share are all kept."""
         more = other if isinstance(other, Terms) else Terms(other)
         return Terms([*self.named(), *more.named()])
 
@@ -135,21 +124,16 @@ class Terms(dict[str, T], Generic[T]):
         return changed
 
     def weighted(self, factors: Mapping[str, Scalar]) -> list[tuple[Scalar, T]]:
-        """Pairs of the factor given for a term (1 by default) and the term; a factor for a shared
-        name holds for all terms that have it, unless there is one for the distinct name.
-        """
+        """Pairs (factor, term): the factor by the distinct name, else by the shared one, else 1."""
         for name in factors:
             if name not in self.shared.values():
                 self[name]  # raises a TermError if there is none
-        default = {new: factors.get(old, 1) for new, old in self.shared.items()}
-        return [
-            (scalar(factors.get(name, default.get(name, 1))), term) for name, term in self.items()
-        ]
+        usual = {new: factors.get(old, 1) for new, old in self.shared.items()}
+        return [(scalar(factors.get(n, usual.get(n, 1))), term) for n, term in self.items()]
 
 
 def distinct(names: list[str]) -> list[str]:
-    """The names, with numbers behind those that occur several times; no result equals a name that
-    was given.
+    """The names, numbered where they occur several times; no result equals a name that was given.
 
     >>> distinct(["arm", "rod", "arm", "arm 1"])
     ['arm 2', 'rod', 'arm 3', 'arm 1']
@@ -173,9 +157,7 @@ class NamedTerms:
     reweighted: Any
 
     def without(self, *names: str) -> Scalar:
-        """The sum without the terms named: ``a.without("coriolis")``; without all that have the
-        name, where several share one.
-        """
+        """The sum without all terms of these names: ``a.without("coriolis")``."""
         for n in names:
             if not isinstance(n, str):
                 raise TermError(f"a term is named by a text, as 'coriolis'; got {clipped(n)}")
@@ -218,8 +200,7 @@ class Ledger:
 
 
 class Explanation:
-    """A vector written as a sum of terms: ``str()`` gives text, ``latex`` the formulas, which
-    Jupyter shows.
+    """A vector as a sum of terms: ``str()`` gives text, ``latex`` what Jupyter shows.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -235,10 +216,8 @@ class Explanation:
             raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        noise = NOISE * max(
-            (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)),
-            default=0.0,
-        )
+        sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
+        noise = NOISE * max(sizes, default=0.0)
         self.vector = vector.rounded(noise)
         self.terms = terms.mapped(lambda t: t.rounded(noise))
 
@@ -265,13 +244,11 @@ class Explanation:
     @property
     def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
-        symbol, known = self.equation.symbol, self.equation.terms
+        symbol, known, other = self.equation.symbol, self.equation.terms, self.equation.other[1]
         # braces, since a symbol as M_B has an index already
         total = f"{{{symbol}}}" + f"_{{{latex_text(self.ledger.subject)}}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
-        formulas = [
-            known[n][1] if n in known else _product(n, self.equation.other[1]) for n in self.terms
-        ]
+        formulas = [known[n][1] if n in known else _product(n, other) for n in self.terms]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
         values = [*self.terms.items(), ("sum", self.vector)]
@@ -284,9 +261,7 @@ class Explanation:
 
 
 def _product(name, symbol):
-    """LaTeX for a term named after frames: "arm" is the symbol with this index, "arm x rod" the
-    cross product of two rates.
-    """
+    """LaTeX of a term named after frames: "arm" is an index, "arm x rod" a cross product."""
     parts = name.split(" x ")
     symbol = symbol if len(parts) == 1 else r"\boldsymbol{\omega}"
     return r"\times".join(rf"{symbol}_{{{latex_text(part)}}}" for part in parts)
@@ -325,13 +300,11 @@ def _comparison(f):
 
 @dataclass(frozen=True, eq=False)
 class Amount(NamedTerms):
-    """An amount of work, energy or power with its terms by name: ``U.value``,
-    ``T.terms["rotation"]``, ``T.explain()``.
+    """An amount of work, energy or power with its terms by name. It acts as its ``value`` in sums,
+    products and comparisons, and in ``float(U)``.
 
     what, number : the name of the quantity, and its equation in the book
     error : estimated error of ``value`` where it comes from an integral, in the same unit
-    It acts as its value in sums, products and comparisons with numbers and other amounts, and in
-    ``float(U)``.
 
     >>> T, V = Amount(7.0, {"translation": 5.0, "rotation": 2.0}), Amount(3.0)
     >>> T + V, 2 * T, T > V, T == 7.0
@@ -380,8 +353,7 @@ class Amount(NamedTerms):
         return "\n".join([f"{self.what}, equation ({self.number})", *lines])
 
     def reweighted(self, /, **factors: Scalar) -> Scalar:
-        """The sum of its terms, each times the factor named for it (others once): the result of a
-        model with these terms left out or weighted.
+        """The sum of its terms, each times the factor named for it (others once).
 
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
@@ -400,11 +372,7 @@ def summed(
     number: str = "11.1",
     error: float = 0.0,
 ) -> Amount:
-    """The :class:`Amount` that is the sum of these terms: numbers or amounts by name, or pairs
-    (name, number).
-    """
+    """The :class:`Amount` that is the sum of numbers or amounts, by name or in pairs (name, x)."""
     parts = Terms(terms)
-    total = sum(map(value_of, parts.values()), ZERO)
-    return Amount(
-        to_plain(total), parts.mapped(lambda x: to_plain(value_of(x))), what, number, error
-    )
+    total, values = sum(map(value_of, parts.values()), ZERO), parts.mapped(value_of)
+    return Amount(to_plain(total), values.mapped(to_plain), what, number, error)

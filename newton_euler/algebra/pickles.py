@@ -1,6 +1,4 @@
-"""What a pickle holds in place of what cannot be pickled: of a function that computes something on
-demand, its result; of a read-only mapping, its contents.
-"""
+"""What pickles hold in place of a function that computes on demand, or a read-only mapping."""
 
 import copyreg
 from types import MappingProxyType
@@ -9,9 +7,7 @@ from .scalars import NewtonEulerError
 
 
 class Computed:
-    """A function that returns what ``find()`` returned, or raises the error of the engine that it
-    raised, and can be pickled. It ignores its arguments.
-    """
+    """A function that returns what ``find()`` returned, or raises what it raised; to be pickled."""
 
     def __init__(self, find):
         self.value = self.error = None

@@ -1,6 +1,4 @@
-"""Functions ``(s, p, t)`` in pickles: those of a module by their name, lambdas and functions inside
-functions, which have none, as the steps that were traced from them.
-"""
+"""Functions ``(s, p, t)`` in pickles: by their name, or if they have none as their traced steps."""
 
 import sys
 from copy import deepcopy
@@ -15,9 +13,7 @@ from .trace import Trace
 
 
 class Portable:
-    """Base of frozen records of functions ``(s, p, t)``: copies keep the functions, pickles have
-    what :func:`portable` makes of them.
-    """
+    """Base of frozen records of functions ``(s, p, t)``; pickles have those by :func:`portable`."""
 
     def __getstate__(self):
         return self._each(_in_pickle)
@@ -39,9 +35,7 @@ class Portable:
 
 def portable(f):
     """The function ``f``, or its traced :class:`Steps` if no other process finds it by its name:
-    what it reads besides its arguments is taken as it is now.
-
-    A function that branches on values cannot be traced, and stays as it is.
+    what it reads besides its arguments is taken as it is now. One that branches on values stays.
     """
     if type(f) is not FunctionType or _has_name(f):
         return f
@@ -58,11 +52,8 @@ class Steps:
 
     def __init__(self, f):
         trace, self.asked = Trace(), {}
-        f(
-            _Asked("s", self.asked, trace),
-            _Asked("p", self.asked, trace),
-            trace.new("argument", "t"),
-        )
+        s, p = (_Asked(of, self.asked, trace) for of in "sp")
+        f(s, p, trace.new("argument", "t"))
         self.asked = [("t", ""), *self.asked]
         names = [f"{of}_{name}" for of, name in self.asked]
 
@@ -104,9 +95,7 @@ class _Given:
 
 
 def _has_name(f):
-    """True for a function that is found by the names of its module and of itself; those of a
-    notebook or a script are not, in another process.
-    """
+    """True for a function that another process finds by its name; not for one of a notebook."""
     if f.__module__ == "__main__" or "<" in f.__qualname__:
         return False
     try:

@@ -1,6 +1,4 @@
-"""Integrals with an estimated error: adaptive quadrature of floats to a tolerance, the rules of
-:mod:`newton_euler.algebra.integrals` for other numbers; and cubature in several variables.
-"""
+"""Integrals with an estimated error: adaptive, of floats, and in several variables."""
 
 from itertools import pairwise
 
@@ -26,9 +24,7 @@ BOXES = {1: 4000, 2: 400, 3: 40}
 
 
 def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
-    """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for
-    :func:`newton_euler.dynamics.work.work_integral`.
-    """
+    """(integral of ``f``, its estimated error); arguments as of :func:`.work.work_integral`."""
     if not 0 < real(rtol, "rtol") < 1:
         raise WorkError(f"rtol is a relative error between 0 and 1, as 1e-10; got {clipped(rtol)}")
     pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
@@ -39,8 +35,6 @@ def _piece(f, start, end, rtol, exact):
     """(value, estimated error) of one smooth piece."""
     if exact:
         return by_formula(lambda x: (f(x),), start, end)[0], 0.0
-    if isinstance(start, complex) or isinstance(end, complex):
-        raise WorkError(f"the limits are real numbers, got {start!r} and {end!r}")
     kinds = start, end, _value(f, start + (end - start) / 32)
     if not all(map(is_numeric, kinds)) or any(hasattr(x, "_parts") for x in kinds):
         return integral(f, start, end), 0.0
@@ -85,14 +79,8 @@ def _adaptive(f, start, end, rtol, scale):
     with warnings.catch_warnings():
         warnings.simplefilter("error", IntegrationWarning)
         try:
-            return quad(
-                lambda x: float(_finite(f, x)),
-                start,
-                end,
-                epsabs=rtol * scale,
-                epsrel=rtol,
-                limit=INTERVALS,
-            )
+            wanted = {"epsabs": rtol * scale, "epsrel": rtol, "limit": INTERVALS}
+            return quad(lambda x: float(_finite(f, x)), start, end, **wanted)
         except IntegrationWarning as problem:
             raise WorkError(
                 f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: "
@@ -103,11 +91,8 @@ def _adaptive(f, start, end, rtol, scale):
 
 def cubature(f, n, rtol, name, error=WorkError):
     """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``,
-    and the largest of their estimated errors.
-
-    f : function of an array of places, one a row, that returns an array with their values as rows
-    name, error : what is integrated, for messages, and the class of error raised if the integrals
-        do not converge
+    and the largest of their estimated errors; ``error`` of ``name`` if they do not converge. f is a
+    function of an array of places, one a row, that returns an array with their values as rows.
     """
     import numpy as np
     from scipy.integrate import cubature

@@ -1,8 +1,7 @@
 """What functions read besides their arguments: globals, variables of the functions around them,
-default values; also those of every function that they can call.
-
-A text that was traced from a function holds as long as all of this is the same. It is found in the
-byte code, once, and compared before each use: no value is computed, and nothing is called.
+default values; also those of every function that they can call. A text that was traced from a
+function holds as long as all of this is the same. It is found in the byte code, once, and compared
+before each use: no value is computed, and nothing is called.
 """
 
 import builtins
@@ -42,8 +41,7 @@ class Reads:
     """What some functions read besides their arguments, as it is now.
 
     checks : tuples (get, a, b, value) that find it again: get(a, b) is the value
-    known : False if some of it can change unseen, as the attribute of an object or an entry of a
-        list; it then never counts as the same
+    known : False if some of it can change unseen, as an attribute of an object
     prints : True if it is known that print is among it
 
     >>> g = 9.81
@@ -150,9 +148,7 @@ def reads_nothing(f):
 
 
 def _is_fixed_function(f, packages=FIXED):
-    """True for a function of a module of these packages, and not of text that runs in its name, as
-    examples in a docstring do.
-    """
+    """True for a function of a module of these packages; not for one of a doctest in its name."""
     name = f.__module__
     if not name or name.partition(".")[0] not in packages:
         return False

@@ -29,12 +29,11 @@ STEPS = 2000  # some 30 are enough for floats, 600 for fifty digits at worst
 def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
     """The number between ``low`` and ``high`` at which ``f`` vanishes: a transcendental equation.
 
-    f : function of one number, continuous, written with the functions of this package, whose signs
-        at ``low`` and ``high`` differ
+    f : continuous function of one number, whose signs at ``low`` and ``high`` differ
     Floats, mpf and arrays (an equation for each instant): to round-off. Moving numbers: with the
     rates of the root. Dimensions: that of the root, once f has run on it. Also in formulas that are
     compiled. Exact numbers of SymPy: as a float. Raises :class:`SingularError` if the signs are the
-    same, and :class:`ScalarError` for expressions with symbols, which have no formula in general.
+    same, :class:`ScalarError` for expressions with symbols.
 
     >>> from newton_euler import cos
     >>> round(root(lambda x: cos(x) - x, 0.0, 1.0), 12)

@@ -1,8 +1,7 @@
 """Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
-Every formula of the engine is written once, in plain arithmetic, over *scalars*. A scalar is a
-Python float, a NumPy array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka
-expression, or one of the engine's own kinds:
+Every formula of the engine is written once over *scalars*: a Python float, a NumPy array (many
+instants at once), an ``mpmath.mpf``, a expression of SymPy, SymEngine or heyoka, or one of these:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
@@ -11,9 +10,8 @@ expression, or one of the engine's own kinds:
 ``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.algebra.linear`)
 ``Step``        a value being traced by :func:`newton_euler.algebra.compile.compiled`
 
-This is the only module that tests the type of a number. The others call ``sin``, ``sqrt`` … from
-here and otherwise use ``+ - * /``. None of the heavy libraries is imported here: the library of a
-number is found by the number's type.
+This is the only module that tests the type of a number. It imports none of the heavy libraries:
+that of a number is found by the number's type.
 """
 
 import math
@@ -39,8 +37,7 @@ else:
 
 
 class NewtonEulerError(Exception):
-    """Base of the engine's errors; each is also the built-in error that fits it, as ValueError or
-    TypeError.
+    """Base of the engine's errors; each is also the built-in error that fits it, as ValueError.
 
     >>> from newton_euler import Frame, NewtonEulerError
     >>> try:
@@ -56,9 +53,7 @@ class ScalarError(NewtonEulerError, TypeError):
 
 
 class SingularError(NewtonEulerError, ValueError):
-    """A direction, radius, rate or integral does not exist here: on an axis, at a pole, at an
-    inflection, on a straight line.
-    """
+    """A direction, radius, rate or integral does not exist here, as on an axis, at a pole."""
 
 
 class DivisionError(SingularError, ZeroDivisionError):
@@ -73,9 +68,7 @@ class _Own:
     """Base of the kinds of number that the engine defines."""
 
     __slots__ = ()
-    __array_ufunc__ = (
-        None  # NumPy hands operations over instead of looping over an array's elements
-    )
+    __array_ufunc__ = None  # NumPy hands operations over and does not loop over elements
     _op_priority = 1000.0  # and so does SymPy
     rank = 0  # of several kinds in one operation, the highest decides
 
@@ -101,33 +94,25 @@ class _Own:
 
 
 def outranks(x, kind):
-    """True if ``x`` is a number of the engine that wraps those of ``kind``, and so carries out an
-    operation with one of them.
-    """
+    """True if ``x``, a number of the engine, carries out an operation with one of this ``kind``."""
     return isinstance(x, _Own) and x.rank > kind.rank
 
 
 def highest(values):
-    """Of these values the number of the engine's own that carries out an operation with all of
-    them; None if there is none.
-    """
+    """The one of these values, of the engine's kinds, that carries out an operation; or None."""
     own = [x for x in values if isinstance(x, _Own)]
     return max(own, key=lambda x: x.rank) if own else None
 
 
 class Scaled:
-    """Base of vectors and other quantities that a scalar can multiply; they carry out the product,
-    not the scalar.
-    """
+    """Base of vectors and other quantities that carry out the product with a scalar."""
 
     __slots__ = ()
     __array_ufunc__ = None
 
 
 class _Zero(_Own):
-    """The structural zero, :data:`ZERO`, the only object of its class. A sum with it is the other
-    term itself.
-    """
+    """The only object of its class is :data:`ZERO`. A sum with it is the other term itself."""
 
     __slots__ = ()
 
@@ -215,11 +200,9 @@ def scalar(x):
     """The scalar ``x``; a literal ``0`` becomes the structural zero.
 
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
-    (and of bool, and of floats of fewer digits) an array of 64-bit floats, a single one a Python
-    integer. Floats have 53 bits: entries above 2**53 are rounded to the nearest float. Python's
-    integers stay exact.
-    Raises :class:`ScalarError` if ``x`` is not a number (text, None, lists), or has a unit of its
-    own, as quantities of pint and astropy have: without it they would be other numbers.
+    (and of bool, and of floats of fewer digits) an array of 64-bit floats, which rounds entries
+    above 2**53, a single one a Python integer, which is exact. Raises :class:`ScalarError` if ``x``
+    is not a number (text, None, lists), or has a unit of its own, as those of pint and astropy.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -281,8 +264,39 @@ def _of_numpy(x):
     return x.astype(float) if kinds <= {float, int, bool, Fraction, _Zero} else x
 
 
+def real_scalar(x):
+    """The :func:`scalar` of a quantity of mechanics. Raises :class:`ScalarError` also for complex
+    numbers and arrays without numbers, which have no meaning there.
+
+    >>> real_scalar(1 + 2j)
+    Traceback (most recent call last):
+        ...
+    newton_euler.algebra.scalars.ScalarError: expected real numbers, got (1+2j) of type complex; \
+give its real part, if that is meant
+    """
+    if type(x) is float:
+        return x
+    y = scalar(x)
+    if type(y) is not int and not isinstance(y, _Own) and _is_unreal(y):
+        raise ScalarError(
+            f"expected real numbers, got {clipped(x)} of type {type(x).__name__}{advice(x)}"
+        )
+    return y
+
+
+def _is_unreal(x):
+    dtype = getattr(x, "dtype", None)
+    if dtype is None:
+        return isinstance(x, complex) or type(x).__name__ == "mpc"
+    return x.size == 0 or dtype.kind == "c" or (dtype.kind == "O" and any(map(_is_unreal, x.flat)))
+
+
 def advice(x):
     """What to do with a value that is no number, as the end of a message."""
+    if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
+        return "; it is empty"
+    if _is_unreal(x):
+        return "; give its real part, if that is meant"
     if hasattr(x, "magnitude") and hasattr(x, "to"):
         return "; it has a unit: pass the number in your base units, as q.to('m').magnitude"
     if hasattr(x, "unit"):
@@ -312,7 +326,7 @@ LONGEST = 400  # operations: the most of an expression that is printed
 
 def shown(x):
     """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
-    their number, since its text, in which parts that are shared are repeated, may not end.
+    their number, since its text repeats the parts that are shared.
     """
     if _root(type(x)) not in ("sympy", "symengine") or not hasattr(x, "args"):
         return repr(x)
@@ -352,12 +366,7 @@ def real(x, what):
 
 
 def integer_like(x, like):
-    """The integer ``x`` in the kind of ``like``, so that its root and its quotients are as exact as
-    ``like`` is; other numbers unchanged.
-
-    >>> integer_like(2, 1.5)
-    2
-    """
+    """The integer ``x`` in the kind of ``like``, to be as exact as that; others unchanged."""
     exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
     return like * 0 + x if exact else x
 
@@ -373,11 +382,7 @@ def without_rates(x):
 
 
 def short(x):
-    """The number as text with six digits, for messages and tables; an expression or array in full.
-
-    >>> short(2 / 3)
-    '0.666667'
-    """
+    """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
     return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
@@ -400,9 +405,7 @@ _modules: dict = {}
 
 
 def library_of(values):
-    """The module that has functions of these values; of several, the one of an expression before
-    mpmath before NumPy.
-    """
+    """The module of functions of these values: that of an expression before mpmath before NumPy."""
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
@@ -447,14 +450,11 @@ def _define(name):
     return f
 
 
-sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
-    _define(name) for name in FUNCTIONS
-)
+sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = map(_define, FUNCTIONS)
 
 
 def hypot(*values: Scalar) -> Scalar:
-    """The root of the sum of the squares; of floats and arrays wherever it is a float, though the
-    squares overflow or underflow.
+    """The root of the sum of the squares, though the squares overflow or underflow as floats.
 
     >>> hypot(3e-200, 4e-200), hypot(ZERO, ZERO)
     (5e-200, 0)
@@ -506,8 +506,7 @@ def atan2(y: Scalar, x: Scalar) -> Scalar:
 
 
 def pi(like: Scalar = 0.0) -> Scalar:
-    """The number pi in the kind of ``like``: with all digits of an mpf, as a symbol for an
-    expression.
+    """The number pi in the kind of ``like``: with all digits of an mpf; for an expression a symbol.
 
     >>> pi(1.0)
     3.141592653589793
@@ -531,11 +530,11 @@ def radians(degrees: Scalar) -> Scalar:
 
 
 def is_numeric(x: Scalar) -> bool:
-    """True if ``x`` has a value that can be compared: float, array, mpf, but not an expression or a
-    dimension.
+    """True if ``x`` has a value that can be compared; not for an expression or a dimension.
 
-    >>> is_numeric(1.0), is_numeric(ZERO)
-    (True, True)
+    >>> from newton_euler import Dimension
+    >>> is_numeric(1.0), is_numeric(Dimension(1))
+    (True, False)
     """
     if type(x) is float:
         return True
@@ -551,21 +550,12 @@ def is_numeric(x: Scalar) -> bool:
 
 
 def is_expression(x: Scalar) -> bool:
-    """True of an expression with symbols: no number, and no kind of the engine's own.
-
-    >>> is_expression(1.0), is_expression(ZERO)
-    (False, False)
-    """
+    """True of an expression with symbols: no number, and no kind of the engine's own."""
     return not is_numeric(x) and not isinstance(x, _Own)
 
 
 def promote(*values):
-    """The values, each with all the digits and instants of the others: if one is an mpf or an
-    array, all are. Traced values and expressions are unchanged.
-
-    >>> promote(1, 2.5)
-    (1.0, 2.5)
-    """
+    """The values, each with the digits and instants of the others; others stay."""
     values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
         return values
@@ -574,18 +564,12 @@ def promote(*values):
 
 
 def is_comparable(x):
-    """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced.
-
-    >>> from newton_euler import Dimension
-    >>> is_comparable(1.0), is_comparable(Dimension(1))
-    (True, False)
-    """
+    """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced."""
     return is_numeric(x) or hasattr(x, "where")
 
 
 def is_zero(x: Scalar) -> bool:
-    """True if ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if all
-    of it is).
+    """True if ``x`` is certainly zero: structurally, or a number (all of an array) equal to 0.
 
     >>> is_zero(0.0), is_zero(ZERO), is_zero(1e-300)
     (True, True, False)
@@ -617,21 +601,15 @@ def is_finite(x):
 
 
 def max_abs(x):
-    """The largest absolute value in ``x``, as a float, to be compared with a tolerance.
-
-    >>> max_abs(-3.0), max_abs(ZERO)
-    (3.0, 0.0)
-    """
+    """The largest absolute value in ``x``, as a float, to be compared with a tolerance."""
     largest = abs(without_rates(x))
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
 
 
 def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     """``a`` where the condition holds, else ``b``; instant by instant for an array of conditions.
-
-    For numbers, traced values and dimensions, which can be compared; expressions cannot. Both are
-    computed before one is chosen: a divisor that is zero where the quotient is not chosen must be
-    replaced first.
+    For numbers, traced values and dimensions, not expressions. Both are computed before one is
+    chosen: a divisor that is zero where the quotient is not chosen must be replaced first.
 
     >>> where(2.0 > 1.0, "larger", "smaller")
     'larger'
@@ -656,36 +634,19 @@ def anywhere(condition):
 
 
 def epsilon(like=0.0):
-    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or that of the working
-    precision of mpmath.
-
-    >>> epsilon(1.0) == 2.0**-52
-    True
-    """
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or mpmath's."""
     library = library_of((like,))
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
 def unit_roundoff(values):
-    """The largest relative round-off among numbers of several kinds; integers and fractions have
-    none.
-
-    >>> unit_roundoff([1, 2.0]) == 2.0**-52
-    True
-    """
-    return max(
-        (
-            epsilon(x)
-            for x in values
-            if x is not ZERO and _root(type(x)) != "fractions" and type(x) is not int
-        ),
-        default=epsilon(),
-    )
+    """The largest relative round-off among numbers of several kinds; integers have none."""
+    rounded = (x for x in values if x is not ZERO and type(x) not in (int, Fraction))
+    return max(map(epsilon, rounded), default=epsilon())
 
 
 def with_extra_digits(f, *values):
-    """``f(*values)`` of numbers taken as exact, computed with four times their digits or more and
-    rounded once: for differences in which the digits cancel.
+    """``f(*values)`` of numbers taken as exact, with four times their digits or more, rounded once.
 
     >>> (1 + 1e-20) - 1, with_extra_digits(lambda x: (1 + x) - 1, 1e-20)
     (0.0, 1e-20)
@@ -704,9 +665,9 @@ def with_extra_digits(f, *values):
 
 
 def probe(x):
-    """A number for ``x``, which tells whether ``x`` vanishes without simplifying it: a float, array
-    or mpf itself; of a SymPy or SymEngine expression its value where every symbol (and function,
-    and derivative) has a number of its own between 0.2 and 0.9; None if there is no value.
+    """A number that tells whether ``x`` vanishes without simplifying it: a float, array or mpf
+    itself; of a SymPy or SymEngine expression its value where every symbol (and function, and
+    derivative) has a number of its own between 0.2 and 0.9; None if there is no value.
 
     >>> probe(2.0), probe(ZERO)
     (2.0, 0)
@@ -727,9 +688,7 @@ def probe(x):
 
 
 def _inside_out(x, known):
-    """The value of a SymPy expression to 40 digits, each part computed once; the time of evalf
-    grows exponentially with the depth where sums cancel.
-    """
+    """The value of a SymPy expression to 40 digits, each part once; evalf may take very long."""
     if x not in known:
         value = x.func(*(_inside_out(a, known) for a in x.args)) if x.args else x
         known[x] = value if value.is_Rational else value.evalf(40)
@@ -737,8 +696,6 @@ def _inside_out(x, known):
 
 
 def min_abs(x):
-    """The smallest absolute value in ``x``, as a float: that of a divisor where it is nearest to
-    zero.
-    """
+    """The smallest absolute value in ``x``, as a float: that of a divisor nearest to zero."""
     smallest = abs(without_rates(x))
     return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)

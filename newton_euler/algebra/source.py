@@ -1,13 +1,11 @@
 """Traced steps as Python source: lines in order, each step that is used only once written inside
-its user.
-
-On floats, what only one side of a choice needs stands under an ``if``; arrays and heyoka compute
-both sides.
+its user. On floats, what only one side of a choice needs stands under an ``if``.
 """
 
 import math
 import operator
 from itertools import takewhile
+from typing import Any
 
 from .integrals import integrals, over_cube
 from .roots import root
@@ -16,14 +14,14 @@ from .trace import COMPARISONS, Step
 
 # operations on a formula inside the formula
 WITHIN = "integral", "over_cube", "root"
+WITHOUT_HEYOKA = {*WITHIN, "table"}
 # names in the text that no argument can have
 RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where", *WITHIN}
 
 
 def generate(trace, names, outputs, lazy):
-    """The text of a function ``formula`` of the arguments ``names`` that returns the outputs; its
-    constants that have no literal, by name; and the number of its operations. In a lazy text, steps
-    that only one side of a choice needs stand under an ``if``.
+    """The text of a function ``formula`` of the arguments ``names`` that returns the outputs, lazy
+    or not; its constants that have no literal, by name; and the number of its operations.
     """
     used = uses(trace, outputs)
     steps = [s for s in trace.steps if s.number in used]
@@ -71,9 +69,7 @@ def uses(trace, outputs):
 
 
 def _branches(steps, outputs):
-    """For each step the branches that alone need it, outermost first: pairs of the number of a
-    condition computed before the step, and True or False.
-    """
+    """For each step the branches that alone need it, outermost first: pairs (condition, value)."""
     branches = {o.number: () for o in outputs if isinstance(o, Step)}
     for s in reversed(steps):
         own = branches[s.number]
@@ -113,6 +109,8 @@ def _written(op, args, lazy):
         return f"{args[0]} {op} {args[1]}"
     if op == "neg":
         return f"-{args[0]}"
+    if op == "table":
+        return f"{args[1]}({args[0]})"
     if op == "item":  # of the values of a formula inside this one
         return f"{args[0]}[{args[1].strip('()')}]"
     if lazy and op == "where":
@@ -120,6 +118,16 @@ def _written(op, args, lazy):
     if lazy and op in COMPARISONS:
         return f"{args[0]} {COMPARISONS[op]} {args[1]}"
     return op if op == "pi" else f"{op}({', '.join(args)})"
+
+
+def operations(library: Any) -> dict[str, Any]:
+    """The function of each operation of a trace, over math or NumPy."""
+    functions = {n: getattr(library, n) for n in (*FUNCTIONS, "atan2") if hasattr(library, n)}
+    return {
+        "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+        "**": operator.pow, "pow": operator.pow, "neg": operator.neg, "abs": abs,
+        "item": operator.getitem, "pi": lambda: library.pi, **functions, **runtime_names(library),
+    }  # fmt: skip
 
 
 def _integral(formula, start, end, *outer):

@@ -1,8 +1,5 @@
-"""Traced scalars: each operation on them is recorded as a step; equal steps are one, so that common
-subexpressions are shared.
-
-A step has no value, so a formula that is traced cannot branch on one; it chooses by
-:func:`newton_euler.algebra.scalars.where`, which is a step too.
+"""Traced scalars: each operation on them is recorded as a step; equal steps are one. A formula that
+is traced cannot branch on a value; it chooses by :func:`newton_euler.algebra.scalars.where`.
 """
 
 import threading
@@ -135,6 +132,10 @@ class Step(_Own):
         """The step of :func:`newton_euler.algebra.roots.root`."""
         return _inner("root", lambda x: (f(x),), (low, high), (f((low + high) / 2),))[0]
 
+    def _of_table(self, table):
+        """The step of the value of a :class:`~newton_euler.algebra.tables.Table` here."""
+        return self.trace.step("table", self, table)
+
     def _no_value(self, *_):
         raise ScalarError(NO_VALUE)
 
@@ -158,10 +159,8 @@ def _is(x, number):
 
 
 class Trace:
-    """The steps of one formula, in order; ``known`` finds equal ones.
-
-    outer : the trace of the formula around it, of a formula that is integrated; ``captured`` are
-        the outer steps that it reads, as arguments of its own, by their numbers
+    """The steps of one formula, in order; ``known`` finds equal ones. Of a formula that is
+    integrated, ``outer`` is the trace of that around it, and ``captured`` the outer steps it reads.
     """
 
     def __init__(self, outer=None):
@@ -214,7 +213,7 @@ class Trace:
                     "as an argument"
                 )
             return "#", a.number
-        if isinstance(a, Inner):
+        if hasattr(a, "key"):  # a formula inside this one, or a table
             return a.key()
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
@@ -225,13 +224,9 @@ class Trace:
         return type(a), repr(a) if isinstance(a, float) else a
 
 
-# -- formulas inside a formula
-
-
 class Inner:
     """The formula that is integrated, or whose root is taken, as a constant of the formula around
-    it. It runs as often as the rule asks for it; what it reads of the outer steps it is handed as
-    arguments, so that they are computed once.
+    it. What it reads of the outer steps, computed once, it is handed as arguments.
     """
 
     def __init__(self, parameters, trace, leaves):
@@ -256,9 +251,7 @@ _open = _Open()
 
 
 def _inner(op, f, limits, sample, names=("x",)):
-    """The steps of ``op`` ("integral", "over_cube" or "root") of the function ``f``, which returns
-    a tuple of scalars, within limits; one for each scalar that comes out.
-    """
+    """The steps of ``op`` ("integral", "over_cube", "root") of ``f``, one for each scalar."""
     traces = [x.trace for x in (*limits, *sample) if isinstance(x, Step)]
     # f may use a value of the formula that is being traced, though what it returns does not
     traces += [t for t in _open.traces if traces[0] in t.around()]

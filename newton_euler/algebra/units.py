@@ -1,8 +1,7 @@
 """Dimensions, and units by name with exact factors to the coherent base kg, m, s, rad.
 
 ``Unit("rev/min")`` or ``Unit("slug*ft^2")``: names joined by ``*`` and ``/``, powers by ``^``.
-``lb`` is the pound of force, ``slug`` the mass that it accelerates at 1 ft/s^2; angles are pure
-numbers.
+``lb`` is the pound of force, ``slug`` what it accelerates at 1 ft/s^2; angles are pure.
 """
 
 import re
@@ -27,17 +26,13 @@ from .scalars import (
 
 
 class DimensionError(ScalarError):
-    """Quantities of different dimension are added, or a function is taken of one that is not a pure
-    number.
-    """
+    """Different dimensions are added, or a function is taken of one that is not a pure number."""
 
 
 class Dimension(_Own):
-    """The powers of mass, length and time in a quantity, as a scalar without a value.
-
-    Angles, and numbers written in a formula, are pure. Adding unlike dimensions raises
-    :class:`DimensionError`, so one run of a formula on dimensions proves its units. They can be
-    compared within ``where``, which then has one dimension whichever value is chosen.
+    """The powers of mass, length and time in a quantity, as a scalar without a value. Angles, and
+    numbers written in a formula, are pure. Adding unlike dimensions raises :class:`DimensionError`,
+    so one run of a formula on dimensions proves its units.
 
     >>> length, time = Dimension(0, 1, 0), Dimension(0, 0, 1)
     >>> length/time**2 + 2*length/time**2
@@ -59,6 +54,19 @@ class Dimension(_Own):
     def __repr__(self):
         named = [f"{n}^{p}" for n, p in zip("MLT", self.powers, strict=True) if p]
         return f"Dimension({' '.join(named) or '1'})"
+
+    def __str__(self):
+        """In SI units, "kg m/s^2"; of a pure number in words."""
+        named = [f"{u}^{p}".removesuffix("^1") for u, p in self._units if p > 0]
+        below = [f"{u}^{-p}".removesuffix("^1") for u, p in self._units if p < 0]
+        if not named and not below:
+            return "a pure number"
+        over = f"({' '.join(below)})" if len(below) > 1 else "".join(below)
+        return (" ".join(named) or "1") + (f"/{over}" if over else "")
+
+    @property
+    def _units(self):
+        return zip(("kg", "m", "s"), self.powers, strict=True)
 
     def __eq__(self, other):
         return isinstance(other, Dimension) and self.powers == other.powers
@@ -127,9 +135,7 @@ class Dimension(_Own):
         return Dimension(*(a * power for a in self.powers))
 
     def _integrals(self, f, start, end):
-        """The dimensions of the integrals of a tuple of scalars, see
-        :func:`newton_euler.algebra.integrals.integral`.
-        """
+        """The dimensions of the integrals of a tuple of scalars, for :func:`.integral`."""
         width = end - start  # of one dimension, or this raises
         return tuple(y * width for y in f(start + width))
 
@@ -144,9 +150,7 @@ class Dimension(_Own):
         return _as_dimension(either)
 
     def function(self, name: str, *args: Scalar) -> "Dimension":
-        """The dimension of this function of a pure number; of a square root, and an angle by atan2,
-        also of others.
-        """
+        """The dimension of a function of a pure number; of sqrt and atan2 also of others."""
         if not isinstance(name, str):
             raise DimensionError(f"a function is named by a text, as 'sqrt'; got {clipped(name)}")
         if name == "sqrt":
@@ -155,15 +159,13 @@ class Dimension(_Own):
             _ = args[0] + args[1]  # of one dimension, or this raises
         elif any(self.powers):
             raise DimensionError(
-                f"{name} of a quantity with {self}: its argument must be a pure number"
+                f"{name} of a quantity in {self}: its argument must be a pure number"
             )
         return Dimension()
 
 
 class Compared(_Own):
-    """What comparing dimensions gives: not known to hold or not, so that :func:`where` checks that
-    both of its values have one dimension.
-    """
+    """Comparing dimensions is neither true nor false: :func:`where` checks both its values."""
 
     __slots__ = ()
 
@@ -219,6 +221,10 @@ UNITS = {
 }  # fmt: skip
 
 
+_FEET = {"in", "ft", "mi", "slug", "lb", "oz"}
+_ANGLES = {"rad", "deg", "rev"}
+
+
 class UnitError(NewtonEulerError, ValueError):
     """A unit is not known, or not written as names joined by ``*`` and ``/``."""
 
@@ -255,15 +261,14 @@ def _size(system, dimension):
 class Unit:
     """A unit, with its exact factor (a fraction times a power of pi) and its dimension.
 
-    >>> Unit("rev/min").to_base(60.0) == 2*pi()
-    True
-    >>> Unit("mm").from_base(0.25)
-    250.0
+    >>> Unit("rev/min").to_base(60.0) == 2*pi(), Unit("mm").from_base(0.25)
+    (True, 250.0)
     """
 
     def __init__(self, text):
         self.text = text
         self.factor, self.pi_power, self.dimension = Fraction(1), 0, Dimension()
+        self.parts = tuple(name for name, _ in _parts(text))
         for name, power in _parts(text):
             if name not in UNITS:
                 raise UnitError(f"unknown unit {name!r} in {text!r}; known are {', '.join(UNITS)}")
@@ -275,16 +280,27 @@ class Unit:
     def __repr__(self):
         return f"Unit({self.text!r})"
 
+    @property
+    def is_of_turning(self) -> bool:
+        """True of degrees and revolutions, and of rates in them: their factors have pi in them."""
+        return self.pi_power != 0
+
+    @property
+    def is_of_angle(self) -> bool:
+        """True of an angle, as opposed to a rate of it or a pure number."""
+        return len(self.parts) == 1 and not _ANGLES.isdisjoint(self.parts)
+
+    @property
+    def is_of_feet(self) -> bool:
+        """True if a part of it is one of the units of feet and pounds."""
+        return not _FEET.isdisjoint(self.parts)
+
     def to_base(self, x: Scalar, system: System = SI) -> Scalar:
-        """The quantity of ``x`` such units, in kg, m, s and rad, or in the units of another
-        coherent system; ``x`` a scalar of any kind or a Vector.
-        """
+        """The quantity of ``x`` (a scalar or a Vector) such units, in the units of ``system``."""
         return self._scaled(x, self.factor / _size(system, self.dimension), self.pi_power)
 
     def from_base(self, x: Scalar, system: System = SI) -> Scalar:
-        """The number of such units in the quantity ``x``, which is in kg, m, s and rad, or in the
-        units of another coherent system; ``x`` a scalar of any kind or a Vector.
-        """
+        """The reverse of :meth:`to_base`: the number of such units in the quantity ``x``."""
         return self._scaled(x, _size(system, self.dimension) / self.factor, -self.pi_power)
 
     @staticmethod
@@ -341,8 +357,6 @@ def _parts(text):
             continue
         match = re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d+))?", token)
         if not match:
-            raise UnitError(
-                f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s'"
-            )
+            raise UnitError(f"cannot read the unit {text!r} at {token!r}; write it as 'kg*m^2/s'")
         parts.append((match[1], sign * int(match[2] or 1)))
     return parts

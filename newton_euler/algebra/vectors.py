@@ -1,9 +1,9 @@
 """Vectors: three components in a frame (Appendix A of the book).
 
-A :class:`Vector` belongs to a frame but to no origin. Vectors of two frames can be added and
-multiplied: the result is expressed in the frame of the left one. A vector that theory writes as a
-sum keeps its terms by name (``a.terms``, ``a.explain()``). A vector that was made from moving
-quantities has a time derivative (``a.rate(observer)``).
+A :class:`Vector` belongs to a frame but to no origin; the result of an operation is expressed in
+the frame of the left one. A vector that theory writes as a sum keeps its terms by name
+(``a.terms``, ``a.explain()``); one made from moving quantities has a time derivative
+(``a.rate(observer)``).
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -102,11 +102,8 @@ def scale3(s, a):
 
 
 class Vector(Scaled, NamedTerms):
-    """A vector with components (x, y, z) along the axes of ``frame``. Make one with
-    ``frame.vector(x, y, z)``.
-
-    ``a + b, a - b, 2*a, a/2, -a`` and the methods :meth:`dot` (A.11), :meth:`cross` (A.13) work
-    over scalars of every kind.
+    """A vector with components (x, y, z), of every kind, along the axes of ``frame``; made by
+    ``frame.vector(x, y, z)``. ``a + b, a - b, 2*a, a/2, -a``, ``dot`` (A.11), ``cross`` (A.13).
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -162,9 +159,8 @@ class Vector(Scaled, NamedTerms):
 
     # without __hash__: vectors that are equal up to round-off would need one hash for all
     def __eq__(self, other):
-        """True for the same vector, in whichever frame it is expressed: for the same components, or
-        up to round-off as :func:`same` says; False where no frame is common, or where shapes of
-        arrays or kinds of numbers cannot be compared.
+        """True for the same vector, in whichever frame it is expressed, up to round-off as
+        :func:`same` says; False where no frame is common, or where it cannot be known.
         """
         if not isinstance(other, Vector):
             return NotImplemented
@@ -183,15 +179,11 @@ class Vector(Scaled, NamedTerms):
         return self.norm()
 
     def components(self, frame: Frame = None) -> tuple:
-        """The three components along the axes of ``frame`` (default: the frame it is expressed in),
-        as a tuple.
-        """
+        """The three components along the axes of ``frame`` (default: that it is expressed in)."""
         return tuple(map(to_plain, self.c if frame is None else self.expressed_in(frame).c))
 
     def expressed_in(self, frame: Frame) -> "Vector":
-        """The same vector with its components along the axes of ``frame``, with its terms and its
-        rate.
-        """
+        """The same vector, with its terms and its rate, along the axes of ``frame``."""
         if frame is self.frame:
             return self
         c = self.frame.transform(self.c, frame)
@@ -210,15 +202,12 @@ class Vector(Scaled, NamedTerms):
         return self.rounded(NOISE * max((max_abs(x) for x in self.c if is_numeric(x)), default=0.0))
 
     def cleared(self) -> "Vector":
-        """The vector without the components that are expressions and vanish whatever their symbols
-        are; its terms stay.
-        """
+        """The vector without components that vanish whatever their symbols are; its terms stay."""
         c = tuple(ZERO if is_expression(x) and probe(x) == 0 else x for x in self.c)
         return Vector(c, self.frame, self._own_rate, self._ledger)
 
     def to_array(self) -> "np.ndarray":
-        """The components as a NumPy array of shape (3,), or (3, N) where they are arrays of N
-        instants.
+        """The components as a NumPy array of shape (3,), or (3, N) where they are arrays.
 
         >>> from newton_euler import Frame
         >>> Frame("ground").vector(1.0, 2.0, 0).to_array()
@@ -336,8 +325,7 @@ class Vector(Scaled, NamedTerms):
         return self / length
 
     def angle_to(self, other: "Vector") -> Scalar:
-        """The angle between two vectors in rad, in [0, pi]. Raises :class:`FrameError` for zero
-        vectors.
+        """The angle between two vectors in rad, in [0, pi]; :class:`FrameError` for zero vectors.
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground")
@@ -363,10 +351,8 @@ class Vector(Scaled, NamedTerms):
 
     def rate(self, observer: Frame = None) -> "Vector":
         """Its time derivative seen from the frame ``observer``: the basic kinematic equation
-        (4.15), (4.27).
-
-        terms: ``relative``, the rate seen in its own frame, and ``rotation``, omega x Q. Raises
-        :class:`FrameError` without an observer, or if the vector is known at the instant only.
+        (4.15), (4.27); terms ``relative``, the rate seen in its own frame, and ``rotation``, omega
+        x Q. :class:`FrameError` without an observer, or if the vector is known at the instant only.
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -396,9 +382,7 @@ class Vector(Scaled, NamedTerms):
 
     @property
     def equation(self) -> Equation | None:
-        """The :class:`~newton_euler.algebra.ledger.Equation` of its named terms; None for a vector
-        that is not known as a sum.
-        """
+        """The :class:`~newton_euler.algebra.ledger.Equation` of its named terms; None without."""
         return self._ledger and self._ledger.equation
 
     @property
@@ -421,20 +405,15 @@ class Vector(Scaled, NamedTerms):
         return Vector(self.c, self.frame, self._own_rate, ledger)
 
     def explain(self, unit: str = "") -> Explanation:
-        """The equation of its terms with the number in the book, and the value of each term: an
-        :class:`Explanation`, which prints as text and shows as a formula in Jupyter.
-
-        unit : written behind the values
+        """The equation of its terms with the number in the book, and the value of each, in this
+        ``unit``: an :class:`Explanation`, which prints as text and shows as a formula in Jupyter.
         """
         if not self._ledger:
-            raise FrameError(
-                f"{self} was not computed as a named sum, as velocities and accelerations are"
-            )
+            raise FrameError(f"{self} was not computed as a named sum, as velocities are")
         return Explanation(self, self._ledger, unit)
 
     def reweighted(self, /, **factors: Scalar) -> "Vector":
-        """The sum of its terms, each times the factor named for it (others once): the result of a
-        model with these terms left out or weighted.
+        """The sum of its terms, each times the factor named for it (others once).
 
         >>> from newton_euler import Frame, moving
         >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -517,10 +496,7 @@ def named_sum(
     terms: Mapping[str, Vector] | Iterable[tuple[str, Vector]],
     frame: Frame,
 ) -> Vector:
-    """The Vector in ``frame`` that is the sum of these terms, and keeps them by name.
-
-    terms : a dict, or pairs (name, Vector), of which several may have the same name
-    """
+    """The Vector in ``frame`` that is the sum of these terms, which it keeps by name."""
     parts = Terms(terms)
     ledger = Ledger(kind, subject, lambda: parts.mapped(lambda v: v.expressed_in(frame)))
     return Vector(sum3(v.expressed_in(frame).c for v in parts.values()), frame, None, ledger)
@@ -544,8 +520,6 @@ def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:
 
 
 def _size(v):
-    """The sum of the sizes of the components, which neither overflows nor underflows as squares
-    do; None where one has no value.
-    """
+    """The sum of the sizes of the components, which neither over- nor underflows; or None."""
     values = [probe(scalar(x)) for x in v.c]
     return None if any(x is None for x in values) else sum(abs(x) for x in values)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from .tolerance import NEARLY
 
 OR = "; or one that "  # between causes that give the same numbers
+WORDS = 30  # of a diagnosis that is read
 ORDINALS = ("first", "second", "third")
 
 
@@ -17,27 +18,38 @@ class Cause:
     worded.
 
     group : listed (a mistake of the problem's own list), omitted or term, unit, axes or turned (of
-        another frame), rate, book, exchanged, factor, slip, both (two listed ones at once), follows
-        (from an earlier answer), seen (a remark, where nothing explains it)
+        another frame), rate, book, exchanged, factor, slip, computed (a slip in one step), sequel
+        (the same in going on from earlier answers), both (two listed ones at once), follows (from
+        an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text : its words
+    text : its words. where : the place in the book where to read on
     """
 
     group: str
     name: str
     text: str = field(compare=False)
+    where: str = field(default="", compare=False)
 
     @property
     def is_observation(self) -> bool:
         """True of a remark on an answer that no mistake explains."""
         return self.group == "seen"
 
+    def at(self, where: str) -> "Cause":
+        """The same cause with the place where to read on."""
+        return replace(self, where=where)
+
+    def after(self, wrong: Sequence[str]) -> "Cause":
+        """The same slip in going on from earlier answers, of which these are wrong."""
+        goes_on = f"goes on from your {' and '.join(wrong)}, but " if wrong else ""
+        return replace(self, group="sequel", text=goes_on + self.text)
+
     @property
     def shows_everywhere(self) -> bool:
         """True of a mistake that is made once for the whole problem; a term can be left out, and
         axes confused, in one part alone.
         """
-        return self.group in ("listed", "unit", "book")
+        return self.group in ("listed", "unit", "book", "computed")
 
     @property
     def adds_to_others(self) -> bool:
@@ -49,8 +61,16 @@ class Cause:
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
-    """The words of all causes that give the same numbers; None if there are none."""
-    return OR.join(dict.fromkeys(c.text for c in causes)) or None
+    """The words of the causes that give the same numbers, as many as can be read at once; None if
+    there are none.
+    """
+    words = {c.text: c.where for c in reversed([*causes])}
+    first, *others = reversed(words) if words else [""]
+    see = f" (see {words[first]})" if words and words[first] else ""
+    for other in others:
+        if len((longer := first + OR + other).split()) + len(see.split()) <= WORDS:
+            first = longer
+    return first + see or None
 
 
 def slip(name: str, text: str) -> Cause:
@@ -158,9 +178,14 @@ CORIOLIS_HALVED = Cause("term", "coriolis / 2", "writes the Coriolis term withou
 
 
 def unconverted(given: str, unit: str) -> Cause:
-    """A given in degrees or revolutions is used with its number."""
-    text = f"uses {given} in {unit} as if it were in radians (and seconds)"
+    """A given is used with its number in another unit than the rest."""
+    text = f"uses {given} in {unit} without converting it"
     return Cause("unit", given, text)
+
+
+def computed(name: str, text: str) -> Cause:
+    """A slip in one step of the computation; ``name`` says in which, and which slip."""
+    return Cause("computed", name, text)
 
 
 def other_axes(place: int, frame: str) -> Cause:

@@ -9,7 +9,7 @@ from .messages import AnswerError
 
 @dataclass(frozen=True)
 class Form:
-    """The kind of one answer (a :class:`~.kinds.Kind` or its name), its unit, and for a choice the
+    """The kind of one answer (a :class:`~.kinds.Kind` or its name), its unit, and of a choice the
     words.
 
     >>> Form.read("vector, mm/s")

@@ -1,9 +1,9 @@
 """Which of the components of a vector counts that came along the axes of several frames.
 
-A Vector says in which frame its components are, and a student may make any frames. If any of its
-components that are right earned the points, frames turned by half a turn would be four guesses in
-one answer. One vector is one guess: its components in the ground are the answer, as its frames
-convert them. Those in another frame are where the rest is the same right vector along other axes.
+A student may make any frames. If any components that are right earned the points, frames turned by
+half a turn would be four guesses in one answer. One vector is one guess: its components in the
+ground are the answer, as its frames convert them; those in another frame are where the rest is the
+same right vector along other axes.
 """
 
 from collections.abc import Iterable, Sequence
@@ -41,9 +41,9 @@ def counted(
 
 
 def _is_one_guess(readings, right, key, asked, axes):
-    """True if all that is not the key is the right vector along axes that the problem has; where it
-    does not say how its axes lie in the ground, the student may have chosen the axes of the ground,
-    and of those between it and a frame of their own in which the vector is right.
+    """True if all that is not the key is the right vector along axes that the problem has, or,
+    where it does not say how its axes lie in the ground, the student may have chosen those of the
+    ground.
     """
     free = not axes or 0 in axes  # else the axes are those of the ground
     return all(

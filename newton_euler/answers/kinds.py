@@ -1,7 +1,5 @@
-"""The kinds of answers: one class each, found by its name in :data:`KINDS`.
-
-A kind says how an answer is read, compared with the key, worded, typeset, drawn with other numbers
-and hinted at. Everything else asks it, so that a new kind is a class here.
+"""The kinds of answers, a class each, by name in :data:`KINDS`: how an answer is read, compared
+with the key, worded, typeset, drawn with other numbers and hinted at. A new kind is a class here.
 """
 
 import math
@@ -26,10 +24,9 @@ FRAMES = 4  # in which a vector is read: its own, the ground, and two between
 
 
 class Kind:
-    """A kind of answer; what it says here holds for answers that are numbers.
-
-    An answer to be compared is a tuple of points, and a point a tuple of components: numbers have
-    one point, formulas one for each place at which they are compared.
+    """A kind of answer; what it says here holds for answers that are numbers. An answer to be
+    compared is a tuple of points (one for each place at which formulas are compared), a point of
+    components.
     """
 
     name: ClassVar[str]
@@ -62,9 +59,8 @@ class Kind:
 
     def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> Any:
         """The JSON of an answer that a student computed by any library: a number, a formula tree,
-        or a list of them. Raises :class:`~.messages.AnswerError`.
-
-        symbols : {name: unit} of formulas; budget : the operations that may still be read
+        or a list of them. Raises :class:`~.messages.AnswerError`. ``symbols``: {name: unit} of
+        formulas; ``budget``: the operations that may still be read.
         """
         return self._read(components(value, form), value, form, symbols, budget)
 
@@ -193,8 +189,7 @@ class VectorKind(Kind):
 
     def _in_frames(self, vector, form, symbols, budget):
         """The components of a vector in its own frame, in the ground, and in frames between these,
-        {name of the frame: tree}: it is the same vector, and which axes the problem means is not
-        known here.
+        {name of the frame: tree}: which axes the problem means is not known here.
         """
         found, faults = {}, []
         for frame in _chain(vector.frame):
@@ -441,9 +436,16 @@ class Choice(_Word):
     has_options = True
 
     def read(self, value, form, symbols, budget):
-        if value not in form.of:
+        """The word of the list that is meant: capitals and blanks say nothing."""
+        found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
+        given = str(value) if isinstance(value, str) else ""
+        if not (word := found.get(given) or found.get(_plain(given))):
             raise form.error(f"got {str(value)[:80]!r}")
-        return value
+        return word
+
+
+def _plain(word):
+    return " ".join(word.casefold().split())
 
 
 KINDS: dict[str, Kind] = {

@@ -143,9 +143,8 @@ _WRITTEN_OUT = re.compile(
 def typeset_names(text, symbols):
     r"""A plain text with the names that it writes out as formulas: Greek letters, names with an
     index, sums and equations of names, cross products. What is in braces, dollar signs or
-    backquotes stays.
-
-    symbols : {name: LaTeX} of those that are not written as :func:`symbol` says
+    backquotes stays. ``symbols``: {name: LaTeX} of those that are not written as :func:`symbol`
+    says.
 
     >>> print(typeset_names("the rate of beta, 2 omega x v_r, {omega}; I_xx - I_yy = 0", {}))
     the rate of $\beta$, $2 \boldsymbol{\omega} \times \mathbf{v}_r$, {omega}; $I_{xx} - I_{yy} = 0$
@@ -169,10 +168,8 @@ _SUM, _PRODUCT, _POWER = 1, 2, 3  # how tightly what is written holds together
 
 
 def formula(tree, symbols):
-    r"""The LaTeX of a formula tree (see :mod:`.formula_trees`), of a list of them, or of components
-    in several frames.
-
-    symbols : {name: LaTeX} of those that are not written as :func:`symbol` says
+    r"""The LaTeX of a formula tree, of a list of them, or of components in several frames;
+    ``symbols`` as for :func:`typeset_names`.
 
     >>> formula(["*", 2, "r", ["^", "omega", 2]], {})
     '2 r \\omega^{2}'

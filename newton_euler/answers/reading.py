@@ -1,7 +1,6 @@
-"""Reads the components of an answer out of the JSON of a receipt. Whatever it holds, this takes a
-bounded time, and what is no answer raises :class:`TreeError`.
-
-The bounds count operations and not seconds, so that a receipt earns the same on every machine.
+"""Reads the components of an answer out of the JSON of a receipt, in a bounded time: the bounds
+count operations, not seconds, to be the same on every machine. What is no answer raises
+:class:`TreeError`.
 """
 
 import math
@@ -11,6 +10,7 @@ from typing import Any
 from .tolerance import ONE_VECTOR, Points
 from .trees import TreeError, check_size, evaluate
 
+_NOISE = 1e-9  # relative: an imaginary part so small is round-off
 Budget = list[int]  # of one number: the operations that may still be read
 
 
@@ -28,10 +28,7 @@ def _finite(x):
 
 
 def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -> Points:
-    """The values of formula trees at each of the points of the symbols.
-
-    symbols : {name: array of the points at which formulas are compared}
-    """
+    """The values of formula trees at each of the points, ``symbols``: {name: array}."""
     import numpy as np
 
     for part in trees:
@@ -39,7 +36,7 @@ def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -
     count = max((len(v) for v in symbols.values()), default=1)
     try:
         with np.errstate(all="ignore"):
-            rows = [_real(evaluate(t, symbols), count) for t in trees]
+            rows = [_values(t, symbols, count) for t in trees]
     except TreeError:
         raise
     # numbers, arrays and complex ones meet in every operation here, and each library refuses some
@@ -49,12 +46,27 @@ def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -
     return tuple(zip(*rows, strict=True))
 
 
+def _values(tree, symbols, count):
+    """The values of a formula. Where it is not real, it is computed with complex numbers: the
+    logarithm of a negative number may stand inside a square.
+    """
+    import numpy as np
+
+    found = _real(evaluate(tree, symbols), count)
+    if not any(map(math.isnan, found)):
+        return found
+    wide = evaluate(tree, {n: np.asarray(x, dtype=complex) for n, x in symbols.items()})
+    wide = np.broadcast_to(np.asarray(wide), (count,))
+    real = np.abs(wide.imag) <= _NOISE * np.abs(wide)
+    return np.where(np.isnan(found) & real, wide.real, found).tolist()
+
+
 def _real(x, count):
     import numpy as np
 
     x = np.broadcast_to(np.asarray(x), (count,))
     if x.dtype.kind == "c":  # NumPy would drop the imaginary part with a warning
-        if not (np.abs(x.imag) <= 1e-9 * np.abs(x).max()).all():
+        if not (np.abs(x.imag) <= _NOISE * np.abs(x).max()).all():
             raise TreeError("it gives complex numbers: a root of a negative number")
         x = x.real
     return x.astype(float).tolist()

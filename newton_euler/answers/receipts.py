@@ -1,8 +1,6 @@
 """The functions ``expect`` and ``receipt`` of a student's notebook: what a problem asks for, and a
-check and a record of the *form* of the answers.
-
-The form is kind, shape, finite numbers, known symbols, and for formulas the dimension. The record
-is JSON: numbers, or trees of a few operators. Neither function holds or needs the key.
+check and a record of the *form* of the answers (kind, shape, finite numbers, known symbols, the
+dimension of formulas), as JSON. Neither function holds or needs the key.
 """
 
 import json
@@ -13,11 +11,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
+from .checks import Check, check
 from .forms import AnswerError, Form
-from .givens import in_notebook, seals, stale
+from .givens import in_notebook, outdated, seals, stale
 from .notation import formula, is_word, symbol, unit_symbol
 from .sanity import doubts
-from .seals import opens
 from .trees import NODES, dimension_hints, in_words
 
 _expected: dict = {}
@@ -34,11 +32,10 @@ def expect(
 ) -> None:
     """Announce what ``problem`` asks for, each answer by its form.
 
-    symbols : maps the symbols of formulas to their units
-    notation : maps names to LaTeX, where :func:`~newton_euler.answers.notation.symbol` would
-        print another symbol
-    sane : maps answers to what any answer must be: ``(low, high)`` for its size, or "kinetic
-        energy"; a receipt warns of one that is not
+    symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where
+        :func:`~newton_euler.answers.notation.symbol` would print another symbol
+    sane : maps answers to what any answer must be, see :func:`~newton_euler.answers.sanity.doubts`;
+        a receipt warns of one that is not
 
     >>> expect("0/1", v="vector, mm/s")
     >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
@@ -49,14 +46,11 @@ def expect(
 
 @checked
 def receipt(problem: str, names: Mapping | None = None, /, **answers: object) -> "Receipt":
-    """A :class:`Receipt` that shows how each answer to ``problem`` was read. The answers are kept
-    as one JSON record; None stands for an answer that is not given yet.
+    """A :class:`Receipt` that shows how each answer to ``problem`` was read; None stands for an
+    answer that is not given yet. Raises :class:`AnswerError`, which names every answer that cannot
+    be read; under nbgrader's Validate also where answers are open.
 
-    names : where answers are looked up that are not passed, as ``globals()``; what is not there is
-        not given yet
-
-    Raises :class:`AnswerError`, which names every answer that cannot be read; under nbgrader's
-    Validate also where answers are open.
+    names : where answers are looked up that are not passed, as ``globals()``
 
     >>> expect("0/1", v="vector, mm/s")
     >>> receipt("0/1", v=[1, 2.5, 0])
@@ -71,7 +65,9 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if key not in forms:
             asked = ", ".join(forms)
             raise AnswerError(f"problem {problem} does not ask for {key!r}; it asks for {asked}")
-    answers = {key: (names or {}).get(key) for key in forms} | answers
+    old = outdated(problem, forms.keys() - answers.keys())
+    there = {key: (names or {}).get(key) for key in forms}
+    answers = there | dict.fromkeys(old) | answers
     read, faults = record(forms, symbols, answers)
     receipts[problem] = {"problem": problem, "answers": read, "faults": faults}
     if faults:
@@ -86,19 +82,20 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         )
     others = {key for forms, *_ in _expected.values() for key in forms}
     sealed = {} if execution else seals.get(problem, {})  # slow, and not needed in grading
-    verdicts = {
-        key: opens(seal, forms[key].kind, read[key])
+    checks = {
+        key: outcome
         for key, seal in sealed.items()
         if read.get(key) is not None and key in forms
+        if (outcome := check(seal, forms[key].kind, read[key]))
     }
+    beside = {key: (form, read.get(key)) for key, form in forms.items()}
     doubted = {
         key: found
         for key, form in forms.items()
-        if (found := doubts(form, read.get(key), symbols, sane.get(key)))
+        if (found := doubts(form, read.get(key), symbols, sane.get(key), beside))
     }
-    return Receipt(
-        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted, verdicts
-    )
+    warning = "; ".join([*old.values(), *filter(None, [stale(problem, answers, others)])])
+    return Receipt(problem, read, forms, symbols, warning, notation, doubted, checks)
 
 
 def _blank(forms, read):
@@ -111,7 +108,7 @@ class Receipt:
     """The answers to one problem as they were read; ``json`` is the record, ``warning`` says where
     they were computed with the numbers of another problem, ``notation`` is the LaTeX of names that
     do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key,
-    ``verdicts`` whether they are right, where the instructor lets a receipt know.
+    ``checks`` whether they are right, where the instructor lets a receipt know.
     """
 
     problem: str
@@ -121,7 +118,12 @@ class Receipt:
     warning: str = ""
     notation: dict = field(default_factory=dict)
     doubted: dict = field(default_factory=dict)
-    verdicts: dict = field(default_factory=dict)
+    checks: dict[str, Check] = field(default_factory=dict)
+
+    @property
+    def verdicts(self) -> dict[str, bool | None]:
+        """{answer: whether it is right}; None where a check must wait."""
+        return {key: found.right for key, found in self.checks.items()}
 
     @property
     def json(self):
@@ -135,13 +137,16 @@ class Receipt:
         if in_notebook():
             from IPython.display import display
 
-            display({"text/plain": repr(self), "text/markdown": self.markdown}, raw=True)
+            wrong = {key: found.wrong for key, found in self.checks.items() if found.wrong}
+            counts = {"metadata": {"newton_euler": {"wrong": wrong}}} if wrong else {}
+            display({"text/plain": repr(self), "text/markdown": self.markdown}, raw=True, **counts)
         else:
             print(repr(self))
 
     def __repr__(self):
         if not self._given:
-            return f"{self.problem}: no answer yet."
+            again = f" Look again: {self.warning}." if self.warning else ""
+            return f"{self.problem}: no answer yet.{again}"
         read = "; ".join(self._as_text(key, tree) for key, tree in self._given.items())
         hints = "".join(f"\n  {hint}" for hint in self._hints())
         return f"{self.problem}: {read}. {self._remarks()}{hints}"
@@ -150,7 +155,7 @@ class Receipt:
     def markdown(self):
         """The same as Markdown, with the answers as formulas."""
         if not self._given:
-            return f"{self.problem}: no answer yet."
+            return _escaped(repr(self))
         read = "; ".join(self._as_markdown(key, tree) for key, tree in self._given.items())
         hints = "".join(f"\n- {_escaped(hint)}" for hint in self._hints())
         space = "\n" if hints else ""
@@ -187,9 +192,8 @@ class Receipt:
     def _remarks(self):
         blank = _blank(self.forms, self._given)
         remarks = "Form checked only; the key is not here."
-        if self.verdicts:
-            stated = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
-            remarks = f"{'; '.join(stated)}."
+        if self.checks:
+            remarks = f"{'; '.join(f'{key} {found}' for key, found in self.checks.items())}."
         return remarks + (f" Still open: {blank}." if blank else "")
 
 

@@ -1,8 +1,5 @@
-"""Reads a formula of SymPy or SymEngine as a tree of a few operators (see
-:mod:`newton_euler.answers.trees`).
-
-Functions that are not among them are written out by them: sec x as 1/cos x. What is left
-unevaluated (derivatives, integrals, products) is carried out.
+"""Reads a formula of SymPy or SymEngine as a tree of a few operators (see :mod:`.trees`): other
+functions are written out by them, sec x as 1/cos x, and what is left unevaluated is carried out.
 """
 
 from ..algebra.scalars import FUNCTIONS, clipped, without_rates
@@ -60,9 +57,8 @@ _COMPARISONS = {
 
 
 def read_formula(x, form, symbols, budget):
-    """The tree of a formula: a number, the name of a symbol, or [operator, ...].
-
-    budget : a list of one number, the operations of the receipt that may still be read
+    """The tree of a formula: a number, the name of a symbol, or [operator, ...]. ``budget``: a list
+    of one number, the operations of the receipt that may still be read.
     """
     tree = _Reader(form, symbols).read(_with_real_symbols(x))
     try:

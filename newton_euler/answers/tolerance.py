@@ -1,8 +1,4 @@
-"""When an answer is right, and every tolerance by which answers are judged.
-
-An answer is a tuple of points, and a point a tuple of components: a number has one point, a formula
-one for each place at which it is compared.
-"""
+"""When an answer is right, and every tolerance by which answers are judged."""
 
 import math
 from collections.abc import Sequence
@@ -32,8 +28,8 @@ ROOM = 1e-3  # relative, for rounding, where an answer is checked without the ke
 
 def is_near(given: Sequence[float], key: Sequence[float], atol: float) -> bool:
     """True if a point is within half a percent of the size of the key, and no component, however
-    small, is off by more than half of itself, so that one left out or with the wrong sign is not
-    right; ``atol`` is the absolute tolerance for a key that is zero.
+    small, is off by more than half of itself, as one left out or of the wrong sign is; ``atol`` is
+    the absolute tolerance for a key that is zero.
     """
     size, gap = math.hypot(*key), math.dist(given, key)
     if not math.isfinite(size):
@@ -47,8 +43,7 @@ def is_near(given: Sequence[float], key: Sequence[float], atol: float) -> bool:
 
 def formula_is_near(given: Points, key: Points, atol: float) -> bool:
     """True if each component by itself is near, at every point where the key is finite, relative to
-    its value there or its mean over the points, whichever is larger: near a zero of the key, 3.1416
-    for pi is seen.
+    its value there or its mean over the points, whichever is larger.
     """
     points = [(x, k) for x, k in zip(given, key, strict=True) if all(map(math.isfinite, k))]
     if not points:

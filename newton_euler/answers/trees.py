@@ -19,10 +19,9 @@ class TreeError(NewtonEulerError, ValueError):
 
 
 def check_size(tree, budget):
-    """Raise :class:`TreeError` if a tree is nested too deep, or has more operations than are left;
-    without recursion, since JSON may be nested deeper than Python can follow.
-
-    budget : a list of one number, the operations that may still be read
+    """Raise :class:`TreeError` if a tree is nested too deep, or has more operations than are left
+    in ``budget``, a list of one number; without recursion, since JSON may be nested deeper than
+    Python can follow.
     """
     waiting = [(tree, 0)]
     while waiting:
@@ -42,9 +41,8 @@ def check_size(tree, budget):
 
 
 def evaluate(tree, values, depth=0):
-    """The value of a formula tree over scalars of any kind; nothing of the tree is run as code.
-
-    values : maps symbols to scalars
+    """The value of a formula tree over scalars of any kind, ``values`` {symbol: scalar}; nothing of
+    it is run as code.
 
     >>> evaluate(["*", "r", ["^", "omega", 2]], {"r": 0.5, "omega": 4.0})
     8.0
@@ -167,5 +165,7 @@ def dimension_hints(tree, form, symbols):
             continue
         got = got if isinstance(got, Dimension) else Dimension()
         if got != asked and part != 0:  # 0 has every dimension
-            hints.append(f"{where} has {got}, but {form.unit} has {asked}")
+            has = f"is in {got}" if got != Dimension() else "has no unit"
+            wanted = "a pure number" if asked == Dimension() else form.unit
+            hints.append(f"{where} {has}, but {wanted} is asked")
     return hints

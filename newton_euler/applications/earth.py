@@ -1,10 +1,9 @@
-"""Motion as seen from the rotating Earth (6.8)-(6.11): ground frames, apparent weight, projectiles,
-weather.
+"""Motion as seen from the rotating Earth (6.8)-(6.11): frames, weight, projectiles, weather.
 
 *Ground axes*: i east, j north, k up, away from the centre of a uniform sphere. Angles in rad:
 latitude, north positive; azimuth from east toward north; elevation from the horizontal. ``rate`` is
-the Earth's, rad/s; units of length are any, only the constants below are in metres. ``g`` is the
-acceleration by attraction alone; a vector ``gravity`` may be the :func:`effective_gravity`.
+the Earth's, rad/s. ``g`` is the acceleration by attraction alone; a vector ``gravity`` may be the
+:func:`effective_gravity`.
 
 >>> from newton_euler import Frame, radians
 >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
@@ -100,9 +99,7 @@ def _check_latitude(latitude):
 
 @checked
 def earth_rate(ground: Frame) -> Vector:
-    """The angular velocity of the Earth (6.18), (0, rate cos(latitude), rate sin(latitude)) along
-    ground axes; the root of the tree of ``ground`` counts as inertial.
-    """
+    """The angular velocity of the Earth (6.18) in ``ground``, seen from the root of its tree."""
     return ground.angular_velocity(ground.tree[0])
 
 
@@ -156,11 +153,9 @@ def ground_acceleration(ground: Frame) -> Vector:
 
 @checked
 def effective_gravity(g: Scalar, ground: Frame) -> Vector:
-    """The acceleration of a body released at rest, g' = -g k - a_B (6.11), along ground axes: the
-    direction of a plumb line, and the g of a balance.
-
-    Terms: ``attraction``, ``centrifugal``. The book's apparent g, g - R omega^2 cos(latitude)^2, is
-    its component down; ``g'.angle_to(-ground.k)`` the deflection of the plumb line.
+    """The acceleration of a body released at rest, g' = -g k - a_B (6.11), along ground axes and a
+    plumb line; terms ``attraction``, ``centrifugal``. The book's apparent g, g - R omega^2
+    cos(latitude)^2, is its component down; ``g'.angle_to(-ground.k)`` the plumb line's angle.
 
     >>> from newton_euler import Frame
     >>> print(effective_gravity(9.82, ground_frame(earth_frame(Frame("stars")), 1.5)))
@@ -181,10 +176,8 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
     -0.128
     """
     not_negative(m, "the mass")
-    parts = {
-        "weight": scalar(m) * scalar(g) * ground.k,
-        "rotation": scalar(m) * ground_acceleration(ground),
-    }
+    m = scalar(m)
+    parts = {"weight": m * scalar(g) * ground.k, "rotation": m * ground_acceleration(ground)}
     return named_sum("support force", f"in {ground.name}", parts, ground)
 
 
@@ -193,8 +186,7 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
 
 @checked
 def coriolis_acceleration(omega: Vector, v: Vector) -> Vector:
-    """The Coriolis acceleration -2 omega x v of a body with the velocity ``v`` seen from a frame
-    with the angular velocity ``omega``.
+    """The Coriolis acceleration -2 omega x v for ``v`` seen from a frame that turns at ``omega``.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -220,11 +212,10 @@ def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
 
 @checked
 def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
-    """The resultant force, weight included, on a body that moves as seen from the ground (6.15):
-    m a + 2 m omega x v.
+    """The resultant force, weight included, on a body that moves as seen from the ground (6.15): m
+    a + 2 m omega x v, terms ``relative``, ``coriolis``; omega^2 is in the effective gravity.
 
-    v, a : velocity and acceleration seen from the ground; terms ``relative``, ``coriolis``. Terms
-        in omega^2 are left out: they belong to the effective gravity.
+    v, a : velocity and acceleration seen from the ground
 
     >>> from newton_euler import Frame
     >>> ground = ground_frame(earth_frame(Frame("stars")), 0.8)
@@ -238,7 +229,7 @@ def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
 
 
 def launch_direction(azimuth: Scalar, elevation: Scalar) -> Triple:
-    """The direction of a shot (6.17), along ground axes; azimuth from east toward north."""
+    """The direction of a shot (6.17), a triple along ground axes."""
     return cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)
 
 
@@ -256,12 +247,11 @@ def launch_velocity(ground: Frame, speed: Scalar, azimuth: Scalar, elevation: Sc
 @checked
 def projectile_position(t: Scalar, launch: Vector, gravity: Vector, omega: Vector) -> Vector:
     """The position of a projectile at time ``t`` after it left the origin (6.24), to first order in
-    the rotation.
+    the rotation; terms ``launch``, ``fall``, ``launch turned``, ``fall turned``. The error is about
+    (2 omega t)^2/6 of the way; see :func:`projectile_to_order`.
 
     launch, gravity, omega : Vectors, the velocity of the shot, the acceleration of free fall, the
         Earth's angular velocity
-    terms : ``launch``, ``fall``, ``launch turned``, ``fall turned``
-    The error is about (2 omega t)^2/6 of the way; see :func:`projectile_to_order`.
 
     >>> from newton_euler import Frame, radians
     >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
@@ -315,10 +305,8 @@ def projectile_to_order(
     t: Scalar, launch: Vector, gravity: Vector, omega: Vector, order: int
 ) -> Vector:
     """The position of a projectile to any order in the rotation, for uniform ``gravity``: the
-    solution of (6.20) as a series; arguments of :func:`projectile_position`.
-
-    The remainder after ``order`` is less than (2 omega t)^(order + 1)/(order + 2)! of the way; 24
-    orders are exact to round-off within five hours.
+    solution of (6.20) as a series. The remainder after ``order`` is less than (2 omega t)^(order +
+    1)/(order + 2)! of the way; 24 orders are exact to round-off within five hours.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -333,8 +321,7 @@ def projectile_to_order(
 def projectile_velocity(
     t: Scalar, launch: Vector, gravity: Vector, omega: Vector, order: int = 1
 ) -> Vector:
-    """The velocity of a projectile seen from the ground at time ``t`` (6.22), or to a higher order:
-    the rate of :func:`projectile_position`.
+    """The rate of :func:`projectile_position` seen from the ground (6.22), or to a higher order.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -375,8 +362,7 @@ def flight_time(
     g: Scalar,
     rate: Scalar = EARTH_RATE,
 ) -> Scalar:
-    """The time until a shot is back at the level of its start (6.26), to first order in the
-    rotation.
+    """The time until a shot is back at its level (6.26), to first order in the rotation.
 
     >>> flight_time(50.0, 0.0, 1.5707963267948966, 0.0, 10.0, rate=0.0)
     10.0
@@ -384,9 +370,7 @@ def flight_time(
     e = launch_direction(azimuth, elevation)
     down = g - 2 * speed * e[0] * earth_rate3(latitude, rate)[1]
     if not is_positive(down):
-        raise EarthError(
-            "at this speed the Coriolis acceleration outweighs gravity; first order does not hold"
-        )
+        raise EarthError("at this speed the Coriolis acceleration outweighs gravity")
     return 2 * speed * e[2] / down
 
 
@@ -411,8 +395,7 @@ def shot_range(
 
 @checked
 def range_east(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
-    """The range of a shot to the east on the equator (6.30): :func:`shot_range` to first order;
-    v0^2 sin(2 elevation)/g without rotation.
+    """The range of a shot to the east on the equator (6.30): :func:`shot_range` to first order.
 
     >>> round(range_east(100.0, 0.7853981633974483, 10.0), 3)
     1000.688
@@ -483,12 +466,11 @@ def buoyancy(
 def gradient_wind(
     pressure_gradient: Scalar, radius: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
 ) -> Scalar:
-    """The speed of a steady wind on a circle of ``radius`` about a centre of pressure, positive for
-    a cyclone: counterclockwise seen from above in the north, clockwise in the south.
+    """The speed v of a steady wind on a circle of ``radius`` about a centre of pressure, v^2/radius
+    + 2 omega |sin(latitude)| v = G; positive for a cyclone: counterclockwise in the north.
 
-    pressure_gradient : G, over the density, m/s^2; positive about a low, negative about a high
-    v^2/radius + 2 omega |sin(latitude)| v = G. Raises :class:`EarthError` for a high with a steeper
-    gradient than any wind can balance.
+    pressure_gradient : G, over the density, m/s^2; positive about a low, negative about a high, and
+        then :class:`EarthError` if it is steeper than any wind can balance
 
     >>> round(gradient_wind(1e-3, 500e3, 0.8), 2), round(gradient_wind(-1e-3, 500e3, 0.8), 2)
     (8.26, -12.59)

@@ -1,18 +1,12 @@
-"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a fixed point of its
-axis, or about its centre of mass.
+"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a point of its axis.
 
 Moments of inertia about that point: ``I0`` about a transverse axis, ``I`` about the axis of
-symmetry k (10.17). Euler angles 3-1-3: the angle ``theta`` is that from the axis of precession K
-(upward, where there is gravity) to k; ``precession`` psi' is the rate of the plane of K and k about
-K; ``spin`` phi' is the rate of the body about k relative to that plane; ``omega_z`` = phi' + psi'
-cos(theta) is its whole rate about k (10.26). Moments are about the line of nodes i = K x
-k/sin(theta). Gravity enters as ``mgr``, weight times distance of G from the fixed point, positive
-if G lies on the side of k; its moment is mgr sin(theta) (10.30). Any other moment M about the line
-of nodes is given as ``moment``. Angles are in rad, rates in rad/s, other units any consistent ones.
-
->>> found = steady_precession(I0=0.02, I=0.01, theta=1.0, spin=100.0, mgr=0.5)
->>> round(found.slow, 6), round(found.fast, 4)
-(0.501358, 184.5802)
+symmetry k (10.17). Euler angles 3-1-3: ``theta`` is the angle from the axis of precession K
+(upward, where there is gravity) to k; ``precession`` psi' the rate of the plane of K and k about K;
+``spin`` phi' that of the body about k relative to that plane; ``omega_z`` = phi' + psi' cos(theta)
+its whole rate about k (10.26). Moments are about the line of nodes i = K x k/sin(theta): gravity's
+is mgr sin(theta) (10.30), ``mgr`` weight times distance of G from the fixed point, positive if G
+lies on the side of k; any other is given as ``moment``. Angles in rad, rates in rad/s.
 """
 
 import math
@@ -52,11 +46,8 @@ class GyroError(NewtonEulerError, ValueError):
 
 @dataclass(frozen=True)
 class InstantaneousAxis:
-    """The line of the points of a body that are at rest, or move along the line only: through
-    ``point`` along the unit vector ``direction`` (10.1).
-
-    slide : the velocity of its points along ``direction``, m/s; zero if a point of the body is at
-        rest
+    """The line of the points of a body that are at rest, or move along it only: through ``point``
+    along the unit vector ``direction`` (10.1); ``slide`` is the velocity along it, m/s.
     """
 
     point: Point
@@ -96,8 +87,8 @@ def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
 
 @checked
 def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
-    """The angular momentum H about the fixed point or G (10.21), which knows its rate, in {i, j,
-    k}, the ``parent`` of the frame ``body``, made by :func:`newton_euler.euler_frame`.
+    """The angular momentum H about the fixed point or G (10.21), with its rate, in the frame {i, j,
+    k}, the ``parent`` of ``body``, which :func:`newton_euler.euler_frame` makes.
 
     >>> from newton_euler import Frame, euler_frame, moving
     >>> ground = Frame("ground")
@@ -113,8 +104,9 @@ def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
 
 @checked
 def gyro_moment(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
-    """The moment for a motion, about the fixed point or G, in {i, j, k} (10.20)-(10.25), (10.27).
-    body : as for :func:`gyro_momentum`, by angles that are moving, with both rates
+    """The moment for a motion, about the fixed point or G, in {i, j, k} (10.20)-(10.25), (10.27);
+    ``body`` as for :func:`gyro_momentum`, by angles that have both rates.
+
     terms : ``acceleration``, the rate of H seen in {i, j, k}; ``precession`` Omega x [I] Omega;
         ``gyroscopic`` Omega x I phi' k
 
@@ -150,9 +142,7 @@ def _check_moments(I0, I):
     if not is_numeric(I0):
         return
     if anywhere(to_plain(I0) <= 0):
-        raise GyroError(
-            f"the transverse moment of inertia I0 must be positive, got {to_plain(I0)!r}"
-        )
+        raise GyroError(f"the transverse moment I0 must be positive, got {to_plain(I0)!r}")
     # a disk has I = 2 I0, up to round-off
     if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
         raise GyroError(
@@ -173,11 +163,9 @@ def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None
 
 @checked
 def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
-    """The moment I psi' x phi' on a body whose spin axis precesses at right angles to itself
-    (10.38); N m if in SI.
+    """The moment I psi' x phi' on a spin axis that precesses at right angles (10.38).
 
-    precession, spin : Vectors, rad/s, along psi' and phi', at right angles (:class:`GyroError`
-        otherwise); I about the spin axis
+    precession, spin : Vectors, rad/s, at right angles (:class:`GyroError` otherwise)
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -218,10 +206,8 @@ def steady_spin(
     mgr: Scalar = None,
     moment: Scalar = None,
 ) -> Scalar:
-    """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it. Give
-    ``mgr`` or ``moment``; mgr=0 is torque-free (10.35).
-
-    Raises :class:`GyroError` if I or the precession is zero: then no spin gives this moment.
+    """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it; for
+    ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` without either.
 
     >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
     102.0
@@ -238,12 +224,9 @@ def steady_spin(
 class SteadyPrecession:
     """The two steady precessions at an angle, by :func:`steady_precession`.
 
-    slow, fast : the rates of precession psi', rad/s; ``fast`` is infinite where there is no second
-        one
-    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta);
-        zero where both are one
-    stiffness : for each of the two, the square of the angular frequency of small nutations about
-        it, (rad/s)^2, see :func:`nutation_stiffness`
+    slow, fast : the rates psi', rad/s; ``fast`` is infinite where there is no second one
+    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta)
+    stiffness : for each of the two, see :func:`nutation_stiffness`
     """
 
     slow: Scalar
@@ -262,15 +245,14 @@ def steady_precession(
     mgr: Scalar = None,
     moment: Scalar = None,
 ) -> SteadyPrecession:
-    """Both rates of steady precession at the angle theta (10.31)-(10.33).
+    """Both rates of steady precession at the angle theta (10.31)-(10.33), for ``spin`` or
+    ``omega_z``, and ``mgr`` or ``moment``.
 
-    Give either ``spin`` phi', relative to the precessing plane, or ``omega_z``, the whole rate
-    about the axis; and either ``mgr`` or ``moment``. With a = (I0 - I) cos(theta), h = I phi' (or a
-    = I0 cos(theta), h = I omega_z) and c = mgr or moment/sin(theta) the rates solve a psi'^2 - h
-    psi' + c = 0. They are c/q and q/a with q = (h + sgn(h) sqrt(h^2 - 4 a c))/2: right to round-off
-    also as a -> 0, where the printed root (10.33) is 0/0. An expression for h is taken as not zero.
-    Raises :class:`GyroError` where no rate is real (arrays: at any instant), with the least spin
-    needed.
+    With a = (I0 - I) cos(theta), h = I phi' (or a = I0 cos(theta), h = I omega_z) and c = mgr or
+    moment/sin(theta) they solve a psi'^2 - h psi' + c = 0: c/q and q/a with q = (h + sgn(h)
+    sqrt(h^2 - 4 a c))/2, right to round-off also as a -> 0, where the printed root (10.33) is 0/0.
+    An expression for h is taken as not zero. Raises :class:`GyroError` where no rate is real
+    (arrays: at any instant), with the least spin needed.
 
     >>> import math
     >>> level = steady_precession(0.02, 0.01, math.pi/2, spin=100.0, mgr=0.5)
@@ -368,17 +350,11 @@ def least_spin(
     of: str = "spin",
 ) -> Scalar:
     """The least spin phi' (of="spin") or whole rate (of="omega_z"), in size, for steady precession
-    at theta: where the discriminant of (10.33) is 0.
+    at theta: 2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I, where the discriminant of
+    (10.33) is 0; zero where every spin is enough. An expression is taken to be real.
 
-    2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I; zero where every spin is enough. An
-    expression is taken to be real.
-
-    >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4)
-    14.1421
-    >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5, of="omega_z"), 4)
-    20.0
-    >>> least_spin(0.02, 0.01, 2.0, mgr=0.5)  # G below the point
-    0.0
+    >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4), least_spin(0.02, 0.01, 2.0, mgr=0.5)
+    (14.1421, 0.0)
     """
     if of not in ("spin", "omega_z"):
         raise GyroError(f"of= is 'spin' (phi') or 'omega_z' (phi' + psi' cos theta), got {of!r}")
@@ -399,11 +375,9 @@ def nutation_stiffness(
     I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, omega_z: Scalar
 ) -> Scalar:
     """The square of the angular frequency (rad/s)^2 of small nutations about a steady precession
-    under gravity; stable where it is positive.
-
-    psi'^2 sin^2(theta) + (I omega_z/I0 - 2 psi' cos(theta))^2, the curvature of the effective
-    potential over I0: a sum of squares, so every steady precession of a tilted top is stable. It
-    does not hold for other moments than gravity's, or where the precession is enforced.
+    under gravity; stable where it is positive: psi'^2 sin^2(theta) + (I omega_z/I0 - 2 psi'
+    cos(theta))^2, the curvature of the effective potential over I0. Not for other moments than
+    gravity's, or a precession that is enforced.
 
     >>> nutation_stiffness(0.02, 0.01, 0.0, 0.0, 100.0)
     2500.0
@@ -455,13 +429,10 @@ def fast_spin(
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """The steady precession of a symmetric body without moment, about its angular momentum H = H K.
+    """The steady precession of a symmetric body without moment about H = H K, at the ``rate`` psi'.
 
-    rate : psi', rad/s
-    sense : "direct" if spin and precession about K have the same sense, else "retrograde"; None for
-        expressions
-    body_cone, space_cone : half-angles (rad) of the cones that the instantaneous axis describes
-        about k in the body, and about K in space
+    sense : "direct" if that of the spin, else "retrograde"; None for expressions
+    body_cone, space_cone : half-angles (rad) of the cones of the instantaneous axis about k and K
     """
 
     rate: Scalar
@@ -473,32 +444,27 @@ class FreePrecession:
 @checked
 def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreePrecession:
     """The steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)).
-    Raises :class:`GyroError` if I = I0 or theta = pi/2: then the body has no spin, and turns about
-    K as a whole. For the approach to this use ``omega_z``: psi' = I omega_z/(I0 cos(theta)), which
-    has a limit.
+    Raises :class:`GyroError` if I = I0 or theta = pi/2, where the body turns about K as a whole;
+    near there psi' = I omega_z/(I0 cos(theta)).
 
     >>> football = free_precession(3.0, 1.0, 0.5, 10.0)
     >>> round(football.rate, 4), football.sense
     (5.6975, 'direct')
     """
     _check_moments(I0, I)
-    difference, c = scalar(I0) - I, cos(theta)
-    if is_numeric(difference) and is_zero(difference):
+    apart, c = scalar(I0) - I, cos(theta)
+    if is_numeric(apart) and is_zero(apart):
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
     if is_numeric(c) and min_abs(c) <= 4 * epsilon(c) and not is_zero(spin):
         raise GyroError(
             f"theta = {to_plain(theta)!r} rad is pi/2: H has no component along the axis, and the "
             "spin must be zero"
         )
-    sense = (
-        where(to_plain(difference) > 0, "direct", "retrograde") if is_numeric(difference) else None
-    )
+    sense = where(to_plain(apart) > 0, "direct", "retrograde") if is_numeric(apart) else None
     tilt = atan(I * tan(theta) / I0)
     gap = theta - tilt
     size = abs(gap) if is_numeric(gap) else sqrt(gap * gap)
-    return FreePrecession(
-        to_plain(I * spin / (difference * c)), sense, to_plain(tilt), to_plain(size)
-    )
+    return FreePrecession(to_plain(I * spin / (apart * c)), sense, to_plain(tilt), to_plain(size))
 
 
 # -- the sleeping top
@@ -508,10 +474,9 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
 class SleepingTop:
     """The stability of an upright top, by :func:`sleeping_top`.
 
-    critical : the least whole rate omega_z, rad/s
-    margin : (omega_z/critical)^2, infinite if it is stable without spin
-    stable : True or False, None for expressions
-    growth : the rate at which a small tilt grows, 1/s, zero if stable
+    critical, margin : the least whole rate omega_z, rad/s, and (omega_z/critical)^2, infinite if it
+        is stable without spin
+    stable, growth : True or False, None for expressions; the rate at which a small tilt grows, 1/s
     """
 
     critical: Scalar
@@ -522,9 +487,8 @@ class SleepingTop:
 
 @checked
 def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> SleepingTop:
-    """The stability of a top that spins upright (theta = 0): stable if (I omega_z)^2 >= 4 I0 mgr.
-
-    Also at the threshold, where the effective potential is of fourth order. A small tilt z = x + i
+    """The stability of a top that spins upright (theta = 0): stable if (I omega_z)^2 >= 4 I0 mgr,
+    also at the threshold, where the effective potential is of fourth order. A small tilt z = x + i
     y obeys I0 z'' - i I omega_z z' - mgr z = 0. A body that hangs has mgr < 0 and is always stable.
 
     >>> top = sleeping_top(0.02, 0.01, 0.5, 30.0)
@@ -540,6 +504,5 @@ def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Sleepin
     margin = where(hangs, math.inf, h * h / where(hangs, 1, 4 * to_plain(c)))
     unstable = to_plain(D) < 0
     growth = sqrt(where(unstable, -D, 0 * D)) / (2 * I0)
-    return SleepingTop(
-        critical, to_plain(margin), where(to_plain(D) >= 0, True, False), to_plain(growth)
-    )
+    stable = where(to_plain(D) >= 0, True, False)
+    return SleepingTop(critical, to_plain(margin), stable, to_plain(growth))

@@ -1,9 +1,9 @@
 """The limits of nutation of a top, from its state at one instant (10.24), (10.25).
 
-The energy makes u = cos(theta) move in a cubic potential, u'^2 = f(u), between two roots of f in
-[-1, 1], which lose half of their digits at small nutations and near the vertical if f(u) = 0 is
-solved. Here the third root is computed, far from both, and from it their distances from the initial
-state and from the vertical, without cancellation.
+u = cos(theta) moves in a cubic potential, u'^2 = f(u), between two roots of f in [-1, 1], which
+lose half of their digits at small nutations and near the vertical if f(u) = 0 is solved. Here the
+third root is computed, far from both, and from it their distances from the initial state and from
+the vertical, without cancellation.
 
 >>> released = {"theta": 1.0, "theta_rate": 0.0, "precession": 0.0, "spin": 100.0}
 >>> found = nutation(0.02, 0.01, mgr=0.5, **released)
@@ -36,9 +36,9 @@ class Nutation:
 
     theta_min, theta_max : the limits between which the axis nutates
     precession_at_min, precession_at_max : psi' at these; nan at the vertical, where it is undefined
-    kind : "waves", the precession keeps its sense; "loops", it reverses; "cusps", it stops at one
-        of the limits, as when released from rest; "steady", the limits are equal; "through the
-        vertical"; "planar", a pendulum in a plane. For arrays a list of these.
+    kind : "waves", the precession keeps its sense; "loops", it reverses; "cusps", it stops at a
+        limit, as when released from rest; "steady", the limits are equal; "through the vertical";
+        "planar", a pendulum in a plane. For arrays a list of these.
     period : of one nutation, down and up; infinite for a motion that tends to the vertical
     """
 
@@ -61,14 +61,12 @@ def nutation(
     omega_z: Scalar = None,
     tolerance: float = 1e-9,
 ) -> Nutation:
-    """The limits of nutation of a top in this state, to round-off. Angles and rates as in
-    :mod:`newton_euler.applications.gyroscopes`.
+    """The limits of nutation of a top in this state, to round-off; arguments as in
+    :mod:`newton_euler.applications.gyroscopes`, either ``spin`` or ``omega_z``.
 
-    spin or omega_z : phi', or the whole rate about the axis; give one of them
     tolerance : relative, when a limit counts as a cusp, and in rad, when the motion counts as
         steady or as reaching the vertical; the numbers are not affected by it
-    For floats, mpf and arrays; raises :class:`GyroError` for expressions: the roots of their cubic
-    cannot be ordered.
+    For floats, mpf and arrays; raises :class:`GyroError` for expressions.
     """
     check_top(I0, I, spin, omega_z)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
@@ -86,9 +84,8 @@ def nutation(
     hanging = pull < 0  # seen from below it is a top with pull > 0: theta and pi - theta exchanged
     change = where(hanging, -1, 1) * sine * (n * cosine - b)
     s, c = exchanged(hanging, S, C)
-    moved, left, zeta = turning_points(
-        s, c, q, 1, abs(pull), exchanged(hanging, *momenta), (n * sine, change)
-    )
+    momenta = exchanged(hanging, *momenta)
+    moved, left, zeta = turning_points(s, c, q, 1, abs(pull), momenta, (n * sine, change))
     (up, down), (v1, w2) = exchanged(hanging, *moved), exchanged(hanging, *left)
     low, high = _angle(v1, 2 - v1), _angle(2 - w2, w2)
     still = n * sine * sine
@@ -119,13 +116,13 @@ def turning_points(
     transverse: tuple[Scalar, Scalar],
 ) -> tuple[tuple, tuple, Scalar]:
     """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits
-    from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0.
+    from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0. I0 v'^2/2 = F(v), a cubic with the roots v1, v2,
+    -zeta/mgr.
 
     S, C, rate : sin(theta/2), cos(theta/2) and theta' now
     momenta : the angular momentum about the vertical less that about the axis, q, and their sum
     transverse : I0 psi' sin(theta), which is q/(2 tan(theta/2)) plus the sum times tan(theta/2)/2,
         and the difference of these two
-    The energy gives I0 v'^2/2 = F(v), a cubic with the roots v1, v2 and -zeta/mgr.
     """
     (q, whole), (across, change) = momenta, transverse
     v, h = 2 * (S * S), (whole - q) / 2
@@ -186,10 +183,8 @@ def _rate(momentum, s2, angle, tolerance):
 
 def _classify(theta_min, theta_max, at_min, at_max, scale, tolerance, pi):
     if getattr(theta_min, "shape", ()):
-        columns = zip(
-            *(x.tolist() for x in (theta_min, theta_max, at_min, at_max, scale)), strict=True
-        )
-        return [_classify(*column, tolerance, pi) for column in columns]
+        given = (x.tolist() for x in (theta_min, theta_max, at_min, at_max, scale))
+        return [_classify(*column, tolerance, pi) for column in zip(*given, strict=True)]
     small, large = sorted((abs(at_min), abs(at_max)))
     if theta_max - theta_min <= tolerance:
         return "steady"

@@ -1,23 +1,13 @@
-"""Rotation about a fixed axis (chapter 9): the bearing forces of a rotor, its static and dynamic
-imbalance, and its balancing.
+"""Rotation about a fixed axis (chapter 9): bearing forces, imbalance, balancing.
 
 A rotor turns about the line AB of two bearings, Points at rest. The unit vector e points from A to
 B, rates and moments are right-handed about it. O is a point of the axis, the bearings lie at -a and
 b from it, l = a + b. With F the rate of momentum less the weight, and N that of angular momentum
-about O less the moment of the weight,
+about O less the moment of the weight, the forces ON the shaft are
 
     A = e x (N - b e x F)/l,   B = -e x (N + a e x F)/l,   A_e + B_e = e . F,   M = e . N
 
-which are (9.3), (9.6), (9.9), (9.10) for any direction. Forces act ON the shaft.
-
->>> from newton_euler import Frame
->>> from newton_euler.bodies.solids import disk
->>> ground = Frame("ground")
->>> shaft = ground.rotate("shaft", "x", rate=10.0)
->>> A, B = shaft.point("A", -0.2, 0, 0), shaft.point("B", 0.3, 0, 0)
->>> wheel = disk(0.1, shaft.point("G", 0, 0.01, 0), "x", mass=2.0)  # off its centre (9.2)
->>> print(reactions(wheel, A, B, ground).A)  # -m d omega^2 b/l
-[0, -1.2, 0] in shaft
+which are (9.3), (9.6), (9.9), (9.10) for any direction.
 """
 
 from collections.abc import Sequence
@@ -47,15 +37,11 @@ class RotorError(NewtonEulerError, ValueError):
 @dataclass(frozen=True)
 class Reactions:
     """The bearing forces ``A`` and ``B``, by :func:`reactions`: the transverse forces on the shaft
-    (N), in the frame of the body.
+    (N), in the frame of the body, with the terms of (9.9).
 
-    axial : A_e + B_e (N), the force of both along the axis, from A to B; how they share it is
-        undetermined for a rigid body
+    axial : A_e + B_e (N), the force of both along the axis; how they share it is undetermined
     moment : M (N m), the moment about the axis that drives the shaft (9.10)
     axis : the unit vector e from A to B
-
-    The terms of A and B are those of (9.9), see :func:`reactions`; for other axes use
-    ``A.expressed_in(ground)``.
     """
 
     A: Vector
@@ -76,14 +62,12 @@ def reactions(
 ) -> Reactions:
     """The forces of the two bearings on a rotor, and the moment that drives it (9.1)-(9.10).
 
-    body : a Body whose frame turns in ``ground``; its rate, acceleration and angle are those of the
-        frame
+    body : its rate, acceleration and angle are those of its frame in ``ground``
     A, B : the bearings, Points of the axis, fixed in the body or in a frame of the shaft
-    gravity : the acceleration of gravity, a Vector (m/s^2); None: the dead weight is left out, as
-        in (9.3)
-    about : the point O of the axis for the terms; default: the foot of the centre of mass
-    terms of A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance
-        of G; ``dynamic``, from omega^2 and the products of inertia about O; ``static_euler`` and
+    gravity : the acceleration of gravity, a Vector (m/s^2); None: no dead weight, as in (9.3)
+    about : the point O of the axis for the terms; default: the foot of the centre of mass terms of
+        A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance of G;
+        ``dynamic``, from omega^2 and the products of inertia about O; ``static_euler`` and
         ``dynamic_euler``, the same from the angular acceleration
     Raises :class:`RotorError` if the bearings coincide, if ``about`` is off the axis, or if body
     and bearings move otherwise than about AB.
@@ -130,9 +114,7 @@ def _wrench(body, O, ground, gravity):
 @checked
 def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their
-    distance l (m).
-
-    Raises :class:`RotorError` if they coincide.
+    distance l (m); :class:`RotorError` if they coincide.
 
     >>> from newton_euler import Frame
     >>> shaft = Frame("shaft")
@@ -188,18 +170,13 @@ def _check_motion(body, A, e, length, ground):
             )
 
 
-# -- balance
-
-
 @dataclass(frozen=True)
 class Imbalance:
-    """The static and the dynamic imbalance (9.4), at right angles to the axis, in the frame of the
-    body.
+    """The static and the dynamic imbalance (9.4) about O, across the axis, along the body's axes.
 
     static : m d (kg m), d from the axis to G
     dynamic : the products of inertia with the axis (kg m^2), the integral of z r dm, z along the
         axis from O, r from the axis
-    about : the point O
     """
 
     static: Vector
@@ -232,11 +209,9 @@ def _across(v, e):
 class Balance:
     """Whether a rotor is balanced, by :func:`balance`; ``str()`` gives it in words with numbers.
 
-    static, dynamic : True or False
-    eccentricity : distance of G from the axis, m; product : size of the products of inertia with
-        the axis about O, kg m^2
-    offset, tilt : the same divided by the radius of gyration k about O, and by m k^2; they are
-        compared with ``tolerance``
+    eccentricity, product : distance of G from the axis, m; size of the products of inertia with the
+        axis about O, kg m^2
+    offset, tilt : the same over k, the radius of gyration about O, and m k^2, at most ``tolerance``
     """
 
     static: bool
@@ -268,16 +243,13 @@ class Balance:
 def balance(
     body: Body, A: Point, B: Point, about: Point | None = None, tolerance: float = 1e-9
 ) -> Balance:
-    """Whether a rotor is balanced (9.4): statically if G is on the axis, dynamically if the axis is
-    principal at O.
+    """Whether a rotor is balanced (9.4): statically, G on the axis; dynamically, a principal axis.
 
-    about : the point O; default: the foot of G, so that the two are independent of each other.
-        About another point a body that is not balanced statically changes its products of inertia:
-        give the O of the exercise.
+    about : the point O; default: the foot of G, so that the two are independent. About another
+        point a body that is not balanced statically changes its products of inertia: give its O.
     tolerance : relative, of the radius of gyration k about O (the root mean square distance of the
         mass from it; at least a thousandth of AB), and of m k^2
-    An array is balanced if every instant is. Raises :class:`RotorError` for expressions: use
-    :func:`imbalance` there.
+    An array is balanced if every instant is. Raises :class:`RotorError` for expressions.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk
@@ -303,18 +275,15 @@ def balance(
     return Balance(offset <= tolerance, tilt <= tolerance, *sizes)
 
 
-# -- balancing
-
-
 @checked
 def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tuple:
     """The corrections in two planes across the axis that balance a body: two Vectors, mass times
     radius from the axis (kg m).
 
-    planes : the distances (m) of the two planes from A along the axis, positive towards B, also
-        outside of the bearings
+    planes : the distances (m) of the planes from A along the axis, positive towards B;
+        :class:`RotorError` if they coincide
     With U and P the static imbalance and the products of inertia about A, at z1 and z2: U1 = (P -
-    z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1). Raises :class:`RotorError` if the planes coincide.
+    z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1).
 
     >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")
@@ -343,14 +312,13 @@ def balancing_masses(
     radius: Scalar | Sequence = None,
     mass: Scalar | Sequence = None,
 ) -> tuple:
-    """Two small weights, one in each plane, that balance a body statically and dynamically: the
-    Bodies ``weight 1`` and ``weight 2``.
+    """Two small weights, one in each of the ``planes`` of :func:`corrections`, that balance a body:
+    the Bodies ``weight 1`` and ``weight 2``.
 
-    planes : as for :func:`corrections`
-    radius : their distance from the axis (m), one number or a pair; their masses follow
-    mass : their mass (kg), one number or a pair; their distances follow. Give one of the two.
-    Where no weight is needed it has mass (or radius) zero. A hole of the same mass on the opposite
-    side is equivalent. Raises :class:`RotorError` for a radius or mass that is not positive.
+    radius, mass : their distance from the axis (m) or their mass (kg), one number or a pair; the
+        other follows, zero where no weight is needed
+    A hole of the same mass on the opposite side is equivalent. Raises :class:`RotorError` for a
+    radius or mass that is not positive.
 
     >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")

@@ -1,6 +1,4 @@
-"""Checks that a body can have given masses and inertia: positive mass, the triangle inequality of
-the moments, Schwarz's inequality for the products.
-"""
+"""Checks that a body can have given masses, moments (triangle inequality), products (Schwarz's)."""
 
 from collections.abc import Iterable
 from math import inf
@@ -48,9 +46,7 @@ def not_negative(x: Scalar, what: str) -> None:
 
 
 def triangle_inequality(moments: tuple, tolerance: float) -> None:
-    """Raises :class:`MassError` if one of three moments, numbers, is larger than the sum of the
-    others, by more than ``tolerance`` times the largest.
-    """
+    """Raises :class:`MassError` if a moment exceeds the sum of the others, to this tolerance."""
     if not all(map(is_numeric, moments)):
         return
     if all(type(x) is float for x in moments):
@@ -88,9 +84,7 @@ def check(I: Any, tolerance: float, slack: float) -> None:
 
 
 def _check_integrals(I, tolerance, slack):
-    """The principal minors of J, I = tr(J) - J, must be at least zero, but for rounding: ``small``
-    for each factor, the others at most ``largest``.
-    """
+    """The principal minors of J, I = tr(J) - J, are zero or positive, but for rounding."""
     largest = max(map(max_abs, I.moments + I.products))
     small, largest = tolerance * largest + slack, max(slack, largest)
     xx, yy, zz = I.moments
@@ -119,9 +113,8 @@ def _check_integrals(I, tolerance, slack):
 
 
 def _check_about_centre(I, tolerance, slack):
-    slack += round_off(I.mass, (I.point, I.centre), I.frame) + tolerance * max(
-        map(max_abs, I.moments)
-    )
+    slack += round_off(I.mass, (I.point, I.centre), I.frame)
+    slack += tolerance * max(map(max_abs, I.moments))
     try:
         _check_integrals(I.about(I.centre), 4 * tolerance, slack)
     except MassError as problem:
@@ -139,6 +132,5 @@ def round_off(mass: Scalar, points: Iterable[Point], frame: Frame) -> float:
     """The rounding of moments of this mass: 100 round-offs of m r^2; 0 for expressions."""
     if not is_numeric(mass):
         return 0.0
-    coordinates = (x for P in points for x in P.position(frame).c)
-    squares = sum(max_abs(x) ** 2 for x in coordinates if is_numeric(x))
+    squares = sum(max_abs(x) ** 2 for P in points for x in P.position(frame).c if is_numeric(x))
     return 100 * epsilon() * max_abs(mass) * squares

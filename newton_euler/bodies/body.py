@@ -1,18 +1,12 @@
-"""Rigid bodies: mass, centre of mass, inertia, momentum and angular momentum (chapters 5 and 7).
-
-The sign convention of the products is that of :class:`newton_euler.bodies.inertia.Inertia`. Units:
-any consistent ones; in SI kg, m, kg m^2.
-
-    L = m v_G, F = dL/dt        body.momentum(ground), .rate(ground)             (5.2), (5.8), (7.5)
-    H_G = I omega               body.angular_momentum(ground)                    (7.12)
-    H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
+"""Rigid bodies: mass, centre of mass, inertia, momentum and angular momentum (chapters 5 and 7), in
+any consistent units; for the sign of the products see :class:`newton_euler.bodies.inertia.Inertia`.
 """
 
 from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Terms
-from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, scalar, shown
+from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, shown
 from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
@@ -24,12 +18,10 @@ ROUNDED = 1e-2
 
 
 class Body:
-    """A rigid body: name, mass, centre of mass, inertia matrix; or a composite of others, see
-    :func:`composite`.
+    """A rigid body: mass, centre of mass, inertia matrix; or several, see :func:`composite`.
 
     centre : the centre of mass G, a Point of the body, or a Frame whose origin is G
-    inertia : three principal moments about G along the axes of the frame, or an :class:`Inertia`
-        about any point
+    inertia : three principal moments about G along the axes of the frame, or any :class:`Inertia`
     frame : the frame fixed in the body; default: that of ``inertia``, or the one in which G is
         given (``rotor.origin`` is a point of the *parent* of rotor: give ``rotor`` itself for G)
 
@@ -55,7 +47,7 @@ class Body:
             raise FrameError(f"the frame of {name} is a Frame; got {clipped(frame)}")
         if not isinstance(parts, (tuple, list)) or not all(isinstance(p, Body) for p in parts):
             raise MassError(f"the parts of {name} are bodies; got {clipped(parts)}")
-        self.name, self.mass, self.parts = name, scalar(mass), tuple(parts)
+        self.name, self.mass, self.parts = name, real_scalar(mass), tuple(parts)
         self.centre = G = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
             inertia = Inertia(G, inertia, frame=frame or axes_at(G), tolerance=None)
@@ -73,10 +65,9 @@ class Body:
         return self.about(self.centre)
 
     def about(self, point: PointLike, frame: Frame | None = None) -> Inertia:
-        """The :class:`Inertia` about ``point`` (7.26), of a composite that of all parts (7.14).
-
-        frame : the axes; default: those of the frame of the body
-        terms : the parts by name, of a composite; else ``own`` and ``transfer``
+        """The :class:`Inertia` about ``point`` (7.26), of a composite that of all parts (7.14),
+        along the axes of ``frame`` (default: that of the body); terms ``own`` and ``transfer``, or
+        the parts by name.
         """
         frame, point = self.frame if frame is None else frame, place(point, "the inertia matrix")
         if not self.parts:
@@ -100,8 +91,6 @@ class Body:
         self.inertia.check(tolerance)
         return self
 
-    # -- momenta
-
     @checked
     def momentum(self, observer: Frame) -> Vector:
         """L = m v_G seen from ``observer`` (5.2), (5.8), (7.5)."""
@@ -109,11 +98,9 @@ class Body:
 
     @checked
     def angular_momentum(self, observer: Frame, about: Point | None = None) -> Vector:
-        """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23).
-
-        It is the *relative* angular momentum (7.6), equal to the absolute one if B is fixed in
-        ``observer``.
-        terms : ``orbital``, ``own``
+        """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23),
+        terms ``orbital``, ``own``: the *relative* angular momentum (7.6), equal to the absolute one
+        if B is fixed in ``observer``.
         """
         own = self.inertia.times(self.frame.angular_velocity(observer))
         if about is None or about is self.centre:
@@ -143,12 +130,10 @@ def particle(mass: Scalar, point: PointLike, name: str = "particle") -> Body:
 def centre_of_mass(
     parts: Iterable[Body | tuple[Scalar, Point]], frame: Frame | None = None, name: str = "G"
 ) -> Point:
-    """The centre of mass of particles and bodies together, a Point of ``frame`` (5.4), (5.9),
-    (5.11).
+    """The centre of mass of particles and bodies together, a Point of ``frame`` (default: that of
+    the first part) (5.4), (5.9), (5.11). Raises :class:`MassError` unless its mass is positive.
 
     parts : bodies, or pairs (mass, Point); a removed part has negative mass, as in ``-hole``
-    frame : default: the frame of the first part
-    Raises :class:`MassError` unless the total mass is positive.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -180,8 +165,7 @@ def composite(
 
     parts, removed : bodies, all fixed in one rigid body; they are the terms of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
-    Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
-    outside of the body).
+    Raises :class:`MassError` without mass, or for moments that no body has (a hole outside).
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk

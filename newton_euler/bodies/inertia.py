@@ -9,9 +9,6 @@ and carry their minus sign in the *inertia matrix* (7.13) only:
           [  I_xx  -I_xy  -I_zx ]
     [I] = [ -I_xy   I_yy  -I_yz ]   so that   {H} = [I] {omega}   (7.12)
           [ -I_zx  -I_yz   I_zz ]
-
-An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)``
-is the angular momentum.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -29,6 +26,7 @@ from ..algebra.scalars import (
     is_positive,
     is_zero,
     real,
+    real_scalar,
     scalar,
     sqrt,
     to_plain,
@@ -40,19 +38,15 @@ from .principal_axes import Principal, Symmetry, principal, symmetry
 
 
 class Inertia(Scaled, NamedTerms):
-    """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13).
+    """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13). ``A +
+    B`` is that of two bodies together, about the point and in the frame of A; ``-A`` of a hole.
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
-    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals, without the
-        minus sign of the matrix
-    mass, centre : mass of the body and its centre of mass, a Point; needed to go to another point,
-        otherwise they may be left out
+    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals
+    mass, centre : of the body, the centre a Point; only needed to go to another point
     frame : the axes; default: those of the frame in which ``point`` is given
     tolerance : of the check that some body can have this inertia, see :meth:`check`;
         :class:`MassError` otherwise; None: no check
-
-    ``A + B`` is the inertia of two bodies together, about the point and in the frame of A; ``-A``
-    that of a hole.
 
     >>> from newton_euler import Frame
     >>> body = Frame("body")
@@ -81,7 +75,7 @@ class Inertia(Scaled, NamedTerms):
         self.frame = axes_at(self.point) if frame is None else frame
         self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")
         self.products = _three(products, "products (I_xy, I_yz, I_zx)")
-        self.mass, self.centre = None if mass is None else scalar(mass), centre
+        self.mass, self.centre = None if mass is None else real_scalar(mass), centre
         if centre is not None and not isinstance(centre, Point):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
         if not isinstance(self.frame, Frame):
@@ -114,9 +108,8 @@ class Inertia(Scaled, NamedTerms):
 
         import numpy as np
 
-        entries = np.broadcast_arrays(
-            *(np.asarray(x, dtype=float) for row in self.matrix for x in row)
-        )
+        numbers = (np.asarray(x, dtype=float) for row in self.matrix for x in row)
+        entries = np.broadcast_arrays(*numbers)
         return np.stack(entries).reshape(3, 3, *entries[0].shape)
 
     def __repr__(self):
@@ -130,12 +123,12 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def times(self, omega: Vector) -> Vector:
-        """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
+        """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix:
+        that of the whole motion about G or a point fixed in body and ground (else see
+        :meth:`Body.angular_momentum`).
 
         H has a rate if omega has one, I alpha + omega_frame x H: the entries are taken as constant
-        in the frame of the matrix, also where that precesses without spinning. H is that of the
-        whole motion about G or a point fixed in body and ground; else :meth:`Body.angular_momentum`
-        adds the motion of G.
+        in the frame of the matrix, also where that precesses without spinning.
         """
         rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
@@ -150,9 +143,7 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def moment(self, axis: str | Vector) -> Scalar:
-        """The moment of inertia about an axis through ``point``: n . I n.
-
-        axis : "x", "y", "z", or a Vector of any length along it
+        """The moment n . I n about an ``axis`` through ``point``: "x", "y", "z", or a Vector.
 
         >>> from newton_euler import Frame
         >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
@@ -167,8 +158,7 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def radius_of_gyration(self, axis: str | Vector) -> Scalar:
-        """k = sqrt(moment/mass) about an axis through ``point`` (7.27): the radius of a ring with
-        the same mass and moment.
+        """k = sqrt(moment/mass) about an axis through ``point`` (7.27).
 
         >>> from newton_euler import Frame
         >>> G = Frame("rod").origin
@@ -182,10 +172,9 @@ class Inertia(Scaled, NamedTerms):
 
     def about(self, point: PointLike) -> "Inertia":
         """The inertia matrix about another point, along the same axes: the parallel axis theorem
-        (7.25), (7.26) between any two points.
+        (7.25), (7.26) between any two points. With d1, d2 the vectors from them to G, I_xx changes
+        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y).
 
-        With d1, d2 the vectors from them to G, I_xx changes by m (d2y^2 - d1y^2 + d2z^2 - d1z^2)
-        and I_xy by m (d2x d2y - d1x d1y), without cancellation.
         terms : ``own``, the matrix about the first point, and ``transfer``, the change
 
         >>> from newton_euler import Frame
@@ -210,9 +199,7 @@ class Inertia(Scaled, NamedTerms):
         return out
 
     def expressed_in(self, frame: Frame) -> "Inertia":
-        """The same inertia along the axes of ``frame`` at this instant: R I R^T; of a sphere, or a
-        body of revolution turned about its axis, exactly the same.
-        """
+        """The same inertia along the axes of ``frame`` at this instant, R I R^T."""
         if frame is self.frame:
             return self
         # the unit matrix times a moment that occurs twice stays as it is; the rest is turned
@@ -258,7 +245,7 @@ class Inertia(Scaled, NamedTerms):
         return self + (-other if isinstance(other, Inertia) else other)
 
     def __mul__(self, s):
-        s = scalar(s)
+        s = real_scalar(s)
         mass = None if self.mass is None else s * self.mass
         return self._like(scale3(s, self.moments), scale3(s, self.products), mass=mass)
 
@@ -280,11 +267,10 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def check(self, tolerance: float = 1e-9, slack: float = 0.0) -> "Inertia":
-        """The inertia itself, if some body can have it; :class:`MassError` otherwise.
+        """The inertia itself, if some body can have it; :class:`MassError` otherwise. Mass and the
+        integrals of x^2, y^2, z^2 are positive, hence the triangle inequality of the moments;
+        Schwarz's inequality bounds the products; all also about G. Expressions are not checked.
 
-        Mass and the integrals of x^2, y^2, z^2 are positive, hence the triangle inequality of the
-        moments; Schwarz's inequality bounds the products; all also about G. Expressions are not
-        checked.
         tolerance : relative to the largest moment; rounded data of a thin plate may need more
         slack : added to that, the round-off of earlier subtractions
         """
@@ -302,7 +288,7 @@ class Inertia(Scaled, NamedTerms):
 
 def _three(values, what):
     try:
-        given = tuple(scalar(x) for x in values) if len(values) == 3 else ()
+        given = tuple(real_scalar(x) for x in values) if len(values) == 3 else ()
     except TypeError:
         given = ()
     if len(given) != 3:

@@ -1,14 +1,12 @@
 """Bodies given by a formula: mass, centre of mass and inertia as integrals over curves, surfaces
 and volumes (5.12), (5.13), (7.10).
 
-A shape is a function ``position`` of one, two or three parameters, in any coordinates, with the
-limits of each.
-
 Floats are integrated by SciPy's adaptive cubature, with an error estimate; arrays, mpf, dimensions
 and traced numbers by Gauss rules; with symbols, or ``exact=True``, SymPy finds the formulas.
 """
 
 from collections.abc import Callable
+from functools import partial
 from itertools import product
 
 from ..algebra.errors import checked
@@ -39,8 +37,7 @@ class IntegratedBody(Body):
     """A :class:`newton_euler.bodies.body.Body` found by integration.
 
     content : its length, area or volume
-    error : estimated error of mass, first and second moments, relative to the mass and size of the
-        body; 0 if exact
+    error : estimated, of mass, first and second moments, relative to mass and size
     """
 
     content: Scalar = None
@@ -63,14 +60,12 @@ def integrated(
 
     position : function of the parameters that returns (x, y, z) in ``frame``, with functions of
         this package (sin, sqrt …)
-    limits : for each parameter a pair (from, to); either may be a function of the parameters before
-        it
+    limits : for each parameter a pair (from, to), numbers or functions of the parameters before
     mass, density : the mass, or the density per length, area or volume, a number or a function of
         x, y, z; if both are given the density is relative
-    exact : by SymPy, also where limits or density hold symbols, which are taken as positive; a
-        parametrisation that folds back raises an error
-    rtol : required accuracy; roots at the limits, as in y = -sqrt(r^2 - x^2), do no harm
-    Raises :class:`MassError` if the integrals do not converge to ``rtol``.
+    exact : by SymPy, with symbols taken as positive; a parametrisation that folds back is refused
+    rtol : required accuracy, :class:`MassError` if it is not reached; roots at the limits, as in y
+        = -sqrt(r^2 - x^2), do no harm
 
     >>> from newton_euler import Frame, cos, sin
     >>> import math
@@ -188,9 +183,8 @@ def _of_any_kind(position, limits, weigh, name):
     middle, _ = _parameters(limits, [0.5] * len(limits))
     reference = [scalar(x) for x in position(*middle)]
     try:
-        values = over_cube(
-            lambda *unit: _moments(position, limits, weigh, reference, unit), len(limits)
-        )
+        moments = partial(_moments, position, limits, weigh, reference)
+        values = over_cube(lambda *unit: moments(unit), len(limits))
     except SingularError as error:
         raise MassError(f"{name}: {error}") from None
     return reference, values, 0.0
@@ -219,8 +213,8 @@ def _numeric(position, limits, weigh, rtol, name):
 
 
 def _parameters(limits, unit):
-    """The parameters for t in (0, 1), and their step per step of t, by 3 t^2 - 2 t^3: its rate
-    vanishes at both ends, which makes roots at the limits smooth.
+    """The parameters for t in (0, 1), by 3 t^2 - 2 t^3, whose rate vanishes at both ends, which
+    makes roots at the limits smooth; and their step per step of t.
     """
     parameters, step = [], 1
     for (a, b), t in zip(limits, unit, strict=True):

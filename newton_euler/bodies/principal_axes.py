@@ -2,13 +2,12 @@
 
 Order and sign are always the same: moments ascending; the largest component of the first and of the
 second axis (of several equally large ones the first) is positive; the third axis makes them
-right-handed. Where moments are equal within round-off, the axes nearest to those of the frame are
-returned.
+right-handed. Where moments are equal within round-off, the axes are nearest to those of the frame.
 
-Expressions cannot be ordered by size, unless they are numbers times one common factor. If the
-matrix is diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn
-by half of atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix gives
-real formulas with an arc cosine, ascending.
+Expressions have no order, unless they are numbers times one common factor. If the matrix is
+diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn by half of
+atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix gives real formulas
+with an arc cosine, ascending.
 """
 
 from dataclasses import dataclass
@@ -51,8 +50,7 @@ class Principal:
     gaps : for each axis, the distance of its moment from the nearest other one
     turns : for each axis, the angle in rad by which an error of noise times the largest moment
         typically turns it, atan2(noise, gap); it can be a few times that
-    All three are empty for expressions; for arrays each entry has shape (N,). ``print(p)`` reports
-    in words.
+    All three are empty for expressions; for arrays each entry has shape (N,).
     """
 
     inertia: Any
@@ -90,9 +88,8 @@ class Principal:
         data = f"data with a relative error of {self.noise:.2g}"
         names = [str(n) for n, fixed in enumerate(self.determined, 1) if not fixed]
         if not names:
-            return (
-                f"all axes are determined, to {max(map(max_abs, self.turns)):.2g} rad, for {data}"
-            )
+            worst = max(map(max_abs, self.turns))
+            return f"all axes are determined, to {worst:.2g} rad, for {data}"
         rest = (
             "any axis is a principal axis"
             if len(names) == 3
@@ -105,12 +102,11 @@ class Principal:
 
 
 def principal(inertia: Any, noise: float | None = None) -> Principal:
-    """Principal moments and axes of an :class:`Inertia` (7.18)-(7.20).
+    """Principal moments and axes of an :class:`Inertia` (7.18)-(7.20), exact for exact numbers
+    where the characteristic polynomial has exact roots; for expressions formulas. Errors of the
+    moments: a few round-offs of the largest; of the axes: those divided by the relative gap.
 
     noise : relative error of its entries, as 5e-4 for three digits; for the report only
-    Exact numbers keep exact roots where the characteristic polynomial has them; expressions get
-    formulas. Errors of the moments: a few round-offs of the largest; of the axes: those divided by
-    the relative gap.
 
     >>> from newton_euler import Frame, Inertia
     >>> p = Inertia(Frame("body").origin, (8.0, 11.0, 11.0), (3.0, 0.0, -3.0)).principal()
@@ -150,13 +146,9 @@ def _with_report(inertia, noise, moments, axes):
     largest = where(-first > third, -first, third)  # round-off can make the first negative
     low, high = second - first, third - second
     gaps = low, where(low < high, low, high), high
-    turns = tuple(
-        np.arctan2(*(np.asarray(x, dtype=float) for x in (noise * largest, gap))) for gap in gaps
-    )
+    noise_of_largest, *floats = (np.asarray(x, dtype=float) for x in (noise * largest, *gaps))
+    turns = tuple(np.arctan2(noise_of_largest, gap) for gap in floats)
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
-
-
-# -- numbers
 
 
 def _of_arrays(inertia, noise):
@@ -233,9 +225,6 @@ def _by_sympy(rows):
     return zip(*pairs, strict=True)
 
 
-# -- expressions
-
-
 def _of_expressions(rows):
     coupled = [(u, v) for u, v in PAIRS if not is_zero(rows[u][v])]
     diagonal = [rows[n][n] for n in range(3)]
@@ -282,20 +271,14 @@ def _less(rows, x):
     return [[y - x if n == m else y for m, y in enumerate(row)] for n, row in enumerate(rows)]
 
 
-# -- symmetry
-
-
 @dataclass(frozen=True)
 class Symmetry:
-    """The symmetries that an inertia matrix shows; those of the body may be fewer (the matrix of a
-    cube is that of a sphere).
+    """The symmetries that an inertia matrix shows; those of the body may be fewer (as of a cube).
 
-    axes : the axes of the frame, as "z", that are principal at the point, as an axis of symmetry or
-        the normal of a plane of symmetry of the body is
+    axes : the axes of the frame, as "z", that are principal at the point
     planes : the planes of the frame, as "xy", that may be planes of symmetry through the point:
         both products with their normal vanish
-    kind : "sphere" (three equal moments), "top" (two: the body moves as one with rotational
-        symmetry (7.21)), or "none"
+    kind : "sphere" (three equal moments), "top" (two: as a body of revolution (7.21)), or "none"
     axis : of a top, the unit Vector of the distinct axis; else None
     """
 
@@ -318,10 +301,8 @@ class Symmetry:
 
 
 def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
-    """The :class:`Symmetry` of an inertia matrix.
-
-    tolerance : products and differences below it times the largest moment count as zero
-    Expressions count as zero or equal only where their form shows it.
+    """The :class:`Symmetry` of an inertia matrix. Products and differences below ``tolerance``
+    times the largest moment count as zero; expressions only where their form shows it.
 
     >>> from newton_euler import Frame, Inertia
     >>> s = Inertia(Frame("body").origin, (2.0, 2.0, 3.0)).symmetry()
@@ -334,9 +315,7 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     def vanishes(x):
         return is_zero(x) or (is_numeric(x) and max_abs(x) <= small)
 
-    left = "".join(
-        name for name, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x)
-    )
+    left = "".join(n for n, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x))
     axes = tuple(axis for axis in AXES if axis not in left)
     planes = {"x": "yz", "y": "zx", "z": "xy"}
     kind, axis = _equal_moments(inertia, vanishes)

@@ -1,7 +1,5 @@
 """Homogeneous rods, wires, plates, shells and solids as bodies: the table of Appendix B and more.
 
-Each function returns a :class:`newton_euler.bodies.body.Body`.
-
 Place: the last point given is its centre, its apex or the centre of its circle. The frame of that
 point is the frame of the body; a Frame stands for its own origin.
 
@@ -9,10 +7,8 @@ Direction: ``axis`` is the axis of that frame along which the axis or normal of 
 as in the book's table, "y", "z", or with a minus sign where the body has a sense. For any other
 direction give the body a frame of its own, ``ground.rotate(...)``.
 
-Mass: either ``mass=`` or ``density=`` is given, the mass per length of a rod or wire, per area of a
-sheet or shell, per volume of a solid. ``name=`` names the body; default: the name of the shape.
-
-Errors: :class:`MassError` for lengths or a mass that are not positive.
+Mass: either ``mass=`` or ``density=`` is given, the mass per length, area or volume. ``name=``
+names the body; default: the name of the shape. :class:`MassError` for what is not positive.
 
 >>> from newton_euler import Frame
 >>> part = Frame("part")
@@ -23,7 +19,7 @@ Errors: :class:`MassError` for lengths or a mass that are not positive.
 from typing import TypedDict, Unpack
 
 from ..algebra.errors import checked
-from ..algebra.scalars import ZERO, Scalar, clipped, pi, scalar, sin, sqrt
+from ..algebra.scalars import ZERO, Scalar, clipped, pi, real_scalar, scalar, sin, sqrt
 from ..algebra.vectors import add3, cross3, dot3, scale3, sub3, sum3
 from ..kinematics.frames import Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, positive
@@ -44,10 +40,7 @@ class Matter(TypedDict, total=False):
 
 @checked
 def rod(length: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]) -> Body:
-    """A thin straight rod about its middle: 0, m L^2/12 twice (App. B).
-
-    For a rod from one point to another see :func:`simplex`.
-    """
+    """A thin straight rod about its middle: 0, m L^2/12 twice (App. B). See :func:`simplex`."""
     name, m = _mass("rod", matter, length, length=length)
     return _of_revolution(name, centre, axis, m, ZERO, m * length**2 / 12)
 
@@ -71,9 +64,8 @@ def arc(
     """A thin wire along a circular arc of twice ``half_angle`` (rad, up to pi).
 
     middle : the centre of the circle; G lies r sin(a)/a from it
-    axis : normal to the plane of the arc
-    toward : axis from ``middle`` to the middle of the arc; default: the one that follows ``axis``
-        in the order x, y, z, x
+    axis, toward : normal to the plane of the arc; from ``middle`` to the middle of the arc, by
+        default along the next axis in the order x, y, z, x
     For small angles a the moments about G lose as many digits as 1/a^2 has.
     """
     name, m = _mass("arc", matter, 2 * half_angle * radius, radius=radius, half_angle=half_angle)
@@ -89,10 +81,7 @@ def half_ring(
     toward: str | None = None,
     **matter: Unpack[Matter],
 ) -> Body:
-    """A thin wire along half a circle about ``middle``; G lies 2 r/pi from there.
-
-    Directions as for :func:`arc`.
-    """
+    """A thin wire along half a circle; G lies 2 r/pi from ``middle``. Otherwise as :func:`arc`."""
     matter.setdefault("name", "half ring")
     return arc(radius, pi(radius) / 2, middle, axis, toward, **matter)
 
@@ -104,10 +93,7 @@ def half_ring(
 def plate(
     b: Scalar, c: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A thin rectangular plate with normal ``axis`` (App. B).
-
-    b, c : its sides along the two axes that follow ``axis``: normal x, b along y, c along z
-    """
+    """A thin rectangular plate with normal ``axis`` (App. B), b and c along the next two axes."""
     name, m = _mass("plate", matter, b * c, b=b, c=c)
     bb, cc = m * b**2 / 12, m * c**2 / 12
     return _placed(name, centre, axis, m, (bb + cc, cc, bb))
@@ -141,9 +127,8 @@ def sector(
     toward: str | None = None,
     **matter: Unpack[Matter],
 ) -> Body:
-    """A thin sector of a disk, of twice ``half_angle`` (rad), with its tip at ``middle``.
-
-    G lies 2 r sin(a)/(3 a) from the tip. Directions and small angles as for :func:`arc`.
+    """A thin sector of a disk, of twice ``half_angle`` (rad), with its tip at ``middle``; G lies 2
+    r sin(a)/(3 a) from the tip. Directions and small angles as for :func:`arc`.
     """
     area = half_angle * radius**2
     name, m = _mass("sector", matter, area, radius=radius, half_angle=half_angle)
@@ -160,9 +145,7 @@ def half_disk(
     toward: str | None = None,
     **matter: Unpack[Matter],
 ) -> Body:
-    """A thin half disk.
-
-    middle : the middle of its straight edge; G lies 4 r/(3 pi) from there
+    """A thin half disk, ``middle`` that of its straight edge; G lies 4 r/(3 pi) from there.
     Directions as for :func:`arc`.
     """
     matter.setdefault("name", "half disk")
@@ -219,10 +202,7 @@ def wedge(
     toward: str | None = None,
     **matter: Unpack[Matter],
 ) -> Body:
-    """A sector of a solid cylinder, of the given length along ``axis``.
-
-    middle : the middle of its edge. Directions as for :func:`arc`.
-    """
+    """A sector of a solid cylinder, ``middle`` of its edge; directions as for :func:`arc`."""
     volume = half_angle * radius**2 * length
     name, m = _mass("wedge", matter, volume, radius=radius, half_angle=half_angle, length=length)
     flat = sector(radius, half_angle, middle, axis, toward, mass=m, name=name)
@@ -235,10 +215,9 @@ def wedge(
 def cone(
     radius: Scalar, height: Scalar, apex: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A circular cone, ``axis`` pointing from its apex to its base (App. B).
-
-    G lies 3 h/4 from the apex. Moments about G: 3 m a^2/10, 3 m (4 a^2 + h^2)/80 twice; for the
-    book's moments at the apex use ``cone(...).about(apex)``.
+    """A circular cone, ``axis`` pointing from its apex to its base (App. B); G lies 3 h/4 from the
+    apex. Moments about G: 3 m a^2/10, 3 m (4 a^2 + h^2)/80 twice; the book's:
+    ``cone(...).about(apex)``.
     """
     volume = pi(radius) * radius**2 * height / 3
     name, m = _mass("cone", matter, volume, radius=radius, height=height)
@@ -271,10 +250,8 @@ def hollow_sphere(
 def hemisphere(
     radius: Scalar, middle: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A solid half sphere: 2 m r^2/5, 83 m r^2/320 twice.
-
-    middle : the centre of its flat face; ``axis`` points from there into the solid, and G lies
-        3 r/8 from there
+    """A solid half sphere: 2 m r^2/5, 83 m r^2/320 twice. ``axis`` points from ``middle``, the
+    centre of its flat face, into the solid, and G lies 3 r/8 from there.
     """
     name, m = _mass("hemisphere", matter, 2 * pi(radius) * radius**3 / 3, radius=radius)
     moments = 2 * m * radius**2 / 5, 83 * m * radius**2 / 320
@@ -285,10 +262,7 @@ def hemisphere(
 def ellipsoid(
     a: Scalar, b: Scalar, c: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A solid ellipsoid: m (b^2 + c^2)/5 and so on.
-
-    a, b, c : half axes along ``axis`` and along the two that follow it
-    """
+    """A solid ellipsoid: m (b^2 + c^2)/5 …; half axis a along ``axis``, b and c along the next."""
     name, m = _mass("ellipsoid", matter, 4 * pi(a) * (a * b * c) / 3, a=a, b=b, c=c)
     return _placed(name, centre, axis, m, _sums_of_squares(m, a, b, c, 5))
 
@@ -311,9 +285,8 @@ def cylindrical_shell(
 def conical_shell(
     radius: Scalar, height: Scalar, apex: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A thin cone without its base, ``axis`` pointing from its apex to the open end.
-
-    G lies 2 h/3 from the apex. Moments about G: m a^2/2, m (9 a^2 + 2 h^2)/36 twice.
+    """A thin cone without its base, ``axis`` pointing from its apex to the open end; G lies 2 h/3
+    from the apex. Moments about G: m a^2/2, m (9 a^2 + 2 h^2)/36 twice.
     """
     area = pi(radius) * radius * sqrt(radius**2 + height**2)
     name, m = _mass("conical shell", matter, area, radius=radius, height=height)
@@ -332,9 +305,8 @@ def spherical_shell(radius: Scalar, centre: PointLike, **matter: Unpack[Matter])
 def hemispherical_shell(
     radius: Scalar, middle: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
-    """A thin half sphere without its flat face: 2 m r^2/3, 5 m r^2/12 twice.
-
-    middle : the centre of its rim; ``axis`` points from there to the top, and G lies r/2 from there
+    """A thin half sphere without its flat face: 2 m r^2/3, 5 m r^2/12 twice. ``axis`` points from
+    ``middle``, the centre of its rim, to the top, and G lies r/2 from there.
     """
     name, m = _mass("hemispherical shell", matter, 2 * pi(radius) * radius**2, radius=radius)
     moments = 2 * m * radius**2 / 3, 5 * m * radius**2 / 12
@@ -347,11 +319,8 @@ def hemispherical_shell(
 @checked
 def simplex(*corners: Point, **matter: Unpack[Matter]) -> Body:
     """The body between two, three or four Points: a thin rod, a thin triangular plate, a solid
-    tetrahedron.
-
-    Its frame is that of the first point; it has products of inertia there. About G the integral of
-    x_i x_j is m/((n+1)(n+2)) times the sum of x_i x_j over the corners, with n = 1, 2, 3 for rod,
-    plate and tetrahedron.
+    tetrahedron, in the frame of the first point. About G the integral of x_i x_j is m/((n+1)(n+2))
+    times the sum of x_i x_j over the corners, with n = 1, 2, 3 for rod, plate and tetrahedron.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -370,10 +339,8 @@ def simplex(*corners: Point, **matter: Unpack[Matter]) -> Body:
     # not times 1/(n + 1), which would round before an mpf or a fraction comes in
     middle = tuple(x / (n + 1) for x in sum3(edges))
     arms = [scale3(-1, middle), *(sub3(e, middle) for e in edges)]
-    second = [
-        sum((arm[a] * arm[b] for arm in arms), ZERO) * m / ((n + 1) * (n + 2))
-        for a, b in SECOND_MOMENTS
-    ]
+    sums = (sum((arm[a] * arm[b] for arm in arms), ZERO) for a, b in SECOND_MOMENTS)
+    second = [x * m / ((n + 1) * (n + 2)) for x in sums]
     G = frame.point(f"G of {name}", *add3(first, middle))
     return Body(name, m, G, Inertia(G, *from_second_moments(second), m, G, frame, None))
 
@@ -399,7 +366,7 @@ def _mass(shape, matter, content, **lengths):
         raise MassError(
             f"{name} needs either mass=... or density=... (per length, area or volume), {got}"
         )
-    m = scalar(density) * content if mass is None else scalar(mass)
+    m = scalar(density) * content if mass is None else real_scalar(mass)
     positive(m, f"the mass of {name}")
     return name, m
 

@@ -1,6 +1,4 @@
-"""Where notebooks of courses released before version 0.3 import ``expect`` and ``receipt`` from;
-today: :mod:`newton_euler.classroom`.
-"""
+"""The place from which notebooks released before version 0.3 import ``expect`` and ``receipt``."""
 
 from ..answers.receipts import expect, receipt
 

@@ -3,18 +3,13 @@ have the same scale and the same limits.
 
 >>> from math import sin
 >>> from newton_euler import Frame
->>> from newton_euler.drawing.animation import animate
->>> from newton_euler.drawing.sketch import Sketch
+>>> from newton_euler.drawing import Sketch, animate
 >>> def swinging(t, ax):
 ...     ground = Frame("ground")
 ...     bob = ground.rotate("rod", "x", angle=0.4*sin(3*t)).point("B", 0, 0, -1)
 ...     Sketch(ax, ground, plane="yz").rod((0, 0, 0), bob)
->>> film = animate(swinging, [0.1*n for n in range(22)], alt="A pendulum swings to and fro.")
->>> film                                   # Jupyter shows it with a button and a slider
-Animation of 22 pictures from t = 0.0 s to t = 2.1 s: A pendulum swings to and fro.
-
-``film.save("pendulum.html")`` or ``film.save("pendulum.gif")`` writes a file. player.html is the
-template of the page.
+>>> animate(swinging, [0.1*n for n in range(22)], alt="A pendulum.")  # for Jupyter
+Animation of 22 pictures from t = 0.0 s to t = 2.1 s: A pendulum.
 """
 
 import base64
@@ -48,11 +43,9 @@ class AnimationError(NewtonEulerError, ValueError):
 class Animation:
     """The pictures of a motion. Jupyter shows them; :meth:`save` writes them to a file.
 
-    pictures : PNG files, as bytes
-    times : of the pictures, in s
+    pictures, times : PNG files, as bytes; in s
     speed : seconds of the motion shown in one second
-    alt : what it shows, in words
-    size : width and height on the screen, in CSS pixels
+    alt, size : what it shows, in words; width and height on the screen, in CSS pixels
     """
 
     pictures: tuple[bytes, ...]
@@ -74,9 +67,7 @@ class Animation:
         return data, {"image/png": about}
 
     def html(self) -> str:
-        """The body of the page. Without scripts, in print, and until it is played for a reader who
-        prefers reduced motion, it shows the first picture.
-        """
+        """The body of the page, which shows the first picture until it is played."""
         return self._page().partition("<body>\n")[2].partition("\n</body>")[0]
 
     def _page(self):
@@ -140,18 +131,15 @@ def animate(
     progress: Callable[[int, int], Any] = lambda done, of_all: None,
 ) -> Animation:
     """An :class:`Animation` of the scene that ``draw(t, ax)`` draws with a Sketch on ``ax``; it is
-    called once for each of the times.
+    called for each of the times. Raises :class:`AnimationError` for too many pixels.
 
     times : of the pictures in s, increasing; they need not be evenly spaced
-    speed : seconds of the motion shown in one second; by default 1, but for a motion shorter than
-        1 s or longer than 30 s such that the animation lasts 8 s
+    speed : seconds of the motion shown in one second; by default 1, but for a motion shorter than 1
+        s or longer than 30 s such that the animation lasts 8 s
     size, dpi : width and height of the picture in inches, and its resolution; 200 is sharper on
         screens of high resolution, and the file is four times as large
     alt : what the animation shows, in words, for those who cannot see it
     progress : called with (steps done, number of steps) after each step, for a progress bar
-
-    Raises :class:`AnimationError` for times that do not increase, and for too many or large
-    pictures.
     """
     if not isinstance(alt, str):
         raise AnimationError(f"alt says in words what is shown; got {clipped(alt)}")

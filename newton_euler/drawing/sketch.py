@@ -2,9 +2,6 @@
 runs by itself when the figure is shown or saved, projects everything onto a plain 2-D Axes, draws
 far before near, and puts each label where it covers least. Bodies are to scale; symbols (joints,
 arrows, axes, dimension lines) have sizes in points of the page.
-
-``elements`` has what can be drawn, ``page`` how it comes onto the page, ``vocabulary`` a picture of
-everything (``python -m newton_euler.drawing``), ``animation`` animations of sketches.
 """
 
 from .elements.lines import Lines
@@ -17,7 +14,9 @@ from .elements.vectors import Vectors
 
 
 class Sketch(Vectors, Supports, Measures, Lines, Solids, Machines, Springs):
-    """A figure of a scene on ``ax``, a plain 2-D matplotlib Axes.
+    """A figure of a scene on ``ax``, a plain 2-D matplotlib Axes. Lengths are in metres. A *place*
+    is a Point, or a Vector or triple of coordinates from the origin of ``ground``; a *direction* is
+    a Vector, or a triple along the axes of ``ground``.
 
     up : the axis that points up in the figure: "x", "y" or "z"
     azimuth : the direction from which the scene is seen, in degrees about ``up``. With z up, 0 is
@@ -29,9 +28,6 @@ class Sketch(Vectors, Supports, Measures, Lines, Solids, Machines, Springs):
 
     So that no two axes look alike, stay 15 degrees or more from azimuth 0, 90, 180 … and use an
     elevation of 12 to 35.
-
-    Lengths are in metres. A *place* is a Point, or a Vector or triple of coordinates from the
-    origin of ``ground``; a *direction* is a Vector, or a triple along the axes of ``ground``.
 
     >>> from matplotlib.figure import Figure
     >>> from newton_euler import Frame

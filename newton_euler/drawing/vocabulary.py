@@ -1,6 +1,4 @@
-"""Everything that a sketch can draw, with the lines that draw it: the page that ``python -m
-newton_euler.drawing`` writes. vocabulary.txt has the entries, vocabulary.html the page.
-"""
+"""Everything that a sketch can draw, with the lines that draw it, as a page."""
 
 import base64
 import html

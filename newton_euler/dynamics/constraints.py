@@ -1,8 +1,6 @@
-"""Degrees of freedom under holonomic constraints (5.11), by the rank of the constraints; redundant
-constraints are named.
-
-A constraint is a function of the bodies' coordinates that must vanish (5.28). Constraints are
-independent if their Jacobian has full rank at a general configuration; derivatives are exact.
+"""Degrees of freedom under holonomic constraints (5.11), functions of the bodies' coordinates that
+must vanish (5.28): by the rank of their Jacobian, with exact derivatives, at a general
+configuration. Redundant constraints are named.
 """
 
 import inspect
@@ -31,8 +29,7 @@ class ConstraintError(NewtonEulerError, ValueError):
 class Freedom:
     """The degrees of freedom of a system: ``count`` = ``unknowns`` - ``rank``.
 
-    redundant : names of constraints that follow from those before them (at a general
-        configuration), with how many of their equations do
+    redundant : names of constraints that follow from those before, and how many of their equations
     configuration : the coordinates by body at which the rank was computed
     singular : True if at the configuration passed as ``at`` the rank is lower than in its
         neighbourhood, as for a linkage at its dead point
@@ -64,19 +61,16 @@ class Freedom:
 def degrees_of_freedom(
     bodies: dict, constraints: dict | None = None, at: dict | None = None, tolerance: float = 1e-9
 ) -> Freedom:
-    """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the
-    number of coordinates less the rank of the Jacobian.
+    """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
+    of coordinates less the rank of the Jacobian. Springs and weights are no constraints.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
-    constraints : name -> function that vanishes (5.28), of the bodies it names as its parameters,
-        each a tuple of coordinates (lengths and radians); it returns a scalar or a tuple of them,
-        in arithmetic and with functions of this package
-    at : name -> coordinates: the configuration at which the rank is computed; default: the one that
-        Newton's method finds from a fixed start in no special position
+    constraints : name -> function that vanishes (5.28), a scalar or a tuple of them, of the bodies
+        it names as its parameters, each a tuple of coordinates (lengths and radians)
+    at : name -> coordinates: the configuration at which the rank is computed; default: one that
+        Newton's method finds, in no special position; :class:`ConstraintError` if it breaks them
     tolerance : a row of the Jacobian, scaled to 1, depends on those before it if less than this
         lies outside their span
-    Raises :class:`ConstraintError` if that configuration does not meet the constraints. Springs,
-    dampers and weights are forces, not constraints.
 
     >>> rod = lambda P: P[0]**2 + P[1]**2 - 1
     >>> degrees_of_freedom({"P": "particle in plane"}, {"rod": rod}).count

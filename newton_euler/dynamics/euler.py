@@ -1,10 +1,9 @@
 """Euler's equations, rotation about a fixed line and planar motion (8.2, 8.3, 8.5): moments from
 angular velocity and acceleration, and the reverse, by an inertia matrix.
 
-The matrix is about the mass centre, or about a point at rest or at constant velocity (8.11);
-``body.about(P)`` gives it. Rates are those seen from an inertial frame. For a point that moves in
-any way, and by way of any frame, see :func:`newton_euler.dynamics.momentum.resultant_moment`.
-Units: in SI kg m^2, rad/s, rad/s^2, N m.
+The matrix, as by ``body.about(P)``, is about the mass centre, or a point at rest or at constant
+velocity (8.11); for any other see :func:`newton_euler.dynamics.momentum.resultant_moment`. Rates
+are those seen from an inertial frame. Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
 from ..algebra.errors import checked
@@ -19,10 +18,8 @@ from ..bodies.inertia import Inertia, axis_index
 def euler_moment(
     inertia: Inertia, omega: Vector, alpha: Vector, turning: Vector | None = None
 ) -> Vector:
-    """The moment M = dH/dt + Omega x H of a rotation, H = I omega (8.12), in axes that need not be
-    principal.
+    """The moment M = dH/dt + Omega x H of a rotation, H = I omega (8.12), in any axes.
 
-    omega, alpha : angular velocity and acceleration of the body, Vectors
     turning : Omega, the angular velocity of the frame of ``inertia`` where that is not fixed in the
         body, as one that precesses without spinning; default: omega
     terms : ``relative``, I times the rate of omega seen in that frame; ``rotation``, Omega x H
@@ -42,21 +39,14 @@ def euler_moment(
         Omega = turning.expressed_in(frame).c
         # the rate of omega seen in the frame; in the frame of the body it is alpha itself
         rate = sub3(rate, cross3(Omega, w))
-    return _summed(
-        inertia,
-        "Euler's moment",
-        relative=inertia.times3(rate),
-        rotation=cross3(Omega, inertia.times3(w)),
-    )
+    rotation = cross3(Omega, inertia.times3(w))
+    return _summed(inertia, "Euler's moment", relative=inertia.times3(rate), rotation=rotation)
 
 
 @checked
 def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
-    """The moment by Euler's equations (8.13), (8.14): M_x = I_xx alpha_x -
-    (I_yy - I_zz) omega_y omega_z and cyclic, in principal axes fixed in the body.
-
-    Raises :class:`MassError` if the axes of the matrix are not principal: then the equations do not
-    apply.
+    """The moment by Euler's equations (8.13), (8.14): M_x = I_xx alpha_x - (I_yy - I_zz) omega_y
+    omega_z and cyclic; :class:`MassError` if the axes are not principal.
 
     >>> from newton_euler import Frame, Inertia
     >>> body = Frame("body")
@@ -85,15 +75,13 @@ def angular_acceleration(
     inertia: Inertia, omega: Vector, moment: Vector, turning: Vector | None = None
 ) -> Vector:
     """The angular acceleration by a moment: alpha = I^-1 (M - Omega x H) + Omega x omega, (8.12)
-    solved; rad/s^2.
+    solved; rad/s^2, in the frame of ``inertia``.
 
     moment : of the external forces about the point of ``inertia``, a Vector; about a point B that
         accelerates subtract d x m a_B first (8.9)
     turning : Omega as in :func:`euler_moment`; default: omega, where the last term is zero
-    terms : ``moment``, ``gyroscopic``, and with ``turning`` also ``turning``. Returns a Vector in
-        the frame of ``inertia``
-    Raises :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod
-    about its own.
+    terms : ``moment``, ``gyroscopic``, and with ``turning`` also ``turning``
+    Raises :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod.
 
     >>> from newton_euler import Frame, Inertia
     >>> body = Frame("body")
@@ -115,10 +103,9 @@ def angular_acceleration(
 
 @checked
 def fixed_line_momentum(inertia: Inertia, rate: Scalar, axis: str = "z") -> Vector:
-    """The angular momentum of a body that turns about a line fixed in it and in the ground, through
-    the point of ``inertia`` (8.17), (8.16): for z H = (-I_xz, -I_yz, I_zz) omega.
-
-    rate : omega, about ``axis`` ("x", "y", "z", or "-z" ...) of the frame of the matrix
+    """The angular momentum of a body that turns at ``rate`` about a line fixed in it and in the
+    ground, through the point of ``inertia`` along ``axis`` ("x", "-z" ...) of its frame (8.17),
+    (8.16): for z H = (-I_xz, -I_yz, I_zz) omega.
 
     >>> from newton_euler import Frame, Inertia
     >>> fixed_line_momentum(Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0)), 10.0)
@@ -132,9 +119,9 @@ def fixed_line_moment(
     inertia: Inertia, rate: Scalar, acceleration: Scalar, axis: str = "z"
 ) -> Vector:
     """The moment about the point of ``inertia`` of a rotation about a line fixed in body and
-    ground, or of planar motion (8.18).
+    ground, or of planar motion (8.18). For z: M_x = -I_xz alpha + I_yz omega^2, M_y = -I_yz alpha -
+    I_xz omega^2, M_z = I_zz alpha.
 
-    For z: M_x = -I_xz alpha + I_yz omega^2, M_y = -I_yz alpha - I_xz omega^2, M_z = I_zz alpha.
     rate, acceleration : omega (rad/s) and alpha (rad/s^2) about ``axis`` of the frame of the matrix
     terms : ``relative`` with alpha, ``rotation`` with omega^2
 
@@ -155,10 +142,8 @@ def fixed_line_moment(
 @checked
 def planar_moment(inertia: Inertia, acceleration: Scalar, axis: str = "z") -> Scalar:
     """The moment M_z = I_zz alpha, to which (8.18) reduces for a body with rotational symmetry
-    about the axis, or a thin one in the plane (8.19).
-
-    Raises :class:`MassError` if a product of inertia with the axis is left: then moments across the
-    axis are needed too.
+    about the axis, or a thin one in the plane (8.19); :class:`MassError` if a product of inertia
+    with the axis is left.
 
     >>> from newton_euler import Frame, Inertia
     >>> planar_moment(Inertia(Frame("body"), (2.0, 3.0, 5.0), (1.0, 0, 0)), 2.0)

@@ -1,8 +1,6 @@
 """Force systems (8.1, 8.7): forces at points and couples, their resultant, their moment about any
-point, the wrench.
-
-Systems that agree in force and moment are equivalent; a force may be moved if the couple of its
-moment is added (8.20). Forces may hold unknowns of :func:`newton_euler.solve_linear`.
+point, the wrench. Systems that agree in force and moment are equivalent (8.20). Forces may hold
+unknowns of :func:`newton_euler.solve_linear`.
 
 >>> from newton_euler import Frame
 >>> ground = Frame("ground")
@@ -49,8 +47,7 @@ class Force:
 
     @checked
     def moved(self, to: Point | Frame) -> "ForceSystem":
-        """The equivalent system of the force at ``to`` and the couple of its moment about ``to``
-        (8.20).
+        """The equivalent force at ``to`` and couple of its moment about ``to`` (8.20).
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground")
@@ -158,10 +155,8 @@ class ForceSystem:
 
     @checked
     def wrench(self, about: Point | Frame | None = None) -> "Wrench":
-        """The simplest equivalent system: the force on its central axis and the couple along it.
-
-        about : the place to which the ``point`` of the axis is nearest; default: where the first
-            force acts
+        """The simplest equivalent system: the force on its central axis and the couple along it;
+        its ``point`` is that nearest to ``about`` (default: where the first force acts).
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground")

@@ -1,7 +1,5 @@
-"""Gravitation and weight (chapter 5).
-
-K is the constant of gravitation, as in the book; its value and g are arguments everywhere, for
-other units and other planets.
+"""Gravitation and weight (chapter 5). The constant of gravitation K, as in the book, and g are
+arguments everywhere, for other units and other planets.
 """
 
 from ..algebra.errors import checked, checked_but
@@ -19,7 +17,7 @@ G_STANDARD_FT = 32.2  # ft/s^2
 @checked
 def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scalar:
     """The magnitude F = K m1 m2/r^2 of the attraction of two particles, or of radially symmetric
-    bodies outside of each other (5.21); N in SI.
+    bodies outside of each other (5.21).
 
     >>> round(attraction(5.97e24, 1.0, 6.371e6), 2)
     9.81
@@ -34,8 +32,7 @@ def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scala
 def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -> Vector:
     """The force on one body by the attraction of another, toward the other (5.20), (5.22).
 
-    on, by : bodies (see :func:`newton_euler.bodies.body.particle`), taken as particles in their
-        centres of mass: exact for radially symmetric ones
+    on, by : bodies, taken as particles in their centres of mass: exact for radially symmetric ones
     frame : in whose components; default: that of the first body
 
     >>> from newton_euler import Frame, particle
@@ -52,8 +49,7 @@ def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -
 
 @checked
 def gravity_at_surface(mass: Scalar, radius: Scalar, K: Scalar = K) -> Scalar:
-    """The acceleration of gravity g = K M/R^2 at the surface of a radially symmetric planet (5.24),
-    without the effect of its rotation.
+    """The acceleration of gravity g = K M/R^2 at the surface of a planet without rotation (5.24).
 
     >>> round(gravity_at_surface(5.972e24, 6.371e6), 3)
     9.818
@@ -63,8 +59,7 @@ def gravity_at_surface(mass: Scalar, radius: Scalar, K: Scalar = K) -> Scalar:
 
 @checked
 def gravity_at_height(height: Scalar, radius: Scalar, g: Scalar = G_STANDARD) -> Scalar:
-    """The acceleration of gravity g (R/(R + h))^2 at a height above the surface, from g at the
-    surface: (5.22) against (5.23).
+    """The acceleration g (R/(R + h))^2 at a height, from g at the surface (5.22), (5.23).
 
     >>> gravity_at_height(6.4e6, 6.4e6, g=8.0)
     2.0

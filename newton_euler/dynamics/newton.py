@@ -1,13 +1,10 @@
-"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system: forces
-from the motion, and the motion from forces.
+"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system.
 
 *Motion given, which forces?* Pass the acceleration of a point by ``polar(ground, "P", r, theta)``,
 ``frenet(v, a)``, ``ground.point(…)`` … in an inertial frame to :func:`resultant_force` or
-:func:`reaction`.
-
-*Forces given, which motion?* :func:`acceleration_by` in an inertial frame,
+:func:`reaction`. *Forces given, which motion?* :func:`acceleration_by` in an inertial frame,
 :func:`coordinate_accelerations` in curvilinear coordinates, :func:`path_rates` along the path,
-:func:`relative_acceleration` in a frame that moves. What they return is the right-hand side of a
+:func:`relative_acceleration` in a frame that moves: the right-hand side of a
 :class:`~newton_euler.motion.model.Model`.
 
 Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises
@@ -42,14 +39,10 @@ def _mass(m):
     return scalar(m)
 
 
-# -- the motion is given
-
-
 @checked
 def resultant_force(m: Scalar, a: Vector) -> Vector:
     """The resultant external force F = m a (6.1), ``a`` the acceleration of the mass centre in an
-    inertial frame. Its terms, times m, are those of the force: (6.5), (6.6), (6.8), (6.9), or by
-    way of a moving frame (6.10).
+    inertial frame; its terms, times m, are those of the force: (6.5), (6.6), (6.8), (6.9), (6.10).
 
     >>> from newton_euler import Frame, moving, polar
     >>> ground = Frame("ground")
@@ -65,11 +58,8 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
 
 @checked
 def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
-    """The one unknown force, where the motion and all other forces are known: R = m a - (the known
-    forces) (6.1).
-
-    a, known : Vectors. Terms: ``inertia``, which is m a, and each known force with its sign turned.
-        The result is along the axes of ``a``.
+    """The one unknown force R = m a - (the known forces) (6.1), along the axes of ``a``, a Vector
+    as the ``known`` are. Terms: ``inertia``, which is m a, and minus each known force.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -83,10 +73,8 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
 
 @checked
 def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) -> tuple:
-    """The force components (F_t, F_n) along the path (6.5), in the plane or in space: m v' and
-    m v^2/rho, F_n positive toward the centre of curvature.
-
-    flexure : 1/rho, zero on a straight path; where the turning rate theta' is known, it is theta'/v
+    """The force components (F_t, F_n) along the path (6.5), in the plane or in space: m v' and m
+    v^2/rho, F_n toward the centre of curvature; ``flexure`` is 1/rho, theta'/v in the plane.
 
     >>> path_force(2.0, 4.8, 0.0, 1/0.5)
     (0.0, 92.16)
@@ -95,15 +83,10 @@ def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) ->
     return to_plain(m * speed_rate), to_plain(m * speed * speed * flexure)
 
 
-# -- the forces are given
-
-
 @checked
 def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
-    """The acceleration of the mass centre by the forces named, a = F/m (6.1), with F/m of each
-    force as terms.
-
-    forces : Vectors; the result is along the axes of the first
+    """The acceleration of the mass centre by the forces named, Vectors: a = F/m (6.1), with F/m of
+    each as terms, along the axes of the first.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -121,9 +104,7 @@ def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
 @checked
 def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
     """The rates (v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the
-    direction of the velocity, positive toward F_n.
-
-    Raises :class:`SingularError` at rest, where the velocity has no direction.
+    direction of the velocity, positive toward F_n; :class:`SingularError` at rest.
 
     >>> path_rates(2.0, 3.0, 8.0, 4.0)
     (1.5, 1.0)
@@ -137,14 +118,11 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
 @checked
 def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence) -> tuple:
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
-    for r'', theta'', …
+    for r'', theta'', …, a tuple; :class:`SingularError` where the coordinates are singular.
 
     P : a point by :func:`~newton_euler.kinematics.coordinates.polar`, ``cylindrical``,
-        ``spherical`` or ``curvilinear``, with the values and the first rates of its coordinates;
-        second rates that it has are replaced
+        ``spherical`` or ``curvilinear``, with its coordinates and their first rates
     forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
-    Returns a tuple, one for each coordinate. Raises :class:`SingularError` where the coordinates
-    are singular (r = 0, the pole).
 
     >>> from newton_euler import Frame, moving, polar
     >>> P = polar(Frame("ground"), "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
@@ -171,14 +149,11 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
 
 @checked
 def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector) -> Vector:
-    """The acceleration of ``P`` seen in its own moving frame (6.10): the forces over m, and the
-    terms of the motion of the frame.
+    """The acceleration of ``P`` seen in its own moving frame (6.10), with the terms F/m of each
+    force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` as seen.
 
-    P : a point with its coordinates and their rates in the moving frame; second rates that it has
-        are ignored
+    P : a point with its coordinates and their rates in the moving frame; second rates are ignored
     observer : an inertial frame; forces : Vectors, by name
-    Terms: F/m of each force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` with their
-        signs as seen, (-2 omega x v_2 …).
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); disk = ground.rotate("disk", "z", rate=2.0)
@@ -202,7 +177,5 @@ def _per_mass(m, forces):
 
 def _three(F, name):
     if len(F) > 3:
-        raise FrameError(
-            f"the force {name} has {len(F)} components: {F!r}; give 3, or 2 in the plane"
-        )
+        raise FrameError(f"the force {name} has {len(F)} components: {F!r}; give 3, or 2")
     return (*F, 0, 0, 0)[:3]

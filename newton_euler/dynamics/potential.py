@@ -1,5 +1,4 @@
-"""Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field, if it
-has one.
+"""Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field.
 
 F(x, y, z) = -grad V if its work round every closed path is zero: its curl must be zero, and, which
 the book does not say, the circulation round each hole of the region, as an axis on which F does not
@@ -21,6 +20,7 @@ from ..algebra.scalars import (
     is_numeric,
     max_abs,
     probe,
+    real_scalar,
     scalar,
     short,
     to_plain,
@@ -42,13 +42,9 @@ class NoPotential(WorkError):
         self.place, self.curl, self.circulation = place, curl, circulation
 
 
-# -- potentials of known forces
-
-
 @checked
 def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scalar:
-    """The potential V = m g z of a weight (11.34), z the height of the centre of mass above any
-    level.
+    """The potential V = m g z of a weight (11.34), z the height of the centre of mass.
 
     >>> weight_potential(2.0, 3.0)
     58.86
@@ -59,8 +55,7 @@ def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scala
 
 @checked
 def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
-    """The potential V = K x^2/2 of a spring (11.35), x from the unloaded length, in tension or
-    compression; of a torsion spring with the angle for x.
+    """The potential V = K x^2/2 of a spring (11.35), x the stretch, or an angle.
 
     >>> spring_potential(200.0, -0.1)
     1.0
@@ -75,11 +70,10 @@ def spring_between(
     first: Point | Sequence[Scalar],
     second: Point | Sequence[Scalar],
 ) -> Scalar:
-    """The potential of a straight spring between two places (11.35): its stretch is their distance
-    less the free length.
+    """The potential of a spring between two places (11.35): stretch, distance less free length.
 
     first, second : two Points, and V is that of the instant, without rates; or two triples of
-        coordinates along the same axes, and V can be differentiated, as by
+        coordinates along the same axes, which can be differentiated, as by
         :func:`conservative_force`
 
     >>> from newton_euler import Frame
@@ -98,8 +92,7 @@ def spring_between(
 
 @checked
 def gravitational_potential(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scalar:
-    """The potential V = -K m1 m2/r of the attraction of two particles, or of radially symmetric
-    bodies outside of each other (11.24); zero at infinity.
+    """The potential V = -K m1 m2/r of the attraction of two radially symmetric bodies (11.24).
 
     >>> gravitational_potential(6.0, 2.0, 3.0, K=1.0)
     -4.0
@@ -115,9 +108,8 @@ def gravitational_potential(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar 
 def conservative_force(V: Callable, P: Point) -> Vector:
     """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``.
 
-    V : function of the coordinates by which P is given, rectangular or others, as for
-        :func:`newton_euler.kinematics.curvilinear_systems.gradient`; a formula of these, since a
-        value by way of Points has no rates to differentiate
+    V : formula of the coordinates by which P is given, rectangular or others, as for
+        :func:`newton_euler.kinematics.curvilinear_systems.gradient`
 
     >>> from newton_euler import Frame
     >>> P = Frame("ground").point("P", 1.0, 2.0, 3.0)
@@ -127,15 +119,9 @@ def conservative_force(V: Callable, P: Point) -> Vector:
     return -gradient(V, P)
 
 
-# -- of a force field
-
-
 @checked
 def jacobian(force: Callable, place: Sequence) -> tuple:
-    """The derivatives dF_i/dx_j of a force field at (x, y, z), exact, three rows of three.
-
-    force : function of x, y, z that returns three components, written with functions of this
-        package
+    """The derivatives dF_i/dx_j of a force field ``force(x, y, z)``, exact, three rows of three.
 
     >>> jacobian(lambda x, y, z: (x*y, 0, 2*z), (1.0, 3.0, 2.0))
     ((3.0, 1.0, 0), (0, 0, 0), (0, 0, 2))
@@ -146,8 +132,7 @@ def jacobian(force: Callable, place: Sequence) -> tuple:
 
 @checked
 def curl(force: Callable, place: Sequence) -> tuple:
-    """The curl of a force field at (x, y, z): (dF_z/dy - dF_y/dz, dF_x/dz - dF_z/dx, dF_y/dx -
-    dF_x/dy).
+    """The curl of a force field: (dF_z/dy - dF_y/dz, dF_x/dz - dF_z/dx, dF_y/dx - dF_x/dy).
 
     >>> curl(lambda x, y, z: (-y, x, 0), (1.0, 2.0, 3.0))
     (0, 0, 2)
@@ -198,7 +183,7 @@ class Potential:
     rtol: float = 1e-10
 
     def __call__(self, x: Scalar, y: Scalar, z: Scalar) -> Scalar:
-        target = tuple(scalar(c) for c in (x, y, z))
+        target = tuple(real_scalar(c) for c in (x, y, z))
         V = self._from_base(tuple(c.value if isinstance(c, Moving) else c for c in target))
         if not any(isinstance(c, Moving) for c in target):
             return V
@@ -207,7 +192,7 @@ class Potential:
         return Moving(V, rate.value, rate.rate) if isinstance(rate, Moving) else Moving(V, rate)
 
     def _from_base(self, target):
-        base = tuple(map(scalar, self.base))
+        base = tuple(map(real_scalar, self.base))
         line = tuple(x - a for a, x in zip(base, target, strict=True))
         exact = not all(map(is_numeric, (*target, *base)))
         force = _checked(self.force)
@@ -232,18 +217,15 @@ def find_potential(
     loops: Sequence[Callable] = (),
     tolerance: float = 1e-9,
 ) -> Potential:
-    """The potential of a force field (11.16)-(11.18).
+    """The potential of a force field (11.16)-(11.18); :class:`NoPotential` if it has none.
 
-    force : function of x, y, z that returns (F_x, F_y, F_z), written with functions of this
-        package; symbols in it count as numbers of their own
+    force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers
     base : where V is zero; straight lines from it must stay where the force exists
     box : the region in which the field is used, three pairs (low, high)
-    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region; a
-        hole is not found without its loop
+    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
         and of the work round a loop, relative to size of F times length. A spot check: a curl that
         is zero at these places alone passes.
-    Raises :class:`NoPotential` with the reason if there is none.
 
     >>> V = find_potential(lambda x, y, z: (-2.0*x, -2.0*y, 0.0))
     >>> round(V(3.0, 4.0, 0.0), 9)

@@ -26,8 +26,6 @@ from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
 from ..kinematics.paths import along
 
-# -- the integral
-
 
 @checked
 def work_integral(
@@ -38,26 +36,19 @@ def work_integral(
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> Amount:
-    """The integral of ``f`` from ``start`` to ``end`` with its estimated error: (11.2), (11.3),
-    (11.4) or (11.11), by what f is.
+    """The integral of ``f`` with its estimated error: (11.2), (11.3), (11.4) or (11.11).
 
-    f : function of one number, written with functions of this package. Floats: by SciPy's adaptive
-        quadrature to ``rtol``, relative to the integral of abs(f). Arrays and mpf: to nearly their
-        accuracy, for a smooth f; likewise dimensions, moving and traced numbers. With symbols, or
-        ``exact=True``: by SymPy, which may take long
-    breaks : in order, where f has corners or jumps, or begins and ends a short pulse; the integral
-        is divided there
-    Raises :class:`WorkError` where it does not converge, where f is not finite, or where SymPy
-    finds no formula.
+    f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
+        integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise
+        dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy
+    breaks : in order, where f has corners or jumps, or begins and ends a short pulse
+    Raises :class:`WorkError` where it does not converge, is not finite, or has no formula.
 
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
     -1.0
     """
     value, error = quadrature(f, start, end, rtol, exact, breaks)
     return Amount(to_plain(value), error=error)
-
-
-# -- work
 
 
 @checked
@@ -73,10 +64,8 @@ def work_along(
     """The work of a force whose point of application moves along a curve (11.1), with its
     rectangular ``terms`` x, y, z (11.5).
 
-    force : function of x, y, z (of the place, along the axes in which the path is given) that
-        returns (F_x, F_y, F_z)
-    path : function of one parameter that returns (x, y, z), written with functions of this package;
-        ``start``, ``end`` its limits
+    force : function of x, y, z that returns (F_x, F_y, F_z), along the axes of the path
+    path : function of one parameter, from ``start`` to ``end``, that returns (x, y, z)
     The others are those of :func:`work_integral`.
 
     >>> from newton_euler import cos, sin
@@ -98,10 +87,8 @@ def work_along(
 
         return f
 
-    parts = {
-        name: work_integral(component(n), start, end, rtol, exact, breaks)
-        for n, name in enumerate("xyz")
-    }
+    how = rtol, exact, breaks
+    parts = {n: work_integral(component(k), start, end, *how) for k, n in enumerate("xyz")}
     return summed(parts, number="11.5", error=sum(p.error for p in parts.values()))
 
 
@@ -118,8 +105,8 @@ def work_in_time(
     """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
     force, velocity : functions of time that return Vectors or triples: the force and the velocity
-        of its point of application, or the moment of a couple and the angular velocity. The others
-        are those of :func:`work_integral`.
+        of its point of application, or the moment of a couple and the angular velocity
+    The others are those of :func:`work_integral`.
 
     >>> weight, velocity = lambda t: (0, 0, -19.62), lambda t: (5.0, 0, 10.0 - 9.81*t)
     >>> round(work_in_time(weight, velocity, 0.0, 1.0).value, 9)
@@ -130,10 +117,9 @@ def work_in_time(
 
 @checked
 def constant_force_work(force: Vector, start: Point, end: Point) -> Amount:
-    """The work of a constant force between two Points, by any path, F.(r_1 - r_0) (11.6), with the
-    ``terms`` x, y, z along the axes of the force. That of a weight is m g (z_0 - z_1) (11.7).
-
-    force : a Vector; start, end : Points of related frames, that do not move relative to each other
+    """The work of a constant force, a Vector, between two Points of frames at relative rest, by any
+    path: F.(r_1 - r_0) (11.6), with the ``terms`` x, y, z along its axes. That of a weight is m g
+    (z_0 - z_1) (11.7).
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -146,17 +132,14 @@ def constant_force_work(force: Vector, start: Point, end: Point) -> Amount:
     return summed(terms, number="11.6")
 
 
-# -- power
-
-
 @checked
 def power(
     force: Vector | Sequence,
     velocity: Vector | Sequence | Point | Frame,
     observer: Frame | None = None,
 ) -> Scalar:
-    """The power P = F.v of a force (11.8), (11.9), v the velocity of its point of application; or
-    P = M.omega of a couple (11.10). Positive: it drives the body.
+    """The power P = F.v of a force (11.8), (11.9), v the velocity of its point of application, or P
+    = M.omega of a couple (11.10). Positive: it drives the body.
 
     velocity : a Vector, like the force; or triples both, along the same axes. With an ``observer``,
         an inertial frame: the Point at which the force acts, or the Frame on which the couple acts
@@ -166,8 +149,6 @@ def power(
     >>> wheel = ground.rotate("wheel", "z", rate=3.0)
     >>> power((0, 0, -2.0), (1.0, 0, 3.0)), power(5.0*ground.k, wheel, ground)
     (-6.0, 15.0)
-    >>> power(2.0*wheel.j, wheel.point("P", 0.5, 0, 0), ground)
-    3.0
     """
     if observer is not None:
         seen = getattr(velocity, "angular_velocity", getattr(velocity, "velocity", None))
@@ -192,10 +173,8 @@ def power(
 @checked
 def pair_power(force: Vector, first: Point, second: Point, observer: Frame) -> Scalar:
     """The power of a pair of opposite forces, ``force`` at the Point ``first`` and its opposite at
-    ``second`` (11.10), (11.13): F.(v_1 - v_2).
-
-    A couple if both are points of one body; a spring, damper or joint between two bodies; zero for
-    forces along the line between two points of one rigid body, whose internal forces do no work.
+    ``second`` (11.10), (11.13): F.(v_1 - v_2). A couple if both are points of one body; a spring,
+    damper or joint between two; zero along the line between two points of one rigid body.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); body = ground.rotate("body", "z", rate=2.0)

@@ -1,16 +1,12 @@
 """Polar, cylindrical and spherical components of velocity and acceleration (2.6, 3.5-3.8).
 
 Each system is a frame of local unit vectors, turned from the ground by the coordinate angles, and a
-point in it:
+point in it, so that (4.18) gives all accelerations, with the terms of the book:
 
-polar, cylindrical   (e_r, e_theta, k): turned about z by the azimuth theta, from x towards y; the
-                     point is at (r, 0, z)
-spherical            (e_R, e_theta, e_phi): turned about z by theta, then up by the **elevation**
-                     phi above the x, y plane (not the polar angle from z); the point is at
-                     (R, 0, 0)
-
-So the one formula for relative motion (4.18) gives all accelerations, with the terms of the book.
-Rectangular components (3.1)-(3.3): ``ground.point("P", x, y, z).acceleration(ground)``.
+polar, cylindrical : (e_r, e_theta, k), turned about z by the azimuth theta, from x towards y; the
+    point is at (r, 0, z)
+spherical : (e_R, e_theta, e_phi), turned about z by theta, then up by the **elevation** phi above
+    the x, y plane (not the polar angle from z); the point is at (R, 0, 0)
 """
 
 from collections.abc import Callable
@@ -44,10 +40,7 @@ from .triads import below_roundoff, norm3, numeric3
 
 @checked
 def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k") -> Frame:
-    """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19), also for polar
-    coordinates (2.6).
-
-    theta : rad, from x towards y; a number or moving
+    """The frame of e_r, e_theta, k at the azimuth ``theta`` (3.19), also polar (2.6).
 
     >>> ground = Frame("ground")
     >>> cylindrical_frame(ground, moving(0.5, rate=2.0)).i.rate(ground)
@@ -63,10 +56,7 @@ def spherical_frame(
     ground: Frame, theta: Scalar, phi: Scalar, name: str = "e_R, e_theta, e_phi"
 ) -> Frame:
     """The frame with the axes e_R, e_theta, e_phi at the azimuth ``theta`` and the elevation
-    ``phi`` (3.25).
-
-    theta, phi : rad, from x towards y, and above the x, y plane; numbers or moving
-    Its angular velocity is theta' k - phi' e_theta.
+    ``phi`` (3.25), numbers or moving. Its angular velocity is theta' k - phi' e_theta.
 
     >>> ground = Frame("ground")
     >>> axes = spherical_frame(ground, moving(0.0, rate=2.0), moving(0.0, rate=3.0))
@@ -89,8 +79,6 @@ class CoordinatePoint(Point):
     local : the frame of the local unit vectors
     coordinates : the three (polar: two) coordinates, as moving numbers
     scale_factors : the length of path per unit of each coordinate
-    equations, terms : for "velocity" and "acceleration", the equation, and the function of the
-        point that returns its terms
     """
 
     __slots__ = ("_system", "_terms", "coordinates", "ground", "local", "scale_factors")
@@ -127,18 +115,15 @@ class CoordinatePoint(Point):
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):
-    return CoordinatePoint(
-        name, local, x, ground, local, coordinates, scale_factors, system, _TERMS[system]
-    )
+    of_system = coordinates, scale_factors, system, _TERMS[system]
+    return CoordinatePoint(name, local, x, ground, local, *of_system)
 
 
 @checked
 def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint:
-    """The point of the x, y plane with the polar coordinates ``r`` and ``theta`` (2.17), (2.18).
-
-    r, theta : distance from the origin, angle in rad from x towards y; numbers or moving
-    Velocity and acceleration in ``ground`` are along e_r, e_theta; terms ``radial, transverse``
-    and ``radial, centripetal, euler, coriolis``.
+    """The point of the x, y plane with the polar coordinates ``r`` and ``theta`` (2.17), (2.18),
+    numbers or moving. Velocity and acceleration in ``ground`` are along e_r, e_theta; terms
+    ``radial, transverse`` and ``radial, centripetal, euler, coriolis``.
 
     >>> ground = Frame("ground")
     >>> B = polar(ground, "B", moving(20.0, rate=0.5), moving(0.5, rate=-0.075))
@@ -153,12 +138,9 @@ def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint
 
 @checked
 def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -> CoordinatePoint:
-    """The point with the cylindrical coordinates ``r``, ``theta`` and ``z`` (3.18).
-
-    r, theta, z : distance from the z axis, azimuth in rad from x towards y, height; numbers or
-        moving
-    Velocity (3.22) and acceleration (3.23) in ``ground`` are along e_r, e_theta, k; terms as for
-    :func:`polar`, and ``axial``.
+    """The point with the cylindrical coordinates ``r``, ``theta`` and ``z`` (3.18), numbers or
+    moving. Velocity (3.22) and acceleration (3.23) in ``ground`` are along e_r, e_theta, k; terms
+    as for :func:`polar`, and ``axial``.
 
     >>> ground = Frame("ground")
     >>> P = cylindrical(ground, "P", 2.0, moving(0.0, rate=3.0), moving(1.0, rate=4.0))
@@ -173,10 +155,9 @@ def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -
 
 @checked
 def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -> CoordinatePoint:
-    """The point with the spherical coordinates ``R``, ``theta`` and ``phi`` (3.24).
+    """The point with the spherical coordinates ``R``, ``theta`` (azimuth) and ``phi``
+    (**elevation**) (3.24), numbers or moving.
 
-    R, theta, phi : distance from the origin, azimuth in rad from x towards y, **elevation** in rad
-        above the x, y plane; numbers or moving
     Velocity (3.26) and acceleration (3.27) in ``ground`` are along e_R, e_theta, e_phi; terms
     ``radial, theta, phi``, and ``radial`` with the ``centripetal``, ``euler`` and ``coriolis``
     terms of either angle: ``centripetal_theta``, … ``coriolis_theta_phi``. Near a pole cos phi is
@@ -184,10 +165,8 @@ def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -
 
     >>> ground = Frame("ground")
     >>> P = spherical(ground, "P", 2.0, moving(0.0, rate=3.0), moving(0.0, rate=4.0))
-    >>> P.velocity(ground).components()
-    (0, 6.0, 8.0)
-    >>> P.acceleration(ground).terms["centripetal_phi"].components()
-    (-32.0, 0, 0)
+    >>> P.velocity(ground).components(), P.acceleration(ground).terms["centripetal_phi"].x
+    ((0, 6.0, 8.0), -32.0)
     """
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
     R, theta, phi = moving(R), local.parent.angle, moving(phi)
@@ -260,10 +239,9 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
     velocity ``v`` and acceleration ``a`` are given.
 
     r, v, a : Vectors; components are taken along the frame of ``r``, in which v and a are seen
-    Without ``v`` the results are plain numbers; with it moving ones, whose ``.rate`` and
-    ``.acceleration`` are r', r'', … (without ``a`` the second rates are None). theta is in
-    (-pi, pi]. Raises :class:`SingularError` at the origin, where theta and its rates do not exist,
-    and for vectors out of the plane.
+    Without ``v`` the results are plain numbers; with it moving ones (without ``a`` the second rates
+    are None). theta is in (-pi, pi]. Raises :class:`SingularError` at the origin, where theta and
+    its rates do not exist, and for vectors out of the plane.
 
     >>> G = Frame("ground")
     >>> polar_coordinates(G.vector(2.0, 0, 0), v=G.vector(0, 6.0, 0), a=G.vector(0, 0, 0))
@@ -330,9 +308,7 @@ def _off_the_axis(r, where):
 
 
 def _with_rates(make, q, frame, v, a):
-    """The coordinates ``q`` with their rates: q_i' = v_i / h_i, then q_i'' from the difference of
-    ``a`` and the acceleration with q'' = 0.
-    """
+    """The coordinates ``q``, q_i' = v_i/h_i, q_i'' from ``a`` less the acceleration for q'' = 0."""
     scratch = Frame("axes")
     v, a = (None if u is None else Vector(u.expressed_in(frame).c, scratch) for u in (v, a))
     if v is None:
@@ -352,8 +328,7 @@ def _with_rates(make, q, frame, v, a):
 
 @checked
 def T_theta(theta: Scalar) -> tuple:
-    """[T_theta] (3.34): from rectangular to cylindrical components; three rows. Its inverse is its
-    transpose.
+    """[T_theta] (3.34): from rectangular to cylindrical components; three rows.
 
     >>> T_theta(0.0)
     ((1.0, 0.0, 0), (-0.0, 1.0, 0), (0, 0, 1))

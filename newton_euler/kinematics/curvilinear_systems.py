@@ -1,11 +1,10 @@
 """Components in any orthogonal coordinates from their position function alone (3.4), and gradients
-(A.22).
-
-The unit vector of a coordinate is the direction in which the point moves if that coordinate alone
-increases: e_i = (dr/dq_i)/h_i, with the *scale factor* h_i = abs(dr/dq_i).
+(A.22). The unit vector of a coordinate is e_i = (dr/dq_i)/h_i, with the *scale factor* h_i =
+abs(dr/dq_i).
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import combinations_with_replacement
 
 from ..algebra.errors import checked
@@ -35,17 +34,13 @@ def curvilinear(
     q3: Scalar,
     names: Sequence[str] = ("u", "v", "w"),
 ) -> CoordinatePoint:
-    """The point with the coordinates q1, q2, q3 in the system with the position function
-    ``position``.
+    """The point with the coordinates q1, q2, q3 in the system of ``position``.
 
-    position : function of three scalars, of functions of this package, that returns (x, y, z) in
-        ``ground``
-    q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3
-        right-handed
+    position : function of three scalars that returns (x, y, z) in ``ground``
+    q1, q2, q3 : numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
     names : of the coordinates, for the names of terms
     Velocity and acceleration in ``ground`` are along e_1, e_2, e_3 (``P.local``), with one term for
-    each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of
-    ``position`` or of the rates are left out.
+    each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …, unless zero by form.
 
     Raises :class:`SingularError` where a scale factor is below round-off (a pole, an axis), and for
     coordinates that are not orthogonal or not right-handed there.
@@ -64,9 +59,8 @@ def curvilinear(
     factors = tuple(norm3(c) for c in columns)
     _check(position, values, columns, factors)
     axes = [tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)]
-    local = Triad(
-        f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q))
-    )
+    turning = partial(_turning, position, q)
+    local = Triad(f"e_1, e_2, e_3 of {name}", ground, axes, turning)
     local.hats = (r"\hat{e}_1", r"\hat{e}_2", r"\hat{e}_3")
     terms = {
         "velocity": lambda P: _velocity_terms(P, columns, names),
@@ -115,14 +109,12 @@ def _check_axes(axes):
                 f"{to_plain(cosine)}, expected 0; this method needs orthogonal ones"
             )
     if below_roundoff(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
-        raise SingularError(
-            "the coordinates are left-handed here: e_1 x e_2 = -e_3; exchange two of them"
-        )
+        raise SingularError("the coordinates are left-handed: e_1 x e_2 = -e_3; exchange two")
 
 
-def _moving_axes(position, q):
+def _turning(position, q):
     columns = [[as_moving(x) for x in c] for c in tangents(position, q)]
-    return [[as_moving(x / norm3(c)) for x in c] for c in columns]
+    return turning_of([[as_moving(x / norm3(c)) for x in c] for c in columns])
 
 
 def _velocity_terms(P, columns, names):
@@ -148,18 +140,13 @@ def _vectors(parts, ground):
     return [(name, Vector(c, ground)) for name, c in parts if any(x is not ZERO for x in c)]
 
 
-# -- the gradient
-
-
 @checked
 def gradient(f: Callable, P: Point) -> Vector:
-    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, by exact derivatives.
+    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, the sum of (df/dq_i)/h_i
+    e_i, by exact derivatives, along P's local axes or those of its frame.
 
-    f : function of the coordinates by which P is given, written with the functions of this package:
-        x, y, z in its frame, or those of a
+    f : function of the coordinates by which P is given: x, y, z, or those of a
         :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
-    The result is along the axes of P's frame, or along P's local axes: the sum of (df/dq_i)/h_i
-    e_i.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

@@ -134,11 +134,9 @@ class Frame:
     ) -> "Frame":
         """A new frame turned from this one about ``axis``, right-handed.
 
-        axis : "x", "y", "z", "-x", "-y", "-z", or three constant components of any length along
-            the axes of this frame
+        axis : "x", "y", "z", "-x", "-y", "-z", or three constant components in this frame
         angle, rate, acceleration : rad, rad/s, rad/s^2; ``angle`` may be moving (see
-            :func:`moving`, :func:`at`), or a SymPy expression in the symbol ``t``, and then has its
-            rates already
+            :func:`moving`, :func:`at`), or a SymPy expression in the symbol ``t``, with its rates
         origin : a Point of this frame, the origin of the new one; default: the origin of this frame
         """
         angle = moving(angle, rate, acceleration)
@@ -220,9 +218,7 @@ class Frame:
     def common(self, other: "Frame") -> "Frame":
         """The nearest common ancestor, or one of the two; :class:`FrameError` without one."""
         if not isinstance(other, Frame):
-            raise FrameError(
-                f"expected a frame, as in {self.name}.rotate('arm', 'z'), got {other!r}"
-            )
+            raise FrameError(f"expected a frame, as {self.name}.rotate('arm', 'z'), got {other!r}")
         if other is self or other in self._above:
             return other
         for f in (self, *self._above):
@@ -269,9 +265,7 @@ class Frame:
 
     def rotation(self, observer: "Frame") -> tuple:
         """The matrix R, three rows, that takes components here to components in ``observer``; its
-        columns are the axes of this frame there.
-
-        The book's A (4.1) of direction cosines is its transpose.
+        columns are the axes of this frame there. The book's A (4.1) is its transpose.
         """
         axes = (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
         columns = [map(to_plain, self.transform(axis, observer)) for axis in axes]
@@ -281,9 +275,7 @@ class Frame:
 
     def angular_velocity(self, observer: "Frame") -> Vector:
         """omega of this frame seen from ``observer``, rad/s, in components of this frame (4.20),
-        (4.22).
-
-        terms : one for each frame between, named after it: its rate of turn in its parent
+        (4.22); a term for each frame between: its rate of turn in its parent.
         """
         ledger = self._ledger("angular velocity", observer, self._omega_terms)
         return Vector(
@@ -292,10 +284,7 @@ class Frame:
 
     def angular_acceleration(self, observer: "Frame") -> Vector:
         """alpha of this frame seen from ``observer``, rad/s^2, in components of this frame (4.25),
-        (4.26) for any number of frames.
-
-        terms : one for each frame between, and ``"arm x rod"`` for each cross product omega_arm x
-            omega_rod of two of them
+        (4.26); terms: one for each frame between, and ``"arm x rod"`` for two of them.
         """
         ledger = self._ledger("angular acceleration", observer, self._alpha_terms)
         return Vector(self._alpha(observer), self, None, ledger)
@@ -401,10 +390,8 @@ def _sent_frame(kind, token, parent):
 
 
 class Point:
-    """A point given by its coordinates in a frame, fixed there unless they are moving; made by
-    ``frame.point(...)``.
-
-    origin_of : the name of the first frame whose origin it is, or None
+    """A point, made by ``frame.point(...)``, fixed in the frame unless its coordinates are moving;
+    ``origin_of`` is the name of the first frame whose origin it is, or None.
     """
 
     __slots__ = ("_c", "frame", "name", "origin_of", "x")
@@ -597,10 +584,7 @@ def _same_shape(numbers, what):
 
 
 def place(where: PointLike, what: str) -> Point:
-    """The Point itself, or of a Frame its origin, as a point fixed in it.
-
-    what : names it in the error message
-    """
+    """The Point itself, or of a Frame its origin, fixed in it; errors name it ``what``."""
     if isinstance(where, Frame):
         return where.point(f"origin of {where.name}", 0, 0, 0)
     if not isinstance(where, Point):
@@ -612,9 +596,7 @@ def place(where: PointLike, what: str) -> Point:
 
 
 def axes_at(point: Point) -> Frame:
-    """The frame that a point is fixed in; :class:`FrameError` if the point is also the origin of
-    another frame, whose axes may be meant.
-    """
+    """The frame that a point is fixed in; :class:`FrameError` if it is the origin of another."""
     other = point.origin_of
     if other is not None:
         raise FrameError(

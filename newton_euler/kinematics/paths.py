@@ -1,15 +1,10 @@
 """Intrinsic components: velocity and acceleration along the path and across it (2.3, 3.2).
 
-The unit vectors belong to the path: e_t along the velocity, e_n towards the centre of curvature
-(the concave side), e_b = e_t x e_n. In the plane they are the book's tangential and normal
-directions, and e_b is k where the path turns counterclockwise, -k where it turns clockwise.
-
-*Flexure* f is the reciprocal of the radius of curvature rho, both positive. *Torsion* tau has the
-book's sign (3.9), de_b/ds = tau e_n: it is **minus** the torsion of most other books, and negative
-for a right-handed helix.
-
-A *path* is a function of one parameter that returns the three coordinates, written with the
-functions of this package. Its derivatives are exact.
+The unit vectors belong to the path: e_t along the velocity, e_n towards the centre of curvature,
+e_b = e_t x e_n; in the plane e_b is k where the path turns counterclockwise, else -k. *Flexure* f
+is the reciprocal of the radius of curvature rho, both positive. *Torsion* tau has the book's sign
+(3.9), de_b/ds = tau e_n: it is **minus** the torsion of most other books, and negative for a
+right-handed helix. A *path* is a function of one parameter that returns three coordinates.
 """
 
 from collections.abc import Callable
@@ -33,16 +28,11 @@ from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, su
 from .frames import Frame
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
-# -- paths as functions
-
 
 @checked
 def along(path: Callable, q: Scalar) -> tuple:
-    """The three moving coordinates of the point at ``q`` on the path, for
-    ``ground.point("P", *along(path, q))`` (3.1)-(3.3).
-
-    path : function of the parameter, returning (x, y, z)
-    q : a moving parameter; a plain number is a time, with the rate 1
+    """The three moving coordinates of the point at ``q`` on the path, for ``ground.point("P",
+    *along(path, q))`` (3.1)-(3.3); q is a moving parameter, or a time, with the rate 1.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -65,12 +55,9 @@ def derivatives(path: Callable, q: Scalar) -> tuple:
 
 @checked
 def at_speed(path: Callable, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Moving:
-    """The parameter ``q`` with its rates, for a point that passes there with this speed in the
-    direction of increasing q.
-
-    speed_rate : rate of change of the speed
-    With r_q = dr/dq: q' = nu / abs(r_q), and q'' from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq) /
-    abs(r_q). Raises :class:`SingularError` where the path stands still in q (r_q = 0).
+    """The parameter ``q`` with its rates, for a point that passes there with this speed (and its
+    rate of change) in the direction of increasing q: with r_q = dr/dq, q' = nu/abs(r_q), and q''
+    from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq)/abs(r_q). :class:`SingularError` where r_q = 0.
 
     >>> at_speed(lambda q: (q, q**2, 0), 0.0, speed=2.0)
     moving(0.0, rate=2.0, acceleration=-0.0)
@@ -107,15 +94,11 @@ def _three(c):
     return x, y, z
 
 
-# -- the Frenet triad
-
-
 @dataclass(frozen=True)
 class Frenet:
     """A motion in intrinsic components, from :func:`frenet` or :func:`frenet_along`.
 
-    frame : the frame of the axes e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are
-        expressed
+    frame : the frame of e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are given
     speed, speed_rate : nu and its rate of change, the tangential component of acceleration
     flexure : f = 1/rho, in 1/length
     """
@@ -127,9 +110,7 @@ class Frenet:
     _torsion: Scalar = field(default=None, repr=False)
 
     e_t = property(lambda self: self.frame.i, doc="unit tangent, along the velocity (2.4), (3.4)")
-    e_n = property(
-        lambda self: self.frame.j, doc="principal normal, towards the centre of curvature (3.5)"
-    )
+    e_n = property(lambda self: self.frame.j, doc="normal, towards the centre of curvature (3.5)")
     e_b = property(lambda self: self.frame.k, doc="binormal e_t x e_n (3.7)")
     radius = property(lambda self: 1 / self.flexure, doc="radius of curvature rho (2.12)")
     to_center = property(
@@ -181,8 +162,7 @@ def speed_rate(v: Vector, a: Vector) -> Scalar:
 
 @checked
 def flexure(v: Vector, a: Vector) -> Scalar:
-    """f = abs(v x a) / nu^3 (3.6), the reciprocal of the radius of curvature; zero (or round-off)
-    on a straight path.
+    """f = abs(v x a)/nu^3 (3.6), 1/(radius of curvature); zero (or round-off) on a straight path.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -195,12 +175,10 @@ def flexure(v: Vector, a: Vector) -> Scalar:
 
 @checked
 def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path") -> Frenet:
-    """The intrinsic triad and components of a motion with velocity ``v`` and acceleration ``a``
-    (2.14), (3.13).
+    """The intrinsic triad and components of a motion by velocity and acceleration (2.14), (3.13).
 
     v, a, jerk : Vectors, all seen from one observer; the frame of ``v`` is the parent of the triad
     jerk : da/dt; only needed for the torsion
-
     Raises :class:`SingularError` at rest, and where v x a is below round-off (a straight path, an
     inflection), to which terms of ``v`` and ``a`` that cancel add.
 
@@ -209,8 +187,6 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
     >>> P = frenet(ground.vector(0, 5.0, 0), ground.vector(-2.0, 1.5, 0))
     >>> P.speed, P.speed_rate, P.radius, P.acceleration
     (5.0, 1.5, 12.5, Vector(1.5, 2.0, 0 in e_t, e_n, e_b of path))
-    >>> P.e_n.components(ground)
-    (-1.0, 0, 0)
     """
     ground = v.frame
     third = None if jerk is None else jerk.expressed_in(ground).c
@@ -222,8 +198,7 @@ def frenet_along(path: Callable, q: Scalar, ground: Frame, name: str = "path") -
     """The intrinsic triad, flexure, torsion and components of a point moving along a path
     (3.4)-(3.13), by exact derivatives.
 
-    path : function of the parameter, returning the coordinates (x, y, z) along the axes of
-        ``ground``
+    path : function of the parameter, returning (x, y, z) along the axes of ``ground``
     q : a moving parameter (see :func:`at_speed`); a plain number is a time, with the rate 1
     Raises :class:`SingularError` as :func:`frenet` does, here where a direction changes by its own
     size while q changes by its round-off.

@@ -1,8 +1,6 @@
 """Motion along a line from its acceleration as a function of time, of velocity or of position
-(chapter 2, with one coordinate).
-
-Each function integrates a = dv/dt, v = dx/dt or a = v dv/dx to the accuracy of the numbers given,
-of any kind. With symbols the motion is taken to go forward and to reach the value.
+(chapter 2, with one coordinate), to the accuracy of the numbers given, of any kind. With symbols
+the motion is taken to go forward and to reach the value.
 """
 
 from collections.abc import Callable
@@ -28,9 +26,7 @@ from ..algebra.scalars import (
 def from_time(
     a: Callable, t: Scalar, x0: Scalar = ZERO, v0: Scalar = ZERO
 ) -> tuple[Scalar, Scalar]:
-    """(x, v) at the time ``t`` of a point that at time 0 is at ``x0`` with velocity ``v0``.
-
-    a : the acceleration as a function of time
+    """(x, v) at the time ``t`` for the acceleration ``a(t)``, from ``x0`` and ``v0`` at time 0.
 
     >>> x, v = from_time(lambda t: 6.0*t, 2.0, v0=1.0)
     >>> round(x, 12), round(v, 12)
@@ -41,11 +37,9 @@ def from_time(
 
 @checked
 def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[Scalar, Scalar]:
-    """(t, x) at which a point reaches the velocity ``v``, starting at time 0 at ``x0`` with ``v0``.
-
-    a : the acceleration as a function of velocity
-    t is the integral of dv/a, x - x0 that of v dv/a. Raises :class:`SingularError` if the
-    acceleration is zero or has the wrong sign between, so that ``v`` is not reached.
+    """(t, x) at which a point reaches the velocity ``v`` by the acceleration ``a(v)``, starting at
+    time 0 at ``x0`` with ``v0``: t is the integral of dv/a, x - x0 that of v dv/a. Raises
+    :class:`SingularError` if a is zero or has the wrong sign between.
 
     >>> t, x = from_speed(lambda v: -0.5*v, 1.0, v0=4.0)
     >>> round(t/2, 12), round(x, 12)  # t = 2 ln 4
@@ -66,12 +60,10 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[S
 def from_place(
     a: Callable, x: Scalar, x0: Scalar = ZERO, v0: Scalar = ZERO
 ) -> tuple[Scalar, Scalar]:
-    """(t, v) at which a point reaches the position ``x``, starting at time 0 at ``x0`` with ``v0``.
-
-    a : the acceleration as a function of position
-    v^2 = v0^2 + 2 (integral of a dx), t is the integral of dx/v, also from rest. Raises
-    :class:`SingularError` if v^2 would be negative, since the point turns back before ``x``. Where
-    v = 0 at ``x`` itself the integral does not converge: start there and go backwards.
+    """(t, v) at which a point reaches the position ``x`` by the acceleration ``a(x)``, starting at
+    time 0 at ``x0`` with ``v0``, also from rest: v^2 = v0^2 + 2 (integral of a dx), t is the
+    integral of dx/v. Raises :class:`SingularError` if the point turns back before ``x``; where v =
+    0 at ``x`` itself the integral does not converge: start there and go backwards.
 
     >>> t, v = from_place(lambda x: 9.81, 2.0)
     >>> round(v**2, 9), round(9.81*t/v, 9)

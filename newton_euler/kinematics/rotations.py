@@ -1,5 +1,5 @@
 """Finite rotations (chapters 4 and 10): direction cosines, Euler's theorem, quaternions, Euler
-angles 3-1-3.
+angles 3-1-3; in radians.
 
 A *rotation matrix* R, three rows of three, takes components in the turned axes to components in the
 fixed ones: its columns are the turned axes, and ``frame.rotation(ground)`` is one. The book's A
@@ -7,8 +7,8 @@ fixed ones: its columns are the turned axes, and ``frame.rotation(ground)`` is o
 
 A *quaternion* is (q0, q1, q2, q3), scalar part first: cos(angle/2), then sin(angle/2) times the
 axis. It too takes body components to ground components; q and -q are the same rotation. *Euler
-angles* are (psi, theta, phi), in the order of turning: precession about Z, nutation about the line
-of nodes, spin about the body's z axis (10.2). Angles are in radians.
+angles* are (psi, theta, phi): precession about Z, nutation about the line of nodes, spin about the
+body's z axis (10.2).
 
 Those that read a rotation (``axis_angle``, ``quaternion_from_matrix``, ``euler_angles``) compare
 values: they take numbers of all kinds and arrays of shape (N,) as entries, and raise
@@ -82,9 +82,7 @@ def product(*matrices: Matrix) -> tuple:
 
 @checked
 def apply(R: Matrix, v: Triple) -> tuple:
-    """The components R v: of the turned vector, or of the same vector in the fixed axes.
-
-    v : three components, or a Vector
+    """The components R v, v a triple or a Vector: of the turned one, or the same in the fixed axes.
 
     >>> apply(((0, -1, 0), (1, 0, 0), (0, 0, 1)), (1.0, 2.0, 3.0))
     (-2.0, 1.0, 3.0)
@@ -125,10 +123,8 @@ def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
 
 @checked
 def direction_cosines(frame: Frame, ground: Frame) -> tuple:
-    """The book's A (4.1), whose entries are the cosines of the angles between the axes of ``frame``
-    (rows) and of ``ground`` (columns).
-
-    A takes components in ``ground`` to components in ``frame`` (4.7).
+    """The book's A (4.1), which takes components in ``ground`` to components in ``frame`` (4.7):
+    the cosines of the angles between the axes of ``frame`` (rows) and of ``ground`` (columns).
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -143,11 +139,10 @@ def direction_cosines(frame: Frame, ground: Frame) -> tuple:
 
 @checked_but("axis")
 def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
-    """The matrix, three rows, of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2, by
-    Rodrigues' formula).
+    """The matrix, three rows, of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2).
 
-    axis : three components of any length, or a Vector; the same in the turned and in the fixed axes
-    A moving angle gives moving entries. Raises :class:`RotationError` for an axis of length zero.
+    axis : three components of any length but zero (:class:`RotationError`), or a Vector; the same
+        in the turned and in the fixed axes
 
     >>> [[round(x, 3) for x in row] for row in rotation_matrix((0, 0, 2), 1.0)]
     [[0.54, -0.841, 0], [0.841, 0.54, 0], [0, 0, 1]]
@@ -166,14 +161,13 @@ def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
 
 @checked_but("R")
 def axis_angle(R: Matrix, tolerance: float = 1e-9) -> tuple[tuple, Scalar]:
-    """The axis, a unit triple, and the angle in [0, pi] of any rotation (Euler's theorem, 4.2).
+    """The axis, a unit triple, and the angle in [0, pi] of any rotation (Euler's theorem, 4.2),
+    right-handed. At pi (within 8 round-offs) the first component that is not zero is positive; at
+    angle 0 no axis is determined and (0, 0, 1) is returned.
 
-    Right-handed; the axis has the same components in the turned and the fixed axes. At pi (within 8
-    round-offs), where both senses are the same rotation, its first component that is not zero is
-    positive. At angle 0 no axis is determined and (0, 0, 1) is returned.
     tolerance : how far R^T R may be from 1; :class:`RotationError` beyond, and for reflections
-    Accuracy: the round-off of the entries, also near 0 and pi, where the arc cosine of
-    (R11 + R22 + R33 - 1)/2 loses half of the digits.
+    Accuracy: the round-off of the entries, also near 0 and pi, where the arc cosine of (R11 + R22 +
+    R33 - 1)/2 loses half of the digits.
 
     >>> axis, angle = axis_angle(((0, 0, 1), (1, 0, 0), (0, 1, 0)))
     >>> [round(x, 6) for x in axis], round(angle, 6)
@@ -217,9 +211,7 @@ def _length_and_direction(v):
 
 def checked_rotation(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """``R`` as three rows, if it is a rotation: R^T R = 1 within ``tolerance`` and determinant +1
-    (4.2)-(4.4).
-
-    Raises :class:`RotationError` otherwise, and :class:`ScalarError` for entries without values.
+    (4.2)-(4.4); :class:`RotationError` otherwise, :class:`ScalarError` for entries without values.
     """
     try:
         lengths = [len(row) for row in R]
@@ -262,10 +254,7 @@ def checked_rotation(R: Matrix, tolerance: float = 1e-9) -> tuple:
 
 @checked_but("axis")
 def quaternion(axis: Triple, angle: Scalar) -> tuple:
-    """The unit quaternion (cos(angle/2), sin(angle/2) e) of the turn by ``angle`` (rad) about
-    ``axis``, right-handed.
-
-    axis : three components of any length, or a Vector
+    """The unit quaternion (cos(angle/2), sin(angle/2) e) of a turn, as for :func:`rotation_matrix`.
 
     >>> quaternion((0, 0, 1), 0.0)
     (1.0, 0, 0, 0.0)
@@ -276,8 +265,7 @@ def quaternion(axis: Triple, angle: Scalar) -> tuple:
 
 @checked
 def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
-    """The quaternion p q: the turn q, then p about fixed axes; its matrix is the product of the two
-    matrices in the same order.
+    """The quaternion p q: the turn q, then p about fixed axes, as the product of their matrices.
 
     >>> quaternion_product((0.6, 0.8, 0, 0), (0.6, -0.8, 0, 0))
     (1.0, 0.0, 0, 0)
@@ -294,9 +282,7 @@ def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
 
 @checked
 def normalised(q: Sequence[Scalar]) -> tuple:
-    """The quaternion divided by its length, which drifts from 1 in integration.
-
-    Raises :class:`RotationError` for length zero.
+    """The quaternion divided by its length, which drifts; :class:`RotationError` for length zero.
 
     >>> normalised((3.0, 0.0, 4.0, 0.0))
     (0.6, 0.0, 0.8, 0.0)
@@ -390,8 +376,7 @@ def _norm2(q):
 
 @checked
 def euler_matrix(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
-    """The rotation matrix, body to ground, of precession psi, nutation theta, spin phi (rad): the
-    transpose of T_phi T_theta T_psi (10.10).
+    """The rotation matrix, body to ground, of Euler angles: T_phi T_theta T_psi transposed (10.10).
 
     >>> euler_matrix(0.0, 0.0, 0.0)[2]
     (0.0, 0.0, 1.0)
@@ -411,9 +396,9 @@ def euler_angles(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """The angles (psi, theta, phi) in rad of a rotation matrix, body to ground: psi and phi in
     (-pi, pi], theta in [0, pi] (10.5)-(10.10).
 
-    Singular at theta = 0, where only psi + phi is determined, and at theta = pi, where only
-    psi - phi is: there, within round-off, phi is set to 0. Near these angles an error of R enters
-    psi and phi divided by sin(theta), but not their sum (their difference). Errors as for
+    Singular at theta = 0, where only psi + phi is determined, and at theta = pi, where only psi -
+    phi is: there, within round-off, phi is set to 0. Near these angles an error of R enters psi and
+    phi divided by sin(theta), but not their sum (their difference). Errors as for
     :func:`checked_rotation`.
 
     >>> [round(x, 12) for x in euler_angles(euler_matrix(0.3, 0.2, 0.1))]
@@ -437,8 +422,7 @@ def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
 
 @checked
 def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
-    """The Euler angles (psi, theta, phi) in rad of a quaternion of any length; ranges and choices
-    as for :func:`euler_angles`.
+    """The Euler angles of a quaternion of any length, as by :func:`euler_angles`.
 
     >>> [round(x, 12) for x in euler_from_quaternion(quaternion_from_euler(0.3, 0.2, 0.1))]
     [0.3, 0.2, 0.1]
@@ -458,8 +442,7 @@ def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
 
 @checked
 def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Scalar]) -> tuple:
-    """The angular velocity in body components (10.12), rad/s, from the angles, of which psi has no
-    influence, and ``rates`` = (psi', theta', phi').
+    """The angular velocity in body components (10.12) from ``rates`` = (psi', theta', phi').
 
     >>> euler_body_rates(0.0, 0.0, 0.0, (2.0, 0.5, 3.0))
     (0.5, 0.0, 5.0)
@@ -476,10 +459,7 @@ def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Sc
 @checked
 def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple:
     """The rates (psi', theta', phi') in rad/s from the angles and the angular velocity ``omega`` in
-    body components: (10.12) solved for them.
-
-    Raises :class:`RotationError` where sin(theta) is zero within round-off: Euler angles are
-    singular there.
+    body components: (10.12) solved; :class:`RotationError` where sin(theta) is zero.
 
     >>> omega = euler_body_rates(0.3, 0.2, 0.1, (2.0, 0.5, 3.0))
     >>> [round(x, 12) for x in euler_rates(0.3, 0.2, 0.1, omega)]
@@ -501,11 +481,9 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
 def unwound(
     angles: Sequence[float], rates: Sequence[float], times: Sequence[float]
 ) -> "np.ndarray":
-    """Angles known modulo a turn, made continuous by their rates; steps of many turns are allowed.
-
-    angles (rad), rates (rad/s), times (s) : of shape (N,)
-    Whole turns are added to fit the mean of the two rates of each step. Raises
-    :class:`RotationError` where more than a quarter of a turn is left over.
+    """Angles (rad) known modulo a turn, made continuous by their rates (rad/s) at times (s), all of
+    shape (N,): whole turns are added to fit the mean of the two rates of each step, and may be
+    many. Raises :class:`RotationError` where more than a quarter of a turn is left over.
 
     >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
     [0.0, 7.283185, 14.566371]
@@ -531,10 +509,8 @@ def euler_frame(
     parent: Frame, name: str, psi: Scalar, theta: Scalar, phi: Scalar, origin: Point | None = None
 ) -> Frame:
     """The frame ``name``, placed in ``parent`` by three successive turns (10.2): psi about z, theta
-    about the new x, phi about the new z.
-
-    The angles are numbers or :func:`moving`; ``origin`` is a Point of ``parent``. The frame
-    ``.parent`` of the result is the book's {i, j, k}, which precesses and nutates without spinning.
+    about the new x, phi about the new z; numbers or :func:`moving`. ``origin`` is a Point of
+    ``parent``. The ``.parent`` of the result is the book's {i, j, k}, which does not spin.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")

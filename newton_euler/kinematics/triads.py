@@ -1,7 +1,4 @@
-"""Frames given by their axes, such as the unit vectors of a path or of a coordinate system.
-
-The functions below measure whether a direction is determined, or only round-off.
-"""
+"""Frames given by their axes, and whether a direction is determined, or only round-off."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -16,11 +13,9 @@ from .frames import Frame, Point
 class Triad(Frame):
     """The frame with given axes, at this instant.
 
-    axes : three triples, the components in ``parent`` of three orthonormal vectors, right-handed;
-        they are not checked
+    axes : three triples, components in ``parent`` of orthonormal vectors, right-handed, not checked
     turning : function without arguments that returns angular velocity and acceleration in
-        ``parent``, each three components along the axes themselves (rad/s, rad/s^2), or None where
-        unknown; to use an unknown one raises :class:`FrameError`
+        ``parent``, each three components along the axes (rad/s, rad/s^2), or None where unknown
 
     >>> ground = Frame("ground")
     >>> tilted = Triad("tilted", ground, ((0.6, 0.8, 0), (-0.8, 0.6, 0), (0, 0, 1)))
@@ -90,9 +85,6 @@ def turning_of(axes: Sequence[Sequence[Any]]) -> tuple[tuple, tuple]:
     return tuple(x.value for x in omega), tuple(x.rate for x in omega)
 
 
-# -- directions and rounding
-
-
 def norm3(c: Sequence[Scalar]) -> Scalar:
     """The length of a triple."""
     return sqrt(dot3(c, c))
@@ -110,10 +102,7 @@ def below_roundoff(value: Scalar, noise: Scalar) -> bool:
 
 def roundoff_sensitivity(f: Callable, q: Sequence[Scalar]) -> list:
     """The changes of the triples f(*q), as lengths, when each of the numbers ``q`` changes by up to
-    41 units in its last place.
-
-    They measure the round-off inside f and of q: a direction taken from a vector no longer than its
-    change is arbitrary.
+    41 units in its last place: the direction of a shorter vector is arbitrary.
     """
     middle = f(*q)
     totals = [0.0] * len(middle)

@@ -5,7 +5,7 @@ formula, a series continues the old one.
 from ..algebra.source import uses
 from ..algebra.trace import COMPARISONS, Step
 
-KINKS = {"where", "abs", *COMPARISONS}
+KINKS = {"where", "abs", "table", *COMPARISONS}
 # sqrt(v*v) is v to a series but abs(v) to every other method; a motion can pass the branch point
 BRANCHES = {"sqrt", "asin", "acos", "atan2", "**"}
 # exp(-1000*h) is below round-off in the series of a ball above the floor, yet large on the floor
@@ -15,6 +15,39 @@ HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 def kinks(traced):
     """The operations of the rates that choose between formulas, as where and abs: a sorted list."""
     return sorted({s.op for s in varying(traced) if s.op in KINKS} - set(COMPARISONS))
+
+
+def surprises(traced):
+    """True if the rates choose between formulas at times that are not known in advance."""
+    known = {s.number for s in clocked(traced)}
+    chosen = [s.args[0] if s.op == "where" else s for s in varying(traced) if s.op in KINKS]
+    return any(not isinstance(s, Step) or s.number not in known for s in chosen)
+
+
+def clocked(traced):
+    """The steps that choose between formulas by linear functions of the time, a list: comparisons,
+    absolute values and tables.
+    """
+    steps, linear, found = varying(traced), set(), []
+    changing = {s.number for s in steps}
+    for s in steps:
+        moving = [a for a in s.args if isinstance(a, Step) and a.number in changing]
+        if s.op == "argument":
+            straight = s.args[0] == traced.rhs.parameters[0]
+        else:
+            straight = all(a.number in linear for a in moving)
+        if straight and s.op in KINKS - {"where"}:
+            found.append(s)
+        elif straight and _is_linear(s, moving):
+            linear.add(s.number)
+    return found
+
+
+def _is_linear(step, moving):
+    """True if a step is a linear function of those of its arguments that are ``moving``."""
+    if step.op == "*" or (step.op == "/" and moving[0] is step.args[0]):
+        return len(moving) == 1
+    return step.op in ("argument", "+", "-", "neg")
 
 
 def hazards(traced):

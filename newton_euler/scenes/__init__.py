@@ -1,5 +1,4 @@
-"""Models of the scenes of the book, and ladders of models, from the coarsest to the fullest;
-:data:`SCENES` and :data:`LADDERS` have them by name.
+"""The :data:`SCENES` of the book and :data:`LADDERS` of models, by name.
 
 >>> model, t, start = scene("pendulum").motion
 >>> model.states, t, start

@@ -1,6 +1,4 @@
-"""The tables of scenes and of ladders of models. The decorator :func:`scene` registers a function
-that makes a model or a ladder.
-"""
+"""The tables of scenes and of ladders of models, filled by the decorator :func:`scene`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -32,8 +30,7 @@ class Scene:
 
 def scene(section, name, description, t=None, start=None, ladder=False, **values):
     """A decorator that registers the model which a function returns for these ``values``, until
-    ``t`` from ``start``; with ``ladder=True`` a ladder, whose function has default values for all
-    parameters.
+    ``t`` from ``start``; with ``ladder=True`` a ladder, whose function needs no arguments.
     """
     table = LADDERS if ladder else SCENES
     if name in table:

@@ -1,14 +1,7 @@
-"""Ladders: the models of one scene from the coarsest to the fullest, and the cheapest that is
-accurate enough.
+"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest that will do.
 
 Rungs may have different states, but the same quantity is *observed*, as the position of a shot. The
-error of a rung is its largest distance, over the whole time, from the fullest. Each model names
-what it leaves out, with a bound of the error where one is known; else the error is measured.
-
->>> from newton_euler.scenes import ladder
->>> choice = smallest(ladder("projectile"), 1.0)  # metre
->>> choice.model.name
-'projectile, Coriolis and effective gravity'
+error of a rung is its largest distance from the fullest, measured where no bound is known.
 """
 
 import math
@@ -38,8 +31,7 @@ ROUGH, FINEST = 1e-9, 1e-11
 class Rung(Portable):
     """One model of a ladder.
 
-    model : the :class:`~newton_euler.motion.model.Model`; it ``neglects`` what the fuller rungs
-        contain, with bounds of the error against the fullest
+    model : it ``neglects`` what the fuller rungs contain, with bounds of its error
     start : its states at t = 0
     observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the
         unit of the ladder
@@ -59,9 +51,7 @@ class Rung(Portable):
         """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(
-                f"the bounds of {self.name!r} have no values: give numbers for parameters, start, t"
-            )
+            raise ModelError(f"the bounds of {self.name!r} need numbers for parameters, start, t")
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
@@ -85,10 +75,8 @@ def observed_states(*names):
 class Ladder:
     """The models of one scene, with one start, for one question.
 
-    name : of the scene
-    of : what is observed, with its unit, as "position, m"
-    t : the time for which it is asked
-    rungs : a tuple of :class:`Rung`, the cheapest and coarsest first; the last, the fullest, is
+    of, t : what is observed, with its unit, as "position, m", and for what time
+    rungs : a tuple of :class:`Rung`, the smallest and coarsest first; the last, the fullest, is
         what the others are measured against
     """
 
@@ -167,9 +155,8 @@ class Ladder:
 
     @checked
     def error(self, rung: Rung, accuracy: float = 0.0) -> float:
-        """The largest of :meth:`distances`, in the ladder's unit; infinite for a rung that cannot
-        be integrated to the end. ``accuracy`` : of this error; by default the best that can be
-        reached.
+        """The largest of :meth:`distances`, to within ``accuracy`` (by default the best that can be
+        reached); infinite for a rung that cannot be integrated to the end.
         """
         return float(self.distances(rung, accuracy).max())
 
@@ -218,9 +205,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Choice:
-    """The result of :func:`smallest`: the ``rung``, and by name the :class:`Evidence` of every rung
-    up to it; ``print`` it for an explanation.
-    """
+    """The ``rung`` found by :func:`smallest`, and by name the :class:`Evidence` of all up to it."""
 
     rung: Rung
     evidence: Mapping
@@ -246,12 +231,11 @@ class Choice:
 
 @checked
 def smallest(ladder: Ladder, tolerance: float) -> Choice:
-    """The cheapest rung whose error stays within ``tolerance``, in the ladder's unit: a
-    :class:`Choice`.
+    """The :class:`Choice` of the smallest rung, the first on the ladder, whose error stays within
+    ``tolerance``, in the ladder's unit.
 
-    From the cheapest on, a rung is accepted if the bound of what it neglects is small enough, or
-    its motion near enough to that of the fullest. The bound of the fullest itself, if it has one,
-    is added; :class:`ModelError` if that is too large.
+    A rung is accepted if the bound of what it neglects is small enough, or its motion near enough
+    to that of the fullest, whose own bound is added. :class:`ModelError` if none is accepted.
 
     >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))

@@ -215,13 +215,16 @@ def test_all_errors_of_the_engine_have_one_base():
 
 
 def bare(module):
-    """The public functions, classes and methods without a docstring."""
+    """The public functions, classes and methods without a docstring; answers override documented ones."""
     kinds = (ast.FunctionDef, ast.ClassDef)
-    public = [n for n in tree_of(module).body if isinstance(n, kinds) and n.name[0] != "_"]
+    blocks = [tree_of(module)]
+    if room_of(module) != "answers":
+        blocks += [n for n in blocks[0].body if isinstance(n, ast.ClassDef) and n.name[0] != "_"]
+    public = [n for b in blocks for n in b.body if isinstance(n, kinds) and n.name[0] != "_"]
     return [n.name for n in public if not ast.get_docstring(n)]
 
 
-def test_public_functions_and_classes_have_docstrings():
+def test_public_functions_classes_and_methods_have_docstrings():
     assert faulty(bare) == {}
 
 

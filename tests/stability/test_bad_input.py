@@ -3,10 +3,8 @@ None, quantities with units, negative masses. The long run over all public names
 ``python -m tests.fuzz``.
 """
 
-import datetime
-import itertools
 from concurrent.futures import ThreadPoolExecutor
-from decimal import Decimal
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -15,9 +13,6 @@ import sympy
 
 from newton_euler import (
     Body,
-    Couple,
-    Force,
-    ForceSystem,
     Frame,
     Inertia,
     Model,
@@ -26,12 +21,9 @@ from newton_euler import (
     centre_of_mass,
     compiled,
     cos,
-    cross,
-    dot,
     exp,
     frenet,
     integrate,
-    kinetic_energy,
     log,
     moving,
     prepare,
@@ -43,7 +35,7 @@ from newton_euler import (
     work_along,
 )
 from newton_euler.accuracy import timed
-from newton_euler.algebra import ScalarError, SingularError, same
+from newton_euler.algebra import ScalarError, SingularError
 from newton_euler.algebra.errors import ArgumentError, checked
 from newton_euler.algebra.scalars import (
     LONGEST,
@@ -68,7 +60,6 @@ from newton_euler.applications import (
 from newton_euler.bodies import MassError, disk, integrated
 from newton_euler.dynamics import (
     attraction,
-    degrees_of_freedom,
     gravitational_field,
     gravitational_potential,
     gravity_at_surface,
@@ -79,7 +70,8 @@ from newton_euler.dynamics import (
     weight_potential,
     work_integral,
 )
-from newton_euler.motion import ModelError, Neglected, second_order
+from newton_euler.motion import ModelError, Neglected
+from tests.models import throw
 
 ground = Frame("ground")
 P = ground.point("P", 1.0, 2.0, 3.0)
@@ -106,9 +98,6 @@ class WithUnit(np.ndarray):
     """An array with a unit, as astropy has it; np.asarray drops it."""
 
     unit = "km"
-
-
-NO_NUMBERS = ("30", None, b"", [], {}, object(), int, np, datetime.date(2026, 1, 1), Decimal("1.5"))
 
 
 def test_the_message_says_what_was_expected_what_came_and_what_to_do():
@@ -172,11 +161,9 @@ def test_negative_masses_are_refused_and_zero_is_a_mass(f):
 
 
 def test_moments_of_inertia_that_no_body_has_are_refused():
-    for moments in ((1.0, 1.0, 5.0), (-1.0, 1.0, 1.0), (1.0, 1.0, np.array([1.0, 5.0]))):
-        with pytest.raises(MassError, match="no body has these moments"):
-            Body("stone", 1.0, ground, moments)
+    with pytest.raises(MassError, match="no body has these moments"):
+        Body("stone", 1.0, ground, (1.0, 1.0, 5.0))
     Body("sheet of a table", 1.0, ground, (0.333, 0.333, 0.667))  # in three digits
-    Body("of symbols", 1.0, ground, sympy.symbols("A B C"))
     for refused in (
         lambda: plane_kinetic_energy(1.0, 1.0, -1.0, 1.0),
         lambda: gyroscope_energy(-1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
@@ -194,22 +181,6 @@ def test_a_hole_has_a_negative_mass():
     hole = -disk(0.1, ground, mass=1.0)
     assert hole.mass == -1.0
     assert centre_of_mass([(2.0, P), (-1.0, P)]).position(ground) == P.position(ground)
-
-
-def test_frames_points_vectors_and_functions_are_asked_for_by_name():
-    wheel = disk(0.5, ground, mass=1.0)
-    for call in (
-        lambda: Frame(None), lambda: Frame("a", "parent"), lambda: Frame("a", ground, origin="O"),
-        lambda: P.velocity("ground"), lambda: P.acceleration(ground, via="arm"),
-        lambda: dot("a", ground.i), lambda: cross(1.0, ground.i), lambda: same(ground.i, 1.0),
-        lambda: kinetic_energy([1.0], ground), lambda: kinetic_energy(wheel, None),
-        lambda: Force(1.0, P), lambda: Force(ground.i, "P"), lambda: Couple(2.0),
-        lambda: ForceSystem(3.0), lambda: at("f", 1.0), lambda: unit(["m"]),
-        lambda: where("yes", 1.0, 2.0), lambda: degrees_of_freedom({"P": "particle"}, {"rod": 3}),
-        lambda: ground.i.rounded("fine"), lambda: wheel.about(None), lambda: disk(0.5, ground, mass=1.0, name=3),
-    ):  # fmt: skip
-        with pytest.raises(NewtonEulerError):
-            call()
 
 
 def test_functions_say_where_they_have_no_value():
@@ -241,65 +212,13 @@ def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
             forgetful(x)
 
 
-# -- models and motions
-
-
-def thrown(s, p, t):
-    return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
-
-
-def falling(s, p, t):
-    return s.v, -p.g
-
-
 def energy(s, p, t):
     return p.g * s.h + s.v**2 / 2
 
 
 AIR = Neglected("the air", lambda s, p, t: 0.01 * t**2, "position, m")
-FALL = Model("fall", {"g": 9.81}, ("h", "v"), falling, {"energy": energy}, thrown, (AIR,))
+FALL = replace(throw(g=9.81), invariants={"energy": energy}, neglects=(AIR,))
 START = (1.0, 0.0)
-PART_OF_MODEL = {
-    "name": 3, "parameters": None, "states": "hv", "rhs": None, "invariants": {"energy": 3},
-    "exact": 3, "neglects": AIR,
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("part", PART_OF_MODEL)
-def test_each_part_of_a_model_is_asked_for_in_words(part):
-    parts = {"name": "fall", "parameters": {"g": 9.81}, "states": ("h", "v"), "rhs": falling}
-    for bad in (PART_OF_MODEL[part], 3, object(), np.ones((2, 3, 4))):
-        with pytest.raises(ModelError, match=r"model|fall"):
-            Model(**{**parts, part: bad})
-
-
-@pytest.mark.parametrize("call", [
-    lambda: second_order("m", {}, 3, falling),
-    lambda: second_order("m", {}, ("x",), None),
-    lambda: Neglected("the air", 3, "position, m"),
-    lambda: FALL.compiled_rhs([1]),
-    lambda: FALL.solution(None, START),
-    lambda: FALL.solution(1.0, range(10**12)),
-    lambda: FALL.solution(1.0, itertools.count()),
-    lambda: FALL.derivative({1.0, 0.0}),
-    lambda: FALL.derivative(START, "now"),
-    lambda: FALL.invariant([], START),
-    lambda: FALL.neglected("now", START),
-    lambda: FALL.neglected(1.0, 3),
-    lambda: integrate(FALL, 10**400, START),
-    lambda: integrate(FALL, 1.0, (10**400, 0.0)),
-    lambda: integrate(FALL, 1.0, (b"30", 0.0)),
-    lambda: integrate(FALL, 1.0, START, method=np.array(["exact", "taylor"])),
-    lambda: integrate(FALL, 1.0, START, events=range(10**12)),
-    lambda: integrate(FALL, 1.0, START, samples=range(10**12)),
-    lambda: prepare(FALL, method=["exact"]),
-    lambda: integrate(FALL, 1.0, START).at(object()),
-    lambda: integrate(FALL, 1.0, START).at("0.5"),
-    lambda: integrate(FALL, 1.0, START).at(np.full((2, 2), 0.5)),
-])  # fmt: skip
-def test_models_and_motions_refuse_in_words(call):
-    with pytest.raises(NewtonEulerError):
-        call()
 
 
 def test_what_a_function_of_a_model_returns_is_reported_where_it_does_not_fit():
@@ -330,22 +249,14 @@ DECAY = Model(
     exact=lambda s, p, t: (s.x * exp(-p.k * t),),
 )  # fmt: skip
 TAKERS_OF_QUANTITIES = {
-    "t": lambda q: integrate(FALL, q, START),
     "from and to": lambda q: integrate(FALL, (0.0, q), START),
-    "start": lambda q: integrate(FALL, 1.0, q),
     "state": lambda q: integrate(FALL, 1.0, (q, 0.0)),
     "state by name": lambda q: integrate(FALL, 1.0, {"h": q, "v": 0.0}),
     "states": lambda q: integrate(FALL, 1.0, (in_array(q), 0.0)),
     "parameter": lambda q: FALL.changed(g=q),
     "parameters": lambda q: FALL.changed(g=in_array(q)),
-    "samples": lambda q: integrate(FALL, 1.0, START, samples=q),
     "sample": lambda q: integrate(FALL, 1.0, START, samples=[0.5, q]),
-    "at": lambda q: MOTION.at(q),
-    "one at": lambda q: MOTION.at([0.5, q]),
-    "derivative": lambda q: FALL.derivative(q),
-    "derivative at": lambda q: FALL.derivative(START, q),
-    "solution": lambda q: FALL.solution(q, START),
-    "neglected": lambda q: FALL.neglected(q, START),
+    "at": lambda q: MOTION.at([0.5, q]),
     "invariant": lambda q: FALL.invariant("energy", (q, 0.0)),
     "prepared exact": lambda q: prepare(DECAY, method="exact")(1.0, (q,)),
     "prepared exact at": lambda q: prepare(DECAY, method="exact")(q, (1.0,)),
@@ -356,6 +267,7 @@ TAKERS_OF_QUANTITIES = {
 
 @pytest.mark.parametrize("door", TAKERS_OF_QUANTITIES)
 def test_no_motion_drops_a_unit(door):
+    """Where a quantity stands in a place, tests.fuzz has it; here it stands inside of something."""
     fractions = np.array([0.1, 0.2])
     span = np.timedelta64(1, "s")
     for quantity in (Quantity(), fractions.view(WithUnit), span, fractions.astype("m8[s]")):
@@ -381,9 +293,6 @@ def test_what_can_be_read_as_real_numbers_is_taken():
     assert FALL.derivative(iter(START)) == FALL.derivative([1, 0]) == (0.0, -9.81)
 
 
-# -- compiled formulas
-
-
 def test_a_compiled_formula_says_where_it_has_no_value():
     ratio = compiled(lambda x, y: sqrt(x) / y)
     with pytest.raises(SingularError, match=r"no value at x = -1\.0, y = 1\.0"):
@@ -392,9 +301,6 @@ def test_a_compiled_formula_says_where_it_has_no_value():
         ratio(1.0, 0.0)
     with pytest.raises(RangeError, match="no value"):
         compiled(exp)(1e6)
-
-
-# -- equal vectors
 
 
 def test_a_vector_is_equal_to_itself_there_and_back():
@@ -415,9 +321,6 @@ def test_a_vector_is_equal_to_itself_there_and_back():
     q = sympy.Symbol("q")
     assert ground.vector(cos(q) ** 2 + sin(q) ** 2, 0, 0) == ground.i
     assert ground.vector(q, 0, 0) != ground.vector(q + 1, 0, 0)
-
-
-# -- long expressions
 
 
 def chain_of_frames(n):

@@ -288,9 +288,6 @@ def test_the_error_of_a_rung_is_not_stale():
     assert ladder.error(rungs[0]) == pytest.approx(2 * 2.0)
 
 
-# -- what is unchanged is not traced again
-
-
 def test_an_unchanged_model_is_prepared_once():
     for model in (
         scene("free body").make()[0],
@@ -321,9 +318,6 @@ def test_texts_with_other_constants_are_others(one, other):
         prepared_model(model_of(eval(f"lambda s, p, t: (s.v, {c})"))).traced for c in (one, other)
     ]
     assert texts[0] is not texts[1]
-
-
-# -- what a function reads
 
 
 def test_functions_of_the_engine_read_nothing():

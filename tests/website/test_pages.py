@@ -125,9 +125,6 @@ def test_every_public_name_of_the_engine_is_described(site):
             assert f"newton_euler.{room}.{name}" in ids, name
 
 
-# -- what must not stand there
-
-
 def test_no_page_holds_the_code_of_a_problem(site):
     texts = {path: path.read_text(encoding="utf-8") for path in (*pages(site), *site.rglob("*.js"))}
     for path, text in texts.items():

@@ -63,7 +63,7 @@ def chart(
 
     floor : smaller errors are drawn there, with an arrow down and their value
     cost : "cost", the time, or "calls"
-    order : names of methods, so that these have the same colours on several charts
+    order : names of methods, which so have the same colours on several charts
 
     >>> from matplotlib.figure import Figure
     >>> points = [Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)]
@@ -91,13 +91,10 @@ def chart(
 
 
 class _Drawing:
-    """The parts of a chart on one axes."""
-
     def __init__(self, ax, floor, cost):
         self.ax, self.floor, self.cost = ax, floor, cost
 
     def places(self, points):
-        """Their coordinates, x and y."""
         return [getattr(p, self.cost) for p in points], [max(p.error, self.floor) for p in points]
 
     def methods(self, points, order):

@@ -10,13 +10,12 @@ from ..measurements.measure import EQUAL_COST, EQUAL_WITHIN, ROUND_OFF, cheapest
 from .axes import COLOURS, MARKERS, chart, log_log
 from .words import listed, number, seconds, times
 
-_error = attrgetter("error")
 WRONG = 1e-2  # a relative error
 NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
 
 
 def draw_comparison(comparison, points, figure):
-    """The fronts of all questions, one list, after drawing two charts in a row for each."""
+    """The fronts of all questions, after drawing two charts in a row for each."""
     rows, best = len(comparison.questions), []
     figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
     figure.suptitle(comparison.title)
@@ -37,7 +36,7 @@ def _draw(question, points, left, right):
         style = {"marker": MARKERS[n], "color": COLOURS[n], "lw": 1}
         # those drawn first are larger, to be seen behind others
         left.plot([p.x for p in own], [p.error for p in own], ms=9 - 1.3 * n, **style)
-    worst = [max(own, key=_error) for own in by_method]
+    worst = [_worst(own) for own in by_method]
     best = chart(worst if question.worst_only else points, right)
     costs = [p.cost for p in points]
     right.set(ylabel="", xlim=(min(costs) / 2, 2 * max(costs)))
@@ -50,14 +49,14 @@ def _draw(question, points, left, right):
     return best
 
 
-def points_table(points, error="relative"):
-    """The points as a table: method, setting, time, error."""
-    engineering, width = EngFormatter(unit="s", places=1), max(len(p.setting) for p in points)
+def points_table(points, error="relative", cost="time", unit="s"):
+    """The points as a table."""
+    engineering, width = EngFormatter(unit=unit, places=1), max(len(p.setting) for p in points)
     rows = [
         f"  {p.method:44} {p.setting:{width}} {engineering(p.cost):>9}  {p.error:8.2g}"
         for p in points
     ]
-    return "\n".join([f"  {'':{45 + width}} {'time':>9}  error, {error}", *rows])
+    return "\n".join([f"  {'':{45 + width}} {cost:>9}  error, {error}", *rows])
 
 
 def ways_caption(points):
@@ -98,23 +97,26 @@ def _prepared(points):
 
 def _beaten(points, best):
     """Those that cost more than the best and are less accurate."""
-    accurate = {p.method for p in best}
-    lost = [
-        p.method for p in points if p.cost > EQUAL_COST * best[0].cost and p.method not in accurate
-    ]
+    accurate, limit = {p.method for p in best}, EQUAL_COST * best[0].cost
+    lost = dict.fromkeys(p.method for p in points if p.cost > limit and p.method not in accurate)
     if lost:
-        yield f"Dearer and less accurate than {best[0].method}: {listed(dict.fromkeys(lost))}."
+        yield f"Dearer and less accurate than {best[0].method}: {listed(lost)}."
 
 
 def comparison_caption(comparison, points):
     """For each question the ways right at every setting, their cheapest, and where others fail."""
-    text = [_answer(q, [p for p in points if p.question is q]) for q in comparison.questions]
-    return " ".join(text)
+    return " ".join(
+        _answer(q, [p for p in points if p.question is q]) for q in comparison.questions
+    )
+
+
+def _worst(own):
+    return max(own, key=attrgetter("error"))
 
 
 def _answer(question, points):
     methods = [[p for p in points if p.method == name] for name in question.methods]
-    worst = [max(own, key=_error) for own in methods]
+    worst = [_worst(own) for own in methods]
     right = [p for p in worst if p.error <= max(NEAR, EQUAL_WITHIN * min(q.error for q in worst))]
     text = _right(sorted(right, key=lambda p: p.cost))
     names = {p.method for p in right}
@@ -135,7 +137,7 @@ def _right(right):
 
 def _others(question, own):
     """The best and the worst of a method that is not right everywhere."""
-    best, worst = min(own, key=_error), max(own, key=_error)
+    best, worst = min(own, key=attrgetter("error")), _worst(own)
     letter = question.across[0]
     text = f"{_quoted(own[:1])}: at best {number(max(best.error, ROUND_OFF))}, at {letter} = "
     text += number(best.x)

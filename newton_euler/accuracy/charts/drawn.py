@@ -9,13 +9,8 @@ from ...classroom import show_figure
 
 @dataclass(frozen=True, eq=False)
 class DrawnChart:
-    """A chart that was measured and drawn.
-
-    title : its subject
-    points : what was measured, a tuple; of a map, the choices
-    caption : sentences that follow from the points
-    table : the points as text, which ``print`` writes
-    figure : a Figure of matplotlib
+    """A chart that was measured and drawn: its subject ``title``, the ``points`` (of a map, the
+    choices), a ``caption`` that follows from them, the ``table`` to print, and the ``figure``.
     """
 
     title: str

@@ -1,6 +1,4 @@
-"""The chart of honesty: whether each method is as accurate as requested, and whether its own error
-estimate is true, beside its cost (measured by :mod:`newton_euler.accuracy.measurements.honesty`).
-"""
+"""The chart of honesty: what each method promises, what it keeps, and what that costs."""
 
 import math
 from dataclasses import dataclass
@@ -20,9 +18,8 @@ HALF = 0.34  # of the height of a row is drawn upon on each side of its middle
 
 def draw_honesty(answers, figure, title=""):
     """The tallies of the methods, the cheapest first, after drawing a row for each: costs, true
-    errors over tolerances, estimates over true errors, counts. A row has a mark for each run, from
-    the coarsest tolerance at its top to the finest at its bottom, and a bar at the median. What is
-    silently wrong has a ring.
+    errors over tolerances, estimates over true errors, counts. A row has a mark for each run, the
+    coarsest tolerance at its top, and a bar at the median; what is silently wrong has a ring.
     """
     answers, relative = comparable(answers)
     found, given = tallies(answers), [a for a in answers if not a.absent]
@@ -54,7 +51,6 @@ class _Rows:
         return colormaps["viridis"](0.88 * (1 - self._rank(rtol)))
 
     def place(self, answer):
-        """The height of a run."""
         return self.numbers[answer.method] + HALF * (2 * self._rank(answer.asked) - 1)
 
     def _rank(self, rtol):

@@ -1,6 +1,4 @@
-"""The charts of the maps of parameter space: regions with their names, the borders of theory, and
-captions.
-"""
+"""The charts of the maps of parameter space, and their captions."""
 
 from textwrap import fill
 

@@ -1,6 +1,4 @@
-"""The chart of the methods of integration on one scene, and its caption (measured by
-:mod:`newton_euler.accuracy.measurements.work_precision`).
-"""
+"""The chart of the methods of integration on one scene (:mod:`..measurements.work_precision`)."""
 
 from dataclasses import replace
 
@@ -15,9 +13,7 @@ OF_INTEREST = (1e-6, 1e-10)  # relative errors for which the caption names the c
 
 
 def draw_methods(found, figure):
-    """The fronts by time, after drawing a :class:`.WorkPrecision`: error against time and against
-    calls, drift against tolerance. "auto", which only chooses, is drawn over the methods.
-    """
+    """The fronts by time, after drawing a :class:`.WorkPrecision`; "auto", a choice, is in none."""
     scene = found.scene
     figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))
     figure.suptitle(f"{scene.name}, section {scene.section}: {scene.description}", fontsize=12)

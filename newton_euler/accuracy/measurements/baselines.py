@@ -1,6 +1,4 @@
-"""Textbook methods, numerically poor on purpose, the engine's methods for the same numbers, and
-their errors against 40 digits: what :mod:`.comparisons` compares.
-"""
+"""Textbook methods, numerically poor on purpose, those of the engine, and exact results."""
 
 import math
 from functools import cache, reduce

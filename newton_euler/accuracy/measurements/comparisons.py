@@ -1,6 +1,4 @@
-"""Comparisons of methods where nothing is integrated: questions that several methods answer over a
-range of settings. The methods and their errors against 40 digits are in :mod:`.baselines`.
-"""
+"""Comparisons of methods where nothing is integrated, by :mod:`.baselines`."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -15,11 +13,9 @@ from .measure import Measured, timed
 
 @dataclass(frozen=True, eq=False)
 class Question:
-    """What is computed, by which methods, and over which settings.
+    """What is computed, by which methods, over which settings.
 
-    what : in words
     across : the letter of the setting and its words with the unit, as ("h", "step h, s")
-    settings : numbers
     methods : from the name of a method to a function of the setting
     error : a function of the result of a method and of the setting
     worst_only : the setting belongs to the question (an angle), not the method (a step): only the
@@ -56,10 +52,7 @@ class ComparisonPoint(Measured):
 
 @dataclass(frozen=True)
 class Comparison:
-    """A comparison of methods: ``name``, ``title`` and ``questions``.
-
-    fails : it shows that a method breaks down, not which of several is the cheapest
-    """
+    """A comparison of methods; ``fails``: it shows that one breaks down, not which is cheapest."""
 
     name: str
     title: str
@@ -67,10 +60,8 @@ class Comparison:
     fails: bool = False
 
     def measure(self, progress=lambda fraction, words: None, quick=False):
-        """The answers to all questions: a list of :class:`ComparisonPoint`, in a few seconds.
-
-        progress : is called for each point
-        quick : without the last setting, which takes longest where it changes the cost
+        """The answers to all questions, a list of :class:`ComparisonPoint`, in a few seconds;
+        ``quick``: without the last setting, which takes longest where it changes the cost.
         """
         asked = [(q, q.settings[: -1 if quick else None]) for q in self.questions]
         count, points = sum(len(settings) * len(q.methods) for q, settings in asked), []
@@ -82,9 +73,7 @@ class Comparison:
 
 
 def measured_ways(ways, exact):
-    """The points of several ways, {name: function}, to the result ``exact``, one number or several:
-    their times and relative distances.
-    """
+    """The times of several ways, {name: function}, and distances from the ``exact`` result."""
     prepared = {name: Timer(way).timeit(1) for name, way in ways.items()}
     costs = timed(*ways.values(), runs=5, shortest=1e-3)
     costs = dict(zip(ways, costs if len(ways) > 1 else (costs,), strict=True))

@@ -36,13 +36,12 @@ REFUSED, FAILED = "refused", "failed"
 
 @dataclass(frozen=True)
 class Answer(Measured):
-    """What a method answered on one ``problem`` to one error ``asked`` for: a
-    :class:`~newton_euler.accuracy.Measured` whose cost is that of the run and of its estimate.
+    """What a method answered on one ``problem`` to one error ``asked`` for; ``cost`` is that of the
+    run and of its estimate.
 
     estimate : of the error, by the method itself; None if it has none
-    absent : "" for an answer; "refused" in words of the engine, "failed" without them or without an
-        end; the error is then nan
-    words : of a refusal
+    absent : "" for an answer; "refused" in ``words`` of the engine, "failed" without them or
+        without an end; the error is then nan
 
     >>> a = Answer("mine", cost=1e-3, error=2e-5, asked=1e-6, estimate=1e-7)
     >>> a.kept, a.covered, a.silent
@@ -72,9 +71,7 @@ class Answer(Measured):
 
     @property
     def effectivity(self) -> float | None:
-        """The estimate over the true error, neither counted as less than half a unit of the last
-        place; None if there is no estimate.
-        """
+        """The estimate over the true error, each at least half a unit of the last digit."""
         if self.estimate is None or self.absent:
             return None
         return max(self.estimate, EPS) / max(self.error, EPS)
@@ -148,15 +145,12 @@ def comparable(answers: Sequence[Answer]) -> tuple[Sequence[Answer], bool]:
 
 
 class Tally(NamedTuple):
-    """How honest one method was.
+    """How honest one method was. A part or a median of nothing is nan.
 
-    runs : how often it was asked; ``refused``, ``failed`` : how often without an answer
-    met : the part of its answers within the tolerance; ``covers`` : the part of its estimates that
-        are not below the true error; ``ratio`` : the median of estimate over true error
+    runs, refused, failed : how often it was asked, and how often without an answer
+    met, covers : the part of its answers in the tolerance, and of its estimates not below the error
+    ratio, cost : the median of estimate over true error; of the cost, in seconds or relative
     silent : how many answers were wrong by more than ten times both tolerance and estimate
-    cost : the median, in seconds or relative
-
-    A part or a median of nothing is nan.
     """
 
     method: str

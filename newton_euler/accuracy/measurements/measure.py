@@ -1,7 +1,5 @@
-"""The time of a call, the error of a result, and the front of error against time.
-
-The (Pareto) *front* of points: for every other point one on the front is cheaper and no less
-accurate. Errors are taken against an exact solution or one of more digits.
+"""The time of a call, the error of a result, and the front of error against time: for every other
+point one on the (Pareto) *front* is cheaper and no less accurate.
 """
 
 import math
@@ -54,11 +52,9 @@ def timed(
     shortest: float = 2e-3,
     clock: Callable[[], float] = perf_counter,
 ) -> Any:
-    """The seconds that one call ``f()`` takes, a float; of several functions, a tuple.
-
-    It is that of the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest``
-    seconds of the ``clock``. The functions take turns. A first call, which may import or compile,
-    does not count.
+    """The seconds that one call ``f()`` takes, a float; of several functions, which take turns, a
+    tuple: those of the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest``
+    seconds of the ``clock``. A first call, which may import or compile, does not count.
 
     >>> seconds = timed(lambda: sum(range(10)), lambda: sum(range(1000)))
     >>> len(seconds), min(seconds) > 0
@@ -84,9 +80,8 @@ def _enough_calls(f, shortest, clock):
 
 @checked
 def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
-    """|a - exact|/|exact| as a float, for two triples of components or Vectors of one frame.
-
-    It is right to the last digit if the components of ``exact`` are of type mpf.
+    """|a - exact|/|exact| as a float, for two triples of components or Vectors of one frame; right
+    to the last digit if the components of ``exact`` are of type mpf.
 
     >>> relative_error((3.0, 4.0, 0.5), (3.0, 4.0, 0.0))
     0.1
@@ -104,11 +99,8 @@ def check_cost(cost: str) -> None:
 
 @checked
 def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
-    """The points that no other beats, from the cheapest to the most accurate.
-
-    Errors within a factor of two count as equal.
-
-    cost : "cost", the time, or "calls"
+    """The points that no other beats in error or ``cost`` ("cost", the time, or "calls"), the
+    cheapest first. Errors within a factor of two count as equal.
 
     >>> coarse, fine = Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)
     >>> [p.method for p in front([fine, coarse, Measured("slow", 3e-3, 1e-9)])]
@@ -129,8 +121,7 @@ def fronts(points: Sequence[Measured], cost: str = "cost") -> dict[str, list[Mea
 
 
 def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
-    """The cheapest point of each method within ``error``, the cheapest method first; empty if none
-    is as accurate.
+    """The cheapest point of each method within ``error``, the cheapest method first.
 
     >>> points = [Measured("a", 1e-3, 1e-9), Measured("a", 1e-4, 1e-3), Measured("b", 2e-3, 1e-9)]
     >>> [p.method for p in cheapest(points, 1e-6)]

@@ -1,8 +1,8 @@
 """The final state of a motion to 30 digits, against which the errors of all methods are taken.
 
-By heyoka in multiple precision; where it is not installed, and to check it, in mpmath's numbers by
-extrapolation (W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only,
-and each further run, with 2, 4, 6, … steps, removes one. No method that is measured works so.
+By heyoka in multiple precision; without it, and to check it, in mpmath's numbers by extrapolation
+(W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only, and each
+further run, with 2, 4, 6, … steps, removes one. No method that is measured works so.
 """
 
 import importlib
@@ -32,8 +32,8 @@ def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tupl
 
 
 def by_heyoka(model, t, start):
-    """The same states by Taylor series in heyoka's numbers of 42 digits. Heyoka divides by a number
-    through its inverse, a float: dividing by 60 leaves 17 digits, by 64 all.
+    """The same states in heyoka's numbers of 42 digits. Heyoka divides by a number through its
+    inverse, a float: dividing by 60 leaves 17 digits, by 64 all.
     """
     import mpmath as mp
 
@@ -75,9 +75,7 @@ def by_extrapolation(model, t, start, digits=30):
                 now, x = now + h, new
                 sizes = [max(a, abs(b)) for a, b in zip(sizes, x, strict=True)]
             elif h < end * mp.mpf(10) ** -8:
-                raise ModelError(
-                    f"{model.name!r} could not be integrated beyond t = {float(now):.6g}"
-                )
+                raise ModelError(f"{model.name!r} cannot be integrated beyond {float(now):.6g}")
             # usual limits of a step control: Hairer, Norsett and Wanner, II.4
             h = h * mp.mpf(min(4.0, max(0.2, 0.9 * factor)))
         return tuple(+v for v in x)

@@ -1,12 +1,8 @@
-"""Maps of parameter space: the method to use, or the model that is accurate enough, and theoretical
-borders. ``MAPS[name].measure()`` returns the choices, :mod:`newton_euler.accuracy.charts.maps`
-draws them.
+"""Maps of parameter space: the method to use, or the least model, with theoretical borders.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
->>> found[0].tolist()
-['none: it nutates', 'slow and fast, of one sense']
->>> found[1, 0]
-'slow and fast, of opposite sense'
+>>> found.tolist()[0], found[1, 0]
+(['none: it nutates', 'slow and fast, of one sense'], 'slow and fast, of opposite sense')
 """
 
 import math
@@ -57,11 +53,10 @@ class Curve:
 
 @dataclass(frozen=True)
 class Map:
-    """A map of parameter space.
+    """A map of parameter space; ``words`` are for its caption.
 
-    name, title, words : the words are for a caption
     x, y : each an :class:`Axis`
-    choices : all choices, in the order of the legend
+    choices : in the order of the legend
     column : a function of one x and an increasing list of y that returns the choice at each
     curves : theoretical borders
     resolution, coarse : cells along x and y, for a chart and for one within a few seconds
@@ -184,10 +179,9 @@ def _first_turnover(tilt):
 
 
 def _roundoff_time(tilt):
-    """The time until which an integration has errors below WANTED even where the motion is fastest.
-
-    A round-off e of the energy changes the period by 4 e/(GROWTH a^2); after a random walk of n
-    periods the time of a turnover has changed by n^(3/2) times that.
+    """The time until which an integration has errors below WANTED even where the motion is fastest:
+    a round-off e of the energy changes the period by 4 e/(GROWTH a^2), and after a random walk of n
+    periods the time of a turnover by n^(3/2) times that.
     """
     # e = 2^-53, solved for n
     periods = (WANTED * tilt**2 / (4 * 2.0**-53)) ** (2 / 3)
@@ -228,14 +222,12 @@ def rung_names(ladder):
 
 
 def _centrifugal_error(flight):
-    """The distance that the centrifugal acceleration moves a body in the time of flight T."""
+    """The distance that the centrifugal acceleration moves a body in the time of flight."""
     return EARTH_RATE**2 * EARTH_RADIUS * math.cos(LATITUDE) * flight**2 / 2
 
 
 def _uniform_field_error(flight):
-    """The distance that the gravity deficit 2 g z/R at the height z = g t (T - t)/2 moves a body in
-    the time of flight T.
-    """
+    """That by the gravity deficit 2 g z/R at the height z = g t (T - t)/2, in the time T."""
     return G**2 * flight**4 / (12 * EARTH_RADIUS)
 
 
@@ -268,8 +260,8 @@ def _sleeping(ratio, times):
 
 
 def _theoretical_falling_time(ratio):
-    """The same time by the rate of growth: |z| of I0 z'' - i I omega_z z' - mgr z = 0 from rest is
-    asymptotically TILT sqrt(mgr/I0)/growth exp(growth t)/2.
+    """That time by the growth of I0 z'' - i I omega_z z' - mgr z = 0 from rest: |z| tends to TILT
+    sqrt(mgr/I0)/growth exp(growth t)/2.
     """
     growth = np.sqrt(np.where(ratio < 1, 1 - ratio**2, np.nan))  # over sqrt(mgr/I0)
     return np.log(2 * FALLEN / TILT * growth) / growth / math.sqrt(MGR / I0)

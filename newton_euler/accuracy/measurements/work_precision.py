@@ -1,5 +1,4 @@
-"""Work-precision data of the methods of integration on a scene: the time of each, and its error
-against 30 digits.
+"""Work-precision data of the methods on a scene: the time of each, and its error against 30 digits.
 
 >>> found = work_precision("sphere on an incline", (1e-3, 1e-9), ("exact", "dop853", "auto"))
 >>> max(p.error for p in found.points if p.method == "exact") < 1e-13
@@ -34,19 +33,14 @@ STEPPING, CLOSED = "stepping methods", "closed forms"  # the families
 
 @dataclass(frozen=True)
 class WorkPrecision:
-    """What was measured on one scene.
+    """What was measured on one scene. A method that the scene cannot use has no points.
 
-    scene : a :class:`~newton_euler.scenes.catalogue.Scene`
-    points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance
-        ``asked`` for
-    ratios : {tolerance: (time of "auto" / time of the best other method, name of that method)},
-        measured in turns; the best method is the cheapest that was asked for the same tolerance and
-        reached it
-    preparing : {method: seconds that its first run took more than the next, to write and compile
-        code}; all imports were made before
-    too_slow : {method: after which run it was not asked for smaller tolerances}
-    unable : {method: why it cannot reach the smaller tolerances}; methods that the scene cannot use
-        have no points and are in neither
+    points : :class:`~newton_euler.accuracy.Measured`, method by method
+    ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
+        name)}, measured in turns; not where "auto" takes the exact solution, whose time says
+        nothing about methods that step
+    preparing : {method: seconds that its first run took more than the next, to compile code}
+    too_slow, unable : {method: after which run it was left out}, or why it failed
     """
 
     scene: Scene
@@ -65,6 +59,8 @@ class WorkPrecision:
             lines.append(f"  {time} {p.calls:8} {p.error:8.1e} {drift:>8}")
         for rtol, (ratio, best) in self.ratios.items():
             lines.append(f"  auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}")
+        if any(p.method == "auto" and p.family == CLOSED for p in self.points):
+            lines.append("  auto takes the exact solution")
         left_out = {**self.too_slow, **self.unable}
         return "\n".join(lines + [f"  {method}: {why}" for method, why in left_out.items()])
 
@@ -79,9 +75,8 @@ def work_precision(
     progress: Callable[[float, str], object] = lambda fraction, words: None,
 ) -> WorkPrecision:
     """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
-    is the time of ``integrate`` after its model is prepared and its code compiled. The error is
-    that of the worst state at the end, relative to the largest size of this
-    state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
+    is the time of ``integrate`` after its model is prepared and its code compiled, the error that
+    of the worst state at the end, as in :class:`~newton_euler.motion.solution.Motion`.
 
     longest : a method whose run takes more seconds is not asked for more digits
     """
@@ -115,7 +110,8 @@ def work_precision(
 
 
 def _ratios(reference, points):
-    for rtol in sorted({p.asked for p in points if p.method == "auto"}, reverse=True):
+    stepped = {p.asked for p in points if p.method == "auto" and p.family != CLOSED}
+    for rtol in sorted(stepped, reverse=True):
         reached = [p for p in points if p.asked == rtol and p.error <= rtol and p.method != "auto"]
         if reached:
             best = min(reached, key=lambda p: p.cost).method

@@ -16,12 +16,11 @@ COUNTS = "tried", "right", "at first go", "with help"
 
 @checked
 def practice(path: str | Path, progress: str | Path | None = "") -> "Practice":
-    """The problems of a practice file: ``practice("ch04.practice")["4/16"]`` is one.
+    """The problems of a practice file: ``practice("ch04.practice")["4/16"]`` is one. Raises
+    :class:`PracticeFileError` for another file.
 
     progress : the file in which what you tried is kept, yours alone; default: beside the practice
         file, with ``.progress.json`` behind its name. None keeps it only while Python runs.
-
-    Raises :class:`PracticeFileError` for a file that is not a practice file.
     """
     kept = f"{path}.progress.json" if progress == "" else progress
     return Practice(PracticeFile(path), Progress(kept))
@@ -31,9 +30,7 @@ def practice(path: str | Path, progress: str | Path | None = "") -> "Practice":
 def try_problem(problem: str, folder: str | Path = ".") -> Any:
     """The problem from the first practice file in ``folder`` that has it: in a notebook with
     ipywidgets as a form, otherwise as itself, which shows its text. Without such a file: where to
-    get one.
-
-    Raises :class:`PracticeFileError` for a practice file that cannot be read.
+    get one. Raises :class:`PracticeFileError` for a practice file that cannot be read.
     """
     for path in sorted(Path(folder).glob("*.practice")):
         problems = practice(path)

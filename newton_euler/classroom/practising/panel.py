@@ -1,6 +1,5 @@
 """A form for a notebook: text fields and buttons, all within reach of the keyboard. It has no list
-to choose from: while one has the focus, JupyterLab takes letters and arrows as commands to the
-notebook, and D D deletes the cell.
+to choose from: in one, JupyterLab takes letters and arrows as commands, and D D deletes the cell.
 """
 
 from html import escape
@@ -16,10 +15,8 @@ INSTALL = (
 
 
 def show_form(p: Any) -> Any:
-    """A practice problem with a field for each answer, a field for any step, and buttons
-    for hints, the solution and other numbers. The last message stands below them.
-
-    Needs ipywidgets. Tab goes from field to button, Space presses a button.
+    """A practice problem with a field for each answer, a field for any step, and buttons for hints,
+    the solution and other numbers; the last message stands below. Needs ipywidgets.
     """
     try:
         import ipywidgets

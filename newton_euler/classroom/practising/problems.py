@@ -1,6 +1,4 @@
-"""A problem to practise: its numbers, checks of answers and of every step on the way, hints, and
-the solution.
-"""
+"""A problem to practise: its numbers, checks of answers and steps, hints, and the solution."""
 
 import math
 import textwrap
@@ -55,10 +53,9 @@ class Checked(Message):
 
 
 class PracticeProblem:
-    """One problem of a practice file with one set of numbers at a time, the book's first.
-
-    ``p`` alone shows text and figure; ``p.new()`` takes other numbers, which ``p.givens`` has by
-    name; ``p.check(...)``, ``p.check_step(...)``, ``p.next_step()``, ``p.solution()``.
+    """One problem of a practice file with one set of numbers at a time, the book's first. ``p``
+    alone shows text and figure; ``p.new()`` takes other numbers, which ``p.givens`` has by name;
+    ``p.check(...)``, ``p.check_step(...)``, ``p.next_step()``, ``p.solution()``.
     """
 
     def __init__(self, file: PracticeFile, problem: str, progress: Progress):
@@ -73,7 +70,8 @@ class PracticeProblem:
         variants = self._page["variants"]
         self._variant = variants[number]
         book = variants[0] if number and self._page["book"] else None
-        self._numbers = KeptNumbers(self._all, self._page["labels"], self._variant, book)
+        labels, slips = self._page["labels"], self._page["slips"]
+        self._numbers = KeptNumbers(self._all, labels, self._variant, book, slips)
         self._asked = {q.key: q for q in self._numbers.answers}
         self._found: dict[str, Any] = {}
         self._trees: dict[str, Any] = {}
@@ -170,8 +168,8 @@ class PracticeProblem:
         return self._check(answers, self.answers, "answer", "p.check_step")
 
     def check_step(self, **steps: object) -> Checked:
-        """The same for steps on the way, any of ``p.steps`` in any order. The message says so where
-        a later step follows rightly from a wrong one.
+        """The same for any of ``p.steps``. The message says so where one follows rightly from a
+        wrong one.
         """
         return self._check(steps, self.steps, "step", "p.check")
 

@@ -1,6 +1,4 @@
-"""How later quantities follow from earlier ones, as data: a list of operations on floats, of which
-some are the components of the quantities. Nothing of it is run as code.
-"""
+"""How later quantities follow from earlier ones, as data: operations on floats, not code."""
 
 import math
 import operator

@@ -13,8 +13,8 @@ ENOUGH = 5  # quantities, before a section can be called mastered
 
 class Progress:
     """Tries by problem, set of numbers and quantity: {"tries", "right", "help"}; ``right`` is the
-    try that was right first, 0 if none was; ``help`` how much was shown before: 0 nothing, 1 where
-    to look, 2 the equation, 3 the value.
+    try that was right first, or 0; ``help`` what was shown before: 0 nothing, 1 where to look, 2
+    the equation, 3 the value.
     """
 
     def __init__(self, path: str | Path | None):

@@ -1,3 +1,1 @@
-"""Figures of the chapters: shown once or moved by sliders, with their alt texts; and error
-messages as text.
-"""
+"""Figures of the chapters, shown once or moved by sliders; error messages as text."""

@@ -1,6 +1,4 @@
-"""Figures that sliders move. The window, the scale and that of the arrows are the same for all
-values, so that what moves in the picture moves in the scene.
-"""
+"""Figures that sliders move, with one window and one scale for all values."""
 
 from collections.abc import Callable
 from html import escape
@@ -24,17 +22,17 @@ def interactive_figure(
     panels: tuple[int, int] = (1, 1),
     title: str | Callable[..., str] | None = None,
 ) -> None:
-    """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments.
+    """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments. Without a
+    kernel or ipywidgets the first picture stands alone.
 
-    draw : draws on one matplotlib Axes, by a Sketch on it or by its own plots, and returns nothing
+    draw : draws on one matplotlib Axes, by a Sketch or by its own plots, whose limits it sets
     alt : what can be seen in it, in 8 words or more; or a function of the values that returns it
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one
     title : of the whole figure, or a function of the values
 
     All sketches, on all panels, have one window and one scale for each kind of arrow, found from
-    pictures all over the ranges of the sliders before the first is shown. For plots, ``draw`` sets
-    the limits of the axes. Without a kernel or ipywidgets the first picture stands alone.
+    pictures all over the ranges of the sliders before the first is shown.
     """
     names = [slider.name for slider in sliders]
     if not names or len(set(names)) < len(names):

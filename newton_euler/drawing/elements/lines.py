@@ -32,15 +32,7 @@ class Lines(Recorder):
         self._record(lambda canvas: canvas.line(ends, styles))
 
     def wire(self, points: Sequence[Place]) -> None:
-        """Draw a thin bent body through many places: a wire, a hoop, the rim of a track.
-
-        >>> from matplotlib.figure import Figure
-        >>> from newton_euler import Frame
-        >>> from newton_euler.drawing.sketch import Sketch
-        >>> ground = Frame("ground")
-        >>> s = Sketch(Figure().add_subplot(), ground, plane="xy")
-        >>> s.wire(s.around((0, 0, 0), (0.3, 0, 0), ground.k, 3.14159))  # half a circle
-        """
+        """Draw a thin bent body through many places: a wire, a hoop, the rim of a track."""
         places = self._several(points, "the points")
         self._record(lambda canvas: canvas.curve(places, "wire"))
 
@@ -92,20 +84,20 @@ class Lines(Recorder):
 
         >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
-        >>> from newton_euler.drawing.sketch import Sketch
+        >>> from newton_euler.drawing import Sketch
         >>> ground = Frame("ground")
         >>> s = Sketch(Figure().add_subplot(), ground, plane="xy")
-        >>> s.plate(s.around((0, 0, 0), (1, 0, 0), ground.k, 3.14159))  # half a disk
+        >>> half_circle = s.around((0, 0, 0), (1, 0, 0), ground.k, 3.14159)
+        >>> s.wire(half_circle)
+        >>> s.plate(half_circle)  # half a disk
         """
         angle = self._angle(angle)
-        centre, e1, e2, radius = self._circle_through(
-            self._triple_of(A), self._triple_of(C), self._unit(axis)
-        )
+        A, C, axis = self._triple_of(A), self._triple_of(C), self._unit(axis)
+        centre, e1, e2, radius = self._circle_through(A, C, axis)
         count = max(2, math.ceil(abs(angle) / math.radians(6)))
-        whole = abs(abs(angle) - 2 * math.pi) < 1e-9  # the last place would be the first
-        return [
-            on_circle(centre, e1, e2, radius, angle * n / count) for n in range(count + (not whole))
-        ]
+        # of a whole turn the last place would be the first
+        angles = [angle * n / count for n in range(count + (abs(abs(angle) - 2 * math.pi) >= 1e-9))]
+        return [on_circle(centre, e1, e2, radius, a) for a in angles]
 
     def _angle(self, x):
         try:

@@ -83,8 +83,7 @@ class Measures(Recorder):
         bold: bool = True,
     ) -> None:
         """Write the name of a place beside it. ``offset``: a pair, points to the right and up; or a
-        direction from the place. ``bold``: as the names of points and bodies are; a quantity or a
-        word is not.
+        direction from the place. ``bold``: as for points and bodies; a quantity or a word is not.
         """
         P, pair, away = self._place(P), None, None
         if isinstance(offset, (tuple, list)) and len(offset) == 2:

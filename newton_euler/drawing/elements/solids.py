@@ -24,11 +24,8 @@ class Solids(Recorder):
         thickness: float = 0,
         hole: float = 0,
     ) -> None:
-        """Draw a disk about C.
-
-        spoke : a place on its rim to which a line from C is drawn; it shows how the disk has turned
-        thickness : in metres, half of it on either side of C
-        hole : radius of a round hole about C
+        """Draw a disk about C, ``thickness`` metres thick, with a round ``hole`` of this radius.
+        ``spoke``: a place on its rim to which a line shows how the disk has turned.
         """
         C, normal, r = self._place(C), self._unit(normal), self._length(radius)
         thickness, hole = self._or_default(thickness) or 0.0, self._bore(hole, r)
@@ -62,7 +59,7 @@ class Solids(Recorder):
 
         >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
-        >>> from newton_euler.drawing.sketch import Sketch
+        >>> from newton_euler.drawing import Sketch
         >>> ground = Frame("ground")
         >>> s = Sketch(Figure().add_subplot(), ground)
         >>> corners = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]
@@ -101,9 +98,7 @@ class Solids(Recorder):
             ) from error
 
     def cylinder(self, A: Place, B: Place, radius: float, bore: float = 0) -> None:
-        """Draw a cylinder with the axis from A to B; ``bore``: radius of the hole along its axis,
-        which makes it a tube that is open at both ends.
-        """
+        """Draw a cylinder with the axis from A to B; with a ``bore``, its radius, an open tube."""
         A, B = self._places(A, B)
         axis, r = self._unit(sub3(B, A)), self._length(radius)
         bore = self._bore(bore, r)

@@ -14,9 +14,7 @@ class Springs(Recorder):
     """The methods of a sketch that draw springs and dampers."""
 
     def spring(self, A: Place, B: Place, radius: float | None = None, coils: int = 8) -> None:
-        """Draw a coil spring from A to B, as a zigzag; or with a ``radius`` in metres as a helix of
-        this many ``coils``, for example round a shaft.
-        """
+        """Draw a spring from A to B: a zigzag, or with ``radius`` (m) a helix of ``coils``."""
         A, B = self._places(A, B)
         if radius is not None:
             self._helix(A, B, self._length(radius), coils)

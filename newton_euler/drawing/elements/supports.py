@@ -23,9 +23,7 @@ class Supports(Recorder):
             (canvas.support if edge_on else canvas.floor)(P, normal, (size or 44 * canvas.pt) / 2)
 
     def road(self, points: Sequence[Place]) -> None:
-        """Draw ground of any profile: a line through two places or more, hatched on the right as
-        one goes along it. From left to right it is a floor, from right to left a ceiling.
-        """
+        """Draw ground through two places or more, hatched on the right as one goes along it."""
         points = self._several(points, "the places of a road")
         if len(points) < 2:
             raise FrameError(f"a road leads through two places or more, got {len(points)}")

@@ -25,8 +25,7 @@ class Vectors(Recorder):
     ) -> None:
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
-        labels : three, as a string or a list, or "" for arrows without; in a list, an axis with the
-            label "" is left out
+        labels : three, as a string or a list, or "" for none; an axis labelled "" is left out
         moved : True for the axes of a frame that moves, which are brown and dashed; fixed ones are
             black. By default those of every frame but the ground of the sketch.
         """
@@ -50,13 +49,11 @@ class Vectors(Recorder):
         self, P: Place, v: Direction, label: str = "", kind: str = "velocity", size: str = ""
     ) -> None:
         """Draw an arrow from P along ``v``; a dot if ``v`` is zero beside the longest of its kind.
+        That is 62 points long (``Sketch(…, arrows=62)``), the others in proportion, but no shorter
+        than a quarter of it, unless the figure moves. To the scale of the bodies: :meth:`arrow`.
 
         kind : velocity, acceleration, rate, force or plain, which sets the colour
         size : a unit, as "m/s", with which the magnitude is written after the label
-
-        The longest arrow of each kind is 62 points long (``Sketch(…, arrows=62)``), the others in
-        proportion, but no shorter than a quarter of it; in a figure that moves, in proportion
-        without exception. For an arrow to the scale of the bodies, see :meth:`arrow`.
         """
         _known(kind)
         P, v = self._place(P), self._triple(v, "direction")
@@ -74,10 +71,8 @@ class Vectors(Recorder):
         self, P: Place, amount: Vector, label: str = "", kind: str = "acceleration", size: str = ""
     ) -> None:
         """Draw the terms of a vector that is a sum (``amount.terms``) head to tail from P, each
-        with its name, and the sum as the broad arrow from P that closes them. All have the scale of
-        their kind; a term that is zero is a dot with the label "… = 0".
-
-        label, kind, size : of the sum, as those of :meth:`vector`
+        with its name, and the sum as the broad arrow from P that closes them, with the arguments of
+        :meth:`vector`. A term that is zero is a dot with the label "… = 0".
         """
         _known(kind)
         if not isinstance(amount, Vector) or not amount.terms:
@@ -145,9 +140,7 @@ class Vectors(Recorder):
             canvas.note(middle, label, away_from=beside, colour=KINDS[kind])
 
     def turn(self, P: Place, axis: Direction, label: str = "", radius: float | None = None) -> None:
-        """Draw a curved arrow about ``axis`` through P, right-handed: an angular velocity. If it is
-        zero, a dot.
-        """
+        """Draw an angular velocity as a curved arrow about ``axis`` through P; zero is a dot."""
         P, axis = self._place(P), self._triple(axis, "direction")
         radius = self._or_default(radius)
         if not norm3(axis):

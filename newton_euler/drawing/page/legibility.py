@@ -1,6 +1,4 @@
-"""What makes a figure hard to read: labels that overlap, are crossed by lines, stand far off or
-leave the picture, axes that look alike; from what was recorded and the boxes of the labels.
-"""
+"""What makes a figure hard to read: labels in the way, astray or cut off, axes that look alike."""
 
 import math
 from itertools import combinations
@@ -20,8 +18,7 @@ def faults(ax: Any) -> list[str]:
 
     >>> from matplotlib.figure import Figure
     >>> from newton_euler import Frame
-    >>> from newton_euler.drawing.sketch import Sketch
-    >>> from newton_euler.drawing.page.legibility import faults
+    >>> from newton_euler.drawing import Sketch
     >>> ax, ground = Figure().add_subplot(), Frame("ground")
     >>> s = Sketch(ax, ground, azimuth=2)
     >>> s.axes((0, 0, 0), ground)

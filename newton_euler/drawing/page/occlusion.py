@@ -11,10 +11,10 @@ from .projection import between, mean, norm3
 
 def painters_order(canvas):
     """The strokes in the order of drawing: a later one hides an earlier one. Bodies go from far to
-    near, by the depths of their middles. That alone is wrong beside large faces: what lies behind
-    the plane of a face is drawn before it, what lies on the eye's side after it, and a line through
-    a face is cut in two (Newell, Newell and Sancha 1972). Of two faces in one plane the one
-    recorded later is drawn later. Marks and arrows lie over all bodies.
+    near, by the depths of their middles; but what lies behind the plane of a face is drawn before
+    it, what lies on the eye's side after it, and a line through a face is cut in two (Newell,
+    Newell and Sancha 1972). Of two faces in one plane that recorded later is drawn later.
+    Marks and arrows lie over all bodies.
     """
     bodies = [s for s in canvas.strokes if s.layer == BODY]
     faces = [s for s in bodies if _can_hide(canvas, s)]

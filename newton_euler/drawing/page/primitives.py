@@ -1,6 +1,4 @@
-"""The parts of a figure: strokes (lines and faces), the symbols made of them (arrows, supports,
-solids), labels, and their styles.
-"""
+"""The parts of a figure: strokes, the symbols made of them, labels, and their styles."""
 
 import math
 from dataclasses import dataclass

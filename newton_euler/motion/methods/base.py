@@ -8,6 +8,7 @@ The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion
 
 from bisect import bisect_right
 from itertools import pairwise
+from math import ulp
 
 from ...algebra.errors import NewtonEulerError
 
@@ -15,6 +16,7 @@ from ...algebra.errors import NewtonEulerError
 SMALLEST_SCALE = 1e-6
 # a run has stalled if this many steps are on average this much shorter than its longest step
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
+AROUND = 8  # units in the last place about a stop, whose time is rounded
 MAX_STEPS = 5e6  # steps of one motion that are kept: those of DOP853 take minutes and a gigabyte
 
 
@@ -44,7 +46,7 @@ class Stepper:
     step_times : the times between steps; ``calls`` : evaluations of the right-hand side
     scales : for each state what its error is relative to: its largest absolute value so far, but
         not less than its ``floors``; ``noise`` : the round-off in each state
-    stops : times between the start and the goal that no step may pass over
+    stops : times after the start, up to the goal, that no step may pass over
     steps : for each step a tuple whose last elements are the state before it; empty for a method
         that does not keep its steps
     most_steps : the most steps of one motion
@@ -100,7 +102,23 @@ class Stepper:
 
     def next_stop(self):
         """The time at which the next step must end at the latest."""
-        return next((t for t in self.stops if t > self.t), self.goal)
+        n = bisect_right(self.stops, self.t)
+        return self.stops[n] if n < len(self.stops) else self.goal
+
+    def around_stop(self):
+        """The same as a pair: a time just before it, up to which to go, and one just after it, from
+        which to go on, since the rates may jump there; the goal twice where there is none.
+        """
+        n = bisect_right(self.stops, self.t)
+        if n == len(self.stops):
+            return self.goal, self.goal
+        stop, room = self.stops[n], AROUND * ulp(self.stops[n])
+        return max(stop - room, self.t), min(stop + room, self.goal)
+
+    def pass_stop(self, after, rates):
+        """Go on to the time just after a stop, with the rates before it."""
+        step = after - self.t
+        self.t, self.x = after, tuple([v + step * k for v, k in zip(self.x, rates, strict=True)])
 
     @property
     def checkpoints(self):

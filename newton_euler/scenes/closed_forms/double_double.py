@@ -2,8 +2,8 @@
 Dekker, Numerische Mathematik 18, 224, 1971).
 
 A :class:`Doubled` is the sum of two numbers, the second within the round-off of the first. It needs
-no other arithmetic than that of its numbers, and no branches, so that it runs on floats and arrays,
-traced, and through heyoka; an mpf instead takes more digits of its own.
+only their arithmetic, and no branches, so that it runs on floats and arrays, traced, and through
+heyoka; an mpf instead takes more digits of its own.
 """
 
 from ...algebra.scalars import ZERO, with_extra_digits

@@ -1,8 +1,7 @@
 """Jacobi's elliptic functions of the complementary parameter m1 = 1 - k^2, and three quantities
-whose rates are products of the two others.
+whose rates are products of the two others: over floats, arrays and mpf, and traced.
 
-Next to a separatrix a float does not hold k^2, which SciPy takes, but m1 to the last digit. Over
-floats, arrays and mpf, and traced; to a few round-offs of the argument for every m1 in [0, 1].
+Next to a separatrix a float does not hold k^2, which SciPy takes, but m1 to the last digit.
 """
 
 from ...algebra.scalars import (
@@ -25,11 +24,9 @@ FAR = 350.0  # a hyperbolic function of more has a square that a double does not
 
 
 def jacobi(u, m1):
-    """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1], and the mean phase
-    pi u/(2K), which is 0 where m1 is.
-
-    The amplitude is within pi/2 of the mean phase. By descending Landen transformations (R.
-    Bulirsch, Numerische Mathematik 7, 78, 1965).
+    """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1], to a few round-offs
+    of u, and the mean phase pi u/(2K), which is 0 where m1 is; the amplitude is within pi/2 of it.
+    By descending Landen transformations (R. Bulirsch, Numerische Mathematik 7, 78, 1965).
 
     >>> [round(x, 12) for x in jacobi(0.5, 0.0)]  # tanh, 1/cosh, 1/cosh
     [0.46211715726, 0.88681888397, 0.88681888397, 0.0]
@@ -41,13 +38,11 @@ def jacobi(u, m1):
     u0 = where(bound, 0, u)
     e = exp(-where(abs(u0) < FAR, abs(u0), FAR))
     sech = 2 * e / (1 + e * e)
-    ending = tanh(u0), sech, sech, 0 * u0
+    end = tanh(u0), sech, sech, 0 * u0
     if is_numeric(k1):
-        return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), ending, strict=True))
+        return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), end, strict=True))
     few, many = _landen(u, k1, FEW), _landen(u, k1, MANY)
-    return tuple(
-        where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, ending, strict=True)
-    )
+    return tuple(where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, end, strict=True))
 
 
 def _landen(u, k1, count):
@@ -78,13 +73,12 @@ def coupled(k, start, gap, t):
     """Three quantities with x' = k_x y z, y' = k_y z x and z' = k_z x y at the time ``t`` after
     ``start``, and the mean phase of their motion.
 
-    k : three coefficients, the second of a sign other than that of the two others (each may be
-        zero)
+    k : three coefficients, the second of a sign other than that of the two others; any may be zero
     gap : k_y (k_x z^2 - k_z x^2), whose sign tells whether z or x changes sign; next to the
         separatrix the caller knows it better than by subtraction
 
     By the addition theorem of Jacobi's functions (Landau and Lifshitz, Mechanics, 37): only those
-    of the time are needed, no integral of the start, and its denominator is a sum of squares.
+    of the time are needed, and the denominator is a sum of squares.
 
     >>> # turns about x: y = cos(2 t), z = sin(2 t)
     >>> [round(x, 12) for x in coupled((0.0, -1.0, 1.0), (2.0, 1.0, 0.0), 4.0, 0.25)]

@@ -41,8 +41,7 @@ def integrated_square(v, a, t):
 
 
 def oscillation(x, v, square, t, damping=ZERO):
-    """x and its rate at the time t if x'' = -square x - damping x', from x and v at t = 0; square >
-    (damping/2)^2.
+    """x and its rate at the time t if x'' = -square x - damping x'; square > (damping/2)^2.
 
     >>> [round(q, 9) for q in oscillation(1.0, 0.0, 4.0, 0.25)]  # cos(2 t), -2 sin(2 t)
     [0.877582562, -0.958851077]
@@ -55,9 +54,8 @@ def oscillation(x, v, square, t, damping=ZERO):
 
 def plane_oscillation(s, square, t, damping=ZERO):
     """x, y, dx, dy at t if both coordinates oscillate so, from the states ``s`` at t = 0."""
-    (x, dx), (y, dy) = (
-        oscillation(*start, square, t, damping) for start in ((s.x, s.dx), (s.y, s.dy))
-    )
+    x, dx = oscillation(s.x, s.dx, square, t, damping)
+    y, dy = oscillation(s.y, s.dy, square, t, damping)
     return x, y, dx, dy
 
 
@@ -68,8 +66,8 @@ def turned(x, y, angle):
 
 
 def growth(n, t):
-    """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at the time t if x'' = n^2 x + a, for a
-    start at 1, a rate of 1, and a = 1.
+    """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at t if x'' = n^2 x + a, for a start at 1,
+    a rate of 1, and a = 1.
 
     >>> [round(q, 9) for q in growth(2.0, 0.25)]
     [1.127625965, 0.260547653, 0.031906491]
@@ -79,8 +77,7 @@ def growth(n, t):
 
 
 def circular_or_hyperbolic(square, t):
-    """cos(n t) and sin(n t)/n with n^2 = ``square``, which may also be negative or zero; for
-    numbers and traced values.
+    """cos(n t) and sin(n t)/n with n^2 = ``square``of any sign; for numbers and traced values.
 
     >>> circular_or_hyperbolic(0.0, 3.0)
     (1.0, 3.0)
@@ -93,10 +90,9 @@ def circular_or_hyperbolic(square, t):
 
 def stumpff(k, z, largest=1):
     """k! times Stumpff's function c_k(z) = 1/k! - z/(k + 2)! + z^2/(k + 4)! - ..., by as many terms
-    as |z| <= ``largest`` takes to round-off.
+    as |z| <= ``largest`` takes to round-off (K. Stumpff, Himmelsmechanik I, 1959).
 
-    c_0(x^2) = cos(x), c_1(x^2) = sin(x)/x, x^2 c_2(x^2) = 1 - cos(x), x^3 c_3(x^2) = x - sin(x). K.
-    Stumpff, Himmelsmechanik I, 1959.
+    c_0(x^2) = cos(x), c_1(x^2) = sin(x)/x, x^2 c_2(x^2) = 1 - cos(x), x^3 c_3(x^2) = x - sin(x).
 
     >>> round(0.5**3*stumpff(3, 0.25)/6 - (0.5 - sin(0.5)), 16)
     0.0

@@ -1,11 +1,9 @@
-"""An aircraft as a particle over a ground taken as inertial: in a vertical plane (6.3) and in space
-(6.12).
+"""An aircraft as a particle over inertial ground: in a vertical plane (6.3), in space (6.12).
 
 Thrust acts along the velocity, drag against it, lift normal to it and, in a coordinated turn,
-tilted by the *bank* angle to the right. The *path angle* gamma is upward from the horizontal, the
-*heading* chi from the y axis toward the x axis (north toward east, if y is north); both in rad.
-Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the parameters and the
-time.
+tilted by the *bank* angle to the right; each, and the bank, is a number or a law ``(s, p, t)``. The
+*path angle* gamma is upward from the horizontal, the *heading* chi from the y axis toward the x
+axis (north toward east, if y is north); in rad.
 """
 
 from collections.abc import Callable
@@ -34,10 +32,8 @@ def vertical_flight(
     m: Scalar, g: Scalar, thrust: Scalar | Callable = 0, drag: Scalar | Callable = 0,
     lift: Scalar | Callable = 0,
 ) -> Model:  # fmt: skip
-    """The Model of flight in a vertical plane (6.3): states v, gamma, x, y (y up).
-
-    Without thrust and drag the energy v^2/2 + g y is an invariant; without lift as well the
-    parabola is its exact solution.
+    """The Model of flight in a vertical plane (6.3): states v, gamma, x, y (y up). Without thrust
+    and drag the energy over mass is an invariant; without lift as well it is a parabola.
 
     >>> plane = vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62)
     >>> plane.derivative((50.0, 0.0, 0.0, 100.0))
@@ -59,10 +55,8 @@ def flight(
     m: Scalar, g: Scalar, thrust: Scalar | Callable = 0, drag: Scalar | Callable = 0,
     lift: Scalar | Callable = 0, bank: Scalar | Callable = 0,
 ) -> Model:  # fmt: skip
-    """The Model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is
-    that of :func:`vertical_flight`.
-
-    It is singular in vertical flight, gamma = pi/2 or -pi/2, which has no heading.
+    """The Model of flight in space (6.12): states v, chi, gamma, x, y, h (h up); for bank 0 that of
+    :func:`vertical_flight`. Singular in vertical flight, which has no heading.
 
     >>> # sin(bank) is 0.6: a level turn
     >>> turning = flight(2.0, 10.0, lift=25.0, bank=0.6435011087932844)
@@ -81,24 +75,21 @@ def ladder(
     start: tuple[Scalar, ...] = (60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t: Scalar = 20.0,
 ) -> Ladder:  # fmt: skip
     """The models of a flight at fixed controls, for the position (m) until ``t``: straight, in a
-    level turn, in a vertical plane, in space.
+    level turn (none without bank), in a vertical plane, in space.
 
-    lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All
-        are numbers. Without bank there is no level turn.
+    lift, drag : numbers, force over speed squared, kg/m; start : v, chi, gamma, x, y, h.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (200.0, 50.0, 1.0)]
     ['aircraft, straight', 'aircraft in a level turn', 'aircraft in space']
-    >>> smallest(ladder(bank=1e-4), 10.0).model.name
-    'aircraft in a vertical plane'
     """
     v, chi, gamma, x, y, h = start
     ground = {"chi0": chi, "x0": x, "y0": y}
     begun = {**ground, "v0": v, "h0": h}
-    name, given, left = "aircraft, straight", {**begun, "gamma0": gamma}, (UNBALANCED, BANK)
-    straight = constant_rate(name, given, _straight, "s", neglects=left)
-    name, given, left = "aircraft in a level turn", {**begun, "g": g, "bank": bank}, (UNBALANCED,)
-    turn = constant_rate(name, given, _turning, "chi", neglects=left)
+    name, given = "aircraft, straight", {**begun, "gamma0": gamma}
+    straight = constant_rate(name, given, _straight, "s", neglects=(UNBALANCED, BANK))
+    name, given = "aircraft in a level turn", {**begun, "g": g, "bank": bank}
+    turn = constant_rate(name, given, _turning, "chi", neglects=(UNBALANCED,))
     forces = {"m": m, "g": g, "thrust": thrust, "k_lift": lift, "k_drag": drag}
     forces |= {"lift": _lift, "drag": _drag}
     name = "aircraft in a vertical plane"

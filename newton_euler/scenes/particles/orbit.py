@@ -1,11 +1,9 @@
 """Kepler's problem: a body under the attraction of a fixed centre, in the plane of its orbit; exact
-for ellipses.
+for ellipses. Satellites over the equator of an oblate Earth.
 
 The exact solution is by the eccentric anomaly, written with 1 - e and 1 - cos(E): no digits cancel,
-however close the ellipse is to a parabola. Parabolas and hyperbolas are integrated.
-
-Satellites over the equator: in the plane of the equator the attraction of an oblate Earth is mu/r^2
-+ 3 mu J2 R^2/(2 r^4) towards the centre (5.5). ``oblateness`` is J2 R^2, in m^2.
+however close the ellipse is to a parabola. Over the equator the attraction is mu/r^2 + 3 mu J2
+R^2/(2 r^4) towards the centre (5.5); ``oblateness`` is J2 R^2, in m^2.
 """
 
 import math
@@ -46,15 +44,13 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 )  # fmt: skip
 def orbit(mu: Scalar) -> Model:
     """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
-    over mass, and the Laplace vector's two components.
+    over mass, and the Laplace vector(the eccentricity, towards the closest point).
 
-    mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the
-        eccentricity and points to the closest approach.
+    mu : the constant of the attraction mu/r^2, m^3/s^2
     The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at
     most 7 times the round-off of the distance from the centre plus t times the speed there
     (measured on 2000 random ellipses, two thirds of them almost parabolas). It raises
-    :class:`~newton_euler.motion.model.ModelError` for parabolas, hyperbolas, straight lines through
-    the centre, and expressions.
+    :class:`~newton_euler.motion.model.ModelError` for other orbits, and expressions.
 
     >>> import math
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]
@@ -84,9 +80,6 @@ _INVARIANTS = {
     "laplace_x": lambda s, p, t: s.v_y * _angular_momentum(s) / p.mu - s.x / _distance(s),
     "laplace_y": lambda s, p, t: -s.v_x * _angular_momentum(s) / p.mu - s.y / _distance(s),
 }
-
-
-# -- the exact solution
 
 
 def _exact(s, p, t):
@@ -128,14 +121,10 @@ def _check(x, y, v_x, v_y, mu, t):
     if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
     if not all(map(is_finite, (*state, mu, t))) or max_abs(where(mu <= 0, 1, 0)):
-        raise ModelError(
-            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, {state}, t = {t}"
-        )
+        raise ModelError(f"an orbit needs finite numbers, mu > 0; got mu = {mu}, {state}, t = {t}")
     one, two = x * v_y, y * v_x
     if max_abs(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
-        raise ModelError(
-            "the orbit is a straight line through the centre: its angular momentum is 0"
-        )
+        raise ModelError("the orbit is a straight line through the centre: no angular momentum")
 
 
 def _beta(x, y, v_x, v_y, mu, r):
@@ -172,20 +161,15 @@ def _halley(E, e, rest, M):
     return E - 2 * late * slope / (2 * slope * slope - late * e * sine)
 
 
-# -- a satellite over the equator
-
-
 def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
-    """The Model of a circular orbit of radius r: its only state is the azimuth ``angle`` (rad);
+    """The Model of a circular orbit of radius r; its only state is the azimuth ``angle`` (rad).
     ``sense`` is 1 for counterclockwise, -1 for clockwise.
 
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    name, neglects = "satellite, circle", (ECCENTRICITY, BULGE)
-    return constant_rate(
-        name, {"mu": mu, "r": r, "sense": sense}, _circling, "angle", neglects=neglects
-    )
+    given, neglects = {"mu": mu, "r": r, "sense": sense}, (ECCENTRICITY, BULGE)
+    return constant_rate("satellite, circle", given, _circling, "angle", neglects=neglects)
 
 
 @scene(
@@ -213,8 +197,7 @@ def ladder(
     mu: Scalar = EARTH_GM, oblateness: Scalar = EARTH_OBLATENESS,
     start: tuple[Scalar, ...] = (7e6, 0.0, 0.0, 7.6e3), t: Scalar = 30_000.0,
 ) -> Ladder:  # fmt: skip
-    """The models circle, ellipse and oblate Earth, for the position from the ``start`` x, y, v_x,
-    v_y.
+    """The models circle, ellipse and oblate Earth, for the position from x, y, v_x, v_y.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]

@@ -2,19 +2,13 @@
 equations of motion in air.
 
 All have the states x, y, z along ground axes (east, north, up) from a point of the surface, and vx,
-vy, vz. The bounds of what a model neglects are errors of the position, and hold as long as the
-projectile is above the ground. Air of uniform density decelerates it by ``drag`` times the square
-of its speed; drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the
-ground, 1e-8 at a height of 70 km.
+vy, vz. The bounds of what a model neglects are errors of the position, and hold above the ground.
+Air of uniform density decelerates by ``drag`` = density (drag coefficient) area/(2 mass), 1/m,
+times the square of the speed: 2e-4 for a cannonball near the ground, 1e-8 at a height of 70 km.
 
 >>> from newton_euler import smallest
->>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
-...     print(smallest(ladder(), metres).model.name)
-projectile, flat
-projectile, Coriolis to first order
-projectile, Coriolis and effective gravity
-projectile, full
-projectile, full in air
+>>> [smallest(ladder(), metres).model.name for metres in (5.0, 1.0, 0.1)]
+['projectile, flat', 'projectile, Coriolis and effective gravity', 'projectile, full']
 """
 
 from operator import attrgetter
@@ -93,7 +87,7 @@ def full(
     g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
     drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model with all terms of (6.10) and the attraction of a sphere (5.22). Invariants: energy,
+    """The Model with all terms of (6.10) and the attraction of a sphere (5.22); invariants energy,
     and angular momentum about the axis, in the inertial frame.
     """
     return _model("full", locals(), _full, (AIR,), None, _INVARIANTS)
@@ -143,9 +137,6 @@ def _air_drag(s, p):
     return scale3(-p.drag * sqrt(dot3(_v(s), _v(s))), _v(s))
 
 
-# -- flat
-
-
 def _flat(s, p, t):
     return *_v(s), *_down(p)
 
@@ -157,9 +148,6 @@ def _parabola(s, p, t):
 
 def _flat_in_air(s, p, t):
     return *_v(s), *add3(_down(p), _air_drag(s, p))
-
-
-# -- Coriolis
 
 
 def _turned(s, p, t):
@@ -182,9 +170,7 @@ def _plumb_line(p):
 
 
 def _uniform_exact(s, p, t):
-    """The series of :func:`newton_euler.applications.earth.position3`, all of it: three times
-    across 2 omega is once across it, times -(2 omega)^2.
-    """
+    """All of the series of :func:`.position3`: three times across 2 omega is -(2 omega)^2 once."""
     v, g, w = _v(s), _plumb_line(p), _omega(p)
     z = 4 * dot3(w, w) * t * t
     c3, c4 = stumpff(3, z, LARGEST) / 6, stumpff(4, z, LARGEST) / 24
@@ -192,9 +178,6 @@ def _uniform_exact(s, p, t):
     f3, f4 = t * t * t * c3, t * t * t * t * c4
     moved = coriolis_series(v, g, w, [(t, t * t / 2), (f2, f3), (f3, f4)])
     return *add3(_r(s), moved), *coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
-
-
-# -- full
 
 
 def _full(s, p, t):
@@ -207,9 +190,6 @@ def _full(s, p, t):
 def _full_in_air(s, p, t):
     rates = _full(s, p, t)
     return *rates[:3], *add3(rates[3:], _air_drag(s, p))
-
-
-# -- invariants
 
 
 def _inertial(s, p):

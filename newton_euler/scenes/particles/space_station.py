@@ -1,10 +1,8 @@
-"""Motion in a space station that rotates about its axis, so that bodies at its rim have weight
-(6.7).
+"""Motion in a space station that rotates about its axis z at ``omega``, so that bodies at its rim
+have weight (6.7); the book's station has omega < 0.
 
-The station axes rotate with it: the axis of rotation is z, along which ``omega`` is positive; the
-book's station has omega < 0. A body let go moves on a straight line at constant speed in the
-inertial frame; seen from the station its path is a spiral, or a circle, but in general not the
-limacon that the book names.
+A body let go moves uniformly in the inertial frame; seen from the station its path is a spiral, or
+a circle, but in general not the limacon that the book names.
 """
 
 from dataclasses import replace
@@ -22,8 +20,7 @@ CREEP = 0.01  # m/s, small against any throw, so that the drag has a derivative 
 
 
 def station_rate(g: Scalar, radius: Scalar) -> Scalar:
-    """The rate of rotation, rad/s, at which a body at the rim weighs as much as on the Earth:
-    sqrt(g/radius).
+    """The rate sqrt(g/radius), rad/s, at which a body at the rim has its weight on the Earth.
 
     >>> round(station_rate(9.81, 100.0)*60/6.2832, 2)  # turns a minute
     2.99
@@ -47,11 +44,10 @@ def free_body(omega: Scalar) -> Model:
 
 
 def body_in_air(omega: Scalar, air: Scalar, creep: Scalar = CREEP) -> Model:
-    """The Model of a body in the air, which rotates with the station: the drag over the mass is
-    ``air`` times the square of the speed seen there. States as for :func:`free_body`.
+    """The Model of :func:`free_body` in the air, which rotates with the station.
 
-    air : rho C_D A/(2 m), 1/m; creep : a speed, m/s, well below which the drag is
-        proportional to the speed, so that a body may start at rest
+    air : rho C_D A/(2 m), 1/m: drag over mass and square of the speed seen there
+    creep : a speed, m/s, well below which the drag is linear, so that a body may start at rest
 
     >>> # 0.25 against the velocity
     >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))
@@ -67,15 +63,11 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of a throw near (radius, 0) at the rim: uniform gravity, the turning station, air.
 
-    omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before
-        the body reaches it.
+    omega : not zero; start : x, y, dx, dy in m and m/s. t : before it is at the floor.
 
     >>> from newton_euler import smallest
-    >>> for metres in (2.0, 0.1, 1e-3):
-    ...     print(smallest(ladder(), metres).model.name)
-    uniform gravity in a turning station
-    free body in a turning station
-    body in the air of a turning station
+    >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1)]
+    ['uniform gravity in a turning station', 'free body in a turning station']
     """
     if omega == 0:
         raise ModelError(

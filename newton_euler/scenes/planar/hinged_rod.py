@@ -1,10 +1,9 @@
 """A rod, or any flat or slender body, hinged at the end of a vertical shaft that turns at a
 constant rate (10.7).
 
-theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is m g d, d the
-distance from the hinge to G, on the rod; ``inertia_difference`` is I_n - I_r about the hinge: the
-moment of inertia about the axis normal to both rod and hinge, less that about the rod (m L^2/3 for
-the rod itself).
+theta is the angle from the *downward* vertical to the rod; ``weight_moment`` is m g d, d the
+distance from the hinge to G, on the rod; ``inertia_difference`` is I_n - I_r about the hinge, of
+the axis normal to both rod and hinge and of the rod (m L^2/3 for the rod itself).
 """
 
 from dataclasses import replace
@@ -22,8 +21,7 @@ STATES = ("theta", "theta_rate")
 
 
 def rod(mass: Scalar, length: Scalar, omega: Scalar, g: Scalar) -> dict[str, Scalar]:
-    """The parameters of the book's thin rod, for :func:`swing_out`, :func:`least_rate`,
-    :func:`hinged`.
+    """The parameters of the book's thin rod, for the functions below.
 
     >>> rod(3.0, 2.0, 4.0, 9.81)["inertia_difference"]
     4.0
@@ -49,10 +47,8 @@ def swing_out(
     weight_moment: Scalar, inertia_difference: Scalar, omega: Scalar, **_: Scalar
 ) -> Scalar:
     """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g
-    d/((I_n - I_r) omega^2)), (10.31) with I = 0.
-
-    weight_moment : m g d. Raises :class:`~newton_euler.applications.gyroscopes.GyroError` for a
-        rate that is too low: then it hangs straight down.
+    d/((I_n - I_r) omega^2)), (10.31) with I = 0. Raises
+    :class:`.GyroError` for a lower rate: then it hangs straight down.
 
     >>> round(swing_out(**rod(3.0, 2.0, 4.0, 9.81)), 6)
     1.092977
@@ -70,11 +66,9 @@ def stiffness(
     theta: Scalar, weight_moment: Scalar, inertia_difference: Scalar, omega: Scalar,
     about_hinge: Scalar | None = None,
 ) -> Scalar:  # fmt: skip
-    """The square of the angular frequency of small swings about theta, 0 or :func:`swing_out`;
-    stable where it is positive.
-
-    (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge; I_hinge is ``inertia_difference``
-    unless given.
+    """The square of the angular frequency of small swings about theta, 0 or :func:`swing_out`,
+    stable where it is positive: (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge;
+    I_hinge is ``inertia_difference`` unless given.
 
     >>> [stiffness(0.0, **rod(3.0, 2.0, omega, 9.81)) > 0 for omega in (2.0, 4.0)]
     [True, False]
@@ -109,12 +103,10 @@ def on_free_shaft(
     about_hinge: Scalar | None = None,
 ) -> Model:  # fmt: skip
     """The Model of swinging on a shaft without moment, whose rate is ``omega`` when the angle is
-    ``theta``: states as for :func:`hinged`.
+    ``theta``: states as for :func:`hinged`. The angle of the shaft is cyclic, so that the angular
+    ``momentum`` about the vertical is a parameter.
 
-    shaft : moment of inertia about the vertical of all that rotates, for theta = 0; the larger it
-        is, the more even the rate
-    The rate of the shaft is no state: its angle is cyclic, and the angular ``momentum`` about the
-    vertical, a parameter, is constant.
+    shaft : moment of inertia about the vertical of all that rotates, for theta = 0
 
     >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
     (1.0, 0.0)
@@ -134,9 +126,8 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of the thin rod, for theta (rad) until ``t``: small swings, any, a shaft let go.
 
-    omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
-    Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small
-    swings are not harmonic.
+    omega, shaft : the first rate of the shaft, and its inertia; start : theta, theta_rate
+    Raises :class:`.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]

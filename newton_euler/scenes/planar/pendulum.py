@@ -1,7 +1,5 @@
-"""A rigid body that swings about a level axis: the physical pendulum (11.17).
-
-m mass, I moment of inertia about the parallel to the axis through G, l distance of G from the axis,
-theta from the downward vertical.
+"""A rigid body that swings about a level axis: the physical pendulum (11.17). m mass, I moment of
+inertia about the parallel to the axis through G, l distance of G from the axis, theta from below.
 """
 
 import math
@@ -31,8 +29,8 @@ def physical_pendulum(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
     """The Model of the pendulum: states theta and omega; the energy (11.32) is an invariant.
 
     The exact solution counts theta through all turns. It is that of a start within a few round-offs
-    of the one given, and from there right to a few round-offs of t times the rate of the motion:
-    where the pendulum only just reaches the upright, small differences of the start grow.
+    of the one given, and right to a few round-offs of t times the rate of the motion: where the
+    pendulum only just reaches the upright, small differences of the start grow.
 
     >>> swing = physical_pendulum(2.0, 0.5, 0.5, 10.0)
     >>> swing.derivative((1.5707963267948966, 0.0))
@@ -75,9 +73,6 @@ def _exact(s, p, t):
     now = where(upright, y, x), where(upright, x, y)
     turns = where(gap > 0, 0, where(omega < 0, -phase, phase))
     return 2 * counted(half, start, now, turns), 2 * rate
-
-
-# -- smaller models
 
 
 def small_swings(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
@@ -138,9 +133,7 @@ def _by_sine(s, p, t):
 
 
 def _by_size(I, s, p, t):
-    """From rest the body moves as the particle does, but slower. From a start with a rate the two
-    diverge no faster than at the upright position.
-    """
+    """From rest the body is only slower than the particle; pushed, they diverge fastest upright."""
     n, slower = sqrt(p.g / p.l), sqrt(_square(p, I))
     at_rest = (n - slower) * t * 2 * sin(abs(s.theta) / 2)
     pushed = (n * n - slower * slower) * growth(n, t)[2]

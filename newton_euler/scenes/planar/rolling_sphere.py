@@ -1,4 +1,4 @@
-"""A sphere, or another round body, that rolls down an incline without slipping (11.15). For one
+"""A sphere, or another round body, that rolls down an incline without slipping (11.15); for one
 that slides first see :mod:`newton_euler.scenes.planar.sliding_sphere`.
 
 ``k`` is the moment of inertia about the centre over m R^2: 2/5 for a solid sphere (the default),
@@ -23,10 +23,8 @@ STATES = ("x", "v")
 )  # fmt: skip
 def rolling_down(slope: Scalar, g: Scalar, k: Scalar | None = None) -> Model:
     """The Model of rolling straight down a plane of inclination ``slope`` (rad): states x, down the
-    plane, and v; invariant the energy over mass.
-
-    To roll, it needs a friction of k tan(slope)/(1 + k) times the normal force, which has no bound
-    as the slope nears the vertical.
+    plane, and v; invariant the energy over mass. It needs a friction of k tan(slope)/(1 + k) times
+    the normal force.
 
     >>> rolling_down(0.5235987755982988, 9.8).derivative((0.0, 0.0))[1]
     3.5
@@ -36,8 +34,7 @@ def rolling_down(slope: Scalar, g: Scalar, k: Scalar | None = None) -> Model:
 
 
 def rolling_in_air(slope: Scalar, g: Scalar, air: Scalar, k: Scalar | None = None) -> Model:
-    """The Model of rolling down against a drag ``air`` m v^2; air (1/m) is rho C_D A/(2 m). v is
-    not negative.
+    """The Model of rolling down against a drag ``air`` m v^2; air (1/m) is rho C_D A/(2 m); v >= 0.
 
     The closed form (1 + k)/air log(cosh(n t) + ...) is not used: with little air it is the
     logarithm of almost 1, in which all digits cancel.
@@ -59,8 +56,7 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of one run, for the distance (m) until ``t``: a sliding block, rolling, in air.
 
-    air : not negative; start : x, v. Raises :class:`~newton_euler.motion.model.ModelError` for a
-        sphere that goes uphill.
+    air : not negative; start : x, v; :class:`.ModelError` if it goes uphill
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (20.0, 1.0, 0.01)]

@@ -1,7 +1,6 @@
-"""A body that rotates about a level shaft, with its dead weight (9.5). Its reactions in the
-bearings: :mod:`newton_euler.applications.rotors`.
-
-psi is the angle of rotation, from the downward vertical to the x axis of the body.
+"""A body that rotates about a level shaft, with its dead weight (9.5); psi is its angle, from the
+downward vertical to the x axis of the body. For the bearings:
+:mod:`newton_euler.applications.rotors`.
 """
 
 from collections.abc import Callable
@@ -27,8 +26,7 @@ def turning_rotor(
 ) -> Model:
     """The Model of the rotation under a moment M about the shaft (9.10): states psi and omega.
 
-    x, y : coordinates of G in the body's axes; I about the axis of the shaft; moment : a number or
-        a law (s, p, t)
+    x, y, I : of G in the body; about the shaft; moment : a number or a law (s, p, t)
 
     >>> turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=1.0).derivative((0.0, 3.0))
     (3.0, 2.0)

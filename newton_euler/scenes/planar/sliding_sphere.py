@@ -2,10 +2,10 @@
 rolls (8.6).
 
 x and v of the centre, omega counterclockwise when x points to the right: the lowest point moves at
-the slip v + omega r. While it slides, friction mu m g acts against the slip; when the slip is gone,
-rolling needs none. Each regime is a model with an exact solution, and the time of the transition
-has a closed form, :func:`newton_euler.chapters.examples.ch08.rolling_begins`; an integrator of one
-right-hand side with sign(slip) would chatter. The mass cancels.
+the slip v + omega r. While it slides, friction mu m g acts against the slip; rolling needs none.
+Each regime is a model with an exact solution, and the time of the transition has a closed form,
+:func:`newton_euler.chapters.examples.ch08.rolling_begins`; an integrator of one right-hand side
+with sign(slip) would chatter.
 """
 
 from ...algebra.scalars import Scalar
@@ -24,12 +24,11 @@ STATES = ("x", "v", "omega")
 def sliding(
     mu: Scalar, g: Scalar, radius: Scalar, k: Scalar | None = None, sense: Scalar = 1
 ) -> Model:
-    """The Model of the sphere while it slides: states x, v, omega.
+    """The Model of the sphere while it slides: states x, v, omega. The angular momentum about a
+    point of the surface is an invariant, since friction passes through it.
 
-    k : moment of inertia over m r^2; default: 2/5 of a sphere; 1/2 for a cylinder
+    k : moment of inertia over m r^2, as in :mod:`.rolling_sphere`
     sense : the sign of the slip v + omega r: 1 for a sphere thrown to the right without spin
-    The angular momentum about a point of the surface is an invariant, since friction passes through
-    it.
 
     >>> sliding(0.5, 10.0, 0.5).derivative((0.0, 3.0, 0.0))
     (3.0, -5.0, -25.0)
@@ -43,8 +42,7 @@ def sliding(
     2.0, (6.0, 5.0, -10.0), radius=0.5,
 )  # fmt: skip
 def rolling(radius: Scalar, k: Scalar | None = None) -> Model:
-    """The Model of the sphere while it rolls on the level, where only x changes; states as for
-    :func:`sliding`.
+    """The Model of the sphere while it rolls on the level; states as for :func:`sliding`.
 
     >>> rolling(0.5).derivative((0.0, 3.0, -6.0))
     (3.0, 0, 0)

@@ -1,15 +1,10 @@
-"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact, next to the
-separatrix too.
+"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact everywhere.
 
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is
 Jacobi's: with b the intermediate axis and a the one that the motion circles, w_a is a dn, w_b a sn,
-w_c a cn. Near the separatrix, the motions that leave the intermediate axis and come back to it, k^2
-is 1 within round-off, and formulas in k^2 lose all digits. Here 1 - k^2 comes from a difference of
-two squares, in twice the digits where these cancel, and the state from that of the start by the
-addition theorem, :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
-
-Two approximations keep the rate about z constant: w_x and w_y go around an ellipse (a circle for a
-symmetric body), or run away where z is the intermediate axis.
+w_c a cn. Near the separatrix k^2 is 1 within round-off, and formulas in k^2 lose all digits. Here 1
+- k^2 comes from a difference of two squares, in twice the digits where these cancel, and the state
+from that of the start by :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
 """
 
 from ...algebra.scalars import Scalar, is_finite, is_numeric, max_abs, sqrt, where
@@ -37,9 +32,8 @@ def free_body(I_x: Scalar, I_y: Scalar, I_z: Scalar) -> Model:
     """The Model of the free body: states w_x, w_y, w_z along its principal axes (rad/s); invariants
     ``energy`` and ``momentum``, the size of H.
 
-    The numbers given are taken as exact, and the exact solution is right to a few round-offs of t
-    times the rate of the motion, wherever it starts: near the separatrix, on it, or at rest about
-    an axis. t, and the states, may be arrays; expressions raise
+    The exact solution takes the numbers given as exact, and is right to a few round-offs of t times
+    the rate of the motion, wherever it starts. t, and the states, may be arrays; expressions raise
     :class:`~newton_euler.motion.model.ModelError`.
 
     >>> body = free_body(1.0, 2.0, 3.0)
@@ -65,9 +59,6 @@ def _energy(s, p, t):
 def _momentum(s, p, t):
     H = p.I_x * s.w_x, p.I_y * s.w_y, p.I_z * s.w_z
     return sqrt(dot3(H, H))
-
-
-# -- the exact solution
 
 
 def _exact(s, p, t):
@@ -96,9 +87,7 @@ def _check(moments, w, t):
             "must be finite"
         )
     if any(is_numeric(I) and max_abs(where(I > 0, 0, 1)) for I in moments):
-        raise ModelError(
-            f"the principal moments of the exact solution are three positive numbers, got {moments}"
-        )
+        raise ModelError(f"the principal moments are three positive numbers, got {moments}")
 
 
 def _gap(k, I, w):
@@ -113,12 +102,9 @@ def _gap(k, I, w):
     return where(cancelled, -k[1] / (I[0] * I[2]) * doubled(difference, *I, w[0], w[2]), rough)
 
 
-# -- a wobble about the axis of spin
-
-
 def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
-    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; the rate about z is
-    ``spin``.
+    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; ``spin`` is the constant
+    rate about z.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
@@ -128,7 +114,8 @@ def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Mod
 
 
 def small_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
-    """The Model to first order in its states w_x and w_y; ``spin`` is the constant rate about z.
+    """The Model to first order in its states w_x and w_y: on an ellipse, or running away where z is
+    the intermediate axis.
 
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-1.0, 5.0)
@@ -141,8 +128,7 @@ def ladder(
     I_x: Scalar = 1.0, I_y: Scalar = 1.02, I_z: Scalar = 1.5,
     start: tuple[Scalar, ...] = (0.1, 0.0, 5.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models symmetric body, small wobble and free body, for w_x, w_y, w_z, which are the
-    start.
+    """The models symmetric body, small wobble and free body, for w_x, w_y, w_z.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]

@@ -16,8 +16,8 @@ def gyrocompass(
     """The Model of the gyrocompass: states azimuth (rad, from north) and azimuth_rate.
 
     With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega
-    sin(latitude) + azimuth' about the vertical transverse axis, and the rotor at omega_z about its
-    own, so that I0 azimuth'' = -c sin(azimuth) (I omega_z - I0 c cos(azimuth)).
+    sin(latitude) + azimuth' about the vertical, so that I0 azimuth'' = -c sin(azimuth) (I omega_z -
+    I0 c cos(azimuth)).
 
     >>> compass = gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8)
     >>> compass.derivative((0.1, 0.0))[1] < 0 < compass.derivative((-0.1, 0.0))[1]  # back to north

@@ -1,12 +1,9 @@
-"""The thin spherical pendulum: a uniform bar that hangs from a ball joint (10.4).
+"""The thin spherical pendulum: a uniform bar that hangs from a ball joint (10.4), a top with I0 = m
+L^2/3 and I = 0. Its axis points from the joint along the bar, so that it hangs at theta = pi.
 
-It is a top without a moment of inertia about its axis, I0 = m L^2/3 and I = 0. The axis k points
-from the joint along the bar and theta is its angle with the *upward* vertical K, so that the bar
-hangs at theta = pi.
-
-In plan, the tip is at x, y from the joint, z up, and below the joint: small swings or any, with
-friction or without. The bar swings like a simple pendulum of the length 2 L/3. ``friction`` is the
-moment against the turning over moment of inertia and rate, 1/s.
+In plan, the tip is at x, y from the joint and below it: small swings or any, as of a simple
+pendulum of the length 2 L/3. ``friction`` is the moment against the turning over moment of inertia
+and rate, 1/s.
 """
 
 from dataclasses import replace
@@ -31,7 +28,7 @@ PLACE = "place of the tip in plan, m"
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass: Scalar, length: Scalar, g: Scalar) -> Model:
-    """The Model of the pendulum without a singular position, a
+    """The Model without a singular position, a
     :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
@@ -46,20 +43,16 @@ def pendulum(mass: Scalar, length: Scalar, g: Scalar) -> Model:
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass: Scalar, length: Scalar, g: Scalar, theta: Scalar, precession: Scalar) -> Model:
-    """The Model of the angle theta alone, for a start at ``theta`` (rad, from the upward vertical)
-    with this rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
+    """The Model of the angle theta alone, for a start at ``theta`` (rad) with this rate psi':
+    :func:`newton_euler.scenes.spatial.top.nutation`.
 
     >>> # falls towards theta = pi
     >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)
     1.03829
     """
     top = pendulum(mass, length, g).parameters
-    return nutation(
-        **top, momentum_difference=momentum_difference(top["I0"], 0, theta, precession, 0)
-    )
-
-
-# -- the tip in plan
+    difference = momentum_difference(top["I0"], 0, theta, precession, 0)
+    return nutation(**top, momentum_difference=difference)
 
 
 def small_swings(length: Scalar, g: Scalar) -> Model:
@@ -74,9 +67,8 @@ def small_swings(length: Scalar, g: Scalar) -> Model:
 
 def small_swings_with_friction(length: Scalar, g: Scalar, friction: Scalar) -> Model:
     """The Model of small swings with friction below the critical, 2 sqrt(3 g/(2 length))."""
-    return Model(
-        "bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,)
-    )
+    given, name = locals(), "bar, small swings with friction"
+    return Model(name, given, STATES, _damped, {}, _damped_exact, (SIZE,))
 
 
 def any_swing(length: Scalar, g: Scalar) -> Model:
@@ -100,11 +92,8 @@ def ladder(
     """The four models, for the position of the tip in plan (m) from the ``start`` x, y, dx, dy.
 
     >>> from newton_euler import smallest
-    >>> for metres in (0.01, 0.001, 1e-5):
-    ...     print(smallest(ladder(), metres).model.name)
-    bar, small swings
-    bar, small swings with friction
-    bar, any swing with friction
+    >>> [smallest(ladder(), metres).model.name for metres in (0.01, 1e-5)]
+    ['bar, small swings', 'bar, any swing with friction']
     """
     small = small_swings(length, g), small_swings_with_friction(length, g, friction)
     models = *small, any_swing(length, g), any_swing_with_friction(length, g, friction)

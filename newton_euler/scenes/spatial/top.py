@@ -1,9 +1,8 @@
-"""The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the
-free symmetric body (10.8).
+"""The symmetric top with a fixed point under gravity (10.5, 10.6): :func:`nutation` for nutation
+alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a fast top, :func:`euler` for
+psi and phi off the vertical; and the free symmetric body (10.8).
 
-I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, constant,
-is a parameter. :func:`nutation` is for nutation alone, :func:`attitude` for pictures,
-:func:`nonspinning_frame` for a fast top, :func:`euler` for psi and phi off the vertical.
+Symbols as in :mod:`newton_euler.applications.gyroscopes`; the parameter ``omega_z`` is constant.
 """
 
 from dataclasses import replace
@@ -47,9 +46,6 @@ def momentum_difference(
     return I0 * precession * sin(theta) ** 2 - 2 * I * omega_z * sin(theta / 2) ** 2
 
 
-# -- theta alone
-
-
 @scene(
     "10.5", "top, nutation", "the angle of a nutating top from the vertical",
     10.0, (0.6, 0.0),
@@ -65,15 +61,11 @@ def nutation(
         sleeping top, and then theta = 0 is no singular place
     I0 theta'' = mgr sin(theta) - d/dtheta (p_psi - p_phi cos(theta))^2/(2 I0 sin^2(theta)), with
     the quotient by half angles as (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q
-    = p_psi - p_phi = momentum_difference. A pendulum has I = 0.
-
-    The exact solution is by elliptic functions; it goes through the vertical where
-    ``momentum_difference``, or the sum p for the downward one, is exactly 0, and counts the turns
-    of a pendulum. ``mgr`` may be of either sign or 0.
+    = p_psi - p_phi = momentum_difference. A pendulum has I = 0; ``mgr`` may be of either sign or 0.
+    The exact solution is by elliptic functions; it goes through the vertical where q, or p for the
+    downward one, is exactly 0, and counts the turns of a pendulum.
 
     >>> top = nutation(0.02, 0.01, 0.5, 100.0, 0)
-    >>> top.derivative((0.0, 0.1))
-    (0.1, 0.0)
     >>> [round(x, 6) for x in top.solution(0.05, (0.0, 0.1))]  # it goes through the upright
     [0.00384, 0.033918]
     """
@@ -99,9 +91,6 @@ def nutation_rates(s, p, t):
 def _nutation_energy(s, p, t):
     t, _, whole, rest = half_tangent_sides(s, p)
     return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
-
-
-# -- Euler's angles
 
 
 @scene(
@@ -139,18 +128,14 @@ def _euler_vertical(s, p, t):
     return p.I0 * (s.psi_rate * sin(s.theta) ** 2) + p.I * p.omega_z * cos(s.theta)
 
 
-# -- the frame that goes with the axis without spinning
-
-
 @scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
 def nonspinning_frame(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
     """The Model of the top in a frame that follows its axis and does not rotate about it, (10.20)
     with Omega_z = 0: it has no singular position and no fast angle.
 
     states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in
-        it (rad/s)
-    invariants : energy, p_psi and the norm of the quaternion. That of the body follows by
-        :func:`newton_euler.chapters.examples.ch10.body_quaternion`.
+        it (rad/s); that of the body: :func:`newton_euler.chapters.examples.ch10.body_quaternion`
+    invariants : energy, p_psi and the norm of the quaternion
 
     >>> # upright: the axis of the tilting moves on
     >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
@@ -188,19 +173,14 @@ _NONSPINNING_INVARIANTS = {
 }
 
 
-# -- the body's own frame
-
-
 @scene(
     "10.5", "top, attitude", "the nutating top by the quaternion of the body",
     10.0, tilted(0.6), **TOP,
 )  # fmt: skip
 def attitude(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
-    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z, for animations.
-
-    states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s);
-        invariants as for :func:`nonspinning_frame`
-    The start is a *unit* quaternion: the rates do not divide by its length.
+    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z, for animations: states
+    and invariants as for :func:`nonspinning_frame`, but of the body. The start is a *unit*
+    quaternion: the rates do not divide by its length.
 
     >>> attitude(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
     (0.0, -5.0)
@@ -213,11 +193,8 @@ def _attitude_rates(s, p, t):
     q0, q1, q2, q3 = q = _q(s)
     pull, rate = 2 * p.mgr / p.I0, (p.I - p.I0) / p.I0 * p.omega_z
     turning = quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
-    return (
-        *turning,
-        pull * (q2 * q3 + q0 * q1) - rate * s.w_y,
-        rate * s.w_x - pull * (q1 * q3 - q0 * q2),
-    )
+    x, y = pull * (q1 * q3 - q0 * q2), pull * (q2 * q3 + q0 * q1)
+    return *turning, y - rate * s.w_y, rate * s.w_x - x
 
 
 @scene(
@@ -225,10 +202,9 @@ def _attitude_rates(s, p, t):
     10.0, (1.0, 0.0, 0.0, 0.0, 0.8, 0.0), I0=3.0, I=1.0, omega_z=6.0,
 )  # fmt: skip
 def free(I0: Scalar, I: Scalar, omega_z: Scalar) -> Model:
-    """The Model of a symmetric body without moment (10.35), (10.36): the states of
-    :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.
-
-    The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
+    """The Model of a symmetric body without moment (10.35), (10.36): :func:`nonspinning_frame` with
+    the exact solution; omega_z is not zero. The frame turns about the constant H at the rate H/I0,
+    and back about its axis at I omega_z/I0.
 
     >>> body = free(0.02, 0.01, 100.0)
     >>> # I omega_z/I0 = 50 rad/s

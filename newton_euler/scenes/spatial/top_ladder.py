@@ -1,10 +1,8 @@
-"""The ladder of models of the top: slow and exact steady precession, nutation, and a body with
-slightly different transverse moments of inertia.
+"""The ladder of models of the top: slow and exact steady precession, nutation, and a body with the
+moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, in Euler's angles and by the quaternion.
 
 What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward
-vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`. The fullest models
-are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles,
-which are singular where the axis is vertical, and by the quaternion, which is not.
+vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`.
 """
 
 from contextlib import suppress
@@ -31,8 +29,7 @@ RATES = "w_x", "w_y", "w_z"
 
 
 def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) -> Model:
-    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi;
-    theta is constant.
+    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z), for a theta: state psi.
 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
@@ -44,7 +41,7 @@ def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) 
 def top_steady_precession(
     I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar
 ) -> Model:
-    """The Model of steady precession (10.33) at the slow one of its two rates.
+    """The Model of steady precession (10.33) at the slow one of its two rates;
     :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
 
     >>> round(top_steady_precession(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
@@ -67,8 +64,8 @@ def top_precession_and_nutation(
 
 
 def asymmetric_top_euler_angles(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Scalar) -> Model:
-    """The Model of the body with unequal moments in Euler angles: states psi, theta, phi, and the
-    body rates w_x, w_y, w_z. Singular at theta = 0 and pi.
+    """The Model with unequal moments in Euler angles, singular at theta = 0 and pi: states psi,
+    theta, phi, and the body rates w_x, w_y, w_z.
     """
     given, states = locals(), ("psi", "theta", "phi", *RATES)
     return Model("top of unequal moments, Euler's angles", given, states, _euler)
@@ -79,26 +76,20 @@ def asymmetric_top_quaternion(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Sca
     return Model("top of unequal moments, quaternion", locals(), (*QUATERNION, *RATES), _quaternion)
 
 
-@scene(
-    "10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True
-)
+@scene("10.5", "top", "slow and steady precession, nutation, unequal moments", ladder=True)
 def ladder(
     I0: Scalar = 0.02, I: Scalar = 0.01, mgr: Scalar = 0.5, omega_z: Scalar = 150.0,
     theta: Scalar = 0.6, theta_rate: Scalar = 0.0, precession: Scalar = 0.34,
     asymmetry: Scalar = 1e-3, t: Scalar = 1.0,
 ) -> Ladder:  # fmt: skip
-    """The five models, for the direction of the axis, a unit vector, so that errors are angles.
+    """The five models, for the direction of the axis, a unit vector, so that errors are angles. A
+    top that is too slow has no steady precession, and its ladder no such rung.
 
     theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero
-    A top that is too slow has no steady precession, and its ladder no such rung.
 
     >>> from newton_euler import smallest
-    >>> for angle in (0.01, 5e-4, 5e-5, 1e-7):
-    ...     print(smallest(ladder(), angle).model.name)
-    top, slow precession
-    top, steady precession
-    top, nutation and precession
-    top of unequal moments, Euler's angles
+    >>> [smallest(ladder(), angle).model.name for angle in (0.01, 1e-7)]
+    ['top, slow precession', "top of unequal moments, Euler's angles"]
     """
     body = theta_rate, precession * sin(theta), omega_z
     over = momentum_difference(I0, I, theta, precession, omega_z) or 0
@@ -114,9 +105,6 @@ def ladder(
         Rung(by_quaternion, (*quaternion_from_euler(0.0, theta, 0.0), *body), _third),
     ]
     return Ladder("top", DIRECTION, t, tuple(rungs))
-
-
-# -- the direction of the axis
 
 
 def _direction(psi, theta):
@@ -136,8 +124,6 @@ def _along(s, p, t):
 def _third(s, p, t):
     return tuple(row[2] for row in matrix_from_quaternion(_q(s)))
 
-
-# -- rates
 
 _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
 

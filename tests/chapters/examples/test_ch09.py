@@ -8,8 +8,6 @@ from newton_euler import cos, sin
 from newton_euler.chapters.examples.ch09 import bent_disk, off_centre_disk
 from tests.kinds import close, every_kind, numbers, small
 
-# -- off-centre disk (9.1)-(9.3)
-
 
 def off_centre(kind):
     m, _, d, a, b, psi, omega = values = numbers(kind, 2, "0.1", "0.03", "0.2", "0.3", "0.7", 5)
@@ -37,9 +35,6 @@ def test_an_off_centre_disk_with_dead_weight_needs_a_moment_at_constant_rate():
     assert found.A.terms["weight"].components(rotor.ground) == pytest.approx(
         (0, 0, 2.0 * 9.81 * 0.3 / 0.5), abs=1e-14
     )
-
-
-# -- bent disk (9.4)-(9.6)
 
 
 def bent(kind):

@@ -22,8 +22,6 @@ from newton_euler.dynamics.potential import (
 from newton_euler.dynamics.work import work_along
 from tests.kinds import close, every_kind, numbers, small
 
-# -- the pendulum with a pin (11.8, 11.12)
-
 
 def ball(kind):
     length, pin, v0, g = numbers(kind, "0.9", "0.6", 2, "9.81")
@@ -57,9 +55,6 @@ def test_example_11_8_a_ball_that_does_not_reach_the_level_of_the_pin():
         low.speed_at_pin()
     just = PendulumWithPin(length=1.0, pin=0.5, angle=math.acos(0.5), v0=1e-3, g=9.81)
     assert just.speed_at_pin() == pytest.approx(1e-3, rel=1e-8)
-
-
-# -- gravitation (11.10)
 
 
 @every_kind

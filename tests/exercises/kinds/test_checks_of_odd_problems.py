@@ -17,9 +17,6 @@ LENGTH = Answer("x", "number", "m", "a length")
 RADIUS = Given("r", 0.3, "m", "radius", (0.2, 0.4))
 
 
-# -- without numbers
-
-
 def cone(solve, prove, made):
     answers = (Answer("alpha", "number", "deg", "half angle of the cone"),)
     return made(lambda g: {"alpha": solve(g)}, lambda g: {"alpha": prove(g)}, answers=answers)
@@ -63,9 +60,6 @@ def test_what_does_not_vary_is_proved_once(made):
     assert len(proofs) == 2 * once
 
 
-# -- digits and zero
-
-
 def test_a_proof_that_stops_at_the_digits_of_its_numbers_has_fifty(made):
     digits = []
 
@@ -95,9 +89,6 @@ def test_a_key_of_zero_holds_up_to_its_absolute_tolerance(proved, made):
 def test_a_key_of_zero_that_the_proof_denies_is_caught(made):
     faults = check(nothing("1e-7", made))
     assert faults[0].startswith("x: solve in floats and prove differ by 1.0e+00 of its size")
-
-
-# -- mistakes that cannot be told apart
 
 
 def radius(made, **wrong):

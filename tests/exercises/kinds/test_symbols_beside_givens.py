@@ -106,9 +106,6 @@ def test_answers_are_apart_if_half_of_their_real_points_are():
     assert apart(((nan,),) * 4, right)
 
 
-# -- the same in the book
-
-
 def at_thirty(falling, same):
     """The sine of 30 degrees is a half, so that the book's numbers do not tell one from another."""
     length = Given("L", 2.0, "m", "length", (1.0, 3.0))

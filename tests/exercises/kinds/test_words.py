@@ -13,8 +13,6 @@ from newton_euler import where
 from tests.exercises.kinds import thrown
 from tests.exercises.kinds.thrown import DOF, SENSE, SPEED, THROWN, ball, mistakes, sense, solve
 
-# -- what the code may return
-
 
 def test_a_word_may_be_a_function_that_branches(made):
     p = ball(made)
@@ -48,9 +46,6 @@ def test_where_chooses_words_and_counts_too(made):
     assert p.solve(p.book_values) == {"sense": "rises", "dof": 2}
 
 
-# -- checks
-
-
 def test_a_problem_of_words_holds_and_its_words_have_no_units_to_prove(made):
     assert check(ball(made), seeds=3) == []
 
@@ -76,9 +71,6 @@ def test_a_mistake_that_gives_the_right_word_of_the_book_is_caught(made):
 
     (fault,) = check(ball(made, wrong=same))
     assert fault.startswith("the mistake no_gravity gives nearly the right sense: (rises)")
-
-
-# -- drawing
 
 
 def test_a_problem_of_words_is_drawn_though_a_mistake_gives_the_right_word(made):

@@ -7,7 +7,7 @@ import pytest
 from grader.assignment.attempts import new_attempt, put_back
 from grader.course import CourseError
 from grader.grading import grade
-from tests.grader.courses import command, gradebook_rows, nbgrader, ran, read, submit
+from tests.grader.courses import command, give, gradebook_rows, nbgrader, ran, read, submit
 from tests.grader.submissions import work
 
 
@@ -84,3 +84,29 @@ def test_who_has_not_handed_in_has_nothing_to_try_again(ungraded):
     with pytest.raises(CourseError, match=r"ada has no attempt 1 at ch04 .* there are none"):
         put_back(ungraded, "ch04", "ada", 1)
     assert work(ungraded, "ada")
+
+
+def given(course, student):
+    """What a person gave: (points, extra credit, comment) of the answer to 4/16."""
+    with course.gradebook() as book:
+        cell = "answer-4-16", "ch04", "ch04", student
+        grade_, comment = book.find_grade(*cell), book.find_comment(*cell)
+        return grade_.manual_score, grade_.extra_credit, comment.manual_comment
+
+
+def test_another_attempt_inherits_nothing_that_a_person_gave_until_the_first_counts_again(fresh):
+    grade(fresh, "ch04")
+    give(fresh, "ben", "answer-4-16", 1.5, 0.25, "Neat.")
+    new_attempt(fresh, "ch04", "ben")
+    assert given(fresh, "ben") == (1.5, 0.25, "Neat.")  # the grade stands until the new sheet's
+    submit(fresh, "ben", answered(fresh, "ben"))
+    (result,) = grade(fresh, "ch04", ["ben"])
+    assert (result.points, given(fresh, "ben")) == (11, (None, None, None))
+    grade(fresh, "ch04", ["ben"], force=True)
+    give(fresh, "ben", "answer-4-16", 2.5, 0.0, "Better.")
+    put_back(fresh, "ch04", "ben", 1)
+    grade(fresh, "ch04", ["ben"])
+    assert given(fresh, "ben") == (1.5, 0.25, "Neat.")
+    put_back(fresh, "ch04", "ben", 2)
+    grade(fresh, "ch04", ["ben"])
+    assert given(fresh, "ben") == (2.5, 0.0, "Better.")

@@ -73,9 +73,6 @@ def test_ids_that_differ_by_case_only_are_also_noticed_where_nbgrader_added_them
         fresh.roster()
 
 
-# -- the gradebook
-
-
 def test_a_locked_gradebook_is_reported_in_a_sentence_and_nothing_is_lost(fresh):
     before = points(fresh)
     lock = sqlite3.connect(fresh.path / "gradebook.db")

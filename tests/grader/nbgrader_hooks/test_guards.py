@@ -103,9 +103,6 @@ def test_a_course_in_a_folder_with_spaces_and_accents_is_graded_by_nbgrader(cour
     assert total(points(moved)["ada"]) == 11
 
 
-# -- links and special files
-
-
 # nbformat would take 7 GB for the values
 HOSTILE = {
     f"h{n}": folders.ATTACKS[name]

@@ -3,10 +3,11 @@
 import csv
 
 import pytest
+from rich.console import Console
 
 from grader.reports import part_statistics
 from grader.reports.records import Entry
-from grader.reports.statistics import mistake_counts
+from grader.reports.statistics import _of_part, mistake_counts, statistics_table
 from newton_euler.answers import Cause
 from tests.grader.courses import command, ran
 from tests.grader.reports.results import MISTAKE, PARTS, graded_course
@@ -67,6 +68,30 @@ def test_the_correlation_leaves_the_part_itself_out(tmp_path):
             json.dumps({"scores": [{"problem": "4/1", "parts": parts}]})
         )
     assert [p.discrimination for p in part_statistics(course, "ch04")] == pytest.approx([0, 0])
+
+
+def entry(points, out_of, verdict="", waits=False):
+    return Entry("ann", "4/1", "", points, out_of, verdict, waits=waits)
+
+
+@pytest.mark.parametrize(("found", "difficulty", "waiting"), [
+    ([entry(1, 2), entry(2, 2), entry(0, 2, waits=True)], 0.75, 1),
+    ([entry(0, 2, waits=True)] * 2, None, 2),
+    ([entry(0, 0, "right"), entry(0, 0, "wrong")], 0.5, 0),
+    ([entry(0, 0)], None, 0),
+], ids=["one-waits", "all-wait", "no-points", "no-points-nor-verdict"])  # fmt: skip
+def test_what_waits_for_a_person_and_what_has_no_points_is_not_counted_as_wrong(
+    found, difficulty, waiting
+):
+    part = _of_part("4/1", "", found, {"ann": 3.0})
+    assert (part.difficulty, part.waiting) == (difficulty, waiting)
+    assert ("–" if difficulty is None else f"{difficulty:.2f}") in drawn(statistics_table([part]))
+
+
+def drawn(table):
+    with (console := Console(width=80)).capture() as said:
+        console.print(table)
+    return said.get()
 
 
 def test_stats_prints_a_table_of_80_columns_and_writes_csv_and_picture(graded, tmp_path):

@@ -80,9 +80,6 @@ def test_a_worker_that_is_busy_delays_no_other():
             long.result()
 
 
-# -- what is too much for one notebook
-
-
 def test_a_notebook_with_millions_of_characters_is_not_run(harvester):
     cells = [own("[]\n" * 400_000), *job("x = 1")]
     reply = harvester.run(cells)

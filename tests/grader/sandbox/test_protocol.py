@@ -66,8 +66,6 @@ def test_the_first_error_since_the_givens_is_reported_with_the_answers(harvester
     }
 
 
-# -- the instructor's tests
-
 OUTCOMES = {
     "assert f(2) == 4": (None, None),
     "assert f(2) == 5, 'f(2) is wrong'": ("AssertionError, line 1: f(2) is wrong", None),
@@ -80,11 +78,8 @@ OUTCOMES = {
     "undefined": ("NameError, line 1: name 'undefined' is not defined", None),
     "if": ("SyntaxError: invalid syntax, line 1: if", None),
     "assert state == 'then'": (None, None),  # as it was at the place of the test
-    "import os; os._exit(0)": (
-        "the test was not run: the notebook ended before it, or its process ended",
-        None,
-    ),
-}
+    "import os; os._exit(0)": ("the test was not run: the notebook ended before it, or its process ended", None),
+}  # fmt: skip
 
 
 def a_notebook_with(texts):

@@ -103,8 +103,6 @@ def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
     assert (tmp_path / "map-of-steady-precession.png").stat().st_size > 10_000
 
 
-# -- honesty
-
 SCENE = "sphere on an incline"
 
 

@@ -30,9 +30,6 @@ matplotlib.use("Agg")
 SCENE = "sphere on an incline"
 
 
-# -- what is measured
-
-
 def fake(answers):
     """A reference whose methods answer (true error, estimate) or an exception, as in the table."""
 
@@ -126,9 +123,6 @@ def test_progress_is_reported_scene_by_scene_and_never_goes_back():
     assert 0 <= output[0][0] < output[-1][0] < 1
 
 
-# -- what is counted
-
-
 def answer(method="mine", cost=1e-3, error=1e-7, asked=1e-6, estimate=2e-7, problem="a", absent=""):
     return Answer(
         method, cost, error, asked=asked, estimate=estimate, problem=problem, absent=absent
@@ -206,9 +200,6 @@ def test_the_csv_has_a_line_for_every_run(tmp_path):
     assert tuple(head) == COLUMNS
     assert first == ["mine", "a", "1e-06", "0.001", "1e-07", "2e-07", "", ""]
     assert dict(zip(head, second, strict=True))["absent"] == REFUSED
-
-
-# -- what is drawn
 
 
 def drawn(answers):

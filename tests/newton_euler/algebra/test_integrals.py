@@ -113,9 +113,6 @@ def test_vectors_and_tuples():
     assert integral(lambda x: (x, (x * x, 1)), 0.0, 3.0)[1][0] == pytest.approx(9.0)
 
 
-# -- traced
-
-
 def test_traced_integrals_carry_rates():
     found, expected = (f(moving(0.7, 1.0), 2.0) for f in (compiled(wire), wire_by_hand))
     assert found.rate == pytest.approx(expected.rate, rel=1e-13)
@@ -178,9 +175,6 @@ def test_heyoka_refuses_an_integral_inside_a_formula_and_arrays_go_by_numpy():
     np.testing.assert_allclose(run(np.array([2.0]), 1.7), wire_by_hand(2.0, 1.7), rtol=1e-14)
     with pytest.raises(TypeError, match="heyoka has no integrals and roots inside a formula"):
         run(hy.expression("a"), hy.expression("k"))
-
-
-# -- refusals
 
 
 def test_corners_are_refused_unless_they_are_named():

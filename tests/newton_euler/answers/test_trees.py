@@ -1,5 +1,6 @@
 """Trees are data: their value over scalars of every kind, their dimension, cases."""
 
+import math
 import re
 
 import numpy as np
@@ -8,6 +9,7 @@ import sympy
 
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers.forms import Form
+from newton_euler.answers.reading import formulas
 from newton_euler.answers.trees import TreeError, dimension_hints, evaluate
 from tests.newton_euler.answers.one_answer import SYMBOLS, omega, one, r, theta
 
@@ -16,7 +18,7 @@ from tests.newton_euler.answers.one_answer import SYMBOLS, omega, one, r, theta
     ("formula", "hint"),
     [
         (r * omega, None),
-        (r * omega**2, r"it has .*, but m/s has"),
+        (r * omega**2, "it is in .*, but m/s is asked"),
         (r + omega, "adds unlike quantities"),
         (sympy.sin(r), "adds unlike|it "),
         (0 * r, None),
@@ -71,3 +73,19 @@ def test_cases_are_chosen_point_by_point_and_number_by_number(name):
     tree, expected = CASES[name]
     assert evaluate(tree, {"r": np.array([1.0, 2.0])}).tolist() == expected
     assert [evaluate(tree, {"r": x}) for x in (1.0, 2.0)] == expected
+
+
+def values_of(tree, *x):
+    return [point[0] for point in formulas([tree], {"x": np.array(x)}, [100])]
+
+
+def test_the_logarithm_of_a_negative_number_may_stand_where_the_formula_is_real():
+    square = ["exp", ["*", 2, ["log", "x"]]]  # x^2
+    assert values_of(square, -3.0, 2.0) == pytest.approx([9.0, 4.0])
+    root = ["^", ["^", "x", 0.5], 2]
+    assert values_of(root, -3.0, 2.0) == pytest.approx([-3.0, 2.0])
+
+
+def test_a_formula_that_is_not_real_has_no_number_there():
+    assert values_of(["log", "x"], -3.0, 1.0) == pytest.approx([math.nan, 0.0], nan_ok=True)
+    assert values_of(["^", ["log", "x"], 2], -3.0) == pytest.approx([math.nan], nan_ok=True)

@@ -77,6 +77,17 @@ def test_an_interval_a_word_and_a_blank_are_read():
     assert one("vector, m", None) is None
 
 
+@pytest.mark.parametrize(
+    "written", ["Both Ends", " both ends\n", "BOTH  ends", np.str_("both ends")]
+)
+def test_a_word_is_read_with_capitals_and_blanks(written):
+    assert one("choice: neither | both ends", written) == "both ends"
+
+
+def test_words_that_differ_in_a_capital_alone_are_told_apart():
+    assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "g"]
+
+
 def test_symengine_is_read_as_sympy_is():
     symengine = pytest.importorskip("symengine")
     R, W = symengine.symbols("r omega")
@@ -134,7 +145,7 @@ WRONG = [
     ("count", True, "expected a whole number; got True"),
     ("count", "three", "expected a whole number"),
     ("count", float("nan"), "expected a whole number"),
-    ("choice: stable | unstable", "Stable", "expected one of 'stable', 'unstable'; got 'Stable'"),
+    ("choice: stable | unstable", "Stabel", "expected one of 'stable', 'unstable'; got 'Stabel'"),
     ("choice: stable | unstable", 1, "expected one of 'stable', 'unstable'; got '1'"),
     ("choice: stable | unstable", ["stable"], "expected one of"),
     ("choice: stable | unstable", np.array([1, 2]), "expected one of"),

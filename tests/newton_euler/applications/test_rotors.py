@@ -26,9 +26,6 @@ from tests.turning import cross, rot, second_rate
 small = within(1e-13, 26)
 
 
-# -- mass points in explicit motion: no inertia matrix, no omega x H
-
-
 def points_of_a_rotor():
     """Masses and places in the axes of the shaft, and the same as a Body."""
     shaft_points = [(2, (1, 2, -1)), (1, (-2, 1, 3)), (3, (1, -1, 2)), (1, (0, 2, 1))]
@@ -67,9 +64,6 @@ def test_a_vertical_shaft_carries_the_weight_along_itself():
     found = reactions(wheel, shaft.origin, B, ground, -10.0 * ground.k)
     assert found.axial == 20.0
     assert found.A.norm() == found.B.norm() == 0
-
-
-# -- the two kinds of imbalance (9.4)
 
 
 def on_x(*bodies_of):
@@ -134,8 +128,6 @@ def test_dynamic_balance_asks_for_the_point_where_the_body_is_not_balanced_stati
     assert not balance(body, A, B, about=A).dynamic
 
 
-# -- balancing
-
 coordinate = st.floats(-1, 1).map(lambda x: round(x, 3))
 mass_points = st.lists(
     st.tuples(st.floats(0.1, 5), coordinate, coordinate, coordinate), min_size=1, max_size=5
@@ -197,9 +189,6 @@ def test_corrections_as_formulas():
     U1, U2 = corrections(body, shaft.origin, B, (z1, z2))
     assert sympy.simplify(U1.x + m * r * (z2 - z) / (z2 - z1)) == 0
     assert sympy.simplify(U2.x + m * r * (z - z1) / (z2 - z1)) == 0
-
-
-# -- errors
 
 
 @pytest.mark.parametrize(("ask", "words"), [

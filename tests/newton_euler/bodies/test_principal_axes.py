@@ -33,9 +33,6 @@ def angle_between(axis, vector):
     return math.atan2(np.linalg.norm(np.cross(axis, vector)), abs(np.dot(axis, vector)))
 
 
-# -- the equations
-
-
 @every_kind
 def test_eqn_7_15_to_7_19_about_a_principal_axis_H_is_parallel_to_omega(kind):
     I = Inertia(Frame("body"), numbers(kind, 8, 11, 11), numbers(kind, 3, 0, -3))
@@ -73,8 +70,6 @@ def test_eqn_7_21_pairs_of_masses_opposite_an_axis():
     # one pair: k is principal, the others not
     assert composite("pair", pair).about(frame).symmetry().axes == ("z",)
 
-
-# -- numbers: order, sign, accuracy
 
 moments = st.tuples(*[st.floats(0.1, 10)] * 3).filter(lambda m: max(m) <= 0.99 * (sum(m) - max(m)))
 axes = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: sum(x * x for x in v) > 1e-3)
@@ -125,9 +120,6 @@ def test_thirty_digits():
     assert close([tuple(a) for a in p.axes], [tuple(a) for a in exact.axes], 1e-26)
 
 
-# -- equal and nearly equal moments
-
-
 @pytest.mark.parametrize("where", [0, 1], ids=["two low", "two high"])
 def test_a_tilted_body_of_revolution_has_a_right_handed_frame_of_principal_axes(where):
     I, R = tilted(((2.0, 2.0, 3.0), (2.0, 3.0, 3.0))[where], (1.0, 2.0, 0.5), 0.8)
@@ -170,9 +162,6 @@ def test_nearly_equal_moments_are_reported_against_the_noise_of_the_data():
     )
     assert "all axes are determined" in str(I.principal())
     assert close(doubtful.gaps[0], 1e-3, 1e-12)
-
-
-# -- expressions
 
 
 def test_block_of_two_in_symbols_without_cube_roots():
@@ -226,9 +215,6 @@ def test_exact_numbers_with_equal_moments():
     for moment, axis in zip(p.moments, p.axes, strict=True):
         assert all(sympy.simplify(x) == 0 for x in (I.times(axis) - moment * axis).components())
     assert sympy.simplify(determinant(p.rotation)) == 1
-
-
-# -- symmetry
 
 
 def test_symmetry_finds_itself():

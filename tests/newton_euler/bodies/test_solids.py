@@ -199,9 +199,6 @@ def test_thin_walls_keep_their_digits():
         assert close(thin.inertia.moments, limit.inertia.moments, 2e-9)
 
 
-# -- between points
-
-
 @every_kind
 @pytest.mark.parametrize("corners", [2, 3, 4], ids=["rod", "triangle", "tetrahedron"])
 def test_simplex_between_points_anywhere(kind, corners):
@@ -233,9 +230,6 @@ def test_simplex_between_points_anywhere(kind, corners):
     assert close(body.mass, content, 1e-12)
     assert close(body.centre.position(F), centre, 1e-12)
     assert close(body.about(F).matrix, matrix, 1e-11)
-
-
-# -- refused
 
 
 @pytest.mark.parametrize(("make", "error", "words"), [

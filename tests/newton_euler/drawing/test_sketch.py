@@ -14,8 +14,6 @@ from newton_euler.drawing.page.primitives import KINDS
 from newton_euler.drawing.sketch import Sketch
 from tests.sketching import O, ground, png, sketch, texts, vertices
 
-# -- places and the page
-
 
 def test_points_vectors_and_triples_name_the_same_place():
     arm = ground.rotate("arm", "z", angle=math.pi / 2)
@@ -48,9 +46,6 @@ def test_everything_lies_within_the_axes():
         )
         assert (seen > -0.01).all()
         assert (seen < 1.01).all()
-
-
-# -- what is drawn
 
 
 def test_a_disk_is_as_wide_as_its_diameter_and_foreshortened_by_the_elevation():
@@ -152,9 +147,6 @@ def test_symbols_keep_their_size_when_the_scene_is_a_thousand_times_larger():
     assert head(1e3) == pytest.approx(head(1.0), rel=1e-6)
 
 
-# -- finishing
-
-
 def everything(s):
     A, B, C = (0, 0, 0), (0, 1, 0), (1, 1, 0.5)
     s.axes(A, ground, length=0.4)
@@ -246,9 +238,6 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
     )
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
-
-
-# -- mistakes
 
 
 @pytest.mark.parametrize(

@@ -315,9 +315,6 @@ def test_power_asks_for_what_belongs_together():
     assert number(power(3.0 * ground.i, ground.point("P", 1, 2, 3), ground)) == 0
 
 
-# -- one formula over every kind of number
-
-
 def spring_work(k, x):
     """Of a spring along a quarter of a circle of radius x: -k x^2/2 times 1 - (sqrt 2 - 1)^2."""
     return work_along(

@@ -136,16 +136,6 @@ def assert_terms(vector, expected, kind):
         assert close(vector.terms[name].components(), components, small(kind)), name
 
 
-def test_from_another_observer_the_point_is_like_any_other():
-    ground = Frame("ground")
-    deck = ground.rotate("deck", "z", rate=0.5)
-    P = polar(ground, "P", moving(2.0, 1.0), moving(0.0, 0.5))
-    assert close(P.velocity(deck).components(P.local), (1.0, 0, 0), EPS)
-    terms = P.acceleration(ground, via=P.local).terms
-    assert set(terms) == {"origin", "relative", "coriolis", "euler", "centripetal"}
-    assert P.scale_factors == (1, 2.0)
-
-
 def test_units_follow_and_a_traced_formula_is_short():
     L, one, w = Dimension(0, 1, 0), Dimension(), Dimension(time=-1)
     _, P = made(spherical, (L, one, one), (L * w, w, w), (L * w**2, w**2, w**2))
@@ -159,14 +149,6 @@ def test_units_follow_and_a_traced_formula_is_short():
         return P.acceleration(ground)
 
     assert compiled(lambda R, a, b, dR, da, db: acceleration(R, a, b, dR, da, db)).operations <= 20
-
-
-def test_components_of_a_symbolic_motion_follow_the_symbols():
-    t, b, w = sympy.symbols("t b w")
-    ground = Frame("ground")
-    P = polar(ground, "P", b * t**2, w * t)
-    assert sympy.simplify(P.acceleration(ground).x - (2 * b - b * t**2 * w**2)) == 0
-    assert sympy.simplify(P.acceleration(ground).y - 4 * b * t * w) == 0
 
 
 @pytest.mark.parametrize("back", [cylindrical_coordinates, spherical_coordinates])

@@ -93,8 +93,6 @@ def test_integrals_that_do_not_settle_are_refused_in_words():
         integral(lambda x: 0.0 if x < 0.3 else 1.0, 0.0, 1.0, breaks=(0.4,))
 
 
-# -- one formula over every kind of number
-
 LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
 
 

@@ -4,9 +4,10 @@ import math
 
 import pytest
 
-from newton_euler import Model, cos, exp, sin, where
+from newton_euler import Model, cos, exp, integrate, sin, table, where
 from newton_euler.motion import second_order
 from newton_euler.motion.knots import INTERVALS, knots
+from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 
 WIDTH = 10.0 / INTERVALS  # of an interval of the motions here
@@ -88,7 +89,7 @@ def test_a_force_that_has_no_value_at_these_parameters_stops_nothing():
 
 
 def test_a_switch_between_constants_is_stopped_at_within_an_interval():
-    begin, end = at(lambda s, p, t: where(t > p.on, 2.0, 1.0) * s.x, on=math.e)
+    begin, end = at(lambda s, p, t: where(t * t > p.on**2, 2.0, 1.0) * s.x, on=math.e)
     assert begin <= math.e <= end
     assert end - begin == pytest.approx(WIDTH)
 
@@ -113,7 +114,7 @@ def test_a_quiet_of_few_intervals_is_none(gap, count):
     first, second = (5000.5 * WIDTH, (5000.5 + 1 + gap) * WIDTH)
 
     def force(s, p, t):
-        return where(t > first, 1.0, 0.0) + where(t > second, 1.0, 0.0)
+        return where(t * t > first**2, 1.0, 0.0) + where(t * t > second**2, 1.0, 0.0)
 
     assert len(at(force)) == count
 
@@ -135,8 +136,8 @@ def test_a_function_without_a_value_on_the_way_is_passed_over():
 @pytest.mark.parametrize(("intervals", "count"), [(4, 1), (5, 2)])
 def test_the_quiet_before_the_first_pulse_and_after_the_last_is_as_long(intervals, count):
     first, last = (intervals + 0.5) * WIDTH, 10.0 - (intervals + 0.5) * WIDTH
-    assert len(at(lambda s, p, t: where(t > first, 1.0, 0.0))) == count
-    assert len(at(lambda s, p, t: where(t > last, 1.0, 0.0))) == count
+    assert len(at(lambda s, p, t: where(t * t > first**2, 1.0, 0.0))) == count
+    assert len(at(lambda s, p, t: where(t * t > last**2, 1.0, 0.0))) == count
 
 
 def test_parameters_are_those_of_the_model():
@@ -145,3 +146,84 @@ def test_parameters_are_those_of_the_model():
     for when in (3.0, 7.0):
         begin, end = knots(prepared_model(model.changed(when=when)), 0.0, 10.0)
         assert begin < when < end
+
+
+STEPS = [0.0, 1.5, 1.6, 7.0, 12.0]
+CLOCKS = {  # the place at which a table is read, and the times at which it comes to its places
+    "time": (lambda s, p, t: t, (1.5, 1.6, 7.0)),
+    "later": (lambda s, p, t: t - 2.0, (2.0, 3.5, 3.6, 9.0)),
+    "slower": (lambda s, p, t: (1 + t * p.q) / 2 + 3.0, (7.0,)),
+    "backwards": (lambda s, p, t: 8.0 - t, (1.0, 6.4, 6.5, 8.0)),
+    "by a divisor": (lambda s, p, t: -(-t / p.q), (1.5, 1.6, 7.0)),
+}
+
+
+@pytest.mark.parametrize("name", CLOCKS)
+@pytest.mark.parametrize("kind", ["linear", "previous"])
+def test_a_motion_stops_where_a_table_of_time_goes_on_to_its_next_piece(name, kind):
+    place, times = CLOCKS[name]
+    f = table(STEPS, [1.0, 4.0, -2.0, 0.5, 0.7], kind, "hold")
+    found = at(lambda s, p, t: s.x * f(place(s, p, t)), q=1.0)
+    assert all(min(abs(t - x) for x in found) < 1e-14 * t for t in times)
+    model = second_order("read", {"q": 1.0}, ("x",), lambda s, p, t: (f(place(s, p, t)),))
+    assert not prepared_model(model).traced.surprises
+
+
+@pytest.mark.parametrize("place", [
+    lambda s, p, t: s.x, lambda s, p, t: t + s.x, lambda s, p, t: t * t, lambda s, p, t: 1 / t,
+    lambda s, p, t: t * s.x, lambda s, p, t: sin(t),
+])  # fmt: skip
+def test_a_table_read_by_anything_else_is_a_kink(place):
+    f = table(STEPS, STEPS, outside="hold")
+    model = second_order("read", {}, ("x",), lambda s, p, t: (f(place(s, p, t)),))
+    assert prepared_model(model).traced.surprises
+
+
+SWITCHES = {
+    "where": (lambda s, p, t: where(t < p.q, 1.0, s.x), (2.0,)),
+    "later or at": (lambda s, p, t: where(t >= 2 * p.q - t, 1.0, s.x), (2.0,)),
+    "two": (lambda s, p, t: where(t > 9.0, 2.0, where(t / p.q >= 1.0, s.x, 1.0)), (2.0, 9.0)),
+    "corner": (lambda s, p, t: abs(t - p.q) * s.x, (2.0,)),
+}
+
+
+@pytest.mark.parametrize("name", SWITCHES)
+def test_a_motion_stops_where_the_clock_changes_the_formula(name):
+    rate, times = SWITCHES[name]
+    model = second_order("switched", {"q": 2.0}, ("x",), lambda s, p, t: (rate(s, p, t),))
+    system = prepared_model(model)
+    assert all(min(abs(t - x) for x in knots(system, 0.0, 10.0)) < 1e-14 * t for t in times)
+    assert not system.traced.surprises
+    assert "choose between formulas" in METHODS["taylor"].unusable_because(system)
+
+
+@pytest.mark.parametrize("sign", ["<", "<="])
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("t0", [0.0, 1e6])
+def test_a_push_from_rest_is_as_accurate_as_requested(t0, rtol, sign):
+    before = (lambda t, end: t < end) if sign == "<" else (lambda t, end: t <= end)
+    force = lambda s, p, t: where(before(t, p.a), 0.0, where(before(t, p.b), 1.0, 0.0))
+    model = second_order("pushed", {"a": t0 + 1.7, "b": t0 + 2.9}, ("x",),
+                         lambda s, p, t: (force(s, p, t) - s.x,))  # fmt: skip
+    motion = integrate(model, (t0, t0 + 10.0), (0.0, 0.0), rtol=rtol)
+    a, b = 10.0 - 1.7, 10.0 - 2.9
+    off = abs(motion.end["x"] - (math.cos(b) - math.cos(a)))
+    assert off < (rtol if t0 == 0.0 else rtol + 1e-9)
+
+
+@pytest.mark.parametrize("method", ["dop853", "scipy DOP853"])
+def test_a_jump_of_a_table_costs_no_rejected_steps(method):
+    jumps = table([0.0, 1.0, 2.0, 3.0], [1.0, -50.0, 80.0, 3.0], "previous")
+    level = table([0.0, 1.0, 2.0, 3.0], [1.0, 1.0, 1.0, 1.0], "previous")
+    run = lambda f: integrate(
+        Model("pushed", {}, ("v",), lambda s, p, t: (f(t) - 0.1 * s.v,)), 3.0, (0.0,), 1e-6, method
+    )
+    assert run(jumps).cost.calls < 2.5 * run(level).cost.calls
+
+
+def test_thousands_of_places_are_passed_in_as_many_steps():
+    f = table([n / 400 for n in range(4001)], [(-1.0) ** n for n in range(4001)])
+    model = Model("pushed", {}, ("v",), lambda s, p, t: (f(t),))
+    motion = integrate(model, 10.0, (1.0,), rtol=1e-6)
+    assert motion.end["v"] == pytest.approx(1.0, abs=1e-12)
+    assert motion.cost.calls < 200_000

@@ -126,9 +126,6 @@ def test_every_rung_is_the_right_choice_now_and_then(name):
     assert wanted - set(chosen) == set(), chosen
 
 
-# -- closed forms
-
-
 EXACT = [(name, rung.name) for name in LADDERS for rung in ladder(name).rungs if rung.model.exact]
 COMPARE = {"pendulum, a particle", "physical pendulum", "satellite, ellipse", "free body"}
 
@@ -167,9 +164,6 @@ def test_small_wobble_is_right_on_both_sides_of_the_intermediate_axis(I_z):
         columns = [[mpmath.mpf(x) for x in model.derivative(unit)] for unit in ((1, 0), (0, 1))]
         moved = mpmath.expm(2 * mpmath.matrix(columns).T) * mpmath.matrix([0.1, -0.2])
     assert model.solution(2.0, (0.1, -0.2)) == pytest.approx([float(x) for x in moved], rel=1e-12)
-
-
-# -- the fullest models
 
 
 def test_the_fullest_top_is_the_symmetric_one_where_it_has_no_asymmetry():
@@ -230,9 +224,6 @@ def test_a_bar_swings_as_the_spherical_pendulum_of_the_top():
     assert found == pytest.approx([length * row[2] for row in turned[:2]], abs=1e-10)
 
 
-# -- the state of each model
-
-
 def test_each_ladder_has_draws_and_a_table_of_states():
     assert set(DRAWS) == set(FREEDOM) == set(LADDERS)
 
@@ -263,9 +254,6 @@ def column(rung, t, n):
     return apart / length if length > 1e-9 * abs(step).max() else 0 * apart
 
 
-# -- cost
-
-
 @pytest.mark.benchmark
 @pytest.mark.parametrize("name", LADDERS)
 def test_no_rung_costs_more_than_the_next(name):
@@ -281,9 +269,6 @@ def test_no_rung_costs_more_than_the_next(name):
     costs = [min(costs) for _, _, costs in runs]
     assert all(a < 1.33 * b for a, b in pairwise(costs)), costs
     assert costs[0] < 0.7 * costs[-1]
-
-
-# -- made by hand
 
 
 def oscillator(name="oscillator", k=4.0, neglects=()):

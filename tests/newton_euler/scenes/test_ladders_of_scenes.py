@@ -39,9 +39,7 @@ UNITS = {
         LENGTH,
     ),
     "space station": ({"omega": RATE, "radius": LENGTH, "air": PURE / LENGTH, "creep": SPEED}, PLANE, LENGTH),
-    "air near a low": (
-        {"latitude": PURE, "rate": RATE, "pressure_gradient": PURE / TIME**2, "friction": RATE}, PLANE, LENGTH
-    ),
+    "air near a low": ({"latitude": PURE, "rate": RATE, "pressure_gradient": PURE / TIME**2, "friction": RATE}, PLANE, LENGTH),
     "rotor": (
         {"mass": MASS, "x": LENGTH, "y": LENGTH, "I": INERTIA, "g": G, "moment": FORCE * LENGTH, "omega": RATE},
         {"psi": PURE, "omega": RATE},
@@ -53,9 +51,7 @@ UNITS = {
         {"theta": PURE, "theta_rate": RATE},
         PURE,
     ),
-    "sphere on an incline": (
-        {"slope": PURE, "g": G, "k": PURE, "air": PURE / LENGTH}, {"x": LENGTH, "v": SPEED}, LENGTH
-    ),
+    "sphere on an incline": ({"slope": PURE, "g": G, "k": PURE, "air": PURE / LENGTH}, {"x": LENGTH, "v": SPEED}, LENGTH),
     "car on a hill": (
         {"m": MASS, "air": MASS / LENGTH, "g": G, "force": FORCE, "slope": PURE,
          "wheel_mass": MASS, "gyration": LENGTH, "radius": LENGTH, "wheels": PURE},
@@ -100,7 +96,6 @@ def test_invariants_are_kept_by_the_integrated_rates(name, rung):
         assert max(motion.drift.values()) < 1e-7, motion.drift
 
 
-# -- limits: what makes a rung wrong, in terms of one small number e, and the order in which its
 # error vanishes with it
 
 # balanced by a thrust of 972 N
@@ -159,8 +154,6 @@ def test_bounds_hold_and_are_as_narrow_as_stated(name, rung):
             ratios.append(error / found.rung(rung).bound(found.t))
     assert REACHED.get(rung, 0.99) < max(ratios) < 1 + 1e-6
 
-
-# -- the new models against other ways to find them
 
 slopes, airs = st.floats(0.05, 1.4), st.floats(1e-4, 0.1)
 
@@ -274,9 +267,6 @@ def test_a_balanced_aircraft_flies_straight_or_in_a_level_turn():
     turn = ladder("aircraft", **bank, thrust=972.0, bank=0.4, t=60.0)
     assert turn.error(turn.rung("aircraft in a level turn")) < 1e-6
     assert turn.error(turn.rung("aircraft, straight")) > 100
-
-
-# -- refusals, and the other side of each
 
 
 def test_a_sphere_that_goes_uphill_is_refused():

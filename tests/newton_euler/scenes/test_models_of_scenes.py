@@ -7,7 +7,6 @@ import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.integrate import solve_ivp
 
 from newton_euler import Frame, at, moving, polar
 from newton_euler.dynamics import coordinate_accelerations
@@ -64,16 +63,6 @@ def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
         at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(len(start))
     ]
     assert close(rates, model.derivative(model.solution(t, start), t), small)
-
-
-@each_model
-def test_exact_solutions_against_an_integrator(name):
-    model = MODELS[name]
-    rhs, start = model.compiled_rhs(), [3.0, 0.4, -0.6, 0.7, 0.9, 1.1][: len(model.states)]
-    run = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()), (0, 5), start, method="DOP853", rtol=1e-12, atol=1e-12
-    )
-    assert close(model.solution(5.0, start), tuple(run.y[:, -1]), 1e-9)
 
 
 @each_model

@@ -26,15 +26,6 @@ def test_quarter_of_a_large_swing_is_the_elliptic_integral(step):
     assert abs(speed + mp.sqrt(2 * (1 - mp.cos(2)))) < mpf(10) ** -22
 
 
-def test_half_an_ellipse_begins_and_ends_where_the_radial_speed_is_zero():
-    """From the pericentre at 1 with the excentricity 1/2, to the apocentre at 3."""
-    start = [mpf(1), mpf(0), mpf(0), mp.sqrt(mpf(3) / 2)]
-    t, (x, y, *_) = until(round_centre, start, lambda s: s[0] * s[2] + s[1] * s[3], mpf(1) / 4)
-    assert abs(t - mp.pi * mp.sqrt(8)) < mpf(10) ** -21
-    assert abs(x + 3) < mpf(10) ** -21
-    assert abs(y) < mpf(10) ** -21
-
-
 def test_floats_are_fast_and_have_ten_digits():
     start = [1.0, 0.0, 0.0, 1.5**0.5]
     t, (x, *_) = until(round_centre, start, lambda s: s[0] * s[2] + s[1] * s[3], 0.25)

@@ -37,9 +37,6 @@ def errors(points, method, question=0):
     return found
 
 
-# -- derivatives
-
-
 def test_the_best_first_difference_has_10_digits_and_the_best_second_one_7_and_the_engine_16(
     measured,
 ):
@@ -70,9 +67,6 @@ def test_the_complex_step_is_exact_for_a_first_derivative_and_cancels_in_a_secon
     assert min(second.values()) > 1e-9
 
 
-# -- rotations
-
-
 def test_a_product_of_10000_matrices_drifts_and_one_of_quaternions_is_a_rotation(measured):
     points = measured("rotations")
     for way in ("3 x 3 matrices", "matrices, NumPy"):
@@ -97,9 +91,6 @@ def test_past_the_vertical_the_rates_of_euler_angles_leave_an_error_as_large_as_
     assert max(quaternions.values()) < 1e-11
 
 
-# -- inertia
-
-
 def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_ways(measured):
     points = measured("inertia")
     random, grid = errors(points, "random points"), errors(points, "grid of points")
@@ -122,9 +113,6 @@ def test_the_reference_by_strips_is_the_closed_form_in_40_digits():
             assert abs(found / known - 1) < mpmath.mpf(10) ** -35
 
 
-# -- angle
-
-
 def test_the_arc_cosine_loses_8_digits_at_1e_minus_4_and_all_at_1e_minus_8(measured):
     points = measured("angle")
     found = errors(points, "arc cosine of the trace")
@@ -137,9 +125,6 @@ def test_the_arc_cosine_loses_8_digits_at_1e_minus_4_and_all_at_1e_minus_8(measu
             assert max(errors(points, way, question).values()) < 3 * ROUND_OFF
 
 
-# -- steady precession
-
-
 def test_the_printed_root_loses_a_digit_for_each_decade_and_the_engine_none(measured):
     points = measured("steady precession")
     found = errors(points, "printed root")
@@ -148,9 +133,6 @@ def test_the_printed_root_loses_a_digit_for_each_decade_and_the_engine_none(meas
     assert found[1e-16] > 1e-3
     assert found[1e-12] > 1e-7
     assert max(errors(points, "engine").values()) < 3 * ROUND_OFF
-
-
-# -- all of them
 
 
 @pytest.mark.parametrize("name", COMPARISONS)

@@ -62,9 +62,6 @@ def test_measuring_reports_its_progress_and_gives_a_row_for_each_y():
     assert [row[0] for row in found] == [maps.NONE, maps.BOTH, maps.OPPOSED]
 
 
-# -- methods
-
-
 @pytest.mark.parametrize(("compiling", "short"), [(1e3, maps.DOP853), (-1e3, maps.TAYLOR)])
 def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_axis_for_the_exact_solution_alone(
     compiling, short, monkeypatch
@@ -126,9 +123,6 @@ def test_without_heyoka_the_exact_solution_takes_its_place(monkeypatch):
     assert found == [maps.DOP853]
 
 
-# -- models
-
-
 @pytest.mark.parametrize("flight", [2.0, 10.0, 40.0])
 def test_a_flat_earth_at_rest_holds_until_the_centrifugal_acceleration_is_seen(flight):
     chart = MAPS["projectile"]
@@ -156,9 +150,6 @@ def test_a_top_that_is_too_slow_has_no_rung_of_steady_precession():
     assert "top, steady precession" in maps.rung_names(maps.released_top(19.0))
     least = next(curve.x for curve in MAPS["top"].curves if curve.x)
     assert 17.0 < least < 19.0
-
-
-# -- existence
 
 
 @pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])
@@ -198,9 +189,6 @@ def test_where_the_map_says_that_it_precesses_steadily_a_run_stays_at_its_angle(
             top.momentum_difference(maps.I0, maps.I, theta, rate, omega_z),
         )
         assert integrate(model, 1.0, (theta, 0.0)).end["theta"] == pytest.approx(theta, abs=1e-9)
-
-
-# -- drawn
 
 
 @pytest.mark.parametrize("name", ["steady precession", "projectile", "sleeping top"])

@@ -13,6 +13,7 @@ from newton_euler.accuracy.measurements.work_precision import work_precision
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.scenes import SCENES
+from tests.honesty import closed_forms
 
 
 @pytest.fixture(scope="module")
@@ -30,17 +31,9 @@ def swing():
 
 
 def test_measured_errors_are_those_of_direct_integration(swing):
-    """The end by Jacobi's elliptic functions: sin(theta/2) = k cd(w t)."""
     with mp.workdps(30):
-        w, k = (
-            mp.sqrt(2 * mp.mpf(10) * mp.mpf("0.5") / (mp.mpf("0.5") + 2 * mp.mpf("0.25"))),
-            mp.sin(mp.mpf("0.5")),
-        )
-        theta = 2 * mp.asin(k * mp.ellipfun("cd", w * 10, m=k * k))
-        omega = -mp.sign(mp.ellipfun("sd", w * 10, m=k * k)) * mp.sqrt(
-            2 * w * w * (mp.cos(theta) - mp.cos(1))
-        )
-    sizes = (1.0, 2 * float(w * k))
+        theta, omega = closed_forms.pendulum(mp, *map(mp.mpf, (10, 1, 0, 10)))
+    sizes = 1.0, 2 * math.sqrt(10) * math.sin(0.5)
     for p in (p for p in swing[0].points if p.method != "auto"):
         end = integrate(*SCENES["pendulum"].motion, p.asked, p.method).end
         error = max(abs(end["theta"] - theta) / sizes[0], abs(end["omega"] - omega) / sizes[1])
@@ -82,12 +75,19 @@ def test_progress_is_reported_and_never_goes_back(swing):
     assert swing[1][0][1] == "dop853, 1e-03"
 
 
-def test_the_table_has_all_numbers_and_the_ratios_of_auto(swing):
+def test_the_table_has_all_numbers_and_no_ratio_to_an_exact_solution(swing):
     output = swing[0].explain()
     assert output.count("yoshida6 ") >= 3
-    for rtol, (ratio, best) in swing[0].ratios.items():
-        assert best in ("dop853", "yoshida6")
-        assert f"auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" in output
+    assert swing[0].ratios == {}
+    assert "auto takes the exact solution" in output
+
+
+def test_the_table_has_the_ratios_of_auto_where_it_steps():
+    found = work_precision("top", (1e-3,), ("dop853", "auto"), longest=math.inf)
+    ((rtol, (ratio, best)),) = found.ratios.items()
+    assert best == "dop853"
+    assert f"auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" in found.explain()
+    assert "exact solution" not in found.explain()
 
 
 def test_a_method_that_takes_long_is_asked_for_no_more_digits_and_named():

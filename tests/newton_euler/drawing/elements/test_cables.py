@@ -103,9 +103,6 @@ def test_a_cable_does_not_begin_inside_a_pulley_and_pulleys_do_not_overlap_for_a
         route([wheel, Pulley((0.1, 0.0, 0.0), Z, 1.0)], (1, -1))
 
 
-# -- as drawn
-
-
 def test_the_flanges_are_a_tenth_larger_than_the_groove_and_the_cable_touches_the_groove():
     s = sketch(plane="xy")
     s.cable((-1, -5, 0), s.pulley((0, 0, 0), ground.k, 1), (1, -5, 0))

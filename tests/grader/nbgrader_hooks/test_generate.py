@@ -1,0 +1,87 @@
+"""An assignment that is generated again after students handed in."""
+
+import copy
+
+import pytest
+
+from grader.grading import grade
+from tests.grader.courses import change_source, give, nbgrader, points, submit
+from tests.grader.instructors_cells import ESSAY
+from tests.grader.submissions import work
+
+
+def number(cell):
+    return cell["metadata"].get("newton_euler", {}).get("problem")
+
+
+def without(*numbers):
+    return lambda cells: cells.__setitem__(
+        slice(None), [c for c in cells if number(c) not in numbers]
+    )
+
+
+def add(*new):
+    return lambda cells: cells.extend(copy.deepcopy(new))
+
+
+def remove_own(cells):
+    cells[:] = [c for c in cells if c["metadata"].get("nbgrader", {}).get("grade_id") != "essay"]
+
+
+def total(course):
+    (result,) = grade(course, "ch04", ["dan"])
+    return result.points, result.out_of
+
+
+@pytest.fixture
+def graded(ungraded):
+    """A course in which dan has handed in everything right, and is graded."""
+    submit(ungraded, "dan", work(ungraded, "dan"))
+    assert total(ungraded) == (11, 11)
+    return ungraded
+
+
+def test_a_problem_may_be_deleted_and_come_back_after_the_first_submission(graded):
+    kept = {}
+
+    def delete(cells):
+        kept["cells"] = [c for c in cells if number(c) == "4/16"]
+        without("4/16")(cells)
+
+    change_source(graded, delete)
+    assert total(graded) == (8, 8)
+    assert "answer-4-16" not in points(graded)["dan"]
+    change_source(graded, add(*kept["cells"]))
+    assert total(graded) == (11, 11)
+
+
+def test_a_cell_may_be_added_which_those_who_handed_in_before_left_empty(graded):
+    change_source(graded, add(ESSAY))
+    (result,) = grade(graded, "ch04", ["dan"])
+    assert (result.points, result.out_of, result.waiting) == (11, 14, 0)
+
+
+def test_what_a_person_gave_for_a_cell_is_there_again_when_the_cell_comes_back(graded):
+    change_source(graded, add(ESSAY))
+    total(graded)
+    give(graded, "dan", "essay", 1.5, 0.25, "Well put.")
+    change_source(graded, remove_own)
+    assert total(graded) == (11, 11)
+    change_source(graded, add(ESSAY))
+    with graded.gradebook() as book:
+        grade_ = book.find_grade("essay", "ch04", "ch04", "dan")
+        assert (grade_.manual_score, grade_.extra_credit) == (1.5, 0.25)
+        assert not grade_.needs_manual_grade
+        comment = book.find_comment("essay", "ch04", "ch04", "dan")
+        assert comment.manual_comment == "Well put."
+    assert total(graded) == (12.75, 14)
+
+
+def test_a_release_that_fails_leaves_the_one_that_was_there(graded):
+    before = graded.released_path("ch04").read_bytes()
+    graded.source("ch04").write_text("{}")
+    code, said = nbgrader("generate_assignment", "ch04", "--force", cwd=graded.path)
+    assert code
+    assert "The release that was there is kept" in said
+    assert graded.released_path("ch04").read_bytes() == before
+    assert total(graded) == (11, 11)
