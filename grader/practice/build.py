@@ -7,7 +7,7 @@ import math
 import os
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
 
@@ -115,7 +115,7 @@ def page_of(name, count, help, graded=None, draw=figure_png):
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *astuple(cause)) for key, cause in labels],
+        "labels": [(key, c.group, c.name, c.text) for key, c in labels],
         "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
     return page, figures

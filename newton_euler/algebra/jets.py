@@ -146,9 +146,8 @@ class Moving(_Own):
         u, power = self.value, to_plain(real_scalar(power))
         if self.rests():
             return Moving(u**power)
-        return self._chain(
-            u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2)
-        )
+        slope, curvature = power * u ** (power - 1), power * (power - 1) * u ** (power - 2)
+        return self._chain(u**power, slope, curvature)
 
     def rests(self) -> bool:
         """True if it is constant by structure: then a function needs no derivative at the value."""
@@ -172,17 +171,13 @@ class Moving(_Own):
             turn = x.value * y.acceleration - y.value * x.acceleration
             return Moving(atan2(y.value, x.value), rate, (turn - rate * growth) / square)
         if not isinstance(name, str) or name not in _DERIVATIVES:
-            raise ScalarError(
-                f"{clipped(name)} is not a function; there are {', '.join(FUNCTIONS)}"
-            )
+            raise ScalarError(f"{clipped(name)} is no function; there are {', '.join(FUNCTIONS)}")
         if self.rests():
             return Moving(function(name, self.value))
         try:
             return self._chain(*_DERIVATIVES[name](self.value))
         except ZeroDivisionError as error:
-            raise DivisionError(
-                f"the rate of {name}({shown(self.value)}) does not exist: {error}"
-            ) from None
+            raise DivisionError(f"no rate of {name}({shown(self.value)}): {error}") from None
 
 
 def _reciprocal(f, df_inverse, ddf_factor):
@@ -251,16 +246,13 @@ def _derived(x):
 
 def at(f: Callable, t: Scalar) -> Moving:
     """The function of time ``f`` at the instant ``t`` (s), of any kind, with its first and second
-    rate, exact up to round-off. ``f`` uses the functions of this package (``from newton_euler
-    import sin, sqrt …``).
+    rate, exact up to round-off. ``f`` uses the functions of this package.
 
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)
     """
     if not callable(f) or isinstance(f, type):
-        raise ScalarError(
-            f"at takes a function of time, as at(lambda t: t**2, 2.0); got {clipped(f)}"
-        )
+        raise ScalarError(f"at takes a function, as at(lambda t: t**2, 2.0); got {clipped(f)}")
     t = to_plain(real_scalar(t))
     # the rate 1 in the kind of t: else constants are multiplied with 16 digits before they meet t
     try:

@@ -1,6 +1,4 @@
-"""Integrals with an estimated error: adaptive quadrature of floats, and cubature in several
-variables.
-"""
+"""Integrals with an estimated error: adaptive, of floats, and in several variables."""
 
 from itertools import pairwise
 
@@ -81,14 +79,8 @@ def _adaptive(f, start, end, rtol, scale):
     with warnings.catch_warnings():
         warnings.simplefilter("error", IntegrationWarning)
         try:
-            return quad(
-                lambda x: float(_finite(f, x)),
-                start,
-                end,
-                epsabs=rtol * scale,
-                epsrel=rtol,
-                limit=INTERVALS,
-            )
+            wanted = {"epsabs": rtol * scale, "epsrel": rtol, "limit": INTERVALS}
+            return quad(lambda x: float(_finite(f, x)), start, end, **wanted)
         except IntegrationWarning as problem:
             raise WorkError(
                 f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: "
