@@ -14,8 +14,10 @@ A problem without ``steps`` has the terms of its answers that are named sums. ``
 steps too, by their keys, found by its own way.
 """
 
+import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 from newton_euler.algebra.scalars import Scalar, is_numeric, to_plain
@@ -23,9 +25,12 @@ from newton_euler.algebra.units import Dimension, DimensionError, System, unit
 from newton_euler.algebra.vectors import Vector
 
 from .model import CatalogueError, Givens, Problem
-from .variants import flat
+from .variants import drawn_value, flat, symbol_values
 from .wording import term_text
 from .words import word
+
+SETS = 3  # of numbers by which repeated terms are found
+SAME = 1e-9  # relative
 
 
 @dataclass(frozen=True)
@@ -101,12 +106,47 @@ def steps(p, values, one=1.0):
 
 def listed_steps(p: Problem, g: Givens) -> list[Step]:
     """The steps of ``p`` for givens ``g`` of any kind, in base units: those that its code lists, or
-    the terms of its answers.
+    the terms of its answers. A term that is another step or an answer is none.
     """
+    return [s for s in _all_steps(p, g) if not (s.term and s.key in _repeated(p))]
+
+
+def _all_steps(p, g):
     own = getattr(p.code, "steps", None)
     found = own(g) if own else _from_answers(p, g)
     computed = found.items() if isinstance(found, dict) else found
     return [s if isinstance(s, Step) else _with_text(p, *s) for s in computed]
+
+
+@cache
+def _repeated(p):
+    """The terms that are, whatever the numbers, a step before them or an answer, up to the sign."""
+    rng, always = random.Random(f"steps of {p.id}"), None
+    for _ in range(SETS):
+        numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
+        try:
+            found = _repeated_at(p, p.base(numbers))
+        except (ArithmeticError, ValueError):  # no motion with these numbers
+            continue
+        always = found if always is None else always & found
+    return always or frozenset()
+
+
+def _repeated_at(p, g):
+    known = [x for x in p.code.solve(g).values() if isinstance(x, Vector)]
+    found = set()
+    for s in _all_steps(p, g):
+        if s.term and any(_is_same(s.value, x) for x in known):
+            found.add(s.key)
+        known += [s.value] if isinstance(s.value, Vector) else []
+    return frozenset(found)
+
+
+def _is_same(a, b):
+    """Whether two vectors have the same numbers as components, or the opposite ones."""
+    pairs = list(zip(map(float, a.c), map(float, b.c), strict=True))
+    size = max(abs(x) for pair in pairs for x in pair)
+    return any(all(abs(x - sign * y) <= SAME * size for x, y in pairs) for sign in (1, -1))
 
 
 def _with_text(p, key, value):
