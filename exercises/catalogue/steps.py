@@ -23,6 +23,8 @@ from typing import Any
 from newton_euler.algebra.scalars import Scalar, is_numeric, to_plain
 from newton_euler.algebra.units import Dimension, DimensionError, System, unit
 from newton_euler.algebra.vectors import Vector
+from newton_euler.answers.forms import kind_named
+from newton_euler.answers.kinds import KINDS, Kind
 
 from .model import CatalogueError, Givens, Problem
 from .variants import drawn_value, flat, symbol_values
@@ -39,7 +41,7 @@ class Step:
 
     key : its name, as in a student's notebook: "omega_CD"
     value : a scalar of any kind, a Vector, a matrix as rows; a word or count, or a function for it
-    unit : in which it is stated
+    unit : in which it is stated; kind : may be given by its name; that of a Vector is known
     means : what it is, as "angular velocity of CD in the ground"
     section, equation : of the book, where it is found and by which equation; "" where there is none
     term : (name, equation of the engine) of a term of the sum that ``means`` names
@@ -52,11 +54,24 @@ class Step:
     section: str = ""
     equation: str = ""
     term: tuple = ()
+    kind: Kind = KINDS["number"]
+
+    def __post_init__(self) -> None:
+        kind = "vector" if isinstance(self.value, Vector) else self.kind
+        if isinstance(kind, str):
+            object.__setattr__(self, "kind", kind_named(kind))
 
     @property
     def is_vector(self) -> bool:
-        """True if it has components."""
+        """True if it has components along axes."""
         return isinstance(self.value, Vector)
+
+    @property
+    def is_of_its_kind(self) -> bool:
+        """True if the value has the form of the kind."""
+        if self.kind.is_word:
+            return isinstance(self.value, (str, int)) or callable(self.value)
+        return len(flat(self.value)) == self.kind.length and not isinstance(self.value, str)
 
 
 def terms(
@@ -106,9 +121,9 @@ def steps(p, values, one=1.0):
 
 def listed_steps(p: Problem, g: Givens) -> list[Step]:
     """The steps of ``p`` for givens ``g`` of any kind, in base units: those that its code lists, or
-    the terms of its answers. A term that is another step or an answer is none.
+    the terms of its answers; without those that repeat an answer, and terms that repeat a step.
     """
-    return [s for s in _all_steps(p, g) if not (s.term and s.key in _repeated(p))]
+    return [s for s in _all_steps(p, g) if s.key not in repeated(p)]
 
 
 def _all_steps(p, g):
@@ -119,8 +134,8 @@ def _all_steps(p, g):
 
 
 @cache
-def _repeated(p):
-    """The terms that are, whatever the numbers, a step before them or an answer, up to the sign."""
+def repeated(p: Problem) -> frozenset[str]:
+    """The steps that are an answer, or as terms another step, whatever the numbers."""
     rng, always = random.Random(f"steps of {p.id}"), None
     for _ in range(SETS):
         numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
@@ -133,20 +148,22 @@ def _repeated(p):
 
 
 def _repeated_at(p, g):
-    known = [x for x in p.code.solve(g).values() if isinstance(x, Vector)]
-    found = set()
-    for s in _all_steps(p, g):
-        if s.term and any(_is_same(s.value, x) for x in known):
+    answers = [x for x in p.code.solve(g).values() if isinstance(x, Vector)]
+    vectors = [s for s in _all_steps(p, g) if isinstance(s.value, Vector)]
+    known, found = [*answers, *(s.value for s in vectors if not s.term)], set()
+    for s in vectors:
+        if any(_is_same(s.value, x) for x in (known if s.term else answers)):
             found.add(s.key)
-        known += [s.value] if isinstance(s.value, Vector) else []
+        elif s.term:
+            known.append(s.value)
     return frozenset(found)
 
 
 def _is_same(a, b):
-    """Whether two vectors have the same numbers as components, or the opposite ones."""
+    """Whether two vectors have the same numbers as components, not all of them zero."""
     pairs = list(zip(map(float, a.c), map(float, b.c), strict=True))
     size = max(abs(x) for pair in pairs for x in pair)
-    return any(all(abs(x - sign * y) <= SAME * size for x, y in pairs) for sign in (1, -1))
+    return size > 0 and all(abs(x - y) <= SAME * size for x, y in pairs)
 
 
 def _with_text(p, key, value):
@@ -209,6 +226,8 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
     except DimensionError as error:
         return [f"steps adds unlike quantities: {error}"]
     for s in found:
+        if not s.is_of_its_kind:
+            wrong.append(f"the step {s.key} has another form than a {s.kind}: say its kind")
         asked = unit(s.unit).dimension
         for x in () if isinstance(s.value, str) or callable(s.value) else flat(s.value):
             if x != asked if isinstance(x, Dimension) else x and any(asked.powers):

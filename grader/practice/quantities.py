@@ -27,14 +27,13 @@ def quantities(p, values):
     """([description for the file], {key: numbers or word}) of all quantities, steps first."""
     described, right = [], {}
     for s in steps(p, values):
-        kind = _kind(s)
         described.append({
-            "key": s.key, "kind": kind.name, "unit": s.unit, "means": typeset(s.means, p),
+            "key": s.key, "kind": s.kind.name, "unit": s.unit, "means": typeset(s.means, p),
             "plain": plain(s.means, p.units), "section": s.section or p.section,
-            "equation": s.equation, "latex": symbol(s.key, kind.is_vector), "atol": 0.0, "of": [],
+            "equation": s.equation, "latex": symbol(s.key, s.is_vector), "atol": 0.0, "of": [],
             "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
         })  # fmt: skip
-        right[s.key] = _numbers(s.value, kind)
+        right[s.key] = _numbers(s.value, s.kind)
     for key, x in p.solve(values).items():
         a = p.answer(key)
         described.append({
@@ -48,17 +47,6 @@ def quantities(p, values):
 
 def _equation(x):
     return x.equation.number if isinstance(x, Vector) and len(x.terms) > 1 else ""
-
-
-def _kind(step):
-    value = step.value
-    if isinstance(value, Vector):
-        return KINDS["vector"]
-    if isinstance(value, str):
-        return KINDS["choice"]
-    if isinstance(value, int) and step.unit == "1":
-        return KINDS["count"]
-    return KINDS[{9: "matrix", 2: "interval"}.get(len(flat(value)), "number")]
 
 
 def _numbers(x, kind):

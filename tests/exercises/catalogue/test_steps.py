@@ -7,7 +7,7 @@ import sympy
 
 from exercises.catalogue import CatalogueError, problem, select
 from exercises.catalogue.checks import check
-from exercises.catalogue.steps import Step, faults, steps
+from exercises.catalogue.steps import Step, faults, repeated, steps
 from exercises.catalogue.variants import draw
 
 ALL = select(["all"])
@@ -75,6 +75,36 @@ def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
     assert faults(p, p.book_values) == [
         "the step rate is stated in rad/s, Dimension(T^-1), and has Dimension(L^1 T^-1)"
     ]
+
+
+def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
+    kinds = lambda name: [s.kind.name for s in steps(problem(name), problem(name).book_values)]
+    assert kinds("A/4") == ["number"] * 4  # whole numbers, but for the numbers of the book alone
+    assert set(kinds("5/24")) == {"count"}
+    assert set(kinds("7/2")) == {"number", "vector", "matrix"}
+    rows = lambda g: ((g.b, 0, 0), (0, g.b, 0), (0, 0, g.b))
+    p = with_steps(monkeypatch, lambda g: Step("rows", rows(g), "mm", "a matrix"))
+    assert faults(p, p.book_values) == [
+        "the step rows has another form than a number: say its kind"
+    ]
+    p = with_steps(monkeypatch, lambda g: Step("rows", rows(g), "mm", "a matrix", kind="matrix"))
+    assert faults(p, p.book_values) == []
+
+
+def test_a_vector_that_is_an_answer_and_a_term_that_is_a_step_are_no_steps(monkeypatch):
+    p = problem("4/16")
+    D = lambda g: p.code.solve(g)["v_D"]
+    p = with_steps(
+        monkeypatch,
+        lambda g: Step("all", 1 * D(g), "mm/s", "velocity of D"),
+        lambda g: Step("part", D(g).terms["relative"], "mm/s", "velocity of D in BC"),
+        lambda g: Step("term", D(g).terms["relative"], "mm/s", "v_D", term=("relative", D(g).equation)),
+        lambda g: Step("turn", D(g).terms["rotation"], "mm/s", "v_D", term=("rotation", D(g).equation)),
+    )  # fmt: skip
+    repeated.cache_clear()
+    found = [s.key for s in steps(p, p.book_values)]
+    repeated.cache_clear()
+    assert found == ["part", "turn"]
 
 
 def test_steps_in_code_and_text_are_the_same(monkeypatch):
