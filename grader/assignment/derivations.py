@@ -16,7 +16,9 @@ from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
 LONGEST = 30  # operations of a formula that a reader follows, and of all components
-LONGEST_LIST = 45
+LONGEST_LIST = 60
+HOPELESS = 150  # operations that are not worth to be simplified
+SHORT = 2  # operations of what is read as easily as the name of a component of another vector
 NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FUNCTIONS, "atan2")}}
 
 
@@ -56,9 +58,15 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
     found = _traced(p)
     if found is None:
         return {}
-    choices = [s.args[0] for s in found.trace.steps if s.op == "where"]
     g = p.base({**p.sympy_symbols(), **values})
-    return _derivations(p, tuple(_value(c, g, {}) for c in choices))
+    return _derivations(p, tuple(_value(c, g, {}) for c in _choices(found)))
+
+
+def _choices(found):
+    """What decides between cases in a traced computation: conditions, and what has an absolute
+    value.
+    """
+    return [s.args[0] for s in found.trace.steps if s.op in ("where", "abs")]
 
 
 @lru_cache(maxsize=400)
@@ -73,12 +81,12 @@ def _traced(p):
 def _derivations(p, cases):
     """The derivations where the choices of the computation, in their order, are ``cases``."""
     found = _traced(p)
-    choices = [s.args[0] for s in found.trace.steps if s.op == "where"]
-    numbers = [c.number if isinstance(c, Step) else None for c in choices]
+    numbers = [c.number if isinstance(c, Step) else None for c in _choices(found)]
     lowest = {n: (q.vary or (q.value,))[0] for n, q in p.givens.items()}
     lowest |= {n: q.vary[0] for n, q in p.symbols.items()}
     positive = frozenset(n for n, low in lowest.items() if low > 0)
-    reader = _Reader(found, dict(zip(numbers, cases, strict=True)), positive)
+    asked = {a.key for a in p.answers}
+    reader = _Reader(found, dict(zip(numbers, cases, strict=True)), {*positive}, asked)
     return {key: reader.derived(key) for key in found.components}
 
 
@@ -88,7 +96,8 @@ class _Reader:
 
     found: Any
     cases: Mapping[int, Any]
-    positive: frozenset[str]
+    positive: set[str]
+    asked: set[str]
     known: dict[int, Any] = field(default_factory=dict)
     shown: set[int] = field(default_factory=set)
 
@@ -102,7 +111,10 @@ class _Reader:
                 x, _ = _unsigned(x)
                 if isinstance(x, Step) and x.number not in self.known:
                     self.unknowns.setdefault(x.number, (equations, name))
-        self.called = {}
+        # formulas for which a later one has the name, and components that are as short as theirs
+        self.called, self.shorter, self.short = {}, [], {}
+        self.terms = {s.key: s.means for s in self.found.steps if s.term and s.means in self.asked}
+        self.of_sums = {}  # {sum: its terms, known while it is derived}
         for key, parts in self.found.components.items():
             for n, x in enumerate(parts):
                 x, sign = _unsigned(x)
@@ -117,34 +129,61 @@ class _Reader:
         """The symbol of a name; positive where all numbers that are drawn for it are."""
         import sympy
 
-        return sympy.Symbol(name, positive=True if name in self.positive else None)
+        return sympy.Symbol(name, real=True, positive=True if name in self.positive else None)
 
-    def _name(self, x, name):
+    def _name(self, x, name, known=None):
         x, sign = _unsigned(x)
         if isinstance(x, Step):
-            self.known.setdefault(x.number, sign * self.symbol(name))
+            (self.known if known is None else known).setdefault(x.number, sign * self.symbol(name))
 
     def derived(self, key):
         """The derivation of a quantity, which is known from now on."""
         parts = self.found.components[key]
+        names = [component(key, n, len(parts)) for n in range(len(parts))]
         self.together, self.wanted = [], set()
-        formulas = tuple(self._formula(x, component(key, n, len(parts)))
-                         for n, x in enumerate(parts))  # fmt: skip
+        terms = {n: x for n, x in self.of_sums.get(key, {}).items() if n not in self.known}
+        self.known |= terms
+        formulas = tuple(map(self._formula, parts, names))
+        for number in terms:
+            del self.known[number]
+        solved = any(getattr(_unsigned(x)[0], "number", None) in self.answers for x in parts)
+        self._remember(key, parts, names, formulas)
         if sum(f.count_ops() for f in {*formulas} - {None}) > LONGEST_LIST:
             formulas = ()
-        for n, x in enumerate(parts):
-            self._name(x, component(key, n, len(parts)))
-        solved = any(getattr(_unsigned(x)[0], "number", None) in self.answers for x in parts)
         return Derivation(formulas, tuple(self.together), frozenset(self.wanted), solved)
+
+    def _remember(self, key, parts, names, formulas):
+        """Makes a quantity known to later ones; the terms of an answer to it only, as no line has
+        their names.
+        """
+        known = self.of_sums.setdefault(self.terms[key], {}) if key in self.terms else None
+        for x, name, formula in zip(parts, names, formulas, strict=True):
+            if len(parts) == 1 and formula is not None and formula.is_positive:
+                self.positive.add(name)
+            self._name(x, name, known)
+            if known is None and formula is not None and formula.count_ops() > SHORT:
+                self.shorter.append((formula, self.symbol(name)))
+            elif known is None and formula is not None and len(parts) > 1:
+                self.short[self.symbol(name)] = formula
 
     def _formula(self, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
         try:
-            formula = _simplest(self._written(x, {}))
+            formula = self._shortened(_simplest(self._written(x, {})))
+            if _is_atom(formula):
+                formula = formula.xreplace(self.short)
         except Unwritten:
             return None
-        if formula == self.symbol(name) or _is_long(formula):
+        if (formula.is_Symbol and formula.name == name) or _is_long(formula):
             return None
+        return formula
+
+    def _shortened(self, formula):
+        """The formula with earlier quantities in the place of theirs."""
+        for other, name in reversed(self.shorter):
+            shorter = formula.subs(other, name)
+            if shorter.count_ops() < formula.count_ops() and not _is_raised(name, shorter):
+                formula = shorter
         return formula
 
     def _written(self, x, memo):
@@ -168,6 +207,8 @@ class _Reader:
 
         if x.op == "pi":
             return sympy.pi
+        if x.op == "abs" and (self.cases.get(x.args[0].number) or -1.0) >= 0:
+            return self._written(x.args[0], memo)
         if x.op == "where":
             return self._written(x.args[1 if self._holds(x.args[0]) else 2], memo)
         if x.op == "item" and isinstance(x.args[0], Step):
@@ -198,13 +239,14 @@ class _Reader:
         variable = self.symbol(name)
         own = dict(zip(inner.parameters, [variable, *outside], strict=True))
         reader = _Inner(self, own, memo)
-        formula = reader.written(inner.leaves[n])
+        formula = sympy.sympify(reader.written(inner.leaves[n]))
         if root:
-            self._show_together([(formula, sympy.Integer(0))], {name})
+            self._show_together([self._tidy(formula, 0)], {name})
             self.answers.add(x.number)
+            self.known[x.number] = variable
             return variable
         limits = self._written(start, memo), self._written(end, memo)
-        return sympy.Integral(formula, (variable, *limits))
+        return sympy.Integral(formula, (variable, *limits)) if formula != 0 else formula
 
     def _solved(self, x):
         """The name of an unknown, after its equations are shown; None if they are too long."""
@@ -228,13 +270,14 @@ class _Reader:
         """Linear equations as pairs of their two sides; none if one of them is too long."""
         names = self._unknowns(equations)
         everything = self.unknowns
+        # their own unknowns, here and from now on where they are too long
         self.unknowns = {n: x for n, x in everything.items() if x[0] is not equations}
         rows = []
         try:
             for coefficients, right in equations.equations:
                 parts = zip(coefficients, equations.names, strict=True)
                 left = sum(self._written(c, {}) * names[name] for c, name in parts)
-                rows.append((_simplest(left), _simplest(self._written(right, {}))))
+                rows.append(self._tidy(left, self._written(right, {})))
         except Unwritten:
             return ()
         rows = [row for row in rows if row[0] != row[1]]
@@ -251,6 +294,9 @@ class _Reader:
             called, other = self.called.get(getattr(x, "number", None), (self._free(name), 1))
             symbols[name] = sign * other * self.symbol(called)
         return symbols
+
+    def _tidy(self, left, right):
+        return self._shortened(_simplest(left)), self._shortened(_simplest(right))
 
     def _show_together(self, rows, unknowns):
         if any(_is_long(left - right) for left, right in rows):
@@ -297,12 +343,17 @@ def _unsigned(x):
 
 
 def _simplest(formula):
-    """The formula, with sin^2 + cos^2 = 1 where that makes it shorter."""
+    """The formula, integrated under a bar, with sin^2 + cos^2 = 1 where that makes it shorter."""
     import sympy
 
+    formula = sympy.sympify(formula)
+    if sympy.fraction(sympy.together(formula))[1].has(sympy.Integral):
+        formula = formula.doit()
     if formula.has(sympy.sin) and formula.has(sympy.cos) and not _is_long(formula):
         other = sympy.trigsimp(sympy.expand(formula))
         return min(formula, other, key=lambda f: f.count_ops())
+    if _is_long(formula) and formula.count_ops() < HOPELESS:
+        return sympy.simplify(formula)
     return formula
 
 
@@ -314,6 +365,17 @@ def _positive(row):
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
     right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
     return (left, right) if left and right else row
+
+
+def _is_raised(name, formula):
+    """True if a formula has powers of a name that are no usual ones."""
+    import sympy
+
+    return any(p.base == name and abs(p.exp) not in (1, 2) for p in formula.atoms(sympy.Pow))
+
+
+def _is_atom(formula):
+    return formula.is_Symbol or (-formula).is_Symbol
 
 
 def _is_long(formula):

@@ -13,16 +13,35 @@ from newton_euler.answers.notation import number_symbol, unit_symbol
 Quantity = tuple[Any, str]  # a number and its unit
 
 
-def written(formula: Any, names: Mapping[str, str], latex: bool, numbers: bool = False) -> str:
-    """A formula in LaTeX or as text, its symbols by ``names``, which are ``numbers`` or not."""
-    return _printer(latex)(names, numbers).doprint(formula)
-
-
-def numerals(quantities: Mapping[str, Quantity], units: Collection[str], latex: bool) -> dict:
-    """{name: number as it is written} of quantities. They have their units, unless these and
-    ``units`` belong to one system, where all can be left out.
+def written(
+    formula: Any,
+    names: Mapping[str, str],
+    latex: bool,
+    numbers: bool = False,
+    degrees: bool = False,
+) -> str:
+    """A formula in LaTeX or as text, its symbols by ``names``, which are ``numbers`` or not; with
+    ``degrees``, right angles in a sum are not written as pi/2.
     """
-    bare = coherent([*units, *(u for _, u in quantities.values())])
+    printer = _printer(latex)(names, numbers)
+    printer.degrees = degrees
+    return printer.doprint(formula)
+
+
+def simplest(formula: Any) -> Any:
+    """A result as the shortest of its usual forms."""
+    import sympy
+
+    if formula.count_ops() > 150:
+        return formula
+    forms = formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)
+    return min(forms, key=lambda f: f.count_ops())
+
+
+def numerals(quantities: Mapping[str, Quantity], bare: bool, latex: bool) -> dict:
+    """{name: number as it is written} of quantities; without their units where all is ``bare``, but
+    for degrees.
+    """
     return {n: _numeral(*q, bare, latex) for n, q in quantities.items()}
 
 
@@ -59,6 +78,23 @@ class _Names:
 
     names: Mapping[str, str]
     numbers: bool
+    degrees = False
+
+    def _as_ordered_terms(self, expr, order=None):
+        """Terms without a minus sign first."""
+        terms = super()._as_ordered_terms(expr, order)
+        if self.degrees:
+            terms = [self._in_degrees(x) for x in terms]
+        return sorted(terms, key=lambda x: bool(x.as_coeff_Mul()[0] < 0))
+
+    def _in_degrees(self, x):
+        import sympy
+
+        turns = x / sympy.pi
+        if not turns.is_Rational:
+            return x
+        mark = r"^\circ" if self.latex else " deg"
+        return sympy.sign(turns) * sympy.Symbol(f"{float(abs(turns) * 180):.6g}{mark}")
 
     def _print_Symbol(self, expr, style="plain"):
         return self.names.get(expr.name, expr.name)
@@ -80,6 +116,8 @@ def _latex_printer():
     from sympy.printing.latex import LatexPrinter
 
     class Printer(_Names, LatexPrinter):
+        latex = True
+
         def __init__(self, names, numbers):
             dots = {"mul_symbol": "dot"} if numbers else {}
             super().__init__({"fold_func_brackets": True, "inv_trig_style": "full", **dots})
@@ -109,6 +147,8 @@ def _text_printer():
     from sympy.printing.str import StrPrinter
 
     class Printer(_Names, StrPrinter):
+        latex = False
+
         def __init__(self, names, numbers):
             super().__init__()
             self.names, self.numbers = names, numbers

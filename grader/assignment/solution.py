@@ -3,7 +3,7 @@
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -26,8 +26,9 @@ from newton_euler.answers.notation import (  # fmt: skip
 
 from .cells import Values
 from .derivations import Derivation, component, derivations
-from .formulas import numerals, written
+from .formulas import coherent, numerals, simplest, written
 from .notebook import statement, typeset
+from .spelled import typeset_formulas
 
 LONGEST = 400  # characters of a formula with numbers
 
@@ -87,7 +88,7 @@ def worked_solution(p: Problem, values: Values, text: bool = True) -> str:
             terms = {x.step.term[0]: x for key, x in found.items()
                      if x.step.term and key.startswith(f"{a.key}_")}  # fmt: skip
             out += _ledger(a, answers[a.key], p, terms)
-        out += [f"**{_sentence(typeset(a.means, p))}:** {_chain(found[a.key])}", ""]
+        out += [f"**{_sentence(_typeset(a.means, p))}:** {_chain(found[a.key])}", ""]
     return "\n".join(out)
 
 
@@ -109,8 +110,11 @@ class _Writer:
     def __init__(self, p, values, quantities, latex):
         self.p, self.latex = p, latex
         self.derivations = derivations(p, values)
-        self.sums = {s.key for s in quantities if not s.term and _is_sum(s.value)}
-        self.names, self.numbers, self.sizes = {}, {}, {}
+        self.sums = {}  # {sum: keys of its terms}
+        for s in quantities:
+            if s.term:
+                self.sums.setdefault(s.means.rpartition(", in ")[-1], []).append(s.key)
+        self.names, self.units, self.numbers, self.sizes = {}, {}, {}, {}
         for name, stated in p.units.items():
             self._know(name, p.notation[name], values[name], stated)
         for s in quantities:
@@ -121,7 +125,7 @@ class _Writer:
                 self._know(key, named, x, s.unit)
 
     def _know(self, name, named, x, stated):
-        self.names[name] = named if self.latex else name
+        self.names[name], self.units[name] = named if self.latex else name, stated
         if is_numeric(x):
             self.numbers[name] = x, stated
             self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
@@ -129,12 +133,21 @@ class _Writer:
     def line(self, s):
         """The line of a step or answer."""
         found = self.derivations.get(s.key, Derivation())
+        if s.key in self.sums:
+            found = replace(found, formulas=tuple(self._sum(s.key, n) for n in range(3)))
         formula, numbers = self._formula(found.formulas, s)
         value = self._value(s)
         chain = [x for x in (formula, numbers) if x]
-        chain = [x for n, x in enumerate(chain) if x not in chain[:n] and x != value]
+        last = (value, value.removesuffix(self._unit(s)))
+        chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
         above = found.solved and not found.together
         return Line(s, *self._together(found), above, self._name(s), (*chain, value))
+
+    def _sum(self, key, n):
+        """A component of a sum, of the symbols of its terms."""
+        import sympy
+
+        return sympy.Add(*(sympy.Symbol(component(k, n, 3)) for k in self.sums[key]))
 
     def _together(self, found):
         """The equations that are solved together, with symbols and with numbers."""
@@ -143,9 +156,10 @@ class _Writer:
         used = {n: self.numbers[n] for n in free - found.unknowns if n in self.numbers}
         if len(used) < len(free - found.unknowns) or not used:
             return rows, ()
-        asked = [self.numbers[n][1] for n in free & found.unknowns if n in self.numbers]
-        names = numerals(used, asked, self.latex)
+        bare = coherent([self.numbers[n][1] for n in free if n in self.numbers])
+        names = numerals(used, bare, self.latex)
         with_numbers = self._rows(found.together, lambda f: self._called(f) | names, True)
+        with_numbers = tuple(row for row in with_numbers if row not in rows)
         return rows, with_numbers if sum(map(len, with_numbers)) <= LONGEST else ()
 
     def _rows(self, pairs, named, numbers=False):
@@ -168,20 +182,37 @@ class _Writer:
 
     def _formula(self, formulas, s):
         """A quantity as a formula, and with numbers; "" where there is none to read."""
-        if not formulas or None in formulas or all(f.is_number for f in formulas):
+        import sympy
+
+        if not formulas or None in formulas or all(isinstance(f, sympy.Float) for f in formulas):
             return "", ""
+        free = {x.name for f in formulas for x in f.free_symbols}
+        degrees = "deg" in (s.unit, *(self.units.get(n) for n in free))
         plain = self._whole(formulas) or self._joined(
-            [written(f, self._called(f), self.latex) for f in formulas]
+            [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas]
         )
         if s.key in self.sums:  # its terms stand above it
             plain = ""
-        free = {x.name for f in formulas for x in f.free_symbols}
-        if any(n not in self.numbers for n in free) or all(_is_atom(f) for f in formulas):
+        if any(n not in self.numbers for n in free):
             return plain, ""
-        names = numerals({n: self.numbers[n] for n in free}, [s.unit], self.latex)
+        stated = {self.numbers[n][1] for n in free}
+        if all(_is_atom(f) for f in formulas) and stated == {s.unit}:
+            return plain, ""
+        bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
+        names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
         formulas = [f.xreplace(self._nothing(f)) for f in formulas]
-        text = self._joined([written(f, names, self.latex, numbers=True) for f in formulas])
+        text = self._joined([written(f, names, self.latex, True, degrees) for f in formulas])
         return plain, text if len(text) <= LONGEST else ""
+
+    def _mixes(self, formula):
+        """True if an angle in degrees is added to one that is not."""
+        import sympy
+
+        def in_degrees(x):
+            of = x.as_coeff_Mul()[1]
+            return of == sympy.pi or (of.is_Symbol and self.units.get(of.name) == "deg")
+
+        return any(len(set(map(in_degrees, x.args))) == 2 for x in formula.atoms(sympy.Add))
 
     def _nothing(self, formula):
         """The symbols of a formula of which round-off is left, such as cos(60 deg) - 1/2, as 0."""
@@ -208,19 +239,22 @@ class _Writer:
     def _joined(self, parts):
         if len(parts) == 1:
             return parts[0]
-        if not self.latex:
-            return f"[{', '.join(parts)}]"
-        if len(parts) == 9:
-            return matrix_symbol([parts[n : n + 3] for n in (0, 3, 6)])
-        return rf"\left[{list_symbol(parts)}\right]"
+        rows = [parts[n : n + 3] for n in (0, 3, 6)] if len(parts) == 9 else []
+        if self.latex:
+            return matrix_symbol(rows) if rows else rf"\left[{list_symbol(parts)}\right]"
+        return f"[{', '.join(map(self._joined, rows) if rows else parts)}]"
 
     def _value(self, s):
         value = s.value
         if isinstance(value, Vector):
             value = value.rounded(self._noise(s.unit))
+        text = _latex(value, self.p.notation) if self.latex else formatted(value)
+        return text + self._unit(s)
+
+    def _unit(self, s):
         if self.latex:
-            return _latex(value, self.p.notation) + unit_symbol(s.unit)
-        return formatted(value) + ("" if s.unit == "1" else f" {s.unit}")
+            return unit_symbol(s.unit)
+        return "" if s.unit == "1" else f" {s.unit}"
 
 
 def _is_atom(formula):
@@ -236,10 +270,14 @@ def _is_sum(answer):
 def _means(step, p):
     """The description of a step, with formulas in LaTeX."""
     if not step.term:
-        return typeset(step.means, p)
+        return _typeset(step.means, p)
     of = step.means.rpartition(", in ")[-1]  # the sum
     words = _words(*step.term, p)
     return f"{words}, in ${symbol(of, step.is_vector)}$"
+
+
+def _typeset(means, p):
+    return typeset(typeset_formulas(means, p.notation), p)
 
 
 def _words(name, equation, p):
@@ -271,10 +309,10 @@ def _latex(value, notation):
         return rf"\left[{inside}\right]"
     if isinstance(value, str):
         return rf"\text{{{value}}}"
-    if is_numeric(value):
+    if is_numeric(value) or not value.free_symbols:
         return number_symbol(value if isinstance(value, int) else float(value))
     names = {x.name: notation.get(x.name) or symbol(x.name) for x in value.free_symbols}
-    return written(value, names, latex=True)
+    return written(simplest(value), names, latex=True)
 
 
 def formatted(value: Any) -> str:
@@ -283,7 +321,9 @@ def formatted(value: Any) -> str:
         return "[" + ", ".join(formatted(v) for v in value) + "]"
     if isinstance(value, (int, str)):
         return str(value)
-    return f"{float(value) + 0.0:.6g}" if is_numeric(value) else written(value, {}, latex=False)
+    if is_numeric(value) or not value.free_symbols:
+        return f"{float(value) + 0.0:.6g}"
+    return written(simplest(value), {}, latex=False)
 
 
 def _ledger(a, value, p, found):

@@ -260,12 +260,12 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
 
     Each mistake is made with each set of numbers and scored as a student's answer: it is named, or
     misnamed as another, or stays unnamed; passed would be taken for right, and ends with exit
-    code 1.
+    code 1. A second table is of slips that nobody listed, made by random edits of the formulas.
     """
     from exercises.catalogue import select
 
     from ..practice import practice_shares
-    from ..reports import diagnosis_shares, shares_table
+    from ..reports import SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
     problems = select(names or ("all",))
     with progress_bar() as bar:
@@ -278,5 +278,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     if practice:
         click.echo(f"a check takes {1000 * took:.2g} ms")
         return  # random numbers are right now and then
+    slips = slip_shares(problems, draws)
+    console.print(shares_table(slips, "Unlisted slips", "kind", SLIP_OUTCOMES))
     if any(counts["passed"] for counts in found.values()):
         sys.exit(1)

@@ -32,8 +32,8 @@ from .shared import FILE, console, progress_bar
     "--course",
     "course_path",
     type=click.Path(path_type=Path, exists=True, file_okay=False),
-    help="A course that grades such problems: none of its students' numbers is in the file, and no "
-    "problem whose answers are the same for everybody.",
+    help="A course that grades such problems: no answer in the file is near one of its students', "
+    "and no problem whose answers are formulas, or the same for everybody.",
 )
 def practice(
     names: tuple[str, ...], path: Path, variants: int, level: str, course_path: Path | None
@@ -63,8 +63,8 @@ def practice(
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
     click.echo(
-        f"{path}: {len(problems) - len(left)} problems, {variants} sets of numbers each, "
-        f"{path.stat().st_size / 1000:.0f} kB"
+        f"{path}: {len(problems) - len(left)} problems, {variants} sets of numbers each at the "
+        f"most, {path.stat().st_size / 1000:.0f} kB"
     )
     click.echo(
         f'Students: from newton_euler.classroom import practice; practice("{path.name}")'

@@ -47,8 +47,9 @@ def write_practice(path, problems, count=10, help="solution", graded=None, worke
 
     count : how many sets of numbers each has, the book's among them
     help : the most that a student is shown: one of ``HELP``
-    graded : {problem id: [numbers of a student's sheet]} of what a course grades: none of these
-        numbers is practised, and of problems whose answers are the same for everybody nothing
+    graded : {problem id: [numbers of a student's sheet]} of what a course grades: no answer that is
+        practised is near one of these sheets', and problems are left out whose answers are
+        formulas, or the same for everybody
     done : called after each problem
     """
     if help not in HELP:
@@ -90,13 +91,15 @@ def page_of(name, count, help, graded=None, draw=figure_png):
 
     graded : the numbers that students have of it, None where it is in no course
     """
+    if graded is not None and problem(name).symbols:
+        return LeftOut(name, "it is graded as a formula, which its steps and numbers would tell")
     p = twin(problem(name))
     sets = sets_of_numbers(p, count, graded or ())
     computed = [quantities(p, values) for values in sets]
+    if not sets:
+        return LeftOut(name, "all its answers are near graded ones")
     if graded is not None and (same := _same_for_all(p, computed)):
         return LeftOut(name, f"its {' and '.join(same)} would give away a graded answer")
-    if not sets:
-        return LeftOut(name, "all its numbers are graded ones")
     figures, variants = {}, []
     for values, (described, right) in zip(sets, computed, strict=True):
         variants.append(_variant(p, values, described, right, help))

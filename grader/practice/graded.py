@@ -1,11 +1,17 @@
-"""The numbers that a course grades, which nobody practises on."""
+"""The numbers that a course grades, and the answers for them, near which nobody practises."""
 
 import json
 
+import numpy as np
+
 from exercises.catalogue import CatalogueError, problem
+from exercises.catalogue.variants import evaluate
+from newton_euler.answers.tolerance import RTOL
 
 from ..assignment.sheet import tasks
 from ..course import Course, read_json
+
+FAR = 2 * RTOL  # of the size of a graded answer: practised ones are as far from it at least
 
 
 def graded_numbers(path, done=None):
@@ -40,3 +46,37 @@ def _known(name):
         return problem(name)
     except CatalogueError:
         return None
+
+
+class GradedAnswers:
+    """The right answers for the numbers of a problem's graded sheets. Called with other numbers, it
+    says whether these are near: they have one of the answers of a sheet, or nearly so.
+    """
+
+    def __init__(self, p, sheets):
+        self._problem, self._numbers = p, [own for own in sheets if own]
+        of_sheets = [self._answers({**p.book_values, **own}) for own in self._numbers]
+        self._keys = {
+            a: np.array([answers[a.key][0] for answers in of_sheets])
+            for a in p.answers if of_sheets and not a.kind.is_word
+        }  # fmt: skip
+
+    def __call__(self, values):
+        if any(all(values.get(n) == x for n, x in own.items()) for own in self._numbers):
+            return True
+        answers = self._answers(values) if self._keys else {}
+        return any(_is_near(x, keys) for a, keys in self._keys.items() for x in answers[a.key])
+
+    def _answers(self, values):
+        """{answer: the points that mean it}, of those with numbers."""
+        p = self._problem
+        right = evaluate(p, {n: values[n] for n in p.units})[0]
+        return {
+            a.key: a.kind.sealed(tuple(map(float, right[a.key])))
+            for a in p.answers if not a.kind.is_word
+        }  # fmt: skip
+
+
+def _is_near(point, keys):
+    sizes = np.linalg.norm(keys, axis=1)
+    return bool(np.any(np.linalg.norm(keys - np.array(point), axis=1) <= FAR * sizes))

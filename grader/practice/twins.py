@@ -8,6 +8,10 @@ from functools import cache
 from exercises.catalogue import Given
 from exercises.catalogue.variants import draw, drawn_value
 
+from .graded import GradedAnswers
+
+TRIES = 50  # draws for each set that is far from all sheets of a class
+
 
 @cache
 def twin(p):
@@ -36,18 +40,14 @@ class _Middle:
 
 def sets_of_numbers(p, count, graded=(), seed="practice"):
     """The numbers of the book, or near the middle for symbols, and drawn ones, ``count`` in all or
-    as many as differ; none that is among the ``graded``.
+    as many as differ; none with an answer near one of the ``graded`` sheets.
     """
-    found = [] if _is_graded(p.book_values, graded) else [p.book_values]
-    for n in range(10 * count):
+    near = GradedAnswers(p, graded)
+    found = [] if near(p.book_values) else [p.book_values]
+    for n in range((TRIES if graded else 10) * count):
         if len(found) >= count:
             break
         values = draw(p, f"{seed} {p.id} {n}".encode())
-        if values not in found and not _is_graded(values, graded):
+        if values not in found and not near(values):
             found.append(values)
     return found
-
-
-def _is_graded(values, graded):
-    """True if these numbers are those of a student's sheet, in the givens that the sheet has."""
-    return any(own and all(values.get(n) == x for n, x in own.items()) for own in graded)

@@ -6,6 +6,7 @@ records      the scores that the grader has kept, part by part
 statistics   difficulty, discrimination and mistakes of each part
 export       CSV of every part, and the files that learning platforms import
 diagnoses    how often the mistakes of the exercises are recognised
+unlisted     the same of slips that nobody listed (slips_made makes them)
 """
 
 from .answers import answers_json, answers_text, given_values, nested, solution_text, solve_problem
@@ -13,3 +14,4 @@ from .diagnoses import diagnosis_shares, shares_table
 from .export import FORMATS, export
 from .statistics import part_statistics, statistics_csv, statistics_figure, statistics_table
 from .tables import diagnosis_table, gradebook_table, shown, taken_in_table
+from .unlisted import SLIP_OUTCOMES, slip_shares

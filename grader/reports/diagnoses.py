@@ -1,7 +1,7 @@
 """How often the grader recognises the mistakes that the exercises list."""
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from rich.table import Table
 
@@ -65,16 +65,21 @@ def _outcome(part, mistake):
     return "named" if named else "misnamed" if part.causes else "unnamed"
 
 
-def shares_table(found: Mapping[str, Counter[str]], title: str = "Listed mistakes") -> Table:
+def shares_table(
+    found: Mapping[str, Counter[str]],
+    title: str = "Listed mistakes",
+    of: str = "problem",
+    outcomes: Sequence[str] = OUTCOMES,
+) -> Table:
     """The shares as a table for the terminal, with their sum."""
-    table = plain_table(title, "problem", ">made", *(f">{name} %" for name in OUTCOMES))
-    for problem_id, counts in found.items():
-        table.add_row(problem_id, *_row(counts))
+    table = plain_table(title, of, ">made", *(f">{name} %" for name in outcomes))
+    for name, counts in found.items():
+        table.add_row(name, *_row(counts, outcomes))
     table.add_section()
-    table.add_row("all", *_row(sum(found.values(), Counter())))
+    table.add_row("all", *_row(sum(found.values(), Counter()), outcomes))
     return table
 
 
-def _row(counts):
+def _row(counts, outcomes):
     made = sum(counts.values())
-    return str(made), *(f"{100 * counts[o] / made:.1f}" if made else "–" for o in OUTCOMES)
+    return str(made), *(f"{100 * counts[o] / made:.1f}" if made else "–" for o in outcomes)

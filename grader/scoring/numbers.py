@@ -15,6 +15,7 @@ from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
 from newton_euler.answers.causes import listed
 
+from .computation import perturbed
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -49,7 +50,7 @@ class Numbers:
         found = _run_key(self.problem, self.sample)
         answers = self.problem.answers
         return {
-            a.key: ((_one_word(a, x),),) if a.kind.is_word else _points(a, x)
+            a.key: ((_one_word(a, x),),) if a.kind.is_word else points_of(a, x)
             for a, x in zip(answers, found, strict=True)
         }
 
@@ -61,7 +62,7 @@ class Numbers:
         elif key not in self._wrong:
             labels, found = self._models
             self._wrong[key] = [
-                (cause, _points(answer, x))
+                (cause, points_of(answer, x))
                 for (other, cause), x in zip(labels, found, strict=True)
                 if other == key
             ]
@@ -90,6 +91,11 @@ class Numbers:
         same = all(self.sample[n] == value for n, value in self.problem.book_values.items())
         return {} if same else _of_book(self.problem.id)
 
+    @cached_property
+    def slips(self):
+        """The slips in the computation of the answers."""
+        return perturbed(self.problem, self.sample)
+
     def following(self, key, earlier):
         """The points of the answer ``key`` that follows from a student's ``earlier`` answers,
         {answer: points}; None if there is no such answer.
@@ -98,7 +104,7 @@ class Numbers:
         run = _traced_following(self.problem.id, key)
         try:
             with np.errstate(all="ignore"):
-                return _points(self.problem.answer(key), run(*self.sample.values(), *numbers))
+                return points_of(self.problem.answer(key), run(*self.sample.values(), *numbers))
         except (ArithmeticError, ValueError):  # a student's number may be one that has no sequel
             return None
 
@@ -132,7 +138,7 @@ def _sample(problem, values):
     return {**{n: float(values[n]) for n in problem.givens}, **symbol_points(problem)}
 
 
-def _points(answer, components):
+def points_of(answer, components):
     """The points of an answer: of a number that stands beside formulas, in a problem with symbols,
     the one that it is at all of them.
     """

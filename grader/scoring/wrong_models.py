@@ -4,6 +4,7 @@ problem (a term left out or turned, degrees for radians, axes of another frame).
 
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
+from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import causes
 
@@ -60,7 +61,7 @@ def _rates(right):
 def _units(problem, g):
     """Givens used with their number in degrees or revolutions, without conversion."""
     for name, quantity in problem.givens.items():
-        if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
+        if unit(quantity.unit).is_of_turning:
             yield causes.unconverted(name, quantity.unit), {name: g.stated(name)}
 
 

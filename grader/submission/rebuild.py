@@ -21,6 +21,7 @@ from ..assignment.cells import (
     own_metadata,
 )
 from ..assignment.notebook import starter
+from .checked import checked_notes
 
 EDITABLE = ("answer", "hand", "solution", "plain")  # kinds of cells whose text is the student's
 # kinds whose text is ours, but in which students also work: they add imports, or numbers
@@ -34,8 +35,9 @@ OWN = "own"  # the role of a cell that the student added
 
 @dataclass
 class Work:
-    """What rebuilding has found: notes by problem (an answer cell is missing, or was copied), grade
-    ids of the answers that are as they were handed out, a note on the whole.
+    """What rebuilding has found: notes by problem (an answer cell is missing, or was copied; how
+    many wrong answers a receipt told), grade ids of the answers that are as they were handed out, a
+    note on the whole.
     """
 
     notes: dict[str, str] = field(default_factory=dict)
@@ -63,6 +65,8 @@ def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, W
         cells += [*now, *(_own_cell(*own) for own in added.get(n, []))]
     for n, cell in enumerate((c for c in cells if own_metadata(c).get("role") == OWN), 1):
         cell["id"] = f"own-{n}"
+    for number, note in checked_notes(master, submitted).items():
+        work.notes[number] = "; ".join(filter(None, (work.notes.get(number), note)))
     return {**master, "cells": cells}, work
 
 

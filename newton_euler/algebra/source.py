@@ -5,6 +5,7 @@ its user. On floats, what only one side of a choice needs stands under an ``if``
 import math
 import operator
 from itertools import takewhile
+from typing import Any
 
 from .integrals import integrals, over_cube
 from .roots import root
@@ -117,6 +118,16 @@ def _written(op, args, lazy):
     if lazy and op in COMPARISONS:
         return f"{args[0]} {COMPARISONS[op]} {args[1]}"
     return op if op == "pi" else f"{op}({', '.join(args)})"
+
+
+def operations(library: Any) -> dict[str, Any]:
+    """The function of each operation of a trace, over math or NumPy."""
+    functions = {n: getattr(library, n) for n in (*FUNCTIONS, "atan2") if hasattr(library, n)}
+    return {
+        "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+        "**": operator.pow, "pow": operator.pow, "neg": operator.neg, "abs": abs,
+        "item": operator.getitem, "pi": lambda: library.pi, **functions, **runtime_names(library),
+    }  # fmt: skip
 
 
 def _integral(formula, start, end, *outer):

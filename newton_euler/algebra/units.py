@@ -209,6 +209,9 @@ UNITS = {
 }  # fmt: skip
 
 
+_FEET = {"in", "ft", "mi", "slug", "lb", "oz"}
+
+
 class UnitError(NewtonEulerError, ValueError):
     """A unit is not known, or not written as names joined by ``*`` and ``/``."""
 
@@ -252,6 +255,7 @@ class Unit:
     def __init__(self, text):
         self.text = text
         self.factor, self.pi_power, self.dimension = Fraction(1), 0, Dimension()
+        self.parts = tuple(name for name, _ in _parts(text))
         for name, power in _parts(text):
             if name not in UNITS:
                 raise UnitError(f"unknown unit {name!r} in {text!r}; known are {', '.join(UNITS)}")
@@ -262,6 +266,16 @@ class Unit:
 
     def __repr__(self):
         return f"Unit({self.text!r})"
+
+    @property
+    def is_of_turning(self) -> bool:
+        """True of degrees and revolutions, and of rates in them: their factors have pi in them."""
+        return self.pi_power != 0
+
+    @property
+    def is_of_feet(self) -> bool:
+        """True if a part of it is one of the units of feet and pounds."""
+        return not _FEET.isdisjoint(self.parts)
 
     def to_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The quantity of ``x`` (a scalar or a Vector) such units, in kg, m, s and rad, or in

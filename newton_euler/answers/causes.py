@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from .tolerance import NEARLY
 
 OR = "; or one that "  # between causes that give the same numbers
+WORDS = 30  # of a diagnosis that is read
 ORDINALS = ("first", "second", "third")
 
 
@@ -17,8 +18,9 @@ class Cause:
     worded.
 
     group : listed (a mistake of the problem's own list), omitted or term, unit, axes or turned (of
-        another frame), rate, book, exchanged, factor, slip, both (two listed ones at once), follows
-        (from an earlier answer), seen (a remark, where nothing explains it)
+        another frame), rate, book, exchanged, factor, slip, computed (a slip in one step), both
+        (two listed ones at once), follows (from an earlier answer), seen (a remark, where nothing
+        explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
     text : its words
     """
@@ -37,7 +39,7 @@ class Cause:
         """True of a mistake that is made once for the whole problem; a term can be left out, and
         axes confused, in one part alone.
         """
-        return self.group in ("listed", "unit", "book")
+        return self.group in ("listed", "unit", "book", "computed")
 
     @property
     def adds_to_others(self) -> bool:
@@ -49,8 +51,14 @@ class Cause:
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
-    """The words of all causes that give the same numbers; None if there are none."""
-    return OR.join(dict.fromkeys(c.text for c in causes)) or None
+    """The words of the causes that give the same numbers, as many as can be read at once; None if
+    there are none.
+    """
+    first, *others = dict.fromkeys(c.text for c in causes) or [""]
+    for other in others:
+        if len((longer := first + OR + other).split()) <= WORDS:
+            first = longer
+    return first or None
 
 
 def slip(name: str, text: str) -> Cause:
@@ -158,9 +166,14 @@ CORIOLIS_HALVED = Cause("term", "coriolis / 2", "writes the Coriolis term withou
 
 
 def unconverted(given: str, unit: str) -> Cause:
-    """A given in degrees or revolutions is used with its number."""
-    text = f"uses {given} in {unit} as if it were in radians (and seconds)"
+    """A given is used with its number in another unit than the rest."""
+    text = f"uses {given} in {unit} without converting it"
     return Cause("unit", given, text)
+
+
+def computed(name: str, text: str) -> Cause:
+    """A slip in one step of the computation; ``name`` says in which, and which slip."""
+    return Cause("computed", name, text)
 
 
 def other_axes(place: int, frame: str) -> Cause:

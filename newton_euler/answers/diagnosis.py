@@ -17,6 +17,7 @@ from .tolerance import LISTED_RTOL, NOISE, NUMBER_RTOL, Points, is_apart
 MOST = 3  # causes that are named together: more would explain nothing
 
 Model = tuple[Cause, Points]  # what a wrong model makes of an answer
+Near = tuple[int, Cause, Points]  # what a slip makes of it, and how simple it is: 1 is simplest
 
 
 class Answered(NamedTuple):
@@ -27,6 +28,12 @@ class Answered(NamedTuple):
     given: Points
     key: Points
     wrong: Sequence[Model]
+    slips: Callable[[Cause], Sequence[Points]] = lambda cause: ()
+
+    def models(self, cause: Cause) -> Iterator[Points]:
+        """What a cause makes of this part."""
+        yield from (x for c, x in self.wrong if c == cause)
+        yield from (self.kind.like(x, self.given) for x in self.slips(cause))
 
 
 class Elsewhere:
@@ -45,14 +52,14 @@ class Elsewhere:
     def contradicts(self, cause: Cause) -> bool:
         """True if a part is right in which this mistake would show."""
         return cause.shows_everywhere and any(
-            part.right and any(c == cause and is_apart(x, part.key) for c, x in part.wrong)
+            part.right and any(is_apart(x, part.key) for x in part.models(cause))
             for part in self._parts
         )
 
     def explains(self, cause: Cause) -> int:
         """In how many other wrong parts this mistake fits."""
         return sum(
-            any(c == cause and _fits(part, x) for c, x in part.wrong)
+            any(_fits(part, x) for x in part.models(cause))
             for part in self._parts
             if not part.right
         )
@@ -71,6 +78,7 @@ def diagnose(
     kind: Kind = KINDS["vector"],
     factors: Mapping[str, float] | None = None,
     elsewhere: Elsewhere | None = None,
+    slips: Callable[[Fit, Kind], Sequence[Near]] = lambda fit, kind: (),
 ) -> tuple[Cause, ...]:
     """What gives the wrong answer ``given``: all causes that give the same numbers; none if nothing
     explains it.
@@ -78,6 +86,7 @@ def diagnose(
     wrong : the wrong models of this answer
     factors : {words: factor} of the units that the answer may be in by mistake
     elsewhere : what the other parts of the problem say
+    slips : finds the slips in the computation that the answer is near to
     """
     elsewhere = elsewhere or Elsewhere()
     if kind.is_word:  # of few words one is soon met by chance: listed mistakes only
@@ -85,6 +94,8 @@ def diagnose(
         return _best([[hit for hit in models if hit.points == given]], elsewhere)
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
+    if not _closest(single):  # what is listed or general goes first, and costs less
+        single.append(_simplest(fit, slips(fit, kind), elsewhere))
     return _best(single, elsewhere) or _pair(fit, wrong, elsewhere)
 
 
@@ -116,6 +127,22 @@ def _best(stages, elsewhere):
         if h.cause.adds_to_others and any(_same(h.points, other.points) for other in best)
     ]
     return _chosen([h.cause for h in best], [h.cause for h in twins], elsewhere)
+
+
+def _simplest(fit, near, elsewhere):
+    """Of the slips in a computation those that fit best, of these the simplest, in other words; a
+    slip that is made in one part alone is less simple.
+    """
+    hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
+    best = max((hit.level for _, hit in hits), default=0)
+    fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
+    found = [(n + elsewhere.contradicts(hit.cause), hit) for n, hit in fitting]
+    simplest = min((n for n, _ in found), default=0)
+    words: dict[str, Hit] = {}
+    for n, hit in found:
+        if n == simplest:
+            words.setdefault(hit.cause.text, hit)
+    return sorted(words.values(), key=lambda hit: -elsewhere.explains(hit.cause))[:MOST]
 
 
 def _closest(stages):

@@ -11,11 +11,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
+from .checks import Check, check
 from .forms import AnswerError, Form
 from .givens import in_notebook, seals, stale
 from .notation import formula, is_word, symbol, unit_symbol
 from .sanity import doubts
-from .seals import opens
 from .trees import NODES, dimension_hints, in_words
 
 _expected: dict = {}
@@ -80,10 +80,11 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         )
     others = {key for forms, *_ in _expected.values() for key in forms}
     sealed = {} if execution else seals.get(problem, {})  # slow, and not needed in grading
-    verdicts = {
-        key: opens(seal, forms[key].kind, read[key])
+    checks = {
+        key: outcome
         for key, seal in sealed.items()
         if read.get(key) is not None and key in forms
+        if (outcome := check(seal, forms[key].kind, read[key]))
     }
     doubted = {
         key: found
@@ -91,7 +92,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if (found := doubts(form, read.get(key), symbols, sane.get(key)))
     }
     return Receipt(
-        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted, verdicts
+        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted, checks
     )
 
 
@@ -105,7 +106,7 @@ class Receipt:
     """The answers to one problem as they were read; ``json`` is the record, ``warning`` says where
     they were computed with the numbers of another problem, ``notation`` is the LaTeX of names that
     do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key,
-    ``verdicts`` whether they are right, where the instructor lets a receipt know.
+    ``checks`` whether they are right, where the instructor lets a receipt know.
     """
 
     problem: str
@@ -115,7 +116,12 @@ class Receipt:
     warning: str = ""
     notation: dict = field(default_factory=dict)
     doubted: dict = field(default_factory=dict)
-    verdicts: dict = field(default_factory=dict)
+    checks: dict[str, Check] = field(default_factory=dict)
+
+    @property
+    def verdicts(self) -> dict[str, bool | None]:
+        """{answer: whether it is right}; None where a check must wait."""
+        return {key: found.right for key, found in self.checks.items()}
 
     @property
     def json(self):
@@ -129,7 +135,9 @@ class Receipt:
         if in_notebook():
             from IPython.display import display
 
-            display({"text/plain": repr(self), "text/markdown": self.markdown}, raw=True)
+            wrong = {key: found.wrong for key, found in self.checks.items() if found.wrong}
+            counts = {"metadata": {"newton_euler": {"wrong": wrong}}} if wrong else {}
+            display({"text/plain": repr(self), "text/markdown": self.markdown}, raw=True, **counts)
         else:
             print(repr(self))
 
@@ -181,9 +189,8 @@ class Receipt:
     def _remarks(self):
         blank = _blank(self.forms, self._given)
         remarks = "Form checked only; the key is not here."
-        if self.verdicts:
-            stated = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
-            remarks = f"{'; '.join(stated)}."
+        if self.checks:
+            remarks = f"{'; '.join(f'{key} {found}' for key, found in self.checks.items())}."
         return remarks + (f" Still open: {blank}." if blank else "")
 
 

@@ -4,6 +4,7 @@ that a student wrote is run, evaluated as code or simplified here.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Protocol
 
 from .causes import BOOK, Cause, answer_to, follows, sentence
@@ -12,6 +13,7 @@ from .forms import Form
 from .frames import counted
 from .kinds import Kind
 from .messages import one_line
+from .perturbed import Perturbed
 from .reading import Budget
 from .tolerance import Points
 from .trees import TreeError, in_words
@@ -54,6 +56,10 @@ class Numbers(Protocol):
     @property
     def earlier(self) -> Mapping[str, Sequence[str]]:
         """{later answer: names of the earlier ones from which it follows}."""
+
+    @property
+    def slips(self) -> Perturbed:
+        """The slips in the computation of the answers."""
 
     def wrong(self, key: str) -> Sequence[Model]:
         """What the wrong models make of an answer."""
@@ -146,7 +152,8 @@ def _causes(asked, given, found, numbers):
     wrong += _exchanged(asked, given, found, numbers)
     factors = asked.kind.factors(asked.unit)
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
-    return diagnose(given, key, wrong, asked.kind, factors, elsewhere)
+    slips = partial(numbers.slips.near, asked.key)
+    return diagnose(given, key, wrong, asked.kind, factors, elsewhere, slips)
 
 
 def _like(given, asked, numbers):
@@ -175,7 +182,8 @@ def _elsewhere(asked, found, numbers):
         judged = found.get(other.key)
         if other.key != asked.key and judged and judged.given is not None:
             key, wrong = _like(judged.given, other, numbers)
-            yield Answered(judged.verdict == "right", other.kind, judged.given, key, wrong)
+            slips = partial(numbers.slips.of, other.key)
+            yield Answered(judged.verdict == "right", other.kind, judged.given, key, wrong, slips)
 
 
 def _followed(asked, given, found, numbers):

@@ -112,10 +112,10 @@ def test_models_of_new_lambdas_do_not_pile_up():
 
     def make(n):
         model, motion = run(n)
-        if n % 100 == 0:
+        if n % 50 == 0:
             made.extend(map(weakref.ref, (model, motion, model.rhs, model.parameters["law"])))
 
-    assert more_objects(make, 3 * KEPT, 600) < FEW
+    assert more_objects(make, 3 * KEPT, 300) < FEW
     assert [seen() for seen in made[:-4]] == [None] * (len(made) - 4)
 
 
@@ -154,7 +154,7 @@ def test_prepared_runs_that_are_dropped_do_not_stay():
             0.01, (0.3, 0.0)
         )
 
-    assert more_objects(make, 3 * KEPT, 400) < FEW
+    assert more_objects(make, 3 * KEPT, 300) < FEW
 
 
 def test_models_of_one_formula_share_one_integrator():

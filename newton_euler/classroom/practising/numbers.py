@@ -8,6 +8,7 @@ from typing import Any
 from ...answers.causes import Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
+from ...answers.perturbed import NO_SLIPS
 from ...answers.tolerance import Points
 from .programs import Program
 
@@ -48,6 +49,7 @@ class KeptNumbers:
         self._labels, self._variant, self._book = labels, variant, book
         self.program = Program(variant["program"])
         self.tried: Collection[str] = ()
+        self.slips = NO_SLIPS
         self.symbols: dict[str, Any] = {}  # all is numbers in practice
 
     @cached_property

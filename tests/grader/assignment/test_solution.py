@@ -9,6 +9,7 @@ from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw, flat
 from grader.assignment.notebook import typeset
 from grader.assignment.solution import lines, worked_solution
+from grader.assignment.spelled import typeset_formulas
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import unit
 from newton_euler.answers.notation import number_symbol
@@ -27,7 +28,7 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
     values = {**draw(p, seed), **p.sympy_symbols()}
     text = worked_solution(p, values)
     for a in p.answers:
-        assert typeset(a.means, p)[1:] in text
+        assert typeset(typeset_formulas(a.means, p.notation), p)[1:] in text
     for name, given in p.givens.items():
         assert number_symbol(values[name]) in text, given
     for formula in re.findall(r"\$([^$]*)\$", text):
@@ -119,3 +120,16 @@ def test_the_term_of_two_coordinates_is_typeset():
     p = problem("3/26")
     coriolis = r"Coriolis term of $\theta$ and $\phi$, $-2R\dot{\theta}\dot{\phi}\sin\phi\,"
     assert coriolis in worked_solution(p, p.book_values)
+
+
+@pytest.mark.parametrize(("text", "latex"), [
+    ("work of a spring, k (x_1^2 - x_2^2)/2", r"work of a spring, $k\,(x_1^2 - x_2^2)/2$"),
+    ("its second rate, -(z'^2 + z z'')/r", r"its second rate, $-(z'^2 + z\,z'')/r$"),
+    ("by {r}/2 and $r/2$, the disk's P", "by {r}/2 and $r/2$, the disk's P"),
+    ("a rate in km/h of a disk A to B", "a rate in km/h of a disk A to B"),
+    ("integral of r sin(theta) r dr d(theta)", r"integral of $r\,\sin(\theta)\,r\,dr\,d\theta$"),
+    ("from (r/h)^2 = 3/80 (see above)", "from $(r/h)^2 = 3/80$ (see above)"),
+    ("at theta = 90 degrees, omega x r", "at theta = 90 degrees, omega x r"),
+])  # fmt: skip
+def test_a_formula_that_a_text_spells_is_typeset_and_words_stay(text, latex):
+    assert typeset_formulas(text, {}) == latex

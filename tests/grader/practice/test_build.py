@@ -8,11 +8,14 @@ from types import SimpleNamespace
 import pytest
 
 from exercises.catalogue import problem, select
+from exercises.catalogue.variants import as_points, draw, evaluate
 from grader.practice import LeftOut, PracticeError, graded_numbers, write_practice
 from grader.practice.build import page_of
+from grader.practice.graded import GradedAnswers
 from grader.practice.quantities import quantities, wrong_numbers
 from grader.practice.twins import sets_of_numbers
 from newton_euler import asin
+from newton_euler.classroom.practising.files import HELP
 from tests.grader.courses import grader, ran
 
 
@@ -35,6 +38,42 @@ def test_graded_numbers_are_not_practised():
     assert p.book_values not in sets_of_numbers(p, 3, [p.book_values])
 
 
+@pytest.mark.parametrize("name", ["4/2", "4/10"])
+@pytest.mark.parametrize("help", HELP)
+def test_what_is_graded_as_a_formula_is_left_out(name, help):
+    """Its steps say the formula, and its numbers whether a guess is the formula."""
+    found = page_of(name, 3, help, [], draw=lambda p, v: None)
+    assert isinstance(found, LeftOut)
+    assert "graded as a formula" in found.why
+
+
+def class_of(count, p):
+    return [draw(p, f"student {n}".encode()) for n in range(count)]
+
+
+@pytest.mark.parametrize("name", ["4/1", "4/31", "2/12"])
+def test_no_practised_answer_is_near_one_of_a_class(name):
+    """Also where few numbers vary."""
+    p = problem(name)
+    sheets = class_of(40, p)
+    sets = sets_of_numbers(p, 8, sheets)
+    assert len(sets) == 8
+    for a in p.answers:
+        practised, graded = ([as_points(evaluate(p, values)[0][a.key]) for values in found]
+                             for found in (sets, sheets))  # fmt: skip
+        assert not any(a.kind.is_right(x, key, a.atol) for x in practised for key in graded)
+
+
+def test_a_sheet_of_other_givens_is_kept_away_from_too():
+    """As of a released assignment whose problem was changed."""
+    p = problem("4/16")
+    own = {**dict(list(draw(p, b"ada").items())[1:]), "gone": 1.0}
+    graded = {**p.book_values, **own}
+    near = GradedAnswers(p, [own])
+    assert near({n: graded[n] for n in p.units})
+    assert not near({n: 1.1 * x for n, x in p.book_values.items()})
+
+
 @pytest.mark.parametrize("name", ["A/7", "5/24", "7/28"])
 def test_what_is_the_same_for_everybody_is_left_out_where_it_is_graded(name):
     """In a course a problem without numbers of one's own would tell its answer."""
@@ -45,8 +84,8 @@ def test_what_is_the_same_for_everybody_is_left_out_where_it_is_graded(name):
 
 
 def test_a_problem_in_symbols_tells_no_formula():
-    """What a course may ask as a formula stands in the file as numbers only."""
-    page, _ = page_of("4/2", 3, "solution", [], draw=lambda p, v: None)
+    """What may be asked as a formula stands in the file as numbers only."""
+    page, _ = page_of("4/2", 3, "solution", draw=lambda p, v: None)
     assert {q["kind"] for q in page["quantities"] if not q["step"]} == {"number"}
     for v in page["variants"]:
         for name in problem("4/2").symbols:
@@ -89,8 +128,9 @@ def test_the_numbers_of_all_students_of_a_course_are_read(course):
 def test_the_command_writes_a_file_and_says_how_it_is_opened(tmp_path, course):
     path = tmp_path / "ch04.practice"
     options = "-o", path, "--variants", 2, "--course", course.path
-    said = ran(grader("practice", "4/16", "4/2", *options))
+    said = ran(grader("practice", "4/16", "4/31", "4/2", *options))
     assert "2 problems, 2 sets of numbers each" in said
+    assert "4/2 left out: it is graded as a formula" in " ".join(said.split())
     assert 'practice("ch04.practice")["4/16"]' in said
 
 

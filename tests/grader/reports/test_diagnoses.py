@@ -1,19 +1,22 @@
 """``python -m grader diagnose``: how often the listed mistakes are named."""
 
 import re
+from collections import Counter
 
 import pytest
 
 from exercises.catalogue import problem
 from grader.reports import diagnoses as module
-from grader.reports import diagnosis_shares
+from grader.reports import diagnosis_shares, slip_shares
 from newton_euler.answers import Cause
 from tests.grader.courses import command, ran
 
 
 def test_the_shares_are_printed_with_their_sum():
     out = ran(command("diagnose", "4/16", "4/2", "--draws", 2))
-    lines = [line.split() for line in out.splitlines() if line.strip()]
+    listed, slips = out.split("Unlisted slips")
+    assert "sign of one term" in slips
+    lines = [line.split() for line in listed.splitlines() if line.strip()]
     rows = {line[0]: line[1:] for line in lines if line[0] in ("4/16", "4/2", "all")}
     assert list(rows) == ["4/16", "4/2", "all"]
     one, two, every = (int(made) for made, *_ in rows.values())
@@ -49,3 +52,14 @@ def test_a_mistake_told_as_another_is_misnamed_and_one_taken_for_right_fails(mon
     code, out = command("diagnose", "4/16", "--draws", 1)
     assert code == 1
     assert re.search(r"4/16 .*100\.0", out)
+
+
+def test_of_unlisted_slips_most_are_named_and_hardly_one_wrongly():
+    problems = [problem(name) for name in ("2/21", "3/26", "4/41", "7/23", "10/9", "11/2", "A/21")]
+    found = slip_shares(problems, 2)
+    assert not found.pop("random numbers")["named"]
+    assert found.pop("listed, in one part")["named"] > 30
+    found.pop("another variant")  # nobody knows its numbers
+    counts = sum(found.values(), Counter())
+    assert counts["named"] + counts["followed"] > 0.8 * counts.total() > 100
+    assert counts["misnamed"] <= 0.01 * counts.total()

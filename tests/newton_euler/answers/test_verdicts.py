@@ -7,6 +7,7 @@ import pytest
 from newton_euler.answers.causes import BOOK, answer_to, follows, listed
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.perturbed import NO_SLIPS
 from newton_euler.answers.verdicts import explain, judge, value_line
 
 
@@ -27,6 +28,7 @@ class Fall:
 
     def __init__(self, wrong=()):
         self._wrong, self.symbols, self.book = wrong, {}, {}
+        self.slips = NO_SLIPS
         self.key = {
             "v": ((5.0,),), "square": ((25.0,),), "sense": (("falls",),), "bounces": ((2,),),
         }  # fmt: skip

@@ -14,6 +14,7 @@ from newton_euler.motion.prepared import PreparedModel, prepared_model
 from newton_euler.motion.solution import AccuracyError, MotionError
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial import top
+from tests.honesty.closed_forms import pendulum
 from tests.models import TAYLOR, forced
 from tests.motions import SCENES, SPIN, reference, true_error
 
@@ -35,12 +36,9 @@ def test_methods_converge_with_their_order(method, first):
     assert slope == pytest.approx(METHODS[method].order, abs=0.45), errors
 
 
-def reference_of_the_pendulum(t=10.0, amplitude=1.0):
-    """By Jacobi's elliptic functions: sin(theta/2) = k cd(w t)."""
+def reference_of_the_pendulum(t=10.0):
     with mpmath.workdps(30):
-        w = mpmath.sqrt(2 * 10 * mpmath.mpf("0.5") / (mpmath.mpf("0.5") + 2 * mpmath.mpf("0.25")))
-        k = mpmath.sin(mpmath.mpf(amplitude) / 2)
-        return float(2 * mpmath.asin(k * mpmath.ellipfun("cd", w * t, m=k * k)))
+        return float(pendulum(mpmath, *map(mpmath.mpf, (10, 1, 0, t)))[0])
 
 
 def test_the_reference_of_these_tests_agrees_with_a_closed_form():

@@ -13,6 +13,7 @@ from newton_euler.accuracy.measurements.work_precision import work_precision
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.scenes import SCENES
+from tests.honesty import closed_forms
 
 
 @pytest.fixture(scope="module")
@@ -30,17 +31,9 @@ def swing():
 
 
 def test_measured_errors_are_those_of_direct_integration(swing):
-    """The end by Jacobi's elliptic functions: sin(theta/2) = k cd(w t)."""
     with mp.workdps(30):
-        w, k = (
-            mp.sqrt(2 * mp.mpf(10) * mp.mpf("0.5") / (mp.mpf("0.5") + 2 * mp.mpf("0.25"))),
-            mp.sin(mp.mpf("0.5")),
-        )
-        theta = 2 * mp.asin(k * mp.ellipfun("cd", w * 10, m=k * k))
-        omega = -mp.sign(mp.ellipfun("sd", w * 10, m=k * k)) * mp.sqrt(
-            2 * w * w * (mp.cos(theta) - mp.cos(1))
-        )
-    sizes = (1.0, 2 * float(w * k))
+        theta, omega = closed_forms.pendulum(mp, *map(mp.mpf, (10, 1, 0, 10)))
+    sizes = 1.0, 2 * math.sqrt(10) * math.sin(0.5)
     for p in (p for p in swing[0].points if p.method != "auto"):
         end = integrate(*SCENES["pendulum"].motion, p.asked, p.method).end
         error = max(abs(end["theta"] - theta) / sizes[0], abs(end["omega"] - omega) / sizes[1])

@@ -1,0 +1,352 @@
+"""Slips as students make them, by random edits of the formulas that a problem computes: what the
+diagnosis is measured with. It knows nothing of what the diagnosis looks for.
+"""
+
+import math
+import random
+from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
+from typing import Any, NamedTuple
+
+from exercises.catalogue import Problem
+from exercises.catalogue.variants import POINTS, as_points, draw, flat, symbol_points
+from newton_euler.algebra.integrals import integrals, over_cube
+from newton_euler.algebra.roots import root
+from newton_euler.algebra.scalars import ZERO, pi, where
+from newton_euler.algebra.scalars import function as function_of
+from newton_euler.algebra.trace import Inner, Step, Trace
+from newton_euler.algebra.units import SI, US, Dimension, unit
+from newton_euler.algebra.vectors import Vector
+
+BETWEEN: dict[str, Callable[..., Any]] = {
+    "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
+    "/": lambda a, b: a / b, "**": lambda a, b: a**b, "pow": lambda a, b: a**b,
+    "neg": lambda a: -a, "abs": abs, "where": where, "item": lambda a, n: a[n], "pi": pi,
+    "lt": lambda a, b: a < b, "le": lambda a, b: a <= b,
+    "gt": lambda a, b: a > b, "ge": lambda a, b: a >= b,
+}  # fmt: skip
+TWINS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
+OF_INERTIA = Dimension(1, 2, 0)
+OF_GRAVITY = Dimension(0, 1, -2)
+
+
+class Edit(NamedTuple):
+    """Another expression (a step, a number, or an operation on them) for a step, wherever it is
+    used or in ``user`` alone.
+    """
+
+    step: Step
+    instead: Any
+    user: Step | None = None
+
+
+class Formulas:
+    """What a problem computes from its numbers in base units: the steps, and the components of each
+    answer with their factor to the unit of the text.
+    """
+
+    def __init__(self, p: Problem):
+        trace = Trace()
+        self.problem = p
+        self.given = {n: trace.new("argument", n) for n in p.units}
+        g = p.base(dict.fromkeys(p.units, 1.0)).but(**self.given)
+        asked = {a.key: a for a in p.answers if not a.kind.is_word}
+        self.answers = {
+            key: [(x, unit(asked[key].unit).from_base(1.0, p.system)) for x in flat(found)]
+            for key, found in p.code.solve(g).items()
+            if key in asked
+        }
+        self.steps = _used(x for parts in self.answers.values() for x, _ in parts)
+        self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
+
+    def one(self, dimension: Any) -> float:
+        """A quantity that is 1 in a student's units, feet and pounds where the text has them."""
+        if not isinstance(dimension, Dimension):
+            return 1.0
+        mass, length, _ = dimension.powers
+        kilograms, metres = (14.593902937206365, 0.3048) if self.own is US else (1.0, 1.0)
+        return (
+            kilograms ** float(mass)
+            * metres ** float(length)
+            / float(self.problem.system.factor(dimension))
+        )
+
+    def base(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """The values of the text in base units."""
+        return vars(self.problem.base(values))["_values"]
+
+    def run(self, key: str, values: Mapping[str, Any], edits: tuple[Edit, ...] = ()) -> tuple:
+        """The components of an answer, with edits."""
+        value = _Evaluation(values, edits).value
+        return tuple(0.0 if x is ZERO else value(x) * factor for x, factor in self.answers[key])
+
+    def dimensions(self) -> dict[int, Any]:
+        """{number of a step: its dimension}."""
+        value = _Evaluation({n: unit(u).dimension for n, u in self.problem.units.items()}).value
+        found = {}
+        for s in self.steps:
+            try:
+                found[s.number] = value(s)
+            except (ValueError, TypeError, AttributeError):  # of an integral
+                continue
+        return found
+
+
+def _used(leaves):
+    waiting, found = [x for x in leaves if isinstance(x, Step)], {}
+    while waiting:
+        s = waiting.pop()
+        if s.number not in found:
+            found[s.number] = s
+            waiting += [a for a in s.args if isinstance(a, Step)]
+    return [found[n] for n in sorted(found)]
+
+
+class _Evaluation:
+    """Steps computed with edits, each once."""
+
+    def __init__(self, values, edits=()):
+        self.values, self.found = values, {}
+        self.everywhere = {e.step.number: e.instead for e in edits if e.user is None}
+        self.within = {(e.user.number, e.step.number): e.instead for e in edits if e.user}
+
+    def value(self, x):
+        if isinstance(x, tuple):
+            return self._operated(x[0], [self.value(a) for a in x[1:]])
+        if not isinstance(x, Step):
+            return x
+        if x.number not in self.found:
+            instead = self.everywhere.get(x.number)
+            self.found[x.number] = self._plain(x) if instead is None else self._instead(x, instead)
+        return self.found[x.number]
+
+    def _instead(self, step, instead):
+        without = _Evaluation(self.values)  # what stands for a step may contain it
+        without.within = self.within
+        return without.value(instead)
+
+    def _plain(self, s):
+        if s.op == "argument":
+            return self.values[s.args[0]]
+        return self._operated(
+            s.op,
+            [
+                self.value(self.within.get((s.number, a.number), a) if isinstance(a, Step) else a)
+                for a in s.args
+            ],
+        )
+
+    def _operated(self, op, args):
+        if isinstance(args[0] if args else None, Inner):
+            return _within(op, *args)
+        return BETWEEN[op](*args) if op in BETWEEN else function_of(op, *args)
+
+
+def _within(op, inner, *args):
+    def run(*numbers):
+        named = dict(zip(inner.parameters, (*numbers, *outer), strict=True))
+        value = _Evaluation(named).value
+        return tuple(value(x) for x in inner.leaves)
+
+    count = {"integral": 2, "over_cube": 1, "root": 2}[op]
+    limits, outer = args[:count], args[count:]
+    if op == "integral":
+        return integrals(run, *limits)
+    if op == "over_cube":
+        return over_cube(run, *limits)
+    return (root(lambda x: run(x)[0], *limits),)
+
+
+# -- the kinds of slips
+
+
+def edits(f: Formulas, values: Mapping[str, Any]) -> dict[str, list[tuple[Edit, ...]]]:
+    """{kind of slip: the edits by which it can be made in these formulas}."""
+    found: dict[str, list[tuple[Edit, ...]]] = {}
+    dimensions = f.dimensions()
+    for s in f.steps:
+        for kind, edit in _edits_of(s, f, values, dimensions):
+            found.setdefault(kind, []).append((edit,))
+    return found
+
+
+def _edits_of(s, f, values, dimensions):
+    steps = [a for a in s.args if isinstance(a, Step)]
+    numbers = [a for a in s.args if not isinstance(a, (Step, Inner)) and s.op in ("*", "/")]
+    if s.op == "argument":
+        yield from _of_given(s, f, values)
+    if s.op in "*/" and len(steps) == 2:
+        kind = "square lost" if steps[0] is steps[1] else "factor dropped"
+        yield kind, Edit(s, (s.op, steps[0], f.one(dimensions.get(steps[1].number))))
+        if s.op == "*" and steps[0] is not steps[1]:
+            yield kind, Edit(s, ("*", steps[1], f.one(dimensions.get(steps[0].number))))
+    if s.op in ("sqrt", "**"):
+        root = f.one(dimensions.get(s.number)) / f.one(dimensions.get(steps[0].number))
+        yield "square lost", Edit(s, ("*", steps[0], root))
+    if s.op in "*/" and numbers and steps and steps[0] is s.args[0]:
+        constant = float(numbers[0])
+        if abs(constant) in (0.5, 2.0):
+            yield "2 or 1/2 lost", Edit(s, steps[0])
+        if s.op == "/" and abs(constant) in (3.0, 12.0):
+            yield "1/12 for 1/3", Edit(s, (s.op, steps[0], 36.0 / constant))
+    if s.op in TWINS:
+        yield "sin for cos", Edit(s, (TWINS[s.op], *s.args))
+    if s.op in ("+", "-") and len(steps) == 2:
+        yield from _of_sum(s, steps, dimensions)
+    gravity = [a for a in steps if dimensions.get(a.number) == OF_GRAVITY and a.op == "argument"]
+    if s.op == "*" and len(gravity) == 1 and len(steps) == 2:
+        other = next(a for a in steps if a is not gravity[0])
+        yield "g left out", Edit(s, ("*", other, f.one(OF_GRAVITY)))
+    if s.op == "*":
+        for a in steps:
+            if a.op == "argument" and dimensions.get(a.number) == Dimension(1, 0, 0):
+                yield "g put in", Edit(a, ("*", a, 32.2 if f.own is US else 9.81), s)
+
+
+def _of_sum(s, steps, dimensions):
+    a, b = steps
+    inertia = dimensions.get(s.number) == OF_INERTIA
+    for term, other, sign in ((a, b, s.op == "-"), (b, a, False)):
+        if term.op in ("+", "-"):
+            continue  # several terms
+        kind = "parallel axis" if inertia and _has_square(term) else "term left out"
+        yield kind, Edit(s, ("neg", other) if sign else other)
+        kind = "parallel axis" if inertia and _has_square(term) else "sign of one term"
+        turned = (
+            ("-", other, term)
+            if s.op == "+"
+            else ("+", a, b)
+            if term is b
+            else ("neg", ("+", a, b))
+        )
+        yield kind, Edit(s, turned)
+
+
+def _has_square(s):
+    inner = [a for a in s.args if isinstance(a, Step)]
+    return s.op in "*/" and (s.args[0] is s.args[-1] or any(map(_has_square, inner)))
+
+
+def _of_given(s, f, values):
+    name = s.args[0]
+    stated, factor = (
+        f.problem.units[name],
+        unit(f.problem.units[name]).to_base(1.0, f.problem.system),
+    )
+    for other, step in f.given.items():
+        if other != name and f.problem.units[other] == stated and values[other] is not values[name]:
+            yield "another given", Edit(s, step)
+            users = [u for u in f.steps if any(a is s for a in u.args)]
+            if len(users) > 1:
+                yield "another given", Edit(s, step, users[len(users) // 2])
+    if name in f.problem.givens and factor != 1 and values[name]:
+        kind = "degrees" if stated == "deg" else "units"
+        yield kind, Edit(s, ("*", s, 1 / factor))
+        if kind == "units" and not 0.99 < factor**2 < 1.01:
+            yield kind, Edit(s, ("*", s, 1 / factor**2))
+
+
+# -- answers with slips
+
+
+class Made(NamedTuple):
+    """Wrong answers by one slip, beside right ones: {key: components} of all answers, in floats or
+    in trees of formulas, and the keys of the wrong ones.
+    """
+
+    kind: str
+    answers: dict[str, tuple]
+    wrong: tuple[str, ...]
+    name: str = ""  # of a listed mistake
+
+
+def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterator[Made]:
+    """One slip of every kind that can be made in a problem, in all answers that it reaches or in
+    one of them.
+    """
+    f = Formulas(p)
+    base = f.base({**values, **symbol_points(p)})
+    right = {key: f.run(key, base) for key in f.answers}
+    for kind, choices in edits(f, base).items():
+        for edit in rng.sample(choices, min(2, len(choices))):
+            yield from _spread(kind, _changed(f, base, right, edit), right, rng)
+    yield from _of_other_numbers(p, f, right, rng)
+    yield from _following(f, base, right, rng)
+    yield from _listed(p, values, right, rng)
+    yield from _in_other_places(p, values, right)
+
+
+def _changed(f, base, right, edit):
+    """{key: components} of the answers that an edit changes, those that have a value."""
+    found = {}
+    for key in right:
+        try:
+            found[key] = f.run(key, base, edit)
+        except (ArithmeticError, ValueError, TypeError):
+            continue
+    return found
+
+
+def _spread(kind, wrong, right, rng):
+    changed = [k for k in wrong if not _same(wrong[k], right[k])]
+    if not changed:
+        return
+    if rng.random() < 0.5:
+        changed = [rng.choice(changed)]
+    yield Made(kind, {**right, **{k: wrong[k] for k in changed}}, tuple(changed))
+
+
+def _same(a, b):
+    points = zip(as_points(a, POINTS), as_points(b, POINTS), strict=True)
+    return all(math.dist(x, y) <= 1e-9 * math.hypot(*x) for x, y in points)
+
+
+def _of_other_numbers(p, f, right, rng):
+    if not any(g.vary for g in p.givens.values()):
+        return
+    for kind, values in (
+        ("book's numbers", p.book_values),
+        ("another variant", draw(p, rng.randbytes(8))),
+    ):
+        base = f.base({**values, **symbol_points(p)})
+        yield from _spread(kind, {key: f.run(key, base) for key in right}, right, rng)
+
+
+def _following(f, base, right, rng):
+    """A wrong number in one answer, and those that are computed from it."""
+    keys = list(right)
+    for key in keys[:-1]:
+        parts = [x for x, _ in f.answers[key]]
+        if not all(isinstance(x, Step) and x.op != "argument" for x in parts):
+            continue
+        factor = rng.choice((0.61, 0.83, 1.37, 1.71))
+        edit = tuple(Edit(x, ("*", x, factor)) for x in parts)
+        wrong = _changed(f, base, {k: right[k] for k in keys[keys.index(key) :]}, edit)
+        later = tuple(k for k in wrong if k != key and not _same(wrong[k], right[k]))
+        if later:
+            yield Made("follows", {**right, **wrong}, later)
+
+
+LISTED = "listed, in one part"
+
+
+def _listed(p, values, right, rng):
+    """Each listed mistake in one part, the others right."""
+    for name, answers in p.wrong({**values, **symbol_points(p)}).items():
+        numbers = {k: flat(x) for k, x in answers.items() if k in right}
+        numbers = {k: x for k, x in numbers.items() if not _same(x, right[k])}
+        if numbers and (len(right) > 1):
+            key = rng.choice(sorted(numbers))
+            yield Made(LISTED, {**right, key: numbers[key]}, (key,), name)
+
+
+def _in_other_places(p, values, right):
+    """Answers exchanged with others of their kind and unit; vectors along the axes of others."""
+    for a, b in combinations([p.answer(key) for key in right], 2):
+        if (a.kind, a.unit) == (b.kind, b.unit):
+            wrong = {a.key: right[b.key], b.key: right[a.key]}
+            yield Made("exchanged", {**right, **wrong}, (a.key, b.key))
+    for key, x in p.solve({**values, **symbol_points(p)}).items():
+        for frame in x.frame.tree if isinstance(x, Vector) else ():
+            if not _same(other := flat(x.components(frame)), right[key]):
+                yield Made("other axes", {**right, key: other}, (key,))

@@ -1,0 +1,115 @@
+"""How often the grader recognises wrong answers by slips that no problem lists."""
+
+import math
+import random
+from collections import Counter
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from exercises.catalogue import Problem
+from exercises.catalogue.variants import draw
+from newton_euler.answers.fit import EXACT, Fit
+from newton_euler.answers.slips import multiples
+from newton_euler.answers.tolerance import is_apart
+from newton_euler.answers.verdicts import Judged, explain
+
+from ..scoring.numbers import numbers_of, points_of
+from .slips_made import LISTED, made
+
+SLIP_OUTCOMES = ("named", "followed", "silent", "misnamed")
+DIGITS = (4, 6, 17)  # in which an answer may be written
+RANDOM = "random numbers"
+TRIES = 5  # random numbers for each answer
+
+
+def slip_shares(
+    problems: Iterable[Problem], draws: int, progress: Callable[[], object] | None = None
+) -> dict[str, Counter[str]]:
+    """{kind of slip: Counter of :data:`SLIP_OUTCOMES`} over drawn numbers, of the wrong answers of
+    :func:`.slips_made.made` and of random numbers.
+
+    named: with a cause that gives the same numbers; followed: as the sequel of a wrong answer;
+    misnamed: with causes that do not give these numbers
+    """
+    found: dict[str, Counter[str]] = {}
+    for p in problems:
+        for n in range(draws if p.givens else 1):
+            rng = random.Random(f"slips in {p.id} {n}")
+            values = draw(p, rng.randbytes(8))
+            with np.errstate(all="ignore"):  # the root of a negative number is nan
+                outcomes = [*_of_slips(p, values, rng), *_of_random(p, values, rng)]
+            for kind, outcome in outcomes:
+                found.setdefault(kind, Counter())[outcome] += 1
+        if progress:
+            progress()
+    return dict(sorted(found.items()))
+
+
+def _of_slips(p, values, rng):
+    numbers = numbers_of(p, values)
+    for slip in made(p, values, rng):
+        exact = {k: points_of(p.answer(k), x) for k, x in slip.answers.items()}
+        digits = rng.choice(DIGITS)
+        judged = {k: _judged(p.answer(k), _written(x, digits), numbers) for k, x in exact.items()}
+        for key in slip.wrong:
+            finite = all(map(math.isfinite, exact[key][0]))
+            if finite and judged[key].verdict == "wrong" and is_apart(exact[key], numbers.key[key]):
+                yield slip.kind, _outcome(p.answer(key), judged, numbers, exact[key], slip)
+
+
+def _of_random(p, values, rng):
+    numbers = numbers_of(p, values)
+    for a in p.answers:
+        for _ in range(0 if a.kind.is_word or a.kind.is_formula else TRIES):
+            given = _written(_random(numbers.key[a.key], rng), rng.choice(DIGITS))
+            judged = {a.key: _judged(a, given, numbers)}
+            if judged[a.key].verdict == "wrong":
+                yield RANDOM, "named" if _causes(a, judged, numbers)[0] else "silent"
+
+
+def _written(points, digits):
+    if len(points) > 1:  # a formula has all its digits
+        return points
+    return (tuple(float(f"{float(x):.{digits}g}") for x in points[0]),)
+
+
+def _random(points, rng):
+    size = math.hypot(*points[0]) or 1.0
+    scale = size / math.sqrt(len(points[0]))
+    return (tuple(scale * rng.choice((-1, 1)) * 3 ** rng.uniform(-1, 1) for _ in points[0]),)
+
+
+def _judged(asked, given, numbers):
+    right = asked.kind.is_right(given, numbers.key[asked.key], asked.atol)
+    return Judged("right" if right else "wrong", "", given)
+
+
+def _outcome(asked, judged, numbers, exact, slip):
+    causes, earlier = _causes(asked, judged, numbers)
+    if earlier:
+        return "followed"
+    if not causes:
+        return "silent"
+    if slip.kind == LISTED:
+        right = any((c.group, c.name) == ("listed", slip.name) for c in causes)
+    else:
+        right = _gives(causes, exact, asked, numbers)
+    return "named" if right else "misnamed"
+
+
+def _causes(asked, judged, numbers):
+    why = explain(asked, judged, numbers)
+    return [c for c in why.causes if not c.is_observation], why.earlier
+
+
+def _gives(causes, exact, asked, numbers):
+    """True if one of these causes gives these numbers, to all digits."""
+    key, kind = numbers.key[asked.key], asked.kind
+    fit = Fit(exact, kind.like(key, exact), kind.rtol)
+    models = [*numbers.wrong(asked.key), *kind.slips(fit)]
+    models += multiples(fit, kind.factors(asked.unit))
+    models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
+    models += [(c, numbers.book[asked.key]) for c in causes if c.group == "book"]
+    models += [(c, numbers.key[c.name]) for c in causes if c.group == "exchanged"]
+    return any(fit(kind.like(x, exact)) == EXACT for cause, x in models if cause in causes)

@@ -1,0 +1,42 @@
+"""How many wrong answers the receipts of a submitted notebook say that they have checked, in copies
+that say what is right. Students hold the notebook: a count may be too low, and is never believed to
+be more than a number.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from ..assignment.cells import Notebook, own_metadata
+
+MOST = 10**6
+
+
+def checked_notes(master: Notebook, submitted: Mapping[str, Any]) -> dict[str, str]:
+    """{problem: note} on the answers of which wrong ones were checked."""
+    counts: dict[str, dict[str, int]] = {}
+    for cell in submitted["cells"]:
+        own = own_metadata(cell) if isinstance(cell, dict) else {}
+        problem = own.get("problem")
+        if own.get("role") == "receipt" and isinstance(problem, str):
+            for key, n in _counts(cell):
+                of_problem = counts.setdefault(problem, {})
+                of_problem[key] = max(n, of_problem.get(key, 0))
+    notes = {}
+    for own in map(own_metadata, master["cells"]):
+        found = counts.get(own.get("problem", ""), {})
+        texts = [f"{key} {found[key]}" for key in own.get("asked", ()) if key in found]
+        if texts:
+            notes[own["problem"]] = (
+                f"wrong answers checked before it was handed in: {', '.join(texts)}"
+            )
+    return notes
+
+
+def _counts(cell: Mapping[str, Any]) -> Iterator[tuple[str, int]]:
+    outputs = cell.get("outputs")
+    for output in outputs if isinstance(outputs, list) else ():
+        found = own_metadata(output) if isinstance(output, dict) else {}
+        wrong: Any = found.get("wrong")
+        for key, n in wrong.items() if isinstance(wrong, dict) else ():
+            if type(n) is int and 0 < n < MOST:
+                yield key, n

@@ -1,0 +1,96 @@
+"""How often an answer was checked against its seal, and how long the next check waits.
+
+The first wrong answers cost nothing, nor does one that is given again, as when all cells run; from
+then on the time until the next check doubles. Counts are kept beside the notebook and shown in it,
+where the grader reads them. This is for those who guess by hand: a program of one's own needs no
+receipt to try a seal, and files can be deleted.
+"""
+
+import hashlib
+import json
+import math
+import os
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .givens import in_notebook
+from .kinds import Kind
+from .seals import is_known, opens
+
+FREE = 6  # wrong answers, after which a check waits
+LONGEST = 600.0  # s until the next check
+FILE = Path(".answers_checked.json")  # beside the notebook, so that a restarted kernel goes on
+
+_kept: dict[str, Any] = {}  # {salt of a seal: {"wrong": [hashes of answers], "next": time}}
+
+
+@dataclass(frozen=True)
+class Check:
+    """What a check has found: ``right`` is None where it must wait, ``wait`` seconds; ``wrong`` is
+    how many wrong answers there were. Components in several frames are several answers.
+    """
+
+    right: bool | None
+    wrong: int
+    wait: float
+
+    def __str__(self) -> str:
+        """As what follows the name of an answer."""
+        found = {True: "is right", False: "is not right", None: "is not checked yet"}[self.right]
+        if not self.wait:
+            return found
+        seconds = math.ceil(self.wait)
+        return f"{found} (after {self.wrong} wrong answers, the next check is in {seconds} s)"
+
+
+def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
+    """The :class:`Check` of an answer, as it was read; None for a seal of another version."""
+    if not is_known(sealed):
+        return None
+    salt = sealed["salt"]
+    entry = _read().setdefault(salt, {"wrong": [], "next": 0.0})
+    guesses = {_digest(salt, x) for x in (tree.values() if isinstance(tree, dict) else [tree])}
+    wait = min(max(entry["next"] - time.time(), 0.0), LONGEST)
+    new = sorted(guesses - set(entry["wrong"]))
+    if new and wait:
+        return Check(None, len(entry["wrong"]), wait)
+    if new and opens(sealed, kind, tree):
+        return Check(True, len(entry["wrong"]), 0.0)
+    if new:
+        entry["wrong"] += new
+        beyond = len(entry["wrong"]) - FREE
+        wait = min(2.0 ** min(beyond, 20), LONGEST) if beyond >= 0 else 0.0
+        entry["next"] = time.time() + wait
+        _write()
+    return Check(False, len(entry["wrong"]), wait)
+
+
+def _digest(salt, x):
+    return hashlib.sha256(f"{salt} {json.dumps(x)}".encode()).hexdigest()[:12]
+
+
+def _read():
+    """What is kept, and what another kernel has kept meanwhile, of each seal the longer."""
+    try:
+        found = json.loads(FILE.read_bytes()) if in_notebook() else {}
+        for salt, entry in found.items():
+            own = _kept.get(salt, {"wrong": [], "next": 0.0})
+            wrong = list(dict.fromkeys([*own["wrong"], *map(str, entry["wrong"])]))
+            _kept[salt] = {"wrong": wrong, "next": max(own["next"], float(entry["next"]))}
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        pass  # there is none, or it is damaged
+    return _kept
+
+
+def _write():
+    if not in_notebook():
+        return
+    beside = FILE.with_name(f"{FILE.name}.{os.getpid()}")
+    try:
+        beside.write_text(json.dumps(_kept), "utf-8")
+        os.replace(beside, FILE)
+    except OSError:
+        pass  # in a folder that cannot be written, this kernel alone counts

@@ -1,0 +1,94 @@
+"""Answers that a receipt checks against a seal: the first are free, guessing takes time."""
+
+import json
+
+import pytest
+
+from newton_euler.answers import checks, seals
+from newton_euler.answers.checks import FREE, LONGEST, Check, check
+from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.seals import seal
+from newton_euler.classroom import expect, given, receipt
+
+NUMBER, VECTOR = KINDS["number"], KINDS["vector"]
+
+
+@pytest.fixture
+def clock(monkeypatch, tmp_path):
+    """A clock that stands still, in a notebook that has been opened."""
+    now = [1e9]
+    monkeypatch.setattr(checks.time, "time", lambda: now[0])
+    monkeypatch.setattr(checks, "in_notebook", lambda: True)
+    monkeypatch.setattr(checks, "_kept", {})
+    monkeypatch.setattr(seals, "COST", 2)
+    monkeypatch.chdir(tmp_path)
+    return now
+
+
+def guessed(sealed, kind, guesses):
+    return [check(sealed, kind, x).right for x in guesses]
+
+
+def test_a_guesser_learns_nothing_after_the_free_answers(clock):
+    sealed = seal(NUMBER, [2.5])
+    assert guessed(sealed, NUMBER, range(100, 100 + FREE)) == [False] * FREE
+    assert guessed(sealed, NUMBER, [1.0, 2.5, 3.0]) == [None] * 3
+    waits = []
+    for n in range(15):
+        waits.append(check(sealed, NUMBER, 7.0).wait)
+        clock[0] += waits[-1]
+        assert check(sealed, NUMBER, 200.0 + n).right is False
+    assert waits == [min(2.0**n, LONGEST) for n in range(15)]
+    clock[0] += LONGEST
+    assert check(sealed, NUMBER, 2.5) == Check(True, FREE + 15, 0.0)
+
+
+def test_an_answer_given_again_costs_nothing_and_a_right_one_never_does(clock):
+    sealed = seal(NUMBER, [2.5])
+    assert guessed(sealed, NUMBER, [7.0] * 50 + [2.5] * 3) == [False] * 50 + [True] * 3
+    assert check(sealed, NUMBER, 7.0) == Check(False, 1, 0.0)
+
+
+def test_components_in_several_frames_are_several_guesses(clock):
+    sealed = seal(VECTOR, [1.0, 2.0, 2.0])
+    four = {str(n): [1.0, 2.0, -n] for n in range(1, 5)}
+    assert check(sealed, VECTOR, four).wrong == 4
+
+
+@pytest.mark.parametrize("between", [
+    lambda: None, lambda: checks.FILE.write_text("damaged"), lambda: checks.FILE.unlink(),
+], ids=["", "damaged", "deleted"])  # fmt: skip
+def test_a_count_goes_on_in_this_kernel_and_the_next(clock, monkeypatch, between):
+    sealed = seal(NUMBER, [2.5])
+    guessed(sealed, NUMBER, range(100, 100 + FREE))
+    kept = checks.FILE.read_text()
+    between()
+    assert check(sealed, NUMBER, 2.5).right is None
+    checks.FILE.write_text(kept)
+    monkeypatch.setattr(checks, "_kept", {})
+    assert check(sealed, NUMBER, 2.5).right is None
+    assert check(seal(NUMBER, [2.5]), NUMBER, 2.5).right  # of another answer
+
+
+def test_a_clock_set_back_does_not_lock_a_student_out(clock):
+    sealed = seal(NUMBER, [2.5])
+    guessed(sealed, NUMBER, range(100, 100 + FREE))
+    clock[0] -= 1e8
+    assert check(sealed, NUMBER, 2.5).wait == LONGEST
+
+
+def test_a_seal_of_another_version_says_nothing():
+    assert check({"salt": "00", "size": 1, "hashes": ["a"]}, NUMBER, 2.5) is None
+
+
+def test_the_receipt_says_how_long_to_wait_and_keeps_the_count(clock, monkeypatch):
+    shown = []
+    monkeypatch.setattr("newton_euler.answers.receipts.in_notebook", lambda: True)
+    monkeypatch.setattr("IPython.display.display", lambda data, **rest: shown.append((data, rest)))
+    expect("0/8", v="number, m/s")
+    given("0/8", sealed={"v": seal(NUMBER, [2.5])})
+    for n in range(FREE + 1):
+        receipt("0/8", v=100.0 + n)._ipython_display_()
+    data, rest = shown[-1]
+    assert "v is not checked yet (after 6 wrong answers, the next check is in 1 s)." in str(data)
+    assert json.dumps(rest["metadata"]) == '{"newton_euler": {"wrong": {"v": 6}}}'
