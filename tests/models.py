@@ -15,6 +15,13 @@ DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
 FALL = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))  # x^2 = x0^2 - 2 t
 
 
+def throw(**parameters):
+    """A body thrown upwards without air, and its closed form; ``g`` is among the parameters."""
+    rates = lambda s, p, t: (s.v, -p.g)
+    exact = lambda s, p, t: (s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t)
+    return Model("throw", parameters, ("h", "v"), rates, exact=exact)
+
+
 def free_body(A=1.0, B=2.0, C=3.0):
     """Euler's equations without moments."""
 

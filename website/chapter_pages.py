@@ -6,7 +6,7 @@ import re
 
 from nbformat import NotebookNode
 
-from .notebooks import section_anchor
+from exercises.catalogue.sections import section_anchor
 
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
 WIDGET = "application/vnd.jupyter.widget-view+json"

@@ -58,8 +58,3 @@ def _place(chapter):
 def place(name: str) -> tuple[int, str]:
     """For sorting: chapters, other notebooks, appendices."""
     return {"ch": 0, "ap": 2}.get(name[:2], 1), name
-
-
-def section_anchor(number: str) -> str:
-    """Where a section stands on its page: "section-4-10"."""
-    return f"section-{number.replace('.', '-')}"

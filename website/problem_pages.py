@@ -9,11 +9,12 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from exercises.catalogue import chapter, chapters, problem, problems
+from exercises.catalogue.sections import section_anchor
 from grader.assignment.figures import figure_png
 from grader.assignment.notebook import definitions, slug, statement, typeset
 
 from .kept import ROOT, fingerprint, kept_name, store
-from .notebooks import place, section_anchor
+from .notebooks import place
 
 NUMBERS = """\
 <details>
@@ -54,7 +55,7 @@ def heading(title: str) -> str:
 
 
 def _text(p):
-    text = statement(p, p.book_values, bool(p.figure))
+    text = statement(p, p.book_values, bool(p.figure), chapters="../chapters")
     text = text.replace("(attachment:figure.png)", f"(figures/{slug(p.id)}.png)")
     text = re.sub(r"\(\S+?\.ipynb#.*\)$", f"(#{section_anchor(p.section)})", text)
     data = NUMBERS.format(lines="\n".join(definitions(p, p.book_values)[1:]))

@@ -10,12 +10,13 @@ from newton_euler import chapters
 
 from .model import Problem
 
-# where `python -m newton_euler chapters` puts them, seen from the folder of an assignment
-FOLDER = "../chapters"
 
+def section_line(p: Problem, chapters: str = "") -> str:
+    """The line of a statement: "*Section* 4.10 Summary of the method", or "*Appendix* A".
 
-def section_line(p: Problem) -> str:
-    """The line of a statement: "*Section* [4.10 Summary of the method](...)", or "*Appendix* A"."""
+    chapters : where the chapters are, and the heading links to: the address of the site
+        ("https://…"), or the folder of the notebooks as seen from an assignment ("../chapters")
+    """
     if not p.section:
         return ""
     what = "Appendix" if p.section[0].isalpha() else "Section"
@@ -23,8 +24,18 @@ def section_line(p: Problem) -> str:
     if found is None:
         return f"*{what}* {p.section}"
     notebook, heading = found
+    if not chapters:
+        return f"*{what}* {heading}"
     # JupyterLab's names of headings: their text, with hyphens between the words
-    return f"*{what}* [{heading}]({FOLDER}/{notebook}#{quote(heading.replace(' ', '-'))})"
+    at = f"{notebook}#{quote(heading.replace(' ', '-'))}"
+    if "://" in chapters:
+        at = f"chapters/{notebook.removesuffix('.ipynb')}.html#{section_anchor(p.section)}"
+    return f"*{what}* [{heading}]({chapters.rstrip('/')}/{at})"
+
+
+def section_anchor(number: str) -> str:
+    """Where a section stands on its page of the site: "section-4-10"."""
+    return f"section-{number.replace('.', '-')}"
 
 
 @cache

@@ -27,9 +27,9 @@ def steps(g):
     yield Step("H", H, "kg*m^2/s", "angular momentum of the bob about the vertical through O; rod "
                "and weight do not change it", "7.1", "7.1")  # fmt: skip
     yield Step("n", T_0 / weight_potential(g.m, g.l, g.g), "1", "kinetic energy at the start over "
-               "m*g*l; where the height does not change it is T_0/cos(delta)^2, by H, at the angle "
-               "delta below the level, so that n*sin(delta) = cos(delta)^2 by the energies",
-               "11.11", "11.32")  # fmt: skip
+               "m*g*l; when the bob moves level again, at the angle delta below the level of "
+               "the start, it is T_0/cos(delta)^2 because of H, and the energies give "
+               "n*sin(delta) = cos(delta)^2", "11.11", "11.32")  # fmt: skip
 
 
 def prove(g):

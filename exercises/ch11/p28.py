@@ -31,9 +31,9 @@ def steps(g):
     yield Step("H", H, "kg*m^2/s", "angular momentum of the particle about the vertical; a ring "
                "without mass that turns freely does not change it", "7.1", "7.1")  # fmt: skip
     yield Step("n", T_0 / weight_potential(g.m, g.a, g.g), "1", "kinetic energy at the start over "
-               "m*g*a; where the height does not change it is T_0/cos(delta)^2, by H, at the angle "
-               "delta below the level, so that n*sin(delta) = cos(delta)^2 by the energies",
-               "11.11", "11.32")  # fmt: skip
+               "m*g*a; when the particle moves level again, at the angle delta below the level of "
+               "the start, it is T_0/cos(delta)^2 because of H, and the energies give "
+               "n*sin(delta) = cos(delta)^2", "11.11", "11.32")  # fmt: skip
 
 
 def prove(g):

@@ -56,13 +56,15 @@ def build_assignment(
     name: str | None = None,
     exchange: str | Path | None = None,
     id_column: str | None = None,
+    chapters: str | None = None,
 ) -> Built:
     """Write the source notebook of a chapter, or of the problems ``only``, into a new course, or
     with ``update`` into an existing one. A notebook that is there is merged with what has changed
     (:mod:`~grader.assignment.merge`), and keeps its problems unless ``only`` names them.
 
     students : path of a roster as CSV; id_column : the header of its ids. bar : a ``rich`` progress
-        bar. name, exchange : of a new course
+        bar. name, exchange : of a new course. chapters : where links lead, from now on in this
+        course, see :func:`~exercises.catalogue.sections.section_line`
     """
     if not update:
         refuse_existing(course_path)
@@ -77,7 +79,10 @@ def build_assignment(
     # drawn before the folder is made, so that a failure leaves nothing behind
     figures = _figures(selected, bar)
     with opened as course:
-        notebook = build_notebook(selected, title, CELL_SECONDS, SECONDS, figures=figures)
+        if chapters is not None:
+            course.set(chapters=chapters)
+        links = course.settings.get("chapters", "")
+        notebook = build_notebook(selected, title, CELL_SECONDS, SECONDS, figures, links)
         kept, backup = _write(course, chapter, notebook)
         enrolled = course.enrol(roster.students) if roster else 0
     if update:

@@ -77,9 +77,10 @@ def number(x: float) -> str:
     return f"{x:.6g}" if isinstance(x, float) else str(x)
 
 
-def statement(p: Problem, values: Values, figure: bool = True) -> str:
+def statement(p: Problem, values: Values, figure: bool = True, chapters: str = "") -> str:
     """The text of a problem with the student's numbers, as Markdown with formulas of LaTeX between
-    dollar signs; the figure is the attachment ``figure.png``.
+    dollar signs; the figure is the attachment ``figure.png``. For ``chapters`` see
+    :func:`~exercises.catalogue.sections.section_line`.
     """
     mentioned = set()
 
@@ -104,7 +105,7 @@ def statement(p: Problem, values: Values, figure: bool = True) -> str:
         lines += ["", f"*{frame_heading(p)}:* {typeset(p.frame, p)}"]
     lines += ["", "*Find*", ""]
     lines += [_asked(p, a) for a in p.answers]
-    lines += ["", section_line(p)] if p.section else []
+    lines += ["", section_line(p, chapters)] if p.section else []
     return "\n".join(lines)
 
 
@@ -204,8 +205,11 @@ def build_notebook(
     seconds: float,
     total: float,
     figures: Mapping[str, bytes | None] | None = None,
+    chapters: str = "",
 ) -> Notebook:
-    """A source notebook with the book's numbers; ``seconds``: per cell, ``total``: of all."""
+    """A source notebook with the book's numbers; ``seconds``: per cell, ``total``: of all;
+    ``chapters``: where its links lead, see :func:`~exercises.catalogue.sections.section_line`.
+    """
     text = INTRODUCTION.format(title=title, seconds=seconds, total=total, whose=MASTER_COPY)
     locked: NbgraderMetadata = {
         "grade": False, "solution": False, "locked": True, "grade_id": "setup",
@@ -215,7 +219,7 @@ def build_notebook(
         code_cell("setup", SETUP.strip(), {"role": "setup"}, locked),
     ]
     for p in problems:
-        cells += _problem_cells(p, p.book_values, (figures or {}).get(p.id))
+        cells += _problem_cells(p, p.book_values, (figures or {}).get(p.id), chapters)
     return {
         "nbformat": 4,
         "nbformat_minor": 5,
@@ -227,7 +231,7 @@ def build_notebook(
     }
 
 
-def _problem_cells(p, values, figure):
+def _problem_cells(p, values, figure, chapters):
     n = slug(p.id)
     # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell
     # without one would lose its text
@@ -242,17 +246,17 @@ def _problem_cells(p, values, figure):
         "grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0,
     }  # fmt: skip
     return [
-        _statement_cell(p, values, figure),
+        _statement_cell(p, values, figure, chapters),
         code_cell(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
         code_cell(answer_id(p.id), answer, own, marks),
         code_cell(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, locked),
     ]
 
 
-def _statement_cell(p, values, figure):
+def _statement_cell(p, values, figure, chapters):
     cell = markdown_cell(
         f"statement-{slug(p.id)}",
-        statement(p, values, figure is not None),
+        statement(p, values, figure is not None, chapters),
         {"role": "statement", "problem": p.id},
     )
     if figure is not None:

@@ -40,6 +40,13 @@ STUDENTS = click.option(
     "does not exist. Default: nbgrader's own.",
 )
 @click.option(
+    "--chapters",
+    metavar="URL|FOLDER",
+    help="What the sections that a sheet names link to, from now on in this course: the address "
+    "of the site (python -m website), or the folder of the notebooks as seen from an assignment "
+    "(../chapters, where students have run python -m newton_euler chapters). Default: no links.",
+)
+@click.option(
     "--update",
     is_flag=True,
     help="Add the assignment to a course that exists, or bring one that is there up to date: what "
@@ -54,6 +61,7 @@ def build(
     due: str | None,
     name: str | None,
     exchange: Path | None,
+    chapters: str | None,
     update: bool,
 ) -> None:
     """Make an nbgrader assignment from a chapter.
@@ -71,7 +79,7 @@ def build(
     when = due_date(due) if due else None
     with progress_bar() as bar:
         built = build_assignment(
-            course_path, chapter, students, only, update, bar, name, exchange, id_column
+            course_path, chapter, students, only, update, bar, name, exchange, id_column, chapters
         )
     course = built.course
     if when:

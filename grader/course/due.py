@@ -9,9 +9,11 @@ from collections.abc import Iterable
 from datetime import UTC, datetime, timedelta
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
-from .files import write_json, write_text
+from .files import write_json
 from .folder import Course
 from .identity import CourseError
+
+EXTENSIONS = "extensions.json"  # git ignores it: it names students
 
 
 def due_date(text: str) -> datetime:
@@ -59,7 +61,7 @@ def set_own_due(
     dates, own = _dates(course), {s: when.isoformat() for s in students} if when else {}
     kept = {s: date for s, date in dates.get(assignment, {}).items() if s not in students}
     dates[assignment] = kept | own
-    write_json(_path(course), dates)
+    write_json(course.path / EXTENSIONS, dates)
     with course.gradebook() as book:
         new = extensions(course, assignment, due)
         for submission in book.assignment_submissions(assignment):
@@ -76,12 +78,8 @@ def extensions(course: Course, assignment: str, due: datetime | None) -> dict[st
 
 
 def _dates(course):
-    path = _path(course)
+    path = course.path / EXTENSIONS
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-
-
-def _path(course):
-    return course.path / "extensions.json"
 
 
 def _check_assignment(course, assignment):
@@ -101,5 +99,5 @@ def set_late_share(course: Course, text: str) -> float:
         share = -1.0
     if not 0 <= share <= 1:
         raise CourseError(f"the late policy {text!r}: expected none, zero or a share, as in 10%")
-    write_text(course.path / "late.json", f"{share}\n")
+    course.set(late_share_per_day=share)
     return share

@@ -2,7 +2,7 @@
 
 COURSE/nbgrader_config.py   nbgrader's configuration for this course, with the instructor's settings
 COURSE/nbgrader_config.json names the classes that must be there; nbgrader stops where they are not
-COURSE/course.json          the id of the course, and a hash of its secret
+COURSE/course.json          the id of the course, a hash of its secret, what commands have set
 COURSE/.course_secret       32 random bytes, from which every student's numbers are derived. Back it
                             up; never publish it
 COURSE/gradebook.db         nbgrader's gradebook; its students are the roster
@@ -25,6 +25,7 @@ from typing import Any
 
 from exercises.catalogue import Problem, variants
 
+from .files import write_json
 from .identity import CourseError, check_id, same_student
 
 SECRET_BYTES = 32
@@ -60,26 +61,30 @@ class Course:
                 f"with: python -m grader build ch04 --course {path}"
             )
 
-    @cached_property
-    def _identity(self) -> dict[str, str]:
+    @property
+    def settings(self) -> dict[str, Any]:
         """The content of course.json; {} for a course of an earlier version, which has none."""
         path = self.path / "course.json"
         if not path.exists():
             return {}
         try:
             found = json.loads(path.read_text(encoding="utf-8"))
-            return {"id": str(found["id"]), "secret_sha256": str(found["secret_sha256"])}
+            return {**found, "id": str(found["id"]), "secret_sha256": str(found["secret_sha256"])}
         except (ValueError, LookupError, TypeError) as error:
             raise CourseError(
                 f"{path} is damaged ({error}); restore it from a backup: it holds the id of the "
                 "course, under which students fetch and submit"
             ) from error
 
+    def set(self, **settings: Any) -> None:
+        """Change settings in course.json."""
+        write_json(self.path / "course.json", {**self.settings, "id": self.name, **settings})
+
     @cached_property
     def name(self) -> str:
         """The course's id in exchange and gradebook; it does not follow the folder's name."""
-        if self._identity:
-            return self._identity["id"]
+        if known := self.settings:
+            return known["id"]
         return str(self.config().CourseDirectory.get("course_id", "")) or self.path.name
 
     @cached_property
@@ -100,7 +105,7 @@ class Course:
                 f"{path} is damaged: expected one line of {2 * SECRET_BYTES} hexadecimal digits. "
                 "Restore it from a backup; a new one changes all numbers"
             )
-        made_with = self._identity.get("secret_sha256")
+        made_with = self.settings.get("secret_sha256")
         if made_with and made_with != hashlib.sha256(secret).hexdigest():
             raise CourseError(
                 f"{path} is not the secret that the course was made with: every student's numbers "

@@ -21,7 +21,11 @@ def configure(c: Config, course: str) -> None:
     c.CourseDirectory.root = str(root)
     c.CourseDirectory.db_url = f"sqlite:///{root / 'gradebook.db'}"
     if (root / "course.json").exists():  # earlier versions wrote the id into the configuration
-        c.CourseDirectory.course_id = json.loads((root / "course.json").read_text())["id"]
+        settings = json.loads((root / "course.json").read_text())
+        c.CourseDirectory.course_id = settings["id"]
+        if "late_share_per_day" in settings:  # set by: python -m grader late
+            c.AssignLatePenalties.plugin_class = "grader.nbgrader_hooks.late.LatePolicy"
+            c.LatePolicy.share_per_day = settings["late_share_per_day"]
 
     c.ClearSolutions.code_stub = STUB
     c.ExchangeFactory.fetch_assignment = "grader.assignment.fetch.PersonalFetch"
@@ -30,9 +34,6 @@ def configure(c: Config, course: str) -> None:
             setattr(c[section], trait, name)
 
     c.GenerateAssignment.exporter_class = "grader.nbgrader_hooks.generate.SourceReader"
-    if (late := root / "late.json").exists():  # written by: python -m grader late
-        c.AssignLatePenalties.plugin_class = "grader.nbgrader_hooks.late.LatePolicy"
-        c.LatePolicy.share_per_day = json.loads(late.read_text())
     c.Autograde.create_student = False  # a folder of an unknown student is reported, not graded
     c.Autograde.sanitize_preprocessors = [f"{PREPROCESSORS}.RebuildFromSource"]
     c.Autograde.autograde_preprocessors = [f"{PREPROCESSORS}.HarvestExecute"]

@@ -5,7 +5,6 @@ import io
 import json
 import math
 import os
-import re
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import astuple, dataclass
@@ -160,13 +159,13 @@ def _variant(p, values, described, right, help):
     solution = worked_solution(p, values, text=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
-        "statement": _without_links(statement(p, values, figure=False)),
+        "statement": statement(p, values, figure=False),
         "text": _plain(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
         "program": relations(p, values) if help != "check" else None,
         "terms": _terms(p, values) if help != "check" else {},
-        "solution": _without_links(solution),
+        "solution": solution,
     }
 
 
@@ -190,11 +189,6 @@ def _plain(p, values):
     if p.frame:
         lines.append(f"{frame_heading(p)}: {plain(p.frame, p.units)}")
     return "\n\n".join(lines)
-
-
-def _without_links(markdown):
-    """The notebooks of the chapters are not where a practice file is."""
-    return re.sub(r"\[([^\]]*)\]\([^)\s]*\.ipynb[^)\s]*\)", r"\1", markdown)
 
 
 def _smaller(png):

@@ -9,7 +9,8 @@ from ..assignment.sheet import Task
 from ..sandbox import CAGED, Harvester
 from ..sandbox.receipts import Outcome, Receipt
 from ..sandbox.worker import Job
-from .rebuild import OWN, cell_names, is_untouched
+from .rebuild import is_untouched
+from .recognition import OWN, cell_names
 from .sheet import Sheet
 
 RUN = ("setup", "locked", "plain", "solution", OWN)

@@ -4,7 +4,7 @@ pictures of cells that the student added.
 
 import copy
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -22,6 +22,7 @@ from ..assignment.cells import (
 )
 from ..assignment.notebook import starter
 from .checked import checked_notes
+from .recognition import OWN, places_of, text_of
 
 EDITABLE = ("answer", "hand", "solution", "plain")  # kinds of cells whose text is the student's
 # kinds whose text is ours, but in which students also work: they add imports, or numbers
@@ -30,7 +31,6 @@ MOST_CELLS = 500  # cells that a student added
 MOST_COPIES = 20  # copies of one cell
 MOST_TEXT = 2**20  # characters of the cells that a student added, and of each answer
 PICTURES = ("image/png", "image/jpeg", "image/gif")
-OWN = "own"  # the role of a cell that the student added
 
 
 @dataclass
@@ -51,6 +51,7 @@ def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, W
     """
     found, added, note = _sorted_out(master, submitted)
     cells, work = [_own_cell(*own) for own in added.get(None, [])], Work(note=note)
+    types_added = {c["cell_type"] for own in added.values() for c, _ in own}
     for n, cell in enumerate(master["cells"]):
         what, copies = kind(cell), found.get(n, [])
         if what in EDITABLE:
@@ -58,7 +59,9 @@ def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, W
             if problem and what == "answer":
                 work.notes[own_metadata(cell)["problem"]] = problem
             grade_id = nbgrader_metadata(cell).get("grade_id")
-            if grade_id and now and is_untouched(cell, now[0]["source"]):
+            # of a cell that is missing a person sees whether it is among those that were added
+            lost = what == "hand" and not copies and cell["cell_type"] in types_added
+            if grade_id and now and is_untouched(cell, now[0]["source"]) and not lost:
                 work.untouched.append(grade_id)
         else:
             now = _trusted(cell, what, copies)
@@ -74,22 +77,16 @@ def _sorted_out(master, submitted):
     """({place in the master: submitted copies of its cell}, {place: [(cell, text)] that were added
     behind it}, a note on the latter).
     """
-    places = {}
-    for n, cell in enumerate(master["cells"]):
-        for name in cell_names(cell):
-            places.setdefault(name, n)
+    cells = [c for c in submitted["cells"] if isinstance(c, dict)]
     found: dict[int, list[Any]] = {}
     added: dict[int | None, list[tuple[Any, str]]] = {}
     last, count, size = None, 0, 0
-    for cell in submitted["cells"]:
-        if not isinstance(cell, dict):
-            continue
-        n = next((places[name] for name in cell_names(cell) if name in places), None)
+    for cell, n in zip(cells, places_of(cells, master), strict=True):
         if n is not None:
             last = n if n not in found else last
             found.setdefault(n, []).append(cell)
             continue
-        text = _text(cell)
+        text = text_of(cell)
         if cell.get("cell_type") not in ("code", "markdown") or not text.strip():
             continue
         count, size = count + 1, size + len(text)
@@ -104,25 +101,12 @@ def _sorted_out(master, submitted):
     return found, added, note
 
 
-def cell_names(cell: Mapping[str, Any]) -> Iterator[tuple[str | None, ...]]:
-    """The names of a cell: grade id, role in a problem, id in the notebook; best first."""
-    grade_id = nbgrader_metadata(cell).get("grade_id")
-    if isinstance(grade_id, str) and grade_id:
-        yield "grade", grade_id
-    own = own_metadata(cell)
-    role, problem = own.get("role"), own.get("problem")
-    if isinstance(role, str) and isinstance(problem, str | None) and role != OWN:
-        yield "role", role, problem
-    if isinstance(cell.get("id"), str):
-        yield "id", cell["id"]
-
-
 def _trusted(cell, what, copies):
     """The cell of the master, behind what the student has added to it."""
     if what not in ALSO_WORKED_IN:
         return [_clean(cell)]
     ours = _our_code(cell["source"])
-    worked = [(c, t) for c in copies[:MOST_COPIES] if _code_only(t := _text(c)) != ours]
+    worked = [(c, t) for c in copies[:MOST_COPIES] if _code_only(t := text_of(c)) != ours]
     worked = [(c, t) for c, t in worked if c.get("cell_type") == cell["cell_type"]]
     return [*(_own_cell(c, t[:MOST_TEXT]) for c, t in worked), _clean(cell)]
 
@@ -138,7 +122,7 @@ def _edited(cell, what, copies):
             "fetch the assignment again and paste your work into it"
         )
         return [] if what == "plain" else [missing], note if what == "answer" else ""
-    texts = [_text(c)[:MOST_TEXT] for c in copies[:MOST_COPIES]]
+    texts = [text_of(c)[:MOST_TEXT] for c in copies[:MOST_COPIES]]
     changed = [n for n, t in enumerate(texts) if not is_untouched(cell, t)]
     at = changed[0] if changed else 0
     chosen = {**_clean(cell), "source": texts[at]}
@@ -202,10 +186,3 @@ def _pictures(cell):
         if pictures:
             found[name] = pictures
     return copy.deepcopy(found)
-
-
-def _text(cell):
-    source = cell.get("source", "")
-    text = "".join(map(str, source)) if isinstance(source, list) else str(source)
-    # JSON can hold lone surrogates, which no file can
-    return text.encode("utf-8", "replace").decode()

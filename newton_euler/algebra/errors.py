@@ -106,6 +106,15 @@ def _passed_through_a_callers_function(error):
     return False
 
 
+def raised_by_the_engine(error: BaseException) -> bool:
+    """True if the engine itself raised this error, False if a function that it called did."""
+    at = error.__traceback__
+    while at and at.tb_next:
+        at = at.tb_next
+    module = at.tb_frame.f_globals.get("__name__", "") if at else ""
+    return module.partition(".")[0] == "newton_euler"
+
+
 def _in_words(called, error):
     """The error of the engine for one of Python or a library."""
     if isinstance(error, ZeroDivisionError):

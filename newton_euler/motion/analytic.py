@@ -13,31 +13,41 @@ HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 
 
 def kinks(traced):
-    """The operations of the rates that choose between formulas, as where and abs, at places that
-    are not known in advance: a sorted list.
-    """
+    """The operations of the rates that choose between formulas, as where and abs: a sorted list."""
+    return sorted({s.op for s in varying(traced) if s.op in KINKS} - set(COMPARISONS))
+
+
+def surprises(traced):
+    """True if the rates choose between formulas at times that are not known in advance."""
     known = {s.number for s in clocked(traced)}
-    found = {s.op for s in _varying(traced) if s.op in KINKS and s.number not in known}
-    return sorted(found - set(COMPARISONS))
+    chosen = [s.args[0] if s.op == "where" else s for s in varying(traced) if s.op in KINKS]
+    return any(not isinstance(s, Step) or s.number not in known for s in chosen)
 
 
 def clocked(traced):
-    """The tables in the rates whose place is a linear function of the time: a list of steps."""
-    varying, linear = _varying(traced), set()
-    changing = {s.number for s in varying}
-    for s in varying:
+    """The steps that choose between formulas by linear functions of the time, a list: comparisons,
+    absolute values and tables.
+    """
+    steps, linear, found = varying(traced), set(), []
+    changing = {s.number for s in steps}
+    for s in steps:
         moving = [a for a in s.args if isinstance(a, Step) and a.number in changing]
-        clock = s.op == "argument" and s.args[0] == traced.rhs.parameters[0]
-        if clock or (_is_linear(s, moving) and all(a.number in linear for a in moving)):
+        if s.op == "argument":
+            straight = s.args[0] == traced.rhs.parameters[0]
+        else:
+            straight = all(a.number in linear for a in moving)
+        if straight and s.op in KINKS - {"where"}:
+            found.append(s)
+        elif straight and _is_linear(s, moving):
             linear.add(s.number)
-    return [s for s in varying if s.op == "table" and s.args[0].number in linear]
+    return found
 
 
 def _is_linear(step, moving):
     """True if a step is a linear function of those of its arguments that are ``moving``."""
     if step.op == "*" or (step.op == "/" and moving[0] is step.args[0]):
         return len(moving) == 1
-    return step.op in ("+", "-", "neg")
+    return step.op in ("argument", "+", "-", "neg")
 
 
 def hazards(traced):
@@ -45,7 +55,7 @@ def hazards(traced):
     point that a motion could pass without a singularity there, as a root that is not also in a
     denominator, and those that vanish below round-off.
     """
-    steps = _varying(traced)
+    steps = varying(traced)
     poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
     # a negative power is a denominator
     poles |= {
@@ -55,7 +65,7 @@ def hazards(traced):
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
 
 
-def _varying(traced):
+def varying(traced):
     """The steps of the trace that the rates need and that change during a motion."""
     rhs, found = traced.rhs, {}
     changing, needed = set(rhs.parameters[: traced.arguments]), uses(rhs.trace, rhs.leaves)

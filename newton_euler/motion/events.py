@@ -8,6 +8,7 @@ from heapq import merge
 from math import nan
 from numbers import Real
 
+from ..algebra.errors import raised_by_the_engine
 from ..algebra.portable import Portable
 from .chebyshev import EPS, root
 from .methods.base import Stepper
@@ -121,7 +122,9 @@ class EventLocator:
             self.first = self._value(t, *x)
         except ModelError:
             raise
-        except (AttributeError, LookupError, NameError, TypeError) as error:
+        except (AttributeError, LookupError, TypeError) as error:
+            if not raised_by_the_engine(error):
+                raise
             raise EventError(f"{self._name} fails when it is tried: {error}") from error
         self.sign = int(self.first > 0) - int(self.first < 0)
 

@@ -1,6 +1,6 @@
 """Times at which every method must stop: a pulse of a force that depends on time is missed by a
-method whose steps have grown while nothing happened, and a step across a place where the pieces of
-a table join is not accurate.
+method whose steps have grown while nothing happened, and a step across a time at which the rates
+change their formula is not accurate.
 """
 
 import math
@@ -18,7 +18,8 @@ MAX_EVENTS = 1000  # pulses: more are an oscillation, which no step can miss
 
 def knots(system, t0, t1):
     """The times between t0 and t1, in order, at which a function of time in the rates begins or
-    ceases to change next to a quiet time, or a table goes on to its next piece; () for most models.
+    ceases to change next to a quiet time, or at which they change their formula by the clock, as a
+    table of time does; () for most models.
     """
     if system.autonomous:
         return ()
@@ -31,16 +32,21 @@ def knots(system, t0, t1):
 
 
 def _joints(system, t0, t1):
-    """The times at which the tables that are read by the clock go on to their next piece."""
-    tables, rhs = system.traced.clocked, system.traced.rhs
-    read = Compiled("clock", rhs.parameters, rhs.trace, [s.args[0] for s in tables]).on_floats
+    """The times at which the rates go over from one formula to another by the clock, as tables do
+    at their places.
+    """
+    steps, rhs = system.traced.clocked, system.traced.rhs
+    pairs = [(s.args[0], 0.0 if s.op in ("abs", "table") else s.args[1]) for s in steps]
+    leaves = [x for pair in pairs for x in pair]
+    read = Compiled("clock", rhs.parameters, rhs.trace, leaves).on_floats
     states = [0.0] * len(system.model.states)
-    ends = zip(*[read(t, *states, *system.p) for t in (t0, t1)], strict=True)
-    for (place, table), (begin, end) in zip([s.args for s in tables], ends, strict=True):
-        for x in map(float, table.places):
-            part = (x - begin) / ((end - begin) or math.inf)
+    begin, end = (read(t, *states, *system.p) for t in (t0, t1))
+    for n, step in enumerate(steps):
+        first, last = (values[2 * n] - values[2 * n + 1] for values in (begin, end))
+        for x in step.args[1].places if step.op == "table" else (0.0,):
+            part = (x - first) / ((last - first) or math.inf)
             if 0.0 < part <= 1.0:
-                yield x if place.op == "argument" else t0 + part * (t1 - t0)
+                yield t0 + part * (t1 - t0)
 
 
 def _found(system, t0, t1):

@@ -18,7 +18,7 @@ from typing import Any
 from warnings import warn
 
 from ..algebra.compile import compiled, content, recorded, text_of
-from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
+from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked, raised_by_the_engine
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
@@ -348,6 +348,8 @@ class Model(Portable):
             reads, text = self._rhs_text(free, tuple(laws.items()), laws.values())
             again = text if reads.known else recorded(self._formula(self._rates, free))
         except (AttributeError, TypeError, ZeroDivisionError) as error:
+            if not raised_by_the_engine(error):
+                raise
             raise ModelError(f"{what} fails when it is tried: {error}") from error
         if len(text.leaves) != len(states):
             raise ModelError(

@@ -12,7 +12,7 @@ from ..algebra.compile import recorded
 from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
-from .analytic import clocked, hazards, kinks
+from .analytic import clocked, hazards, kinks, surprises
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .verified import Verified
 
@@ -50,6 +50,11 @@ class Traced:
     def clocked(self):
         """See :func:`newton_euler.motion.analytic.clocked`."""
         return clocked(self)
+
+    @cached_property
+    def surprises(self):
+        """See :func:`newton_euler.motion.analytic.surprises`."""
+        return surprises(self)
 
     @cached_property
     def hazards(self):

@@ -6,10 +6,17 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 from time import perf_counter
 from typing import Any
 
-from .error_estimates import ROUND_OFF_OF_RATES, error_by_comparison, relative_shift, reported_error
+from .error_estimates import (
+    ROUND_OFF_OF_RATES,
+    error_by_agreement,
+    error_by_comparison,
+    relative_shift,
+    reported_error,
+)
 from .events import EventError
 from .knots import knots
 from .methods.base import LengthError
@@ -38,6 +45,8 @@ FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate en
 MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
+# tolerances of more runs across kinks, as multiples of that of the first: different steps
+ALIKE = 1.4, 2.0
 
 
 def usable(name: str, system: PreparedModel, t0: float = 0.0) -> Method:
@@ -270,6 +279,9 @@ class Run:
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
                 before = self.compared(method, method.other(finer), finer, known, scaled)
+        if self.rtol < error < tolerance**0.5 and self.irregular(method) and not trajectory.failed:
+            trajectory, error = self.agreed(method, trajectory, known)
+            error = max(forced, error)
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, reported_error(error, self.rtol))
         if not error <= self.rtol:
@@ -277,6 +289,23 @@ class Run:
                 raise self.far_error(method, motion, known)
             raise AccuracyError(self.refusal(motion), motion)
         return motion
+
+    def irregular(self, method):
+        """True if steps across a kink may be off by far, whatever the tolerance is."""
+        return method.adaptive and (self.system.traced.surprises or self.system.traced.hazards)
+
+    def agreed(self, method, first, known):
+        """Of three trajectories at nearly the same tolerance, with different steps, one of the two
+        that are closest to each other, and its error: at a kink, any of them may be off by far.
+        """
+        tolerances = [multiple * first.tolerance for multiple in ALIKE]
+        runs = [first, *(self.compared(method, x, first.tolerance, known) for x in tolerances)]
+        pairs = combinations(range(len(runs)), 2)
+        difference, one, other = min((runs[i].difference(runs[j]), i, j) for i, j in pairs)
+        if one:  # again, from the start itself
+            first = self.trajectory(method, runs[one].tolerance, known)
+            difference = max(difference, first.difference(runs[other]))
+        return first, error_by_agreement(difference, first)
 
     def far_error(self, method, motion, known):
         """The error to be raised where round-off is too much for states that are small."""

@@ -141,7 +141,7 @@ def _derivatives(system, t, x, scale, span):
         beside = system.rates(t, (*x[:j], moved, *x[j + 1 :]))
         step = moved - x[j] or step
         column = [(b - a) / step for a, b in zip(rates, beside, strict=True)]
-        if system.traced.kinks:  # the difference across a jump on one side is not a slope
+        if system.traced.surprises:  # the difference across a jump on one side is not a slope
             other = system.rates(t, (*x[:j], x[j] - step, *x[j + 1 :]))
             other = [(a - b) / step for a, b in zip(rates, other, strict=True)]
             column = [min(pair, key=abs) for pair in zip(column, other, strict=True)]

@@ -5,9 +5,10 @@ which the state jumps or the model changes.
 from typing import NamedTuple
 
 from .arguments import start_state
+from .endings import why
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
-from .methods.base import SMALLEST_SCALE, LengthError, StepError, Stepper
+from .methods.base import SMALLEST_SCALE, Stepper
 from .methods.table import METHODS
 from .model import ModelError
 from .prepared import prepared_model
@@ -100,7 +101,7 @@ class Trajectory:
         and the times that no step may pass over.
         """
         nothing, series = (0.0,) * len(x), self.method.series
-        own = KINKED_PART if system.traced.kinks else OWN_PART
+        own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
             return nothing, nothing, ()
         stops = () if self.step else knots(system, self.origin, self.goal)
@@ -205,14 +206,10 @@ class Trajectory:
     def _fail(self, stepper, error):
         model, self.failed = stepper.system.model, error
         place = ", ".join(f"{n} = {v:.6g}" for n, v in model._state(stepper.x).items())
-        why = "; the coordinates are singular there"
-        if isinstance(error, LengthError):
-            why = ""
-        elif isinstance(error, StepError):
-            why = "; the coordinates may be singular there, or the motion leaves the model"
+        reason = why(error, stepper.system, stepper.t, stepper.x, self.goal - self.origin)
         self.ended = (
             f"{model.name} could not be followed beyond t = {stepper.t:.6g}, at {place}: {error}"
-            f"{why}"
+            f"{reason}"
         )
 
     def difference(self, other):

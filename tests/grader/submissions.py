@@ -54,20 +54,31 @@ def as_lines(cells):
     return [{**c, "source": c["source"].splitlines(True)} for c in cells]
 
 
+def bare(cells):
+    """As an editor leaves them that keeps texts only."""
+    return [{"cell_type": c["cell_type"], "metadata": {}, "source": c["source"]} for c in cells]
+
+
+def bare_with_a_copy(cells):
+    """And a student's own cell that begins as the answer cell does, whose metadata are there."""
+    own = next(c for c in cells if c["id"] == "answer-4-16")
+    (copy,) = bare([own])
+    return [{**copy, "source": copy["source"] + "\na_D = 1"}, *cells]
+
+
 AS_RIGHT = {  # changes that cost nothing
     "no receipt cell": lambda c: without(work(c, "dan"), "receipt-4-16"),
-    "no statement and no numbers": lambda c: without(
-        work(c, "dan"), "statement-4-16", "givens-4-16", "setup"
-    ),
+    "no statement and no numbers": lambda c: without(work(c, "dan"), "statement-4-16", "givens-4-16", "setup"),
     "a copied receipt cell": lambda c: copied(work(c, "dan"), "receipt-4-16", "receipt('4/16')"),
     "cells in another order": lambda c: with_cells(c, lambda cells: cells[::-1]),
     "no metadata of ours": lambda c: {**work(c, "dan"), "metadata": {}},
     "no nbgrader metadata": lambda c: with_json(c, '"nbgrader"', '"gone"'),
-    "metadata of an old schema": lambda c: with_json(
-        c, '"schema_version": 3', '"schema_version": 1'
-    ),
+    "metadata of an old schema": lambda c: with_json(c, '"schema_version": 3', '"schema_version": 1'),
+    "no metadata and ids of cells": lambda c: with_cells(c, bare),
+    "no metadata and ids, in another order": lambda c: with_cells(c, lambda x: bare(x)[::-1]),
+    "an own cell that begins as the answer cell": lambda c: with_cells(c, bare_with_a_copy),
     "text as a list of lines": lambda c: with_cells(c, as_lines),
-}
+}  # fmt: skip
 COPIES = "2 copies of the answer cell; the first one that was filled in was graded"
 NOTEBOOKS = {  # how it was changed: (points of dan, problem, words of its note)
     **{how: (change, 11, None, "") for how, change in AS_RIGHT.items()},
@@ -77,9 +88,7 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, words of its note)
         "4/16",
         "the answer cell of 4/16 is missing from the notebook; fetch the assignment again",
     ),
-    "a copied answer cell": (
-        lambda c: copied(work(c, "dan"), "answer-4-16", "v_D = 1"), 11, "4/16", COPIES,
-    ),
+    "a copied answer cell": (lambda c: copied(work(c, "dan"), "answer-4-16", "v_D = 1"), 11, "4/16", COPIES),
     "worked in the copy": (worked_in_the_copy, 3, "4/16", COPIES),
     "half a character": (lambda c: work(c, "dan", p4_1="speed = '\ud800'"), 9, None, ""),
     "markup in an error": (
@@ -90,9 +99,7 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, words of its note)
         "4/1",
         "[/red] [bold] <script>",
     ),
-    "a magic and a shell command": (
-        lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"), 9, None, "",
-    ),
+    "a magic and a shell command": (lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"), 9, None, ""),
     "ends the process": (
         lambda c: work(c, "dan", p4_31="import os; os._exit(0)"),
         9,
@@ -121,13 +128,7 @@ DAMAGED = {
     "not json": ("# my homework\n", "is damaged and cannot be read as a notebook"),
     "a list": ("[1, 2, 3]", "is not a notebook of format 4: it has no list of cells"),
     "no cells": ('{"nbformat": 4}', "it has no list of cells"),
-    "cells of another kind": (
-        '{"cells": 3, "nbformat": 4, "nbformat_minor": 5, "metadata": {}}',
-        "it has no list of cells",
-    ),
-    "format 3": (
-        '{"worksheets": [], "nbformat": 3, "nbformat_minor": 0, "metadata": {}}',
-        "it has no list of cells",
-    ),
+    "cells of another kind": ('{"cells": 3, "nbformat": 4, "nbformat_minor": 5, "metadata": {}}', "it has no list of cells"),
+    "format 3": ('{"worksheets": [], "nbformat": 3, "nbformat_minor": 0, "metadata": {}}', "it has no list of cells"),
     "nested deep": ("[" * 100_000, "is damaged and cannot be read as a notebook"),
-}
+}  # fmt: skip

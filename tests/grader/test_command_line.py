@@ -113,10 +113,7 @@ WRONG = [
     (("solve", "ch99"), "there is no chapter 'ch99'; there are"),
     (("solve", "4/x"), "'4/x' is not a problem number; write chapter and problem, as in 4/16"),
     (("solve", "../etc"), "is not a problem number"),
-    (
-        ("solve", "4/16", "--given", "omega"),
-        "expected NAME=VALUE with a number, as in --given omega=0.9",
-    ),
+    (("solve", "4/16", "--given", "omega"), "expected NAME=VALUE with a number, as in --given omega=0.9"),
     (("solve", "4/16", "--given", "omega=fast"), "expected NAME=VALUE with a number"),
     (("solve", "4/16", "--given", "omega=nan"), "expected NAME=VALUE with a number"),
     (("solve", "4/16", "--given", "mass=3"), "none of these problems has a given 'mass'; 4/16 has"),
@@ -133,21 +130,15 @@ WRONG = [
     (("grade", "ch04", "--course", "{tmp}/file"), "is a file"),
     (("personal", "ch04", "--course", "{tmp}"), "is not a course folder"),
     (("build", "ch99", "--course", "{tmp}/c"), "there is no chapter 'ch99'"),
-    (
-        ("build", "ch04", "--course", "{tmp}/c", "--problem", "99/1"),
-        "ch04 has no problem 99/1; it has 4/1 to 4/43",
-    ),
+    (("build", "ch04", "--course", "{tmp}/c", "--problem", "99/1"), "ch04 has no problem 99/1; it has 4/1 to 4/43"),
     (("build", "ch04", "--course", "{tmp}/c", "--students", "{tmp}/missing.csv"), "does not exist"),
     (("build", "ch04", "--course", "{tmp}/c", "--update"), "is not a course folder"),
     (("build", "ch04", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
     (("demo", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
-    (
-        ("demo", "--course", "{tmp}/c", "--problem", "4/1", "--problem", "5/20"),
-        "problems of one chapter, not of ch04 and ch05",
-    ),
+    (("demo", "--course", "{tmp}/c", "--problem", "4/1", "--problem", "5/20"), "problems of one chapter, not of ch04 and ch05"),
     (("demo", "--course", "{tmp}/c", "--problem", "4/77"), "there is no problem 4/77; ch04 has"),
     (("figure", "4/16", "--to", "{tmp}/file"), "is a file"),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("arguments", "words"), WRONG, ids=[" ".join(a) for a, _ in WRONG])

@@ -4,6 +4,7 @@ None, quantities with units, negative masses. The long run over all public names
 """
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -70,6 +71,7 @@ from newton_euler.dynamics import (
     work_integral,
 )
 from newton_euler.motion import ModelError, Neglected
+from tests.models import throw
 
 ground = Frame("ground")
 P = ground.point("P", 1.0, 2.0, 3.0)
@@ -210,20 +212,12 @@ def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
             forgetful(x)
 
 
-def thrown(s, p, t):
-    return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
-
-
-def falling(s, p, t):
-    return s.v, -p.g
-
-
 def energy(s, p, t):
     return p.g * s.h + s.v**2 / 2
 
 
 AIR = Neglected("the air", lambda s, p, t: 0.01 * t**2, "position, m")
-FALL = Model("fall", {"g": 9.81}, ("h", "v"), falling, {"energy": energy}, thrown, (AIR,))
+FALL = replace(throw(g=9.81), invariants={"energy": energy}, neglects=(AIR,))
 START = (1.0, 0.0)
 
 

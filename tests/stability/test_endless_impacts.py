@@ -5,21 +5,13 @@ it fall through the floor.
 import numpy as np
 import pytest
 
-from newton_euler import Model
 from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate
+from tests.models import throw
 
 G, E, HEIGHT, T = 10.0, 0.9, 5.0, 30.0
 FIRST = (2 * HEIGHT / G) ** 0.5  # 1 s
 REST = FIRST * (1 + E) / (1 - E)  # 19 s
-
-
-def _rates(s, p, t):
-    return s.v, -p.g
-
-
-def _exact(s, p, t):
-    return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
 
 
 def _bounce(s, p, t):
@@ -31,7 +23,7 @@ def _bounce_or_rest(s, p, t):
     return (BALL, (0.0, -p.e * s.v)) if s.v < -1e-3 else (BALL.changed(g=0.0), (0.0, 0.0), ())
 
 
-BALL = Model("ball", {"g": G, "e": E}, ("h", "v"), _rates, exact=_exact)
+BALL = throw(g=G, e=E)
 
 
 def dropped(ball, then, **options):

@@ -10,18 +10,11 @@ import pytest
 from newton_euler import Model, cos, sin
 from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate
+from tests.models import throw
 from tests.stability.naive import solved
 
 G, V0 = 10.0, 10.0  # thrown upwards: 5 m high at 1 s
 TOP = V0 * V0 / (2 * G)
-
-
-def _rates(s, p, t):
-    return s.v, -p.g
-
-
-def _exact(s, p, t):
-    return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
 
 
 def _waves(s, p, t):
@@ -40,7 +33,7 @@ def _crest(s, p, t):
     return s.x - p.line
 
 
-THROW = Model("throw", {"g": G, "line": 0.0}, ("h", "v"), _rates, exact=_exact)
+THROW = throw(g=G, line=0.0)
 WAVE = Model("wave", {"k": 400.0, "line": 0.999}, ("x", "dx"), _waves)  # 20 rad/s
 METHODS = ("exact", "dop853", "taylor", "scipy DOP853")
 

@@ -8,20 +8,11 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from newton_euler import Frame, cos, sin, sqrt
-from newton_euler.motion import Event, ModelError, integrate, second_order
+from newton_euler import Frame, sin, sqrt
+from newton_euler.motion import Event, ModelError, integrate
 from newton_euler.motion.events import EventError
 from newton_euler.scenes.planar.pendulum import physical_pendulum
-
-
-def _solution(s, p, t):
-    n = sqrt(p.k)
-    return s.x * cos(n * t) + s.dx / n * sin(n * t), s.dx * cos(n * t) - n * s.x * sin(n * t)
-
-
-def _spring(closed=True):
-    exact = _solution if closed else None
-    return second_order("spring", {"k": 1.0}, ("x",), lambda s, p, t: (-p.k * s.x,), exact=exact)
+from tests.honesty.models import spring
 
 
 def test_all_2832_zeros_of_a_pendulum_to_t_3000_are_found():
@@ -40,7 +31,10 @@ def test_all_2832_zeros_of_a_pendulum_to_t_3000_are_found():
 @pytest.mark.parametrize("line", [0.0, 0.7, -0.999])
 def test_all_zeros_of_a_thousand_swings_are_found(line):
     motion = integrate(
-        _spring(), 2000 * math.pi, (1.0, 0.0), events=Event(lambda s, p, t: s.x - line)
+        spring(closed=True, k=1.0),
+        2000 * math.pi,
+        (1.0, 0.0),
+        events=Event(lambda s, p, t: s.x - line),
     )
     turns, a = 2 * math.pi * np.arange(1000)[:, None], math.acos(line)
     exact = (turns + [a, 2 * math.pi - a]).reshape(-1)
@@ -51,7 +45,9 @@ def test_all_zeros_of_a_thousand_swings_are_found(line):
 
 @pytest.mark.parametrize("closed", [True, False])
 def test_all_zeros_of_a_function_much_faster_than_the_motion_are_found(closed):
-    motion = integrate(_spring(closed), 3.0, (1.0, 0.0), events=Event(lambda s, p, t: sin(1e3 * t)))
+    motion = integrate(
+        spring(closed=closed, k=1.0), 3.0, (1.0, 0.0), events=Event(lambda s, p, t: sin(1e3 * t))
+    )
     exact = math.pi / 1e3 * np.arange(1, 955)
     assert [e.t for e in motion.events] == pytest.approx(exact, abs=1e-12)
 
@@ -59,21 +55,22 @@ def test_all_zeros_of_a_function_much_faster_than_the_motion_are_found(closed):
 def test_an_early_end_of_a_long_motion_is_found_without_a_search_of_the_rest():
     """The rest has 3e8 zeros, more than can be looked for."""
     end = Event(lambda s, p, t: s.x, terminal=True)
-    motion = integrate(_spring(), 1e9, (1.0, 0.0), events=end)
+    motion = integrate(spring(closed=True, k=1.0), 1e9, (1.0, 0.0), events=end)
     assert motion.t_end == pytest.approx(math.pi / 2, abs=1e-14)
 
 
-def test_more_zeros_than_can_be_looked_for_are_refused_in_words():
+def test_more_zeros_than_can_be_looked_for_are_refused_in_words(monkeypatch):
+    monkeypatch.setattr("newton_euler.motion.zeros.MAX_PIECES", 2000)
     zero = Event(lambda s, p, t: s.x, name="zero")
     with pytest.raises(EventError, match=r"event 'zero' was sampled in \d+ pieces .* too many"):
-        integrate(_spring(), 1e9, (1.0, 0.0), method="exact", events=zero)
+        integrate(spring(closed=True, k=1.0), 1e9, (1.0, 0.0), method="exact", events=zero)
 
 
 @pytest.mark.parametrize("closed", [True, False])
 def test_a_function_without_a_value_on_part_of_the_way_is_refused(closed):
     event = Event(lambda s, p, t: sqrt(s.x), name="root")
     with pytest.raises(ModelError, match=r"event 'root' has no value from t = 1\.5707963"):
-        integrate(_spring(closed), 4.0, (1.0, 0.0), events=event)
+        integrate(spring(closed=closed, k=1.0), 4.0, (1.0, 0.0), events=event)
 
 
 @pytest.mark.parametrize(("arguments", "words"), [
@@ -108,4 +105,6 @@ def test_an_event_made_wrongly_is_refused(arguments, words):
 def test_a_function_that_returns_no_number_is_refused(function, words, closed):
     words = words.replace("(", r"\(").replace(")", r"\)")
     with pytest.raises(ModelError, match=f"the function of event 'wrong' {words}"):
-        integrate(_spring(closed), 4.0, (1.0, 0.0), events=Event(function, name="wrong"))
+        integrate(
+            spring(closed=closed, k=1.0), 4.0, (1.0, 0.0), events=Event(function, name="wrong")
+        )

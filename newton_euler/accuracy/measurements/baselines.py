@@ -191,7 +191,7 @@ PASSES = (
     {
         "rates of Euler's angles": _passing(
             rotations.euler_angles,
-            lambda s, omega: rotations.euler_rates(*s, omega),  # (10.12)
+            lambda s, omega: rotations.euler_rates(s[0], s[1], s[2], omega),  # (10.12)
             lambda s: rotations.euler_matrix(*s),
         ),
         "rate of a quaternion": _passing(

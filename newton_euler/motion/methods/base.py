@@ -8,7 +8,7 @@ The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion
 
 from bisect import bisect_right
 from itertools import pairwise
-from math import inf, nextafter
+from math import ulp
 
 from ...algebra.errors import NewtonEulerError
 
@@ -16,6 +16,7 @@ from ...algebra.errors import NewtonEulerError
 SMALLEST_SCALE = 1e-6
 # a run has stalled if this many steps are on average this much shorter than its longest step
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
+AROUND = 8  # units in the last place about a stop, whose time is rounded
 MAX_STEPS = 5e6  # steps of one motion that are kept: those of DOP853 take minutes and a gigabyte
 
 
@@ -82,10 +83,20 @@ class Stepper:
         n = bisect_right(self.stops, self.t)
         return self.stops[n] if n < len(self.stops) else self.goal
 
-    def before_stop(self):
-        """The same, but the last float before it where rates may jump there."""
+    def around_stop(self):
+        """The same as a pair: a time just before it, up to which to go, and one just after it, from
+        which to go on, since the rates may jump there; the goal twice where there is none.
+        """
         n = bisect_right(self.stops, self.t)
-        return nextafter(self.stops[n], -inf) if n < len(self.stops) else self.goal
+        if n == len(self.stops):
+            return self.goal, self.goal
+        stop, room = self.stops[n], AROUND * ulp(self.stops[n])
+        return max(stop - room, self.t), min(stop + room, self.goal)
+
+    def pass_stop(self, after, rates):
+        """Go on to the time just after a stop, with the rates before it."""
+        step = after - self.t
+        self.t, self.x = after, tuple([v + step * k for v, k in zip(self.x, rates, strict=True)])
 
     @property
     def checkpoints(self):

@@ -147,7 +147,7 @@ class Dop853(Stepper):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         while limit > 0 and self.t < self.goal:
             # the least step: a shorter one would not change the time
-            done, stop, before = len(self.steps), self.next_stop(), self.before_stop()
+            done, (before, after) = len(self.steps), self.around_stop()
             least = 4e-16 * max(abs(self.t), abs(self.goal))
             self.t, self.x, self.scales, self.rates, self.h, tried = self.code["run"](
                 *self.f, self.t, before, self.x, self.scales, self.noise, self.rates,
@@ -156,8 +156,9 @@ class Dop853(Stepper):
             )  # fmt: skip
             self.calls += 12 * tried  # stages of a step; the first is the last of the step before
             self.step_times += [t + h for t, h, *_ in self.steps[done:]]
-            if self.t == before < stop:
-                self.t, self.rates = stop, self.system.rates(stop, self.x)
+            if self.t == before < after:
+                self.pass_stop(after, self.rates)
+                self.rates, self.calls = self.system.rates(self.t, self.x), self.calls + 1
             self.step_times[-1] = self.t
             if self.h == 0.0:
                 raise StepError("the step became too small to go on")

@@ -40,7 +40,7 @@ class SciPy(Stepper):
                 return [nan] * len(y)
 
         make = getattr(integrate, type(self).__name__)
-        return make(rates, self.t, self.x, self.before_stop(), **self.options)
+        return make(rates, self.t, self.x, self.around_stop()[0], **self.options)
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
@@ -51,8 +51,10 @@ class SciPy(Stepper):
                 raise StepError(message or "the states are not finite")
             self.steps.append((solver.dense_output(), *self.x))
             self.t, self.x, limit = float(solver.t), tuple(solver.y.tolist()), limit - 1
-            if solver.status == "finished" and self.t == self.before_stop():
-                self.t = self.next_stop()
+            before, after = self.around_stop()
+            if self.t == before < after:
+                self.pass_stop(after, self.system.rates(before, self.x))
+                self.calls_before += 1
             self.step_times.append(self.t)
             self.update_scales()
             self.check_progress()

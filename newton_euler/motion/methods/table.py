@@ -89,7 +89,7 @@ def _no_exact(system, t0=0.0):
 def _no_heyoka(system, t0=0.0):
     if not installed():
         return "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
-    kinks = (system.traced.kinks or (system.traced.clocked and ["table"])) if system else ()
+    kinks = system.traced.kinks if system else ()
     if kinks:
         return (
             f"the rates of {system.model.name!r} choose between formulas by {', '.join(kinks)}, "
@@ -104,7 +104,7 @@ def _no_scipy(*_):
 
 
 def _no_groups(system, t0=0.0):
-    if system.traced.kinks or system.traced.clocked:
+    if system.traced.kinks:
         return f"the rates of {system.model.name!r} have kinks, at which it loses its order"
     why = f"the states of {system.model.name!r} are not two groups, as places and velocities"
     return None if partition(system) else why

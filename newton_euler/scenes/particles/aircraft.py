@@ -89,10 +89,10 @@ def ladder(
     v, chi, gamma, x, y, h = start
     ground = {"chi0": chi, "x0": x, "y0": y}
     begun = {**ground, "v0": v, "h0": h}
-    name, given, left = "aircraft, straight", {**begun, "gamma0": gamma}, (UNBALANCED, BANK)
-    straight = constant_rate(name, given, _straight, "s", neglects=left)
-    name, given, left = "aircraft in a level turn", {**begun, "g": g, "bank": bank}, (UNBALANCED,)
-    turn = constant_rate(name, given, _turning, "chi", neglects=left)
+    name, given = "aircraft, straight", {**begun, "gamma0": gamma}
+    straight = constant_rate(name, given, _straight, "s", neglects=(UNBALANCED, BANK))
+    name, given = "aircraft in a level turn", {**begun, "g": g, "bank": bank}
+    turn = constant_rate(name, given, _turning, "chi", neglects=(UNBALANCED,))
     forces = {"m": m, "g": g, "thrust": thrust, "k_lift": lift, "k_drag": drag}
     forces |= {"lift": _lift, "drag": _drag}
     name = "aircraft in a vertical plane"

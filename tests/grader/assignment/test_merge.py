@@ -52,22 +52,19 @@ def test_what_nobody_changed_becomes_what_the_exercises_are_today():
     assert [found.kept, found.conflicts, found.removed] == [[], [], []]
 
 
-@pytest.mark.parametrize(
-    ("change", "kept", "conflicts"),
-    [
-        (set_text(0, "# My title"), ["introduction"], []),
-        (set_text(1, "My words"), ["4/1 statement"], ["4/1 statement"]),
-        (set_text(4, "v = None  # in km/h"), ["4/2 answer"], []),
-        (lambda c: c[2]["metadata"]["nbgrader"].update(points=5.0), ["4/1 answer"], []),
-        (lambda c: c[2]["metadata"]["newton_euler"].update(weights={"v": 2}), ["4/1 answer"], []),
-        (lambda c: c[2]["metadata"]["nbgrader"].update(checksum="other"), [], []),
-        (lambda c: c[1]["metadata"].update(tags=["x"], collapsed=True), [], []),
-        (own_cell, [], []),
-        (lambda c: c.reverse(), [], []),
-        (lambda c: c.__delitem__(slice(3, 5)), [], []),
-        (lambda c: c.clear(), [], []),
-    ],
-)
+@pytest.mark.parametrize(("change", "kept", "conflicts"), [
+    (set_text(0, "# My title"), ["introduction"], []),
+    (set_text(1, "My words"), ["4/1 statement"], ["4/1 statement"]),
+    (set_text(4, "v = None  # in km/h"), ["4/2 answer"], []),
+    (lambda c: c[2]["metadata"]["nbgrader"].update(points=5.0), ["4/1 answer"], []),
+    (lambda c: c[2]["metadata"]["newton_euler"].update(weights={"v": 2}), ["4/1 answer"], []),
+    (lambda c: c[2]["metadata"]["nbgrader"].update(checksum="other"), [], []),
+    (lambda c: c[1]["metadata"].update(tags=["x"], collapsed=True), [], []),
+    (own_cell, [], []),
+    (lambda c: c.reverse(), [], []),
+    (lambda c: c.__delitem__(slice(3, 5)), [], []),
+    (lambda c: c.clear(), [], []),
+])  # fmt: skip
 def test_a_change_of_the_instructor_stays(change, kept, conflicts):
     theirs = edited(OLD, change)
     found = merged(OLD, theirs, NEW)
@@ -113,7 +110,7 @@ def test_a_build_adds_to_a_course_and_loses_nothing(tmp_path):
 
     roster.write_text("id\nada\nben\n")
     assert "Enrolled 1 students" in ran(command("enrol", roster, "--course", place))
-    assert "Due 2027-01-31 22:59 UTC" in ran(
+    assert "Due: 2027-01-31 22:59 UTC" in ran(
         command("due", "ch04", "2027-01-31 23:59 Europe/Berlin", "--course", place)
     )
     assert path.read_bytes() == mine

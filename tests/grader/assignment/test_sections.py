@@ -10,12 +10,21 @@ from exercises.catalogue.sections import headings, section_line
 from grader.assignment.notebook import statement
 from newton_euler import chapters
 
+NAMED = "*Section* 4.10 Summary of the method"
+LINKED = "*Section* [4.10 Summary of the method]"
 
-def test_a_section_links_to_its_heading_in_the_notebook_of_the_chapter():
-    assert section_line(problem("4/16")) == (
-        "*Section* [4.10 Summary of the method]"
-        "(../chapters/ch04_relative_motion.ipynb#4.10-Summary-of-the-method)"
-    )
+
+@pytest.mark.parametrize(
+    ("chapters", "line"),
+    [
+        ("", NAMED),
+        ("../chapters", f"{LINKED}(../chapters/ch04_relative_motion.ipynb#4.10-Summary-of-the-method)"),
+        ("https://uni.edu/ne/", f"{LINKED}(https://uni.edu/ne/chapters/ch04_relative_motion.html#section-4-10)"),
+    ],
+    ids=["nowhere", "notebooks", "site"],
+)  # fmt: skip
+def test_a_section_is_named_and_links_to_where_the_course_has_the_chapters(chapters, line):
+    assert section_line(problem("4/16"), chapters) == line
 
 
 def test_a_section_without_a_notebook_and_an_appendix_are_named():

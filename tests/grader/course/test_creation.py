@@ -82,7 +82,7 @@ def test_git_sees_no_secret_and_nothing_about_students(course, tmp_path):
     assert code == 0, out
     seen = {line[3:].strip('"').split("/")[0] for line in out.splitlines()}
     assert seen == {
-        ".gitignore", ".newton_euler_demo", "course.json", "nbgrader_config.json",
+        ".gitignore", ".newton_euler_demo", "built", "course.json", "nbgrader_config.json",
         "nbgrader_config.py", "release", "source", "student",
     }  # fmt: skip
 

@@ -82,10 +82,7 @@ def test_an_address_is_the_id_only_where_there_is_nothing_else(tmp_path):
 
 
 WRONG = {
-    "no id": (
-        "colour,shape\nred,round\n",
-        r"expected a CSV file whose first .*got the columns \['colour', 'shape'\]",
-    ),
+    "no id": ("colour,shape\nred,round\n", r"expected a CSV file whose first .*got the columns \['colour', 'shape'\]"),
     "empty": ("", "got no rows"),
     "only a header": ("id,first_name\n", r"got no rows below the header \['id', 'first_name'\]"),
     "a blank id": ("id,first_name\nada,Ada\n,Ben\n", "line 3: no id in the column 'id'"),
@@ -110,7 +107,7 @@ WRONG = {
         "id,name,email\nada,Lovelace, Ada,ada@uni.edu\n",
         "line 2: 4 fields under a header of 3; put a name that holds the separator into quotation",
     ),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("how", WRONG)

@@ -8,7 +8,7 @@ import pytest
 from grader.grading import grade
 from tests.grader.courses import forget, gradebook_rows, nbgrader, points, ran, read, submit
 from tests.grader.instructors_cells import OWN, with_texts
-from tests.grader.submissions import work
+from tests.grader.submissions import bare, without, work
 
 
 def autograded(course):
@@ -102,6 +102,20 @@ def test_points_given_by_hand_and_extra_credit_stay_and_count(mixed):
     submit(mixed, "dan", with_texts(work(mixed, "dan"), essay="Because of something else."))
     (result,) = grade(mixed, "ch04", ["dan"])
     assert (result.points, result.waiting) == (11 + 2 + 4 + 0.75, 2)
+
+
+def test_an_essay_whose_metadata_are_gone_waits_for_a_person_and_an_empty_one_does_not(mixed):
+    done = with_texts(work(mixed, "dan"), essay="Because.", sketch="plot()", square=RIGHT)
+    submit(mixed, "dan", {**done, "cells": bare(done["cells"])})
+    (result,) = grade(mixed, "ch04", ["dan"])
+    assert result.points == 11 + 4.5
+    found = given(mixed)
+    assert (found["essay"], found["sketch"]) == (WAITS, WAITS)
+    kept = [c["source"] for c in autograded(mixed)]
+    assert "Because." in kept
+    submit(mixed, "dan", without(work(mixed, "dan"), "essay", "sketch"))
+    grade(mixed, "ch04", ["dan"])
+    assert (given(mixed)["essay"], given(mixed)["sketch"]) == (BLANK, BLANK)
 
 
 def test_what_a_test_says_never_reaches_the_student(mixed):

@@ -74,16 +74,12 @@ def entry(points, out_of, verdict="", waits=False):
     return Entry("ann", "4/1", "", points, out_of, verdict, waits=waits)
 
 
-@pytest.mark.parametrize(
-    ("found", "difficulty", "waiting"),
-    [
-        ([entry(1, 2), entry(2, 2), entry(0, 2, waits=True)], 0.75, 1),
-        ([entry(0, 2, waits=True)] * 2, None, 2),
-        ([entry(0, 0, "right"), entry(0, 0, "wrong")], 0.5, 0),
-        ([entry(0, 0)], None, 0),
-    ],
-    ids=["one-waits", "all-wait", "no-points", "no-points-nor-verdict"],
-)
+@pytest.mark.parametrize(("found", "difficulty", "waiting"), [
+    ([entry(1, 2), entry(2, 2), entry(0, 2, waits=True)], 0.75, 1),
+    ([entry(0, 2, waits=True)] * 2, None, 2),
+    ([entry(0, 0, "right"), entry(0, 0, "wrong")], 0.5, 0),
+    ([entry(0, 0)], None, 0),
+], ids=["one-waits", "all-wait", "no-points", "no-points-nor-verdict"])  # fmt: skip
 def test_what_waits_for_a_person_and_what_has_no_points_is_not_counted_as_wrong(
     found, difficulty, waiting
 ):

@@ -78,11 +78,8 @@ OUTCOMES = {
     "undefined": ("NameError, line 1: name 'undefined' is not defined", None),
     "if": ("SyntaxError: invalid syntax, line 1: if", None),
     "assert state == 'then'": (None, None),  # as it was at the place of the test
-    "import os; os._exit(0)": (
-        "the test was not run: the notebook ended before it, or its process ended",
-        None,
-    ),
-}
+    "import os; os._exit(0)": ("the test was not run: the notebook ended before it, or its process ended", None),
+}  # fmt: skip
 
 
 def a_notebook_with(texts):

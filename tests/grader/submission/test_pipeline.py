@@ -23,14 +23,10 @@ ANSWERS = {  # the cell of 4/16 (alpha_CD, v_D, a_D) or 4/1: what is said of it
         "v_D",
         "got nan, which comes from a division by zero or the root of a negative number",
     ),
-    "still a symbol": (
-        "import sympy\nv_D = [sympy.Symbol('q'), 0, 0]",
-        "v_D",
-        "q still contains q; put in the numbers",
-    ),
+    "still a symbol": ("import sympy\nv_D = [sympy.Symbol('q'), 0, 0]", "v_D", "q still contains q; put in the numbers"),
     "a dict": ("v_D = {'x': 1}", "v_D", "got a dict, which has no order"),
     "a lambda": ("v_D = lambda t: t", "v_D", "expected a vector"),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("how", ANSWERS)

@@ -61,9 +61,7 @@ FORMULAS = {
         sin(-x) + 2 * cos(-x) + tan(-y) + cosh(-y) + sinh(-x) - tanh(-y) + asin(-x / 2) + atan(-x)
         + acos(-x / 2) + exp(-x)
     ),
-    "powers": lambda x, y: (
-        x**2 + x**3 - y**-1 + (1 + x) ** -2 + (x * x + y) ** 0.5 + y**1.5 + x**1 + x**0
-    ),
+    "powers": lambda x, y: (x**2 + x**3 - y**-1 + (1 + x) ** -2 + (x * x + y) ** 0.5 + y**1.5 + x**1 + x**0),
     "rational powers": lambda x, y: (x + y) ** (1 / 3) + 2.0**x - 3 ** (y / 2),
     "circular": lambda x, y: (
         sin(x) * cos(y) + tan(x * y) - asin(x / 3) + acos(y / 3) + atan(x - y) + atan2(y, x)
@@ -71,9 +69,7 @@ FORMULAS = {
     ),
     "hyperbolic": lambda x, y: sinh(x) + cosh(y) - tanh(x * y) + exp(-x) * log(1 + y) + sqrt(x + y),
     "pi": lambda x, y: pi(x) * x + radians(y),
-    "structural zeros": lambda x, y: (
-        ZERO * x + (y - ZERO) + ZERO / x + (ZERO - x) + atan2(ZERO, x) + atan2(y, ZERO)
-    ),
+    "structural zeros": lambda x, y: (ZERO * x + (y - ZERO) + ZERO / x + (ZERO - x) + atan2(ZERO, x) + atan2(y, ZERO)),
     "constants": lambda x, y: (
         1e-300 * x + 1.5e300 * y * 1e-300 + np.float64(1.5) * x - y * np.int64(2)
         + Fraction(1, 4).numerator * x

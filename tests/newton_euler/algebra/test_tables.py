@@ -160,22 +160,19 @@ def test_a_place_outside_by_round_off_has_the_value_at_the_end(kind):
     assert f(-1e-16) == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (([0, 1], [1, 2, 3]), "2 places and 3 values"),
-        (([0], [1]), "1 places and 1 values"),
-        (([0, 1, 1], [1, 2, 3]), "increase; got 1 after 1"),
-        (([0, 2, 1], [1, 2, 3]), "increase; got 1 after 2"),
-        (([0, 1], [1, float("nan")]), "values of a table are finite"),
-        (([0, float("inf")], [1, 2]), "places of a table are finite"),
-        (([0, 1], [1, 2j]), "finite real"),
-        (([0, sympy.Symbol("a")], [1, 2]), "places of a table are numbers"),
-        (([0, 1], [1, 2], "quintic"), "kind of a table is one of linear, cubic"),
-        (([0, 1], [1, 2], "linear", "zero"), "outside of a table is one of refuse, hold"),
-        (([0, 1], np.ones((2, 2))), "one number for each"),
-    ],
-)
+@pytest.mark.parametrize(("arguments", "words"), [
+    (([0, 1], [1, 2, 3]), "2 places and 3 values"),
+    (([0], [1]), "1 places and 1 values"),
+    (([0, 1, 1], [1, 2, 3]), "increase; got 1 after 1"),
+    (([0, 2, 1], [1, 2, 3]), "increase; got 1 after 2"),
+    (([0, 1], [1, float("nan")]), "values of a table are finite"),
+    (([0, float("inf")], [1, 2]), "places of a table are finite"),
+    (([0, 1], [1, 2j]), "finite real"),
+    (([0, sympy.Symbol("a")], [1, 2]), "places of a table are numbers"),
+    (([0, 1], [1, 2], "quintic"), "kind of a table is one of linear, cubic"),
+    (([0, 1], [1, 2], "linear", "zero"), "outside of a table is one of refuse, hold"),
+    (([0, 1], np.ones((2, 2))), "one number for each"),
+])  # fmt: skip
 def test_data_that_make_no_table_are_refused(arguments, words):
     with pytest.raises((TableError, ScalarError), match=words):
         table(*arguments)

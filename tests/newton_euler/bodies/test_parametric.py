@@ -31,11 +31,7 @@ NUMERIC = {  # position, limits, and the same body from the table, its axis alon
         [(-R, R), (0.0, lambda x: sqrt(R * R - x * x))],
         B.half_disk(R, F, "z", "y", density=2.0),
     ),
-    "shell": (
-        lambda a, b: spherical(R, a, b),
-        [(0.0, math.pi / 2), WHOLE],
-        B.hemispherical_shell(R, F, "z", density=2.0),
-    ),
+    "shell": (lambda a, b: spherical(R, a, b), [(0.0, math.pi / 2), WHOLE], B.hemispherical_shell(R, F, "z", density=2.0)),
     "ball, Cartesian": (
         lambda x, y, z: (x, y, z),
         [
@@ -50,7 +46,7 @@ NUMERIC = {  # position, limits, and the same body from the table, its axis alon
         [(3.0, 2.0), (0.0, 1.0), (5.0, 6.0)],
         B.box(1, 1, 1, F.point("C", 2.5, 0.5, 5.5), density=2.0),
     ),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", NUMERIC)

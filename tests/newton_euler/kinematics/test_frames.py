@@ -726,19 +726,11 @@ USES = {
         ground.angular_acceleration(arm),
         ground.point("Q", 1.0, 0, 0).acceleration(arm).c,
     ),
-    "seen from a sibling": lambda arm, P, ground: (
-        P.acceleration(ground.rotate("other", "x", rate=2.0)).c
-    ),
-    "unit vectors": lambda arm, P, ground: (
-        arm.i.rate(ground),
-        ground.k.expressed_in(arm),
-        P.velocity(arm).rate(arm),
-    ),
-    "origin": lambda arm, P, ground: (
-        arm.rotate("hand", "x", 0.3, origin=P).origin.velocity(ground).c
-    ),
+    "seen from a sibling": lambda arm, P, ground: (P.acceleration(ground.rotate("other", "x", rate=2.0)).c),
+    "unit vectors": lambda arm, P, ground: (arm.i.rate(ground), ground.k.expressed_in(arm), P.velocity(arm).rate(arm)),
+    "origin": lambda arm, P, ground: (arm.rotate("hand", "x", 0.3, origin=P).origin.velocity(ground).c),
     "tree": lambda arm, P, ground: ground.tree,
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("use", USES)

@@ -105,7 +105,7 @@ def test_two_runs_that_are_less_far_apart_predict_something():
     assert error_by_difference(0.049, 1e-3, 1e-9) < 0.01
 
 
-@pytest.mark.parametrize("what", ["kinks", "hazards"])
+@pytest.mark.parametrize("what", ["surprises", "hazards"])
 def test_where_formulas_change_the_prediction_is_the_cautious_one(monkeypatch, what):
     method, one = METHODS["dop853"], Run(prepared_model(PENDULUM), 0.0, 50.0, START, 1e-9)
     before, fine = one.trajectory(method, 1e-7), one.trajectory(method, 1e-10)
@@ -129,8 +129,8 @@ class Still:
 
     autonomous = True
 
-    def __init__(self, kinks=(), hazards=()):
-        self.traced = SimpleNamespace(kinks=kinks, hazards=hazards)
+    def __init__(self, surprises=False, hazards=()):
+        self.traced = SimpleNamespace(surprises=surprises, hazards=hazards)
 
 
 def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,)):

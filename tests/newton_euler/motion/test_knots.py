@@ -7,6 +7,7 @@ import pytest
 from newton_euler import Model, cos, exp, integrate, sin, table, where
 from newton_euler.motion import second_order
 from newton_euler.motion.knots import INTERVALS, knots
+from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 
 WIDTH = 10.0 / INTERVALS  # of an interval of the motions here
@@ -88,7 +89,7 @@ def test_a_force_that_has_no_value_at_these_parameters_stops_nothing():
 
 
 def test_a_switch_between_constants_is_stopped_at_within_an_interval():
-    begin, end = at(lambda s, p, t: where(t > p.on, 2.0, 1.0) * s.x, on=math.e)
+    begin, end = at(lambda s, p, t: where(t * t > p.on**2, 2.0, 1.0) * s.x, on=math.e)
     assert begin <= math.e <= end
     assert end - begin == pytest.approx(WIDTH)
 
@@ -113,7 +114,7 @@ def test_a_quiet_of_few_intervals_is_none(gap, count):
     first, second = (5000.5 * WIDTH, (5000.5 + 1 + gap) * WIDTH)
 
     def force(s, p, t):
-        return where(t > first, 1.0, 0.0) + where(t > second, 1.0, 0.0)
+        return where(t * t > first**2, 1.0, 0.0) + where(t * t > second**2, 1.0, 0.0)
 
     assert len(at(force)) == count
 
@@ -135,8 +136,8 @@ def test_a_function_without_a_value_on_the_way_is_passed_over():
 @pytest.mark.parametrize(("intervals", "count"), [(4, 1), (5, 2)])
 def test_the_quiet_before_the_first_pulse_and_after_the_last_is_as_long(intervals, count):
     first, last = (intervals + 0.5) * WIDTH, 10.0 - (intervals + 0.5) * WIDTH
-    assert len(at(lambda s, p, t: where(t > first, 1.0, 0.0))) == count
-    assert len(at(lambda s, p, t: where(t > last, 1.0, 0.0))) == count
+    assert len(at(lambda s, p, t: where(t * t > first**2, 1.0, 0.0))) == count
+    assert len(at(lambda s, p, t: where(t * t > last**2, 1.0, 0.0))) == count
 
 
 def test_parameters_are_those_of_the_model():
@@ -165,7 +166,7 @@ def test_a_motion_stops_where_a_table_of_time_goes_on_to_its_next_piece(name, ki
     found = at(lambda s, p, t: s.x * f(place(s, p, t)), q=1.0)
     assert all(min(abs(t - x) for x in found) < 1e-14 * t for t in times)
     model = second_order("read", {"q": 1.0}, ("x",), lambda s, p, t: (f(place(s, p, t)),))
-    assert not prepared_model(model).traced.kinks
+    assert not prepared_model(model).traced.surprises
 
 
 @pytest.mark.parametrize("place", [
@@ -175,7 +176,39 @@ def test_a_motion_stops_where_a_table_of_time_goes_on_to_its_next_piece(name, ki
 def test_a_table_read_by_anything_else_is_a_kink(place):
     f = table(STEPS, STEPS, outside="hold")
     model = second_order("read", {}, ("x",), lambda s, p, t: (f(place(s, p, t)),))
-    assert prepared_model(model).traced.kinks == ["table"]
+    assert prepared_model(model).traced.surprises
+
+
+SWITCHES = {
+    "where": (lambda s, p, t: where(t < p.q, 1.0, s.x), (2.0,)),
+    "later or at": (lambda s, p, t: where(t >= 2 * p.q - t, 1.0, s.x), (2.0,)),
+    "two": (lambda s, p, t: where(t > 9.0, 2.0, where(t / p.q >= 1.0, s.x, 1.0)), (2.0, 9.0)),
+    "corner": (lambda s, p, t: abs(t - p.q) * s.x, (2.0,)),
+}
+
+
+@pytest.mark.parametrize("name", SWITCHES)
+def test_a_motion_stops_where_the_clock_changes_the_formula(name):
+    rate, times = SWITCHES[name]
+    model = second_order("switched", {"q": 2.0}, ("x",), lambda s, p, t: (rate(s, p, t),))
+    system = prepared_model(model)
+    assert all(min(abs(t - x) for x in knots(system, 0.0, 10.0)) < 1e-14 * t for t in times)
+    assert not system.traced.surprises
+    assert "choose between formulas" in METHODS["taylor"].unusable_because(system)
+
+
+@pytest.mark.parametrize("sign", ["<", "<="])
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("t0", [0.0, 1e6])
+def test_a_push_from_rest_is_as_accurate_as_requested(t0, rtol, sign):
+    before = (lambda t, end: t < end) if sign == "<" else (lambda t, end: t <= end)
+    force = lambda s, p, t: where(before(t, p.a), 0.0, where(before(t, p.b), 1.0, 0.0))
+    model = second_order("pushed", {"a": t0 + 1.7, "b": t0 + 2.9}, ("x",),
+                         lambda s, p, t: (force(s, p, t) - s.x,))  # fmt: skip
+    motion = integrate(model, (t0, t0 + 10.0), (0.0, 0.0), rtol=rtol)
+    a, b = 10.0 - 1.7, 10.0 - 2.9
+    off = abs(motion.end["x"] - (math.cos(b) - math.cos(a)))
+    assert off < (rtol if t0 == 0.0 else rtol + 1e-9)
 
 
 @pytest.mark.parametrize("method", ["dop853", "scipy DOP853"])

@@ -39,9 +39,7 @@ UNITS = {
         LENGTH,
     ),
     "space station": ({"omega": RATE, "radius": LENGTH, "air": PURE / LENGTH, "creep": SPEED}, PLANE, LENGTH),
-    "air near a low": (
-        {"latitude": PURE, "rate": RATE, "pressure_gradient": PURE / TIME**2, "friction": RATE}, PLANE, LENGTH
-    ),
+    "air near a low": ({"latitude": PURE, "rate": RATE, "pressure_gradient": PURE / TIME**2, "friction": RATE}, PLANE, LENGTH),
     "rotor": (
         {"mass": MASS, "x": LENGTH, "y": LENGTH, "I": INERTIA, "g": G, "moment": FORCE * LENGTH, "omega": RATE},
         {"psi": PURE, "omega": RATE},
@@ -53,9 +51,7 @@ UNITS = {
         {"theta": PURE, "theta_rate": RATE},
         PURE,
     ),
-    "sphere on an incline": (
-        {"slope": PURE, "g": G, "k": PURE, "air": PURE / LENGTH}, {"x": LENGTH, "v": SPEED}, LENGTH
-    ),
+    "sphere on an incline": ({"slope": PURE, "g": G, "k": PURE, "air": PURE / LENGTH}, {"x": LENGTH, "v": SPEED}, LENGTH),
     "car on a hill": (
         {"m": MASS, "air": MASS / LENGTH, "g": G, "force": FORCE, "slope": PURE,
          "wheel_mass": MASS, "gyration": LENGTH, "radius": LENGTH, "wheels": PURE},

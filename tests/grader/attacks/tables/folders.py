@@ -104,29 +104,19 @@ ATTACKS = {
     "fifty megabytes of text": edited(
         lambda n, scene: n["cells"][4].update(source="#" + "x" * 50_000_000)
     ),
-    "fifty megabytes of blank lines": edited(
-        lambda n, scene: n["cells"][4].update(source="\n" * 25_000_000)
-    ),
+    "fifty megabytes of blank lines": edited(lambda n, scene: n["cells"][4].update(source="\n" * 25_000_000)),
     "more than is read": place(sparse(65 * 2**20)),
     "a folder": place(lambda path, scene: path.mkdir()),
     "a pipe": place(lambda path, scene: os.mkfifo(path)),
     "a socket": place(unix_socket),
     "a link to a neighbour's work": place(lambda path, scene: path.symlink_to(scene.honest)),
-    "a link to the secret": place(
-        lambda path, scene: path.symlink_to(scene.course.path / ".course_secret")
-    ),
+    "a link to the secret": place(lambda path, scene: path.symlink_to(scene.course.path / ".course_secret")),
     "a link without end": place(lambda path, scene: path.symlink_to("/dev/zero")),
     "a link to itself": place(lambda path, scene: path.symlink_to(path)),
     "a link to a neighbour's folder": Attack(link_of_the_folder, **UNREADABLE),
     "a link to a neighbour": Attack(link_of_the_student, **UNREADABLE),
-    "another name": place(
-        lambda path, scene: named("a\x1b[2J\x1b[1;1H\nada 11 of 11\x07\u202e.ipynb")(
-            path.parent, scene
-        )
-    ),
-    "a name that is no text": place(
-        lambda path, scene: named(b"\xff\xfe\x1b[31m.ipynb")(path.parent, scene)
-    ),
+    "another name": place(lambda path, scene: named("a\x1b[2J\x1b[1;1H\nada 11 of 11\x07\u202e.ipynb")(path.parent, scene)),
+    "a name that is no text": place(lambda path, scene: named(b"\xff\xfe\x1b[31m.ipynb")(path.parent, scene)),
     "no file": place(lambda path, scene: None),
     "another notebook beside it": beside(named("ch05\x1b[31m\n[AutogradeApp] done.ipynb", b"{}")),
     "a file with a strange name": beside(named("x\x1b]0;title\x07\nEvil \u202e.txt")),
@@ -134,9 +124,7 @@ ATTACKS = {
     "a page in the place of the page": beside(named("ch04.html", b"<script>alert(1)</script>")),
     "a folder in the place of the page": beside(named("ch04.html/x", b"x")),
     "a folder for the partial file": beside(named(".ch04.ipynb.partial/x", b"x")),
-    "a configuration": beside(
-        named("nbgrader_config.py", b"import os; os.system('touch /tmp/configured')")
-    ),
+    "a configuration": beside(named("nbgrader_config.py", b"import os; os.system('touch /tmp/configured')")),
     "links beside it": beside(links),
     "pipes beside it": beside(pipes),
     "a time in a folder": beside(lambda folder, scene: (folder / "timestamp.txt").mkdir()),
@@ -144,7 +132,5 @@ ATTACKS = {
     "a time with terminal codes": beside(named("timestamp.txt", b"\x1b[2J2026-01-01 10:00:00 UTC")),
     "many files": beside(many_files),
     "deep folders": beside(deep_folders),
-    "a byte-order mark": Attack(
-        lambda scene: scene.hand_in(b"\xef\xbb\xbf" + json.dumps(scene.sheet()).encode())
-    ),
-}
+    "a byte-order mark": Attack(lambda scene: scene.hand_in(b"\xef\xbb\xbf" + json.dumps(scene.sheet()).encode())),
+}  # fmt: skip

@@ -47,9 +47,7 @@ def half_characters(notebook, scene):
 ATTACKS = {
     **{f"an error of {what}": _raised(text) for what, text in ALL.items()},
     "an error without end": code("raise ValueError('<b>' * 10**7)"),
-    "an error whose class is HTML": code(
-        "raise type('<script>alert(1)</script>\\x1b[2J', (Exception,), {})(1)"
-    ),
+    "an error whose class is HTML": code("raise type('<script>alert(1)</script>\\x1b[2J', (Exception,), {})(1)"),
     "a frame whose name is HTML": code(f"""
         from newton_euler import Frame, ground
         A = Frame({EVIL!r} + '\\x1b[2J')
@@ -60,13 +58,11 @@ ATTACKS = {
         speed = acc_mag = Symbol({EVIL!r} + '\\x1b[2J')
     """),
     "an answer that is HTML": code(f"speed, acc_mag = {EVIL!r}, {TERMINAL!r}"),
-    "HTML that is displayed": code(
-        f"from IPython.display import HTML, display\ndisplay(HTML({EVIL!r}))\nprint({TERMINAL!r})"
-    ),
+    "HTML that is displayed": code(f"from IPython.display import HTML, display\ndisplay(HTML({EVIL!r}))\nprint({TERMINAL!r})"),
     "JavaScript cells": added(f"%%javascript\nalert(1)\n{EVIL}"),
     "a text of HTML": added(f"# Mine\n\n{EVIL}\n\n[x](javascript:alert(1))", "markdown"),
     "an essay of HTML": edited(essay),
     "an essay that takes hours to read": edited(long_essay),
     "names and comments of HTML": edited(names),
     "half characters": edited(half_characters),
-}
+}  # fmt: skip

@@ -1,0 +1,101 @@
+"""Which cell of the trusted notebook a submitted cell is: by the metadata and ids that were handed
+out, and where an editor has removed those, by what its text says.
+"""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from ..assignment.cells import Notebook, nbgrader_metadata, own_metadata
+
+OWN = "own"  # the role of a cell that the student added
+# what we write into the first line of a cell, by the role of the cell
+_FIRST_LINES = {
+    "setup": r"from math import pi$",
+    "statement": r"## (?P<problem>[\w/]+) ",
+    "givens": r"# (?P<problem>[\w/]+): what is given",
+    "answer": r"# (?P<problem>[\w/]+): your work",
+    "receipt": r"expect\(\"(?P<problem>[\w/]+)\"",
+}
+
+
+def places_of(cells: Sequence[Mapping[str, Any]], master: Notebook) -> list[int | None]:
+    """For each submitted cell the number of the cell of ``master`` that it is, None for those that
+    the student added.
+    """
+    known: dict[tuple[str | None, ...] | None, int] = {}
+    for n, cell in enumerate(master["cells"]):
+        for name in cell_names(cell):
+            known.setdefault(name, n)
+    found = [next((known[m] for m in cell_names(c) if m in known), None) for c in cells]
+    by_name = set(found)
+    for n, submitted in enumerate(cells):
+        if found[n] is None and (at := known.get(_name_in_text(submitted))) not in by_name:
+            found[n] = at
+    return _with_answers(cells, found, master)
+
+
+def _with_answers(cells, found, master):
+    """And the answers that still miss: the only cell of code beside the statement, numbers or
+    receipt of the same problem that gives a value to a name that is asked for.
+    """
+    problems = [own_metadata(c).get("problem") for c in master["cells"]]
+    missing = {
+        own_metadata(c)["problem"]: n
+        for n, c in enumerate(master["cells"])
+        if own_metadata(c).get("role") == "answer" and n not in found
+    }
+    behind, before = _nearest(found), _nearest(found[::-1])[::-1]
+    for problem, at in missing.items():
+        asked = "|".join(map(re.escape, own_metadata(master["cells"][at])["asked"]))
+        gives = re.compile(rf"(?m)^(.*[,=(\s])?({asked})\b[^=\n]*=(?!=)")
+        beside = [
+            n
+            for n, cell in enumerate(cells)
+            if found[n] is None
+            and {problems[m] for m in (behind[n], before[n]) if m is not None} == {problem}
+            and cell.get("cell_type") == "code"
+            and gives.search(text_of(cell))
+        ]
+        if len(beside) == 1:
+            found[beside[0]] = at
+    return found
+
+
+def _nearest(found):
+    """For each cell the place of the nearest one before it that has one."""
+    last, nearest = None, []
+    for place in found:
+        nearest.append(last)
+        last = place if place is not None else last
+    return nearest
+
+
+def cell_names(cell: Mapping[str, Any]) -> Iterator[tuple[str | None, ...]]:
+    """The names of a cell: grade id, role in a problem, id in the notebook; best first."""
+    grade_id = nbgrader_metadata(cell).get("grade_id")
+    if isinstance(grade_id, str) and grade_id:
+        yield "grade", grade_id
+    own = own_metadata(cell)
+    role, problem = own.get("role"), own.get("problem")
+    if isinstance(role, str) and isinstance(problem, str | None) and role != OWN:
+        yield "role", role, problem
+    if isinstance(cell.get("id"), str):
+        yield "id", cell["id"]
+
+
+def _name_in_text(cell: Mapping[str, Any]) -> tuple[str | None, ...] | None:
+    """The role in a problem that the first line of a cell names."""
+    line = text_of(cell).lstrip().partition("\n")[0]
+    for role, pattern in _FIRST_LINES.items():
+        if found := re.match(pattern, line):
+            return "role", role, found.groupdict().get("problem")
+    return None
+
+
+def text_of(cell: Mapping[str, Any]) -> str:
+    """The text of a submitted cell, which files can hold."""
+    source = cell.get("source", "")
+    text = "".join(map(str, source)) if isinstance(source, list) else str(source)
+    # JSON can hold lone surrogates, which no file can
+    return text.encode("utf-8", "replace").decode()

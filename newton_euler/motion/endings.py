@@ -1,0 +1,99 @@
+"""Why a motion cannot be followed beyond a state that it has reached, in words."""
+
+from ..algebra.compile import Compiled
+from ..algebra.scalars import short
+from ..algebra.trace import COMPARISONS, Step
+from .analytic import varying
+from .methods.base import LengthError, StepError
+
+TINY, NEAR = 1e-9, 1e-3  # parts of the whole time: of a trial, and until a place is reached
+
+
+def why(error, system, t, x, span):
+    """What is known about the ``error`` of a method at the time t and the state x, as the end of a
+    message.
+
+    span : the whole time of the motion
+    """
+    if isinstance(error, LengthError):
+        return ""
+    if not isinstance(error, StepError):
+        return "; the coordinates are singular there"
+    try:
+        return (
+            _without_value(system, t, x, TINY * span)
+            or _sticking(system, t, x, span)
+            or "; the coordinates may be singular there, or the motion leaves the model"
+        )
+    except ArithmeticError:
+        return "; the coordinates are singular there"
+
+
+def _moved(system, t, x, step):
+    """The time and the states after a step by the rates here."""
+    return t + step, *(v + step * rate for v, rate in zip(x, system.rates(t, x), strict=True))
+
+
+def _without_value(system, t, x, step):
+    try:
+        later, *moved = _moved(system, t, x, step)
+        system.rates(later, moved)
+    except ValueError as error:
+        return f": beyond it the rates have no value: {error}"
+    return ""
+
+
+def _sticking(system, t, x, span):
+    """Where the motion sticks, and what to write."""
+    for a, b in _switches(system.traced):
+        rhs = system.traced.rhs
+        both = Compiled("switch", rhs.parameters, rhs.trace, [a, b]).on_floats
+
+        def distance(t, *x, both=both):
+            one, other = both(t, *x, *system.p)
+            return one - other
+
+        if _leads_back(system, distance, t, x, span):
+            one, other = _spelled(a, system), _spelled(b, system)
+            place = f"{one} = {other}" if one and other else "the border of a choice"
+            event = (one if other == "0" else f"{one} - {other}") if one and other else "..."
+            return (
+                f"; it sticks at {place}, to which the rates on both sides lead back: write "
+                f"Event(lambda s, p, t: {event}, then=...), which goes on with the model and the "
+                "start of what sticks"
+            )
+    return ""
+
+
+def _switches(traced):
+    """The pairs of steps or numbers that the rates compare."""
+    for s in varying(traced):
+        if s.op in COMPARISONS:
+            yield s.args
+        elif s.op == "abs":
+            yield s.args[0], 0
+
+
+def _leads_back(system, distance, t, x, span):
+    """True if the distance from a border soon becomes zero along the rates here, and also along
+    those beyond it.
+    """
+    step, signs = TINY * span, []
+    for _ in range(2):
+        here, there = distance(t, *x), distance(*_moved(system, t, x, step))
+        time = here * step / ((here - there) or here or step)
+        if not 0.0 <= time < NEAR * span:
+            return False
+        signs.append(here > 0)
+        t, *x = _moved(system, t, x, time + step)
+    return signs[0] != signs[1] or here == 0
+
+
+def _spelled(x, system):
+    """A state, a parameter, the time or a number as in a function (s, p, t); None for others."""
+    if not isinstance(x, Step):
+        return short(x)
+    name = x.args[0]
+    if x.op != "argument" or name == "t":
+        return name if x.op == "argument" else None
+    return f"s.{name}" if name in system.model.states else f"p.{name}"

@@ -1,0 +1,77 @@
+"""The words for a motion that cannot be followed: what is the matter, and what to write."""
+
+import re
+
+import pytest
+
+from newton_euler import Event, Model, cos, integrate, sin, sqrt, table, where
+from newton_euler.motion import MotionError, second_order
+
+RTOLS = 1e-6, 1e-9
+
+
+def motion_of(name, parameters, states, rates, start, t):
+    return Model(name, parameters, states, rates), start, t
+
+
+STICKS = {  # what is written in the event, and the motion
+    "s.v": motion_of("block", {"mu": 3.0}, ("x", "v"),
+        lambda s, p, t: (s.v, where(s.v > 0, -p.mu, p.mu)), (0.0, 3.0), 3.0),
+    "s.v - p.belt": motion_of("belt", {"belt": 1.0, "k": 4.0}, ("x", "v"),
+        lambda s, p, t: (s.v, -p.k * s.x + where(s.v < p.belt, 3.0, -3.0)), (0.0, 0.0), 5.0),
+    "s.T - 20": motion_of("relay", {"a": 2.0, "b": 0.1}, ("T",),
+        lambda s, p, t: (where(s.T > 20.0, -p.a, p.b),), (25.0,), 10.0),
+    "s.dx": (second_order("slope", {"g": 4.9, "mu": 6.8}, ("x",),
+        lambda s, p, t: (p.g - p.mu * s.dx / abs(s.dx),)), (0.0, 3.0), 3.0),
+    "s.w": motion_of("hinge", {"c": 0.2}, ("a", "w"),
+        lambda s, p, t: (s.w, -sin(s.a) - p.c * where(s.w >= 0, 1.0, -1.0)), (1.5, 0.0), 30.0),
+    "s.x - t": motion_of("chase", {"c": 3.0}, ("x",),
+        lambda s, p, t: (where(s.x < t, p.c, -p.c),), (-2.0,), 5.0),
+    "...": motion_of("slide", {}, ("x", "y"),
+        lambda s, p, t: (where(s.x + s.y > 0, -2.0, 1.0), 0.3), (1.0, 1.0), 5.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("rtol", RTOLS)
+@pytest.mark.parametrize("event", STICKS)
+def test_a_motion_that_sticks_is_refused_with_the_event_to_write(event, rtol):
+    model, start, t = STICKS[event]
+    written = re.escape(f"Event(lambda s, p, t: {event}, then=...)")
+    with pytest.raises(MotionError, match=f"it sticks at .* lead back: write {written}"):
+        integrate(model, t, start, rtol=rtol)
+
+
+def test_with_that_event_it_is_followed():
+    model, start, t = STICKS["s.v - p.belt"]
+    carried = Model("carried", dict(model.parameters), ("x", "v"), lambda s, p, t: (p.belt, 0.0))
+    event = Event(lambda s, p, t: s.v - p.belt, then=lambda s, p, t: (carried, (s.x, p.belt)))
+    motion = integrate(model, t, start, events=event)
+    (found,) = motion.events
+    assert motion.end["v"] == 1.0
+    assert motion.end["x"] == pytest.approx(found.state["x"] + t - found.t, abs=1e-9)
+
+
+NO_STICKING = {
+    "pole": (lambda s, p, t: (s.x * s.x,), (1.0,), 2.0, "may be singular there"),
+    "attraction": (lambda s, p, t: (-1 / s.x,), (1.0,), 2.0, "singular there"),
+    "formula without value": (lambda s, p, t: (-1 - sqrt(s.x),), (1.0,), 2.0,
+                              "beyond it the rates have no value: math domain error"),
+    "end of a table": (lambda s, p, t: (table([0.0, 1.0], [1.0, 2.0])(t),), (1.0,), 2.0,
+                       r"a table from 0\.0 to 1\.0 has no value at 1\.0"),
+    "end of a table of a state": (lambda s, p, t: (-table([0.5, 1.0], [1.0, 2.0])(s.x),), (1.0,), 2.0,
+                                  r"a table from 0\.5 to 1\.0 has no value at 0\.49"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NO_STICKING)
+def test_what_does_not_stick_is_not_said_to(name):
+    rates, start, t, words = NO_STICKING[name]
+    with pytest.raises(MotionError, match=words) as refusal:
+        integrate(Model("q", {}, ("x",), rates), t, start, rtol=1e-6, method="dop853")
+    assert "sticks" not in str(refusal.value)
+
+
+def test_a_switch_that_is_crossed_does_not_stick():
+    rates = lambda s, p, t: (s.v, -s.x - where(s.v > 0, 0.01, -0.01) * cos(t) ** 2)
+    motion = integrate(Model("swing", {}, ("x", "v"), rates), 10.0, (1.0, 0.0), rtol=1e-6)
+    assert motion.error <= 1e-6
