@@ -14,7 +14,7 @@ from .following import earlier_answers, follow
 from .model import CatalogueError, Problem
 from .proofs import DIGITS
 from .steps import faults as step_faults
-from .steps import in_unit, repeated, steps
+from .steps import in_unit, steps
 from .variants import apart, at_points, distance, draw, flat, symbol_points, symbol_values
 from .words import word
 
@@ -237,8 +237,8 @@ def _differences(key, ways, proved, atol):
 
 def proved_steps(p, given, proof=None):
     """{key: value in base units} of the steps that ``prove`` finds too, on numbers of 50 digits."""
-    found, others = (proof or _Proof(p))(given), {a.key for a in p.answers} | repeated(p)
-    return {key: x for key, x in found.items() if key not in others}
+    found, asked = (proof or _Proof(p))(given), {a.key for a in p.answers}
+    return {key: x for key, x in found.items() if key not in asked}
 
 
 def _steps_against_proof(p, given, proof):

@@ -121,12 +121,8 @@ def steps(p, values, one=1.0):
 
 def listed_steps(p: Problem, g: Givens) -> list[Step]:
     """The steps of ``p`` for givens ``g`` of any kind, in base units: those that its code lists, or
-    the terms of its answers; without those that repeat an answer, and terms that repeat a step.
+    the terms of its answers.
     """
-    return [s for s in _all_steps(p, g) if s.key not in repeated(p)]
-
-
-def _all_steps(p, g):
     own = getattr(p.code, "steps", None)
     found = own(g) if own else _from_answers(p, g)
     computed = found.items() if isinstance(found, dict) else found
@@ -135,7 +131,9 @@ def _all_steps(p, g):
 
 @cache
 def repeated(p: Problem) -> frozenset[str]:
-    """The steps that are an answer, or as terms another step, whatever the numbers."""
+    """The steps of which nothing is asked in practice: whatever the numbers, they are an answer, or
+    as terms another step.
+    """
     rng, always = random.Random(f"steps of {p.id}"), None
     for _ in range(SETS):
         numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
@@ -149,7 +147,7 @@ def repeated(p: Problem) -> frozenset[str]:
 
 def _repeated_at(p, g):
     answers = [x for x in p.code.solve(g).values() if isinstance(x, Vector)]
-    vectors = [s for s in _all_steps(p, g) if isinstance(s.value, Vector)]
+    vectors = [s for s in listed_steps(p, g) if isinstance(s.value, Vector)]
     known, found = [*answers, *(s.value for s in vectors if not s.term)], set()
     for s in vectors:
         if any(_is_same(s.value, x) for x in (known if s.term else answers)):
@@ -219,6 +217,7 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
         for key in p.steps
         if key not in computed
     ]
+    wrong += [f"the step {key} is an answer" for key in p.steps if key in repeated(p)]
     if not hasattr(p.code, "steps"):
         return wrong
     try:

@@ -43,10 +43,10 @@ def solve(g):
 def steps(g):
     p = g.k * (g.a + g.b) / 2 - (g.m_c + g.m_b) * g.g
     q = g.m_b * g.g * (g.b - g.a)
-    yield Step("p", p, "N", "coefficient k*(a + b)/2 - (m_c + m_b)*g in the equation for the height "
-               "h of the collar then: each ball drops by x*(h + b - a)/(2*h) while the collar drops "
-               "by x = a + b - h, and the energies, divided by x and multiplied by h, give "
-               "k*h^2/2 - p*h + q = 0", "11.18", "11.32")  # fmt: skip
+    yield Step("p", p, "N", "coefficient k*(a + b)/2 - (m_c + m_b)*g in the equation for the "
+               "height h of the collar then: each ball drops by x*(h + b - a)/(2*h) while the "
+               "collar drops by x = a + b - h, and the energies, divided by x and multiplied by h, "
+               "give k*h^2/2 - p*h + q = 0", "11.18", "11.32")  # fmt: skip
     yield Step("q", q, "J", "coefficient m_b*g*(b - a) in it", "11.18", "11.32")
     yield Step("h", (p + sqrt(p**2 - 2 * g.k * q)) / g.k, "mm", "height of the collar above O, the "
                "larger root, to which it comes first; the links a and b and the height h form a "

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from exercises.catalogue.steps import in_unit, listed_steps, steps
+from exercises.catalogue.steps import in_unit, listed_steps, repeated, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.causes import listed
@@ -26,7 +26,7 @@ NOISE = 1e-12  # of a model and a key that are both zero, in the unit of the tex
 def quantities(p, values):
     """([description for the file], {key: numbers or word}) of all quantities, steps first."""
     described, right = [], {}
-    for s in steps(p, values):
+    for s in [s for s in steps(p, values) if s.key not in repeated(p)]:
         described.append({
             "key": s.key, "kind": s.kind.name, "unit": s.unit, "means": typeset(s.means, p),
             "plain": plain(s.means, p.units), "section": s.section or p.section,
@@ -104,7 +104,7 @@ def _answers_of(p):
 def _steps_of(p):
     def compute(g):
         found = {s.key: in_unit(s.value, s.unit, p.system) for s in listed_steps(p, g)}
-        return {k: x for k, x in found.items() if not isinstance(x, str)}
+        return {k: x for k, x in found.items() if not (isinstance(x, str) or k in repeated(p))}
 
     return compute
 

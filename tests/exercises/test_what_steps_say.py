@@ -1,5 +1,5 @@
-"""The steps of a problem lead to its answers and give none away: they are found from the givens and
-from each other, and none is an answer, or another step.
+"""The steps that practice asks for lead to the answers and give none away: they are found from the
+givens and from each other, and none is an answer, or another step.
 """
 
 import math
@@ -9,7 +9,7 @@ import pytest
 
 from exercises.catalogue import select
 from exercises.catalogue.checks import values
-from exercises.catalogue.steps import listed_steps
+from exercises.catalogue.steps import listed_steps, repeated
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.trace import Step as Traced
 from newton_euler.algebra.trace import Trace
@@ -30,7 +30,7 @@ def sheets(p):
         g = p.base(values(p, seed))
         asked = {k: x for k, x in p.code.solve(g).items() if not p.answer(k).kind.is_word}
         listed = {s.key: (numbers(s.value), bool(s.term)) for s in listed_steps(p, g)
-                  if not s.kind.is_word}  # fmt: skip
+                  if not s.kind.is_word and s.key not in repeated(p)}  # fmt: skip
         found.append((listed, {k: numbers(x) for k, x in asked.items()}))
     return found
 
