@@ -151,7 +151,9 @@ def _dimensions(p):
         asked = unit(a.unit).dimension
         for x in flat(answer):
             if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
-                faults.append(f"{key} is asked for in {a.unit}, {asked}, but solve gives {x}")
+                faults.append(
+                    f"{key} is asked for in {a.unit}, that is {asked}, but solve gives {x}"
+                )
     return faults
 
 

@@ -8,15 +8,16 @@ matrices as three rows:
 """
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
+from typing import Any
 
 from newton_euler import Frame
 from newton_euler.algebra.scalars import Scalar
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 
-from .model import Problem
+from .model import Givens, Problem
 from .units import in_unit
 from .variants import flat
 from .words import word
@@ -37,20 +38,31 @@ def follow(
     values : givens and symbols in the units of the text
     earlier : {answer: tuple of numbers, in its unit}, with those that ``earlier_answers`` names
     """
-    frame = Frame("axes of the answers")
-    taken = {name: _in_base(p, name, earlier[name], frame) for name in earlier_answers(p)[key]}
-    found = p.code.follows[key](p.base(values), **taken)
+    base = {name: _in_base(p, name, earlier[name]) for name in earlier_answers(p)[key]}
+    found = follow_in_base(p, key, p.base(values), base)
     if p.answer(key).kind.is_word:
         return (word(found),)
     return flat(in_unit(found, p.answer(key), p.system))
 
 
-def _in_base(p, name, numbers, frame):
+def follow_in_base(p: Problem, key: str, g: Givens, earlier: Mapping[str, Sequence[Any]]) -> Any:
+    """The same in base units, as the code has it: a scalar, a Vector, rows, or a word."""
+    frame = Frame("axes of the answers")
+    return p.code.follows[key](g, **{n: _nested(p, n, x, frame) for n, x in earlier.items()})
+
+
+def _in_base(p, name, numbers):
     answer = p.answer(name)
     if answer.kind.is_word:
+        return numbers
+    return [unit(answer.unit).to_base(x, p.system) for x in numbers]
+
+
+def _nested(p, name, numbers, frame):
+    kind = p.answer(name).kind
+    if kind.is_word:
         return numbers[0]
-    base = [unit(answer.unit).to_base(x, p.system) for x in numbers]
-    return frame.vector(*base) if answer.kind.is_vector else answer.kind.nested(base)
+    return frame.vector(*numbers) if kind.is_vector else kind.nested(numbers)
 
 
 def acceleration_of(omega: Vector, alpha: Vector, r: Vector) -> Vector:

@@ -5,30 +5,28 @@ warn of an answer that cannot be.
 import math
 import random
 from functools import cache
+from typing import TypeAlias
 
 import numpy as np
 
-from newton_euler.answers.sanity import KINETIC
+from newton_euler.answers.sanity import KINETIC, MAGNITUDE
 
 from .model import Problem
 from .variants import at_points, drawn_value
 
+Sane: TypeAlias = tuple[float, float] | tuple[float, float, str] | str
 DRAWS = 100  # sets of numbers
 ROOM = 3.0  # beyond what these give; rounded outward to powers of ten, which tell no key
 
 
 @cache
-def sane_answers(p: Problem) -> dict[str, tuple[float, float] | str]:
-    """{answer: (low, high) of its size, or "kinetic energy"} of problem ``p``; an answer of which
-    nothing is known is left out.
+def sane_answers(p: Problem) -> dict[str, Sane]:
+    """{answer: (low, high) of its size, "kinetic energy", "magnitude", or "magnitude of" a vector
+    that is asked for beside it, also behind its size} of problem ``p``; an answer of which nothing
+    is known is left out.
     """
     # not the change of one, which may be negative
-    found: dict[str, tuple[float, float] | str] = {
-        a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)
-    }
-    asked = [a for a in p.answers if a.kind.has_size]
-    if not asked:
-        return found
+    words = {a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)}
     rng = random.Random(f"sizes of {p.id}")
     values = {
         n: np.array([g.value, *(drawn_value(g, rng) for _ in range(DRAWS))])
@@ -36,9 +34,28 @@ def sane_answers(p: Problem) -> dict[str, tuple[float, float] | str]:
     }
     values |= {n: np.array([rng.uniform(*s.vary) for _ in range(DRAWS + 1)])
                for n, s in p.symbols.items()}  # fmt: skip
+    asked = [a for a in p.answers if a.kind.has_size and a.key not in words]
+    magnitudes = [a for a in p.answers if a.means.startswith(MAGNITUDE) and a.kind.length == 1]
+    if not asked and not magnitudes:
+        return dict(words)
     right, _ = at_points(p, values)
-    bounds = {a.key: _bounds(right[a.key]) for a in asked if a.key not in found}
-    return found | {key: b for key, b in bounds.items() if b}
+    words |= {a.key: _magnitude(p, a, right) for a in magnitudes}
+    bounds = {a.key: b for a in asked if (b := _bounds(right[a.key]))}
+    both = {key: (*bounds[key], words[key]) for key in bounds.keys() & words.keys()}
+    return {key: x for key, x in ({**words, **bounds, **both}).items() if x}
+
+
+def _magnitude(p, a, right):
+    """ "magnitude", with the vector beside it whose size it is; "" where it may be negative."""
+    sizes = [x for (x,) in right[a.key]]
+    if min(sizes) < 0:
+        return ""
+    for b in p.answers:
+        if b.kind.length == 3 and b.unit == a.unit:
+            others = [math.hypot(*point) for point in right[b.key]]
+            if np.allclose(sizes, others, rtol=1e-9, atol=0.0):
+                return f"{MAGNITUDE} of {b.key}"
+    return MAGNITUDE
 
 
 def _bounds(points):

@@ -230,5 +230,7 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
         asked = unit(s.unit).dimension
         for x in () if isinstance(s.value, str) or callable(s.value) else flat(s.value):
             if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
-                wrong.append(f"the step {s.key} is stated in {s.unit}, {asked}, and has {x}")
+                wrong.append(
+                    f"the step {s.key} is stated in {s.unit}, that is {asked}, and has {x}"
+                )
     return wrong

@@ -29,8 +29,10 @@ def term_text(
         bold = re.sub(r"\b([av])_r", r"$\\mathbf{\1}_r$", text)
         return bold.replace("dQ/dt", r"$d\mathbf{Q}/dt$") if latex else text
     if name in equation.terms:
-        kind, *of = name.split("_")  # coriolis_theta_phi, of two coordinates
-        kind = {"coriolis": "Coriolis", "euler": "Euler"}.get(kind, kind)
+        kind, *of = name.split("_")  # coriolis_theta_phi, of two coordinates; static_euler
+        kind = " ".join([kind, *(x for x in of if x == "euler")])
+        kind = kind.replace("coriolis", "Coriolis").replace("euler", "Euler")
+        of = [x for x in of if x != "euler"]
         whose = f" of {' and '.join(of)}," * bool(of)
         formula = f"${equation.terms[name][1]}$" if latex else equation.terms[name][0]
         return f"the {kind} term{whose} {formula}"

@@ -30,12 +30,14 @@ class Derivation:
     together : equations that are solved first, as pairs of their two sides
     unknowns : the names of their unknowns
     solved : True if it is itself an unknown of such equations, of these or of earlier ones
+    varies : True if it depends on what is given
     """
 
     formulas: tuple = ()
     together: tuple = ()
     unknowns: frozenset = frozenset()
     solved: bool = False
+    varies: bool = False
 
 
 @dataclass(eq=False)
@@ -59,7 +61,11 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
     if found is None:
         return {}
     g = p.base({**p.sympy_symbols(), **values})
-    return _derivations(p, tuple(_value(c, g, {}) for c in _choices(found)))
+    memo: dict[int, Any] = {}
+    cases = [_value(c, g, memo) for c in _choices(found)]
+    scalars = {key: parts[0] for key, parts in found.components.items() if len(parts) == 1}
+    positive = {key for key, x in scalars.items() if (_value(x, g, memo) or 0.0) > 0}
+    return _derivations(p, tuple(c and c > 0 for c in cases), frozenset(positive))
 
 
 def _choices(found):
@@ -78,13 +84,15 @@ def _traced(p):
 
 
 @lru_cache(maxsize=400)
-def _derivations(p, cases):
-    """The derivations where the choices of the computation, in their order, are ``cases``."""
+def _derivations(p, cases, positive):
+    """The derivations where the choices of the computation, in their order, are ``cases``, and
+    these quantities are ``positive``.
+    """
     found = _traced(p)
     numbers = [c.number if isinstance(c, Step) else None for c in _choices(found)]
     lowest = {n: (q.vary or (q.value,))[0] for n, q in p.givens.items()}
     lowest |= {n: q.vary[0] for n, q in p.symbols.items()}
-    positive = frozenset(n for n, low in lowest.items() if low > 0)
+    positive |= {n for n, low in lowest.items() if low > 0}
     asked = {a.key for a in p.answers}
     reader = _Reader(found, dict(zip(numbers, cases, strict=True)), {*positive}, asked)
     return {key: reader.derived(key) for key in found.components}
@@ -126,7 +134,7 @@ class _Reader:
         self.taken |= {component(k, n, len(x)) for k, x in components for n in range(len(x))}
 
     def symbol(self, name):
-        """The symbol of a name; positive where all numbers that are drawn for it are."""
+        """The symbol of a name; positive where its number is, or all that are drawn for it."""
         import sympy
 
         return sympy.Symbol(name, real=True, positive=True if name in self.positive else None)
@@ -150,7 +158,8 @@ class _Reader:
         self._remember(key, parts, names, formulas)
         if sum(f.count_ops() for f in {*formulas} - {None}) > LONGEST_LIST:
             formulas = ()
-        return Derivation(formulas, tuple(self.together), frozenset(self.wanted), solved)
+        varies = any(isinstance(x, Step) for x in parts)
+        return Derivation(formulas, tuple(self.together), frozenset(self.wanted), solved, varies)
 
     def _remember(self, key, parts, names, formulas):
         """Makes a quantity known to later ones; the terms of an answer to it only, as no line has
@@ -174,9 +183,8 @@ class _Reader:
                 formula = formula.xreplace(self.short)
         except Unwritten:
             return None
-        if (formula.is_Symbol and formula.name == name) or _is_long(formula):
-            return None
-        return formula
+        is_itself = formula.is_Symbol and formula.name == name and name not in self.found.givens
+        return None if is_itself or _is_long(formula) else formula
 
     def _shortened(self, formula):
         """The formula with earlier quantities in the place of theirs."""
@@ -207,7 +215,7 @@ class _Reader:
 
         if x.op == "pi":
             return sympy.pi
-        if x.op == "abs" and (self.cases.get(x.args[0].number) or -1.0) >= 0:
+        if x.op == "abs" and self.cases.get(x.args[0].number):
             return self._written(x.args[0], memo)
         if x.op == "where":
             return self._written(x.args[1 if self._holds(x.args[0]) else 2], memo)
@@ -240,6 +248,8 @@ class _Reader:
         own = dict(zip(inner.parameters, [variable, *outside], strict=True))
         reader = _Inner(self, own, memo)
         formula = sympy.sympify(reader.written(inner.leaves[n]))
+        if formula.count_ops() > 2 * LONGEST:
+            raise Unwritten
         if root:
             self._show_together([self._tidy(formula, 0)], {name})
             self.answers.add(x.number)
@@ -347,14 +357,17 @@ def _simplest(formula):
     import sympy
 
     formula = sympy.sympify(formula)
+    formula = formula.xreplace({x: _constant(x) for x in formula.atoms(sympy.Float)})
     if sympy.fraction(sympy.together(formula))[1].has(sympy.Integral):
         formula = formula.doit()
     if formula.has(sympy.sin) and formula.has(sympy.cos) and not _is_long(formula):
         other = sympy.trigsimp(sympy.expand(formula))
         return min(formula, other, key=lambda f: f.count_ops())
-    if _is_long(formula) and formula.count_ops() < HOPELESS:
-        return sympy.simplify(formula)
-    return formula
+    if not LONGEST / 2 < formula.count_ops() < HOPELESS:
+        return formula
+    other = sympy.simplify(formula)
+    # of a formula that can be read, the order of its terms says how it was found
+    return other if _is_long(formula) or other.count_ops() < formula.count_ops() / 2 else formula
 
 
 def _positive(row):
@@ -389,9 +402,10 @@ def _constant(x):
     x = float(x)
     if x.is_integer():
         return sympy.Integer(int(x))
-    for unit, name in ((1.0, 1), (math.pi, sympy.pi), (math.sqrt(2), sympy.sqrt(2))):
+    pi, root = (math.pi, sympy.pi), (math.sqrt(2), sympy.sqrt(2))
+    for unit, name in ((1.0, 1), pi, (1 / math.pi, 1 / sympy.pi), root):
         near = sympy.Rational(x / unit).limit_denominator(60) if math.isfinite(x) else 0
-        if near and math.isclose(float(near) * unit, x, rel_tol=1e-14):
+        if near and math.isclose(float(near) * unit, x, rel_tol=1e-13):
             return near * name
     return sympy.Float(x)
 

@@ -34,7 +34,11 @@ def simplest(formula: Any) -> Any:
 
     if formula.count_ops() > 150:
         return formula
-    forms = formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)
+    if formula.has(sympy.Float):  # beside rounded numbers pi and the square root of 2 are some, too
+        formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
+    forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
+    if formula.has(sympy.sin) and formula.count_ops() < 60:
+        forms.append(sympy.trigsimp(formula))
     return min(forms, key=lambda f: f.count_ops())
 
 
@@ -69,8 +73,21 @@ def _numeral(x, stated_in, bare, latex):
 
 
 def _is_apart(text):
-    """True if a number stands in parentheses as a factor: -3, 2 x 10^3, 25 km/h."""
-    return text[:1] in "-0123456789" and not text.replace(".", "").isdigit()
+    """True if what is written for a symbol needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
+    return "/" in text or (text[:1] in "-0123456789" and not text.replace(".", "").isdigit())
+
+
+def _one_root(product):
+    """A product with its square roots of factors as one."""
+    import sympy
+
+    roots = [x for x in product.args if x.is_Pow and abs(x.exp) == sympy.Rational(1, 2)]
+    if len(roots) < 2:
+        return product
+    inside = sympy.Mul(*(x.base ** sympy.sign(x.exp) for x in roots))
+    others = [x for x in product.args if x not in roots]
+    root = sympy.Pow(inside, sympy.Rational(1, 2), evaluate=False)
+    return sympy.Mul(*others, root, evaluate=False) if others else root
 
 
 class _Names:
@@ -103,8 +120,14 @@ class _Names:
         text = super()._print_Add(expr, order)
         return text.replace("+ -", "- ").replace("- -", "+ ") if self.numbers else text
 
+    def _print_Mul(self, expr):
+        joined = _one_root(expr) if expr.is_Mul else expr  # SymPy prints 1/x here, too
+        alone = expr.is_Mul and not joined.is_Mul
+        text = self._print(joined) if alone else super()._print_Mul(joined)
+        return text[3:] if self.numbers and text.startswith("- -") else text.removeprefix("--")
+
     def _is_apart(self, expr):
-        return self.numbers and expr.is_Symbol and _is_apart(self._print_Symbol(expr))
+        return expr.is_Symbol and _is_apart(self._print_Symbol(expr))
 
 
 @cache
@@ -125,6 +148,10 @@ def _latex_printer():
 
         def _print_Float(self, expr):
             return number_symbol(float(expr))
+
+        def _print_atan2(self, expr, **_):
+            y, x = map(self._print, expr.args)
+            return rf"\operatorname{{atan2}}\left({y},\ {x}\right)"
 
         def _needs_mul_brackets(self, expr, first=False, last=False):
             return self._is_apart(expr) or super()._needs_mul_brackets(expr, first, last)

@@ -41,6 +41,7 @@ class Line:
     above : True if it is an unknown of equations that were solved before
     name : of the quantity, "" where it has none
     equal : what it is equal to: its formula, that with numbers, its value with the unit
+    reason : why there is no formula, where there is none
     """
 
     step: Step
@@ -49,6 +50,12 @@ class Line:
     above: bool
     name: str
     equal: tuple[str, ...]
+    reason: str = ""
+
+
+WORD, SUM = "it is a word, or counted", "its terms stand above"
+RESULT, SAME = "the result is a formula", "it is the same whatever is given"
+TOO_LONG = "its formula is too long for a page"
 
 
 def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
@@ -63,8 +70,17 @@ def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
         yield writer.line(s)
 
 
+def own_number(number: str, p: Problem) -> str:
+    """An equation of the engine as the chapter of ``p`` numbers it, "" if it comes later."""
+    order = ("A", *map(str, range(2, 12)))
+    chapter = p.id.partition("/")[0]
+    if order.index(number.partition(".")[0]) <= order.index(chapter):
+        return number
+    return book_equations()["own"].get(chapter, {}).get(number, "")
+
+
 @cache
-def book_equations() -> Mapping[str, str]:
+def book_equations() -> Mapping[str, Any]:
     """The equations that are cited, as the book writes them: {number: LaTeX}."""
     folder = Path(exercises.catalogue.__file__).parent
     return tomllib.loads((folder / "book_equations.toml").read_text())
@@ -101,7 +117,8 @@ def _chain(line):
     numbers = "; ".join(f"${row}$" for row in line.with_numbers)
     begin = f"from {rows}" * bool(rows) + f", with numbers {numbers}" * bool(numbers)
     begin = begin or "from the equations above" * line.above
-    return f"{begin}: {' '.join(pieces)}" if begin else " ".join(pieces)
+    end = f" ({line.reason})" * (line.reason == TOO_LONG)
+    return f"{begin}: {' '.join(pieces)}{end}" if begin else f"{' '.join(pieces)}{end}"
 
 
 class _Writer:
@@ -141,7 +158,19 @@ class _Writer:
         last = (value, value.removesuffix(self._unit(s)))
         chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
         above = found.solved and not found.together
-        return Line(s, *self._together(found), above, self._name(s), (*chain, value))
+        reason = "" if chain or above or found.together else self._reason(s, found)
+        return Line(s, *self._together(found), above, self._name(s), (*chain, value), reason)
+
+    def _reason(self, s, found):
+        """Why there is no formula."""
+        if isinstance(s.value, (str, int)) or callable(s.value):
+            return WORD
+        if s.key in self.sums or _is_sum(s.value):
+            return SUM
+        if not all(map(is_numeric, map(to_plain, flat(s.value)))):
+            return RESULT
+        known = found.formulas and None not in found.formulas
+        return SAME if known or not found.varies else TOO_LONG
 
     def _sum(self, key, n):
         """A component of a sum, of the symbols of its terms."""
@@ -188,7 +217,7 @@ class _Writer:
             return "", ""
         free = {x.name for f in formulas for x in f.free_symbols}
         degrees = "deg" in (s.unit, *(self.units.get(n) for n in free))
-        plain = self._whole(formulas) or self._joined(
+        plain = self._whole(formulas, s.key) or self._joined(
             [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas]
         )
         if s.key in self.sums:  # its terms stand above it
@@ -224,14 +253,19 @@ class _Writer:
     def _noise(self, stated_in):
         return 1e-12 * self.sizes.get(stated_in, 0.0)
 
-    def _whole(self, formulas):
-        """The name of the vector that has these components, "" if there is none."""
+    def _whole(self, formulas, own_key):
+        """The name of another vector that has these components, "" if there is none."""
         keys = {f.name.rpartition("_")[0] for f in formulas if f.is_Symbol}
         key = keys.pop() if len(keys) == 1 else ""
         own = [component(key, n, len(formulas)) for n in range(len(formulas))]
-        if len(formulas) < 2 or not all(
-            (f.is_Symbol and f.name == name) or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
-            for f, name in zip(formulas, own, strict=True)
+        if (
+            key == own_key
+            or len(formulas) < 2
+            or not all(
+                (f.is_Symbol and f.name == name)
+                or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
+                for f, name in zip(formulas, own, strict=True)
+            )
         ):
             return ""
         return symbol(key, len(formulas) == 3) if self.latex else key
@@ -277,7 +311,7 @@ def _means(step, p):
 
 
 def _typeset(means, p):
-    return typeset(typeset_formulas(means, p.notation), p)
+    return typeset_formulas(means, p.notation, lambda text: typeset(text, p))
 
 
 def _words(name, equation, p):
@@ -288,7 +322,8 @@ def _words(name, equation, p):
 
 def _sentence(means):
     """With a capital letter, but "x component of ..." as it is."""
-    return means if means[1:2] in (" ", "") else means[:1].upper() + means[1:]
+    is_name = means[1:2] in (" ", "") and means[:1] != "a"
+    return means if is_name else means[:1].upper() + means[1:]
 
 
 def _where(s):
@@ -336,9 +371,10 @@ def _ledger(a, value, p, found):
     explained = value.explain()
     equation = explained.equation
     # in chapter 2 the equations have other numbers than in the engine
-    number = next((x.step.equation for x in found.values()), equation.number)
+    number = next((x.step.equation for x in found.values()), own_number(equation.number, p))
     stated = book_equations().get(number)
-    yield f"By equation ({number}){f', ${stated}$,' * bool(stated)} the sum of"
+    cited = f"By equation ({number}){f', ${stated}$,' * bool(stated)} the sum of"
+    yield cited if number else "The sum of"
     yield ""
     yield "| term | value |"
     yield "| --- | --- |"

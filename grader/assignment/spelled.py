@@ -1,7 +1,7 @@
 """Formulas that a text spells as they are typed, in LaTeX."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from newton_euler.answers.notation import GREEK, symbol
 
@@ -15,28 +15,29 @@ _START = re.compile(r"(?<![\w'/*^.$}{)-])[-\w(]")
 _OPENED = {"sqrt": (r"\sqrt{", "}"), "d": ("d", ""), None: ("(", ")")}
 
 
-def typeset_formulas(text: str, symbols: Mapping[str, str]) -> str:
+def typeset_formulas(
+    text: str, symbols: Mapping[str, str], rest: Callable[[str], str] = str
+) -> str:
     r"""A text with its formulas in LaTeX between dollar signs; what is there already stays.
 
     symbols : {name: LaTeX} of those that are not written as symbol() says
+    rest : what is made of the text between the formulas, and of those that are there
 
     >>> print(typeset_formulas("a mass, m*r_1^2/2 of a disk: sqrt(r^2 - z'^2), -k x_0", {}))
     a mass, $m\,r_1^2/2$ of a disk: $\sqrt{r^2 - z'^2}$, $-k\,x_0$
     """
     parts = re.split(r"(\$[^$]*\$)", text)
-    return "".join(x if n % 2 else _typeset(x, symbols) for n, x in enumerate(parts))
+    return "".join(rest(x) if n % 2 else _typeset(x, symbols, rest) for n, x in enumerate(parts))
 
 
-def _typeset(text, symbols):
+def _typeset(text, symbols, rest):
     out, done = "", 0
     for match in _START.finditer(text):
         if match.start() >= done and (found := _Span(text, match.start(), symbols).found):
             latex, end = found
-            formula = f"${latex}$"
-            if text.startswith(" deg", end) or "\\times" in latex:  # typeset_names knows these
-                formula = text[match.start() : end]
-            out, done = out + text[done : match.start()] + formula, end
-    return out + text[done:]
+            if not text.startswith(" deg", end) and "\\times" not in latex:  # left to the rest
+                out, done = f"{out}{rest(text[done : match.start()])}${latex}$", end
+    return out + rest(text[done:])
 
 
 class _Span:

@@ -6,7 +6,7 @@ from pathlib import Path
 from ..course import Course
 from .records import entries, lines, questions
 
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet would run a text that begins so
+_FORMULA = frozenset("=+-@＝＋－＠\t\r\n")  # a spreadsheet may run a text that begins so
 
 
 def export(
@@ -74,7 +74,7 @@ def _gradescope(course, assignment, found, maximum):
 def _cell(x):
     """A cell of the file: a number, or a text that no spreadsheet takes for a formula."""
     if isinstance(x, str):
-        return f"'{x}" if x.startswith(_FORMULA) else x
+        return f"'{x}" if _FORMULA & {x[:1], x.lstrip()[:1]} else x
     return "" if x is None else f"{x:.10g}"
 
 

@@ -6,12 +6,17 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
+import numpy as np
+
 from exercises.catalogue import Problem
 from exercises.catalogue import problem as find_problem
+from exercises.catalogue.following import earlier_answers, follow_in_base
 from exercises.catalogue.tracing import traced_quantities
-from exercises.catalogue.variants import POINTS
+from exercises.catalogue.variants import POINTS, flat
+from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import unit
-from newton_euler.answers.perturbed import Computation, Perturbed, Traced
+from newton_euler.answers.formulas import Formulas, Stage, Traced
+from newton_euler.answers.perturbed import Computation, Perturbed
 
 
 def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
@@ -22,16 +27,67 @@ def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
     return Perturbed(_computation(problem.id), values)
 
 
+def perturbed_sequel(
+    problem: Problem, key: str, sample: Mapping[str, Any], earlier: Mapping[str, Any]
+) -> Perturbed:
+    """The slips in computing the answer ``key`` from a student's ``earlier`` answers, {answer:
+    points}.
+    """
+    values = {n: unit(u).to_base(sample[n], problem.system) for n, u in problem.units.items()}
+    with np.errstate(all="ignore"):  # a student may write 1e300
+        for name, points in earlier.items():
+            stated = unit(problem.answer(name).unit)
+            for n, column in zip(_names(problem, name), np.array(points).T, strict=True):
+                values[n] = stated.to_base(column, problem.system)
+    return Perturbed(_sequel(problem.id, key), values)
+
+
+@cache
+def _sequel(problem_id, key):
+    """How an answer follows from earlier ones, their components named as givens are."""
+    p, trace = find_problem(problem_id), Trace()
+    stated = {n: p.answer(e).unit for e in earlier_answers(p)[key] for n in _names(p, e)}
+    units, asked = {**p.units, **stated}, p.answer(key)
+    base = {n: trace.new("argument", n) for n in units}
+    g = p.base(dict.fromkeys(p.units, 1.0)).but(**{n: base[n] for n in p.units})
+    earlier = {e: tuple(base[n] for n in _names(p, e)) for e in earlier_answers(p)[key]}
+    answer = Traced(
+        flat(follow_in_base(p, key, g, earlier)), asked.unit, POINTS if asked.kind.is_formula else 1
+    )
+    return Computation(Formulas({key: answer}, units, p.system, (), _section(p.section)))
+
+
+def _names(p, key):
+    """The names of the components of an answer."""
+    length = p.answer(key).kind.length
+    return [key] if length == 1 else [f"{key}_{n}" for n in range(1, length + 1)]
+
+
 @cache
 def _computation(problem_id):
-    p = find_problem(problem_id)
-    found = traced_quantities(p).components
+    return Computation(formulas(find_problem(problem_id)))
+
+
+def formulas(p: Problem) -> Formulas:
+    """The traced answers of a problem, and its steps as stages on the way."""
+    found = traced_quantities(p)
     answers = {
-        a.key: Traced(
-            [(x, unit(a.unit).from_base(1.0, p.system)) for x in found[a.key]],
-            POINTS if a.kind.is_formula else 1,
-        )
+        a.key: Traced(found.components[a.key], a.unit, POINTS if a.kind.is_formula else 1)
         for a in p.answers
-        if a.key in found
+        if a.key in found.components
     }
-    return Computation(answers, p.units, p.system)
+    stages = [
+        Stage(s.key, _where(s), found.components[s.key])
+        for s in found.steps
+        if s.key in found.components and s.key not in answers
+    ]
+    return Formulas(answers, p.units, p.system, stages, _section(p.section))
+
+
+def _where(step):
+    equation = f"({step.equation})" if step.equation else ""
+    return ", ".join(filter(None, [_section(step.section), equation]))
+
+
+def _section(number):
+    return f"{'section' if number[0].isdigit() else 'appendix'} {number}" if number else ""

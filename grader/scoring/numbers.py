@@ -14,8 +14,9 @@ from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
 from newton_euler.answers.causes import listed
+from newton_euler.answers.near import NO_SLIPS
 
-from .computation import perturbed
+from .computation import perturbed, perturbed_sequel
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -95,6 +96,12 @@ class Numbers:
     def slips(self):
         """The slips in the computation of the answers."""
         return perturbed(self.problem, self.sample)
+
+    def sequel(self, key, earlier):
+        """The slips in computing ``key`` from a student's ``earlier`` answers, {answer: points}."""
+        if not earlier or any(self.problem.answer(n).kind.is_word for n in (key, *earlier)):
+            return NO_SLIPS
+        return perturbed_sequel(self.problem, key, self.sample, earlier)
 
     def following(self, key, earlier):
         """The points of the answer ``key`` that follows from a student's ``earlier`` answers,

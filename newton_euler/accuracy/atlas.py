@@ -14,7 +14,7 @@ TITLE = "Speed and accuracy: an atlas of every scene"
 ANSWERS = {
     METHOD: "All methods of integration on each scene that moves: the error at the end against the "
     "time of a run, and against calls of the right-hand side.",
-    MODEL: "From the coarsest model of a scene to the fullest. The ring is the cheapest within the "
+    MODEL: "From the coarsest model of a scene to the fullest. The ring is the smallest within the "
     "tolerance, the dashed line.",
     FORMULA: "Several ways to the same number, where nothing moves.",
     BORDER: "The cheapest choice that holds, over two parameters. The lines are theory's borders.",

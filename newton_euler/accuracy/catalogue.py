@@ -87,9 +87,6 @@ def chart_named(name: str) -> Chart:
     return known[slug(name)]
 
 
-# -- each kind
-
-
 def _scene(name, quick, progress):
     asked = (QUICK, QUICK_METHODS, QUICK_LONGEST) if quick else (TOLERANCES, NAMES, LONGEST)
     found = work_precision(name, *asked, progress)
@@ -104,7 +101,9 @@ def _models(name, quick, progress, tolerance=None):
     points = measured_models(rungs, progress)
     draw_models(points, rungs, figure, tolerance)
     caption, title = models_caption(points, rungs, tolerance), f"models of {name}"
-    return DrawnChart(title, tuple(points), caption, points_table(points, rungs.of), figure)
+    return DrawnChart(
+        title, tuple(points), caption, points_table(points, rungs.of, "operations", ""), figure
+    )
 
 
 def _comparison(name, quick, progress):

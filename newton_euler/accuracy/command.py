@@ -54,38 +54,34 @@ class _Charts(click.Command):
 def main(names, only_list, draw_all, models, folder, kind, quick):
     """Measure speed and accuracy, now and on this machine, and draw a chart of each NAME.
 
-    A name of several words stands in quotes, or has hyphens for the blanks. There are four kinds of
-    charts:
+    A name of several words stands in quotes, or has hyphens for the blanks:
 
     \b
     a scene that moves, as "top"
         all methods of integration: the true error against the time and against
         the calls of the right-hand side, and the drift of the invariants
     "models of projectile" and others
-        from the coarsest model to the fullest: time against what is left out
+        from the coarsest model to the fullest: operations against what is left out
     a comparison, as "angle"
         where nothing is integrated: several methods for the same number
     "map of sleeping top" and others
         the method or model to use, over two parameters
 
-    Two words are commands with options of their own if they stand first. atlas writes all charts
-    on a page, see atlas --help. honesty asks: is each method as accurate as requested, and is its
-    own error estimate true? See honesty --help.
+    Two first words are commands of their own, see their --help. atlas writes all charts on a page.
+    honesty asks: is each method as accurate as requested, and is its own error estimate true?
 
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Closed forms and
     methods that step have a front each. Times are those of a run after all imports and
-    compilations; a grey bar ends at the time of the first run. Among models the ring is the choice:
-    the cheapest within the tolerance. Errors are taken against a reference of 30 digits. Times
-    differ by a tenth from run to run, and by more while the machine has other work.
+    compilations; a grey bar ends at the time of the first run. Among models the cost is counted in
+    operations, and the ring is the choice: the smallest within the tolerance. Errors are taken
+    against a reference of 30 digits. Times differ by a tenth from run to run, and by more while the
+    machine has other work.
 
     \b
     Examples:
-      python -m newton_euler.accuracy --list
       python -m newton_euler.accuracy top "free body" --out charts
       python -m newton_euler.accuracy --all --models --format svg
-      python -m newton_euler.accuracy atlas --out atlas
-      python -m newton_euler.accuracy honesty --scene top
     """
     known = {name: c for name, c in charts().items() if c.question == MODEL or not models}
     if only_list or not (names or draw_all):
@@ -109,13 +105,11 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
 @_out(ATLAS)
 @click.option("--quick", is_flag=True, help="As --quick of one chart: some minutes in all.")
 def atlas_main(folder, quick):
-    """Measure and draw every chart, and write them to index.html in a folder, which works without a
-    network.
+    """Measure and draw every chart, to index.html in a folder, which needs no network.
 
-    The page has all scenes, ladders of models, comparisons and maps, grouped by the questions that
-    they answer: Which method? Which model? Which formula? Where does it change? When does it fail?
-    Each chart has a caption written from what was measured, and its numbers. All of them take some
-    ten minutes; leave the machine alone meanwhile.
+    The charts are grouped by the questions that they answer: Which method? Which model? Which
+    formula? Where does it change? When does it fail? Each has a caption written from what was
+    measured. All take some ten minutes; leave the machine alone meanwhile.
     """
     page = _with_progress(ATLAS, partial(write_atlas, folder, None, quick))
     click.echo(f"written: {page}")
@@ -166,12 +160,9 @@ def _picture(context, parameter, path):
 def honesty_main(scenes, methods, path, longest, quick):
     """Measure and draw whether each method keeps its word, beside what it costs.
 
-    Every method is asked for tolerances from 1e-3 to 1e-12 on every scene that it can use. Its
-    answer is compared with a reference of 30 digits, its own error estimate with the true error.
-    All scenes take some minutes, one takes seconds.
-
-    How to read the chart: a method has a row, the cheapest is at the top. A row has a mark for each
-    run, light for a coarse tolerance, dark for a fine one, and a bar at the median.
+    Every method is asked for tolerances from 1e-3 to 1e-12 on every scene that it can use, which
+    takes some minutes; its answer is compared with a reference of 30 digits. A method has a row,
+    the cheapest is at the top: a mark for each run, dark for a fine tolerance, a bar at the median.
 
     \b
     cost              of a run and of its error estimate, after imports and compilations; on several
@@ -195,7 +186,6 @@ def honesty_main(scenes, methods, path, longest, quick):
 
     \b
     Examples:
-      python -m newton_euler.accuracy honesty --quick
       python -m newton_euler.accuracy honesty --scene top --scene "free body" --out top.svg
       python -m newton_euler.accuracy honesty --methods auto,dop853,"scipy DOP853"
     """

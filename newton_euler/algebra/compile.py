@@ -170,9 +170,8 @@ class Compiled:
         """
         name = library.__name__
         if name not in self._functions:
-            space = {
-                n: getattr(library, n) for n in (*FUNCTIONS, "atan2", "pi") if hasattr(library, n)
-            }
+            names = (*FUNCTIONS, "atan2", "pi")
+            space = {n: getattr(library, n) for n in names if hasattr(library, n)}
             space.update(runtime_names(library))
             rounded = name in ("math", "numpy", "heyoka")
             space.update({n: _running(c, rounded) for n, c in self._constants.items()})
@@ -190,9 +189,7 @@ class Compiled:
             return error
         kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
         given = ", ".join(f"{n} = {x!r}" for n, x in zip(self.parameters, args, strict=True))
-        return kinds.get(type(error), SingularError)(
-            f"{self.name} has no value at {given}: {error}"
-        )
+        return kinds.get(type(error), SingularError)(f"{self.name} has no value: {given}: {error}")
 
     def _in_order(self, args, named):
         first = dict(zip(self.parameters, args, strict=False))  # too few or too many: see wrong
@@ -389,10 +386,7 @@ def recorded(f, **constants):
         if not (of_numpy or _needed_values(error)):
             raise
         raise ScalarError(NO_VALUE) from error
-    defaults = {
-        n: default
-        for n in parameters
-        if (default := signature[n].default) is not inspect.Parameter.empty
-    }
+    given = {n: signature[n].default for n in parameters}
+    defaults = {n: x for n, x in given.items() if x is not inspect.Parameter.empty}
     name = getattr(f, "__name__", "formula")
     return Recording(name, parameters, trace, leaves, shape, keys, defaults)

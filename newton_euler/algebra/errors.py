@@ -32,7 +32,7 @@ from .scalars import (
     advice,
     clipped,
     is_numeric,
-    scalar,
+    real_scalar,
     to_plain,
 )
 from .vectors import FrameError, Vector
@@ -204,7 +204,9 @@ def _converter(kind):
         return None  # place() asks which of them it is, in words of its own
     if len(members) > 1:
         converters = [_converter(k) for k in members]
-        return None if None in converters else _first_of(converters)
+        if None in converters:
+            return None
+        return lambda x: next((y for c in converters if (y := c(x)) is not REFUSED), REFUSED)
     if kind in _OF_KIND:
         return _OF_KIND[kind]
     container, parts = typing.get_origin(kind) or kind, typing.get_args(kind)
@@ -220,16 +222,9 @@ def _converter(kind):
     return None
 
 
-def _first_of(converters):
-    def convert(x):
-        return next((y for c in converters if (y := c(x)) is not REFUSED), REFUSED)
-
-    return convert
-
-
 def _number(x):
     try:
-        y = scalar(x)
+        y = real_scalar(x)
     except ScalarError:
         return REFUSED
     return x if x is ZERO else to_plain(y)
@@ -239,7 +234,7 @@ def _real(x):
     if type(x) is float:
         return x
     y = _number(x)
-    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO) or isinstance(y, complex):
+    if y is REFUSED or (isinstance(y, _Own) and y is not ZERO):
         return REFUSED
     return y if is_numeric(y) and not getattr(y, "shape", ()) else REFUSED
 
@@ -259,11 +254,8 @@ LONGEST_SEQUENCE = 10**7  # entries: the most that are iterated over
 
 
 def _is_iterable(x):
-    return (
-        hasattr(x, "__iter__")
-        and not isinstance(x, (str, bytes))
-        and 0 <= _length(x) <= LONGEST_SEQUENCE
-    )
+    iterable = hasattr(x, "__iter__") and not isinstance(x, (str, bytes))
+    return iterable and 0 <= _length(x) <= LONGEST_SEQUENCE
 
 
 def _is_sequence(x):

@@ -26,7 +26,7 @@ from .scalars import (
     is_numeric,
     log,
     min_abs,
-    scalar,
+    real_scalar,
     shown,
     sin,
     sinh,
@@ -143,12 +143,11 @@ class Moving(_Own):
             )
         if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
             return self if power else 1
-        u, power = self.value, to_plain(scalar(power))
+        u, power = self.value, to_plain(real_scalar(power))
         if self.rests():
             return Moving(u**power)
-        return self._chain(
-            u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2)
-        )
+        slope, curvature = power * u ** (power - 1), power * (power - 1) * u ** (power - 2)
+        return self._chain(u**power, slope, curvature)
 
     def rests(self) -> bool:
         """True if it is constant by structure: then a function needs no derivative at the value."""
@@ -156,7 +155,7 @@ class Moving(_Own):
 
     def __rpow__(self, base):
         # the logarithm in the kind of the value, with all its digits
-        return exp(self * log(self.value * 0 + scalar(base)))
+        return exp(self * log(self.value * 0 + real_scalar(base)))
 
     def _chain(self, f, df, ddf):
         """The number f(self), given f and its first two derivatives at the value."""
@@ -172,17 +171,13 @@ class Moving(_Own):
             turn = x.value * y.acceleration - y.value * x.acceleration
             return Moving(atan2(y.value, x.value), rate, (turn - rate * growth) / square)
         if not isinstance(name, str) or name not in _DERIVATIVES:
-            raise ScalarError(
-                f"{clipped(name)} is not a function; there are {', '.join(FUNCTIONS)}"
-            )
+            raise ScalarError(f"{clipped(name)} is no function; there are {', '.join(FUNCTIONS)}")
         if self.rests():
             return Moving(function(name, self.value))
         try:
             return self._chain(*_DERIVATIVES[name](self.value))
         except ZeroDivisionError as error:
-            raise DivisionError(
-                f"the rate of {name}({shown(self.value)}) does not exist: {error}"
-            ) from None
+            raise DivisionError(f"no rate of {name}({shown(self.value)}): {error}") from None
 
 
 def _reciprocal(f, df_inverse, ddf_factor):
@@ -210,7 +205,7 @@ _DERIVATIVES = {
 
 def as_moving(x):
     """The moving number ``x``, or one of the value ``x`` whose rates are zero by structure."""
-    return x if isinstance(x, Moving) else Moving(scalar(x))
+    return x if isinstance(x, Moving) else Moving(real_scalar(x))
 
 
 def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> Moving:
@@ -229,10 +224,10 @@ def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> M
         return value
     if callable(value) and _root(type(value)) not in LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
-    value = scalar(value)
+    value = real_scalar(value)
     rates = [value]
     for x in (rate, acceleration):
-        rates.append(_derived(rates[-1]) if x is None else integer_like(scalar(x), value))
+        rates.append(_derived(rates[-1]) if x is None else integer_like(real_scalar(x), value))
     return Moving(*rates)
 
 
@@ -251,17 +246,14 @@ def _derived(x):
 
 def at(f: Callable, t: Scalar) -> Moving:
     """The function of time ``f`` at the instant ``t`` (s), of any kind, with its first and second
-    rate, exact up to round-off. ``f`` uses the functions of this package (``from newton_euler
-    import sin, sqrt …``).
+    rate, exact up to round-off. ``f`` uses the functions of this package.
 
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)
     """
     if not callable(f) or isinstance(f, type):
-        raise ScalarError(
-            f"at takes a function of time, as at(lambda t: t**2, 2.0); got {clipped(f)}"
-        )
-    t = to_plain(scalar(t))
+        raise ScalarError(f"at takes a function, as at(lambda t: t**2, 2.0); got {clipped(f)}")
+    t = to_plain(real_scalar(t))
     # the rate 1 in the kind of t: else constants are multiplied with 16 digits before they meet t
     try:
         return as_moving(f(Moving(t, integer_like(1, t))))

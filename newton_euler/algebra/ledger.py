@@ -59,11 +59,7 @@ class Equation:
 
 @cache
 def equation(kind: str) -> Equation:
-    """The :class:`Equation` of this kind of sum, from ``equations.toml``.
-
-    >>> equation("acceleration").number, equation("acceleration").terms["coriolis"][0]
-    ('4.18', '2 omega x v_r')
-    """
+    """The :class:`Equation` of this kind of sum, from ``equations.toml``."""
     import tomllib  # here, since few programs explain a sum
     from pathlib import Path
 
@@ -112,11 +108,7 @@ class Terms(dict[str, T], Generic[T]):
         raise TermError(f"no term {name!r}; the terms are {', '.join(self) or 'none'}")
 
     def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
-        """The terms of both, in order: those whose names they share are all kept.
-
-        >>> Terms({"x": 1.0}) | {"no slip": 2.0}
-        {'x': 1.0, 'no slip': 2.0}
-        """
+        """The terms of both, in order: those whose names they share are all kept."""
         more = other if isinstance(other, Terms) else Terms(other)
         return Terms([*self.named(), *more.named()])
 
@@ -136,10 +128,8 @@ class Terms(dict[str, T], Generic[T]):
         for name in factors:
             if name not in self.shared.values():
                 self[name]  # raises a TermError if there is none
-        default = {new: factors.get(old, 1) for new, old in self.shared.items()}
-        return [
-            (scalar(factors.get(name, default.get(name, 1))), term) for name, term in self.items()
-        ]
+        usual = {new: factors.get(old, 1) for new, old in self.shared.items()}
+        return [(scalar(factors.get(n, usual.get(n, 1))), term) for n, term in self.items()]
 
 
 def distinct(names: list[str]) -> list[str]:
@@ -210,8 +200,7 @@ class Ledger:
 
 
 class Explanation:
-    """A vector as a sum of terms: ``str()`` gives text, ``latex`` the formulas, which Jupyter
-    shows.
+    """A vector as a sum of terms: ``str()`` gives text, ``latex`` what Jupyter shows.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -227,10 +216,8 @@ class Explanation:
             raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        noise = NOISE * max(
-            (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)),
-            default=0.0,
-        )
+        sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
+        noise = NOISE * max(sizes, default=0.0)
         self.vector = vector.rounded(noise)
         self.terms = terms.mapped(lambda t: t.rounded(noise))
 
@@ -257,13 +244,11 @@ class Explanation:
     @property
     def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
-        symbol, known = self.equation.symbol, self.equation.terms
+        symbol, known, other = self.equation.symbol, self.equation.terms, self.equation.other[1]
         # braces, since a symbol as M_B has an index already
         total = f"{{{symbol}}}" + f"_{{{latex_text(self.ledger.subject)}}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
-        formulas = [
-            known[n][1] if n in known else _product(n, self.equation.other[1]) for n in self.terms
-        ]
+        formulas = [known[n][1] if n in known else _product(n, other) for n in self.terms]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
         values = [*self.terms.items(), ("sum", self.vector)]
@@ -389,7 +374,5 @@ def summed(
 ) -> Amount:
     """The :class:`Amount` that is the sum of numbers or amounts, by name or in pairs (name, x)."""
     parts = Terms(terms)
-    total = sum(map(value_of, parts.values()), ZERO)
-    return Amount(
-        to_plain(total), parts.mapped(lambda x: to_plain(value_of(x))), what, number, error
-    )
+    total, values = sum(map(value_of, parts.values()), ZERO), parts.mapped(value_of)
+    return Amount(to_plain(total), values.mapped(to_plain), what, number, error)

@@ -35,8 +35,7 @@ class Portable:
 
 def portable(f):
     """The function ``f``, or its traced :class:`Steps` if no other process finds it by its name:
-    what it reads besides its arguments is taken as it is now. One that branches on values stays as
-    it is.
+    what it reads besides its arguments is taken as it is now. One that branches on values stays.
     """
     if type(f) is not FunctionType or _has_name(f):
         return f
@@ -53,11 +52,8 @@ class Steps:
 
     def __init__(self, f):
         trace, self.asked = Trace(), {}
-        f(
-            _Asked("s", self.asked, trace),
-            _Asked("p", self.asked, trace),
-            trace.new("argument", "t"),
-        )
+        s, p = (_Asked(of, self.asked, trace) for of in "sp")
+        f(s, p, trace.new("argument", "t"))
         self.asked = [("t", ""), *self.asked]
         names = [f"{of}_{name}" for of, name in self.asked]
 

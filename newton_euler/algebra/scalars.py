@@ -1,8 +1,7 @@
 """Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
 Every formula of the engine is written once over *scalars*: a Python float, a NumPy array (many
-instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the
-engine's own kinds:
+instants at once), an ``mpmath.mpf``, a expression of SymPy, SymEngine or heyoka, or one of these:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
@@ -40,7 +39,7 @@ else:
 class NewtonEulerError(Exception):
     """Base of the engine's errors; each is also the built-in error that fits it, as ValueError.
 
-    >>> from newton_euler import Frame
+    >>> from newton_euler import Frame, NewtonEulerError
     >>> try:
     ...     Frame("ground").point("P", 1.0, 0, 0).velocity()
     ... except NewtonEulerError as error:
@@ -69,9 +68,7 @@ class _Own:
     """Base of the kinds of number that the engine defines."""
 
     __slots__ = ()
-    __array_ufunc__ = (
-        None  # NumPy hands operations over instead of looping over an array's elements
-    )
+    __array_ufunc__ = None  # NumPy hands operations over and does not loop over elements
     _op_priority = 1000.0  # and so does SymPy
     rank = 0  # of several kinds in one operation, the highest decides
 
@@ -205,8 +202,7 @@ def scalar(x):
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
     (and of bool, and of floats of fewer digits) an array of 64-bit floats, which rounds entries
     above 2**53, a single one a Python integer, which is exact. Raises :class:`ScalarError` if ``x``
-    is not a number (text, None, lists), or has a unit of its own, as quantities of pint and astropy
-    have.
+    is not a number (text, None, lists), or has a unit of its own, as those of pint and astropy.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -268,8 +264,39 @@ def _of_numpy(x):
     return x.astype(float) if kinds <= {float, int, bool, Fraction, _Zero} else x
 
 
+def real_scalar(x):
+    """The :func:`scalar` of a quantity of mechanics. Raises :class:`ScalarError` also for complex
+    numbers and arrays without numbers, which have no meaning there.
+
+    >>> real_scalar(1 + 2j)
+    Traceback (most recent call last):
+        ...
+    newton_euler.algebra.scalars.ScalarError: expected real numbers, got (1+2j) of type complex; \
+give its real part, if that is meant
+    """
+    if type(x) is float:
+        return x
+    y = scalar(x)
+    if type(y) is not int and not isinstance(y, _Own) and _is_unreal(y):
+        raise ScalarError(
+            f"expected real numbers, got {clipped(x)} of type {type(x).__name__}{advice(x)}"
+        )
+    return y
+
+
+def _is_unreal(x):
+    dtype = getattr(x, "dtype", None)
+    if dtype is None:
+        return isinstance(x, complex) or type(x).__name__ == "mpc"
+    return x.size == 0 or dtype.kind == "c" or (dtype.kind == "O" and any(map(_is_unreal, x.flat)))
+
+
 def advice(x):
     """What to do with a value that is no number, as the end of a message."""
+    if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
+        return "; it is empty"
+    if _is_unreal(x):
+        return "; give its real part, if that is meant"
     if hasattr(x, "magnitude") and hasattr(x, "to"):
         return "; it has a unit: pass the number in your base units, as q.to('m').magnitude"
     if hasattr(x, "unit"):
@@ -339,11 +366,7 @@ def real(x, what):
 
 
 def integer_like(x, like):
-    """The integer ``x`` in the kind of ``like``, to be as exact as that; other numbers unchanged.
-
-    >>> integer_like(2, 1.5)
-    2
-    """
+    """The integer ``x`` in the kind of ``like``, to be as exact as that; others unchanged."""
     exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
     return like * 0 + x if exact else x
 
@@ -359,11 +382,7 @@ def without_rates(x):
 
 
 def short(x):
-    """The number as text with six digits, for messages and tables; an expression or array in full.
-
-    >>> short(2 / 3)
-    '0.666667'
-    """
+    """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
     return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
@@ -431,9 +450,7 @@ def _define(name):
     return f
 
 
-sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
-    _define(name) for name in FUNCTIONS
-)
+sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = map(_define, FUNCTIONS)
 
 
 def hypot(*values: Scalar) -> Scalar:
@@ -515,8 +532,9 @@ def radians(degrees: Scalar) -> Scalar:
 def is_numeric(x: Scalar) -> bool:
     """True if ``x`` has a value that can be compared; not for an expression or a dimension.
 
-    >>> is_numeric(1.0), is_numeric(ZERO)
-    (True, True)
+    >>> from newton_euler import Dimension
+    >>> is_numeric(1.0), is_numeric(Dimension(1))
+    (True, False)
     """
     if type(x) is float:
         return True
@@ -532,21 +550,12 @@ def is_numeric(x: Scalar) -> bool:
 
 
 def is_expression(x: Scalar) -> bool:
-    """True of an expression with symbols: no number, and no kind of the engine's own.
-
-    >>> is_expression(1.0), is_expression(ZERO)
-    (False, False)
-    """
+    """True of an expression with symbols: no number, and no kind of the engine's own."""
     return not is_numeric(x) and not isinstance(x, _Own)
 
 
 def promote(*values):
-    """The values, each with all the digits and instants of the others, except traced ones and
-    expressions.
-
-    >>> promote(1, 2.5)
-    (1.0, 2.5)
-    """
+    """The values, each with the digits and instants of the others; others stay."""
     values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
         return values
@@ -555,12 +564,7 @@ def promote(*values):
 
 
 def is_comparable(x):
-    """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced.
-
-    >>> from newton_euler import Dimension
-    >>> is_comparable(1.0), is_comparable(Dimension(1))
-    (True, False)
-    """
+    """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced."""
     return is_numeric(x) or hasattr(x, "where")
 
 
@@ -597,11 +601,7 @@ def is_finite(x):
 
 
 def max_abs(x):
-    """The largest absolute value in ``x``, as a float, to be compared with a tolerance.
-
-    >>> max_abs(-3.0), max_abs(ZERO)
-    (3.0, 0.0)
-    """
+    """The largest absolute value in ``x``, as a float, to be compared with a tolerance."""
     largest = abs(without_rates(x))
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
 
@@ -634,29 +634,15 @@ def anywhere(condition):
 
 
 def epsilon(like=0.0):
-    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or mpmath's.
-
-    >>> epsilon(1.0) == 2.0**-52
-    True
-    """
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or mpmath's."""
     library = library_of((like,))
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
 def unit_roundoff(values):
-    """The largest relative round-off among numbers of several kinds; integers have none.
-
-    >>> unit_roundoff([1, 2.0]) == 2.0**-52
-    True
-    """
-    return max(
-        (
-            epsilon(x)
-            for x in values
-            if x is not ZERO and _root(type(x)) != "fractions" and type(x) is not int
-        ),
-        default=epsilon(),
-    )
+    """The largest relative round-off among numbers of several kinds; integers have none."""
+    rounded = (x for x in values if x is not ZERO and type(x) not in (int, Fraction))
+    return max(map(epsilon, rounded), default=epsilon())
 
 
 def with_extra_digits(f, *values):

@@ -17,6 +17,7 @@ from .scalars import (
     is_finite,
     is_numeric,
     library_of,
+    real_scalar,
     scalar,
     to_plain,
 )
@@ -133,7 +134,7 @@ class Table:
     def __call__(self, x: Scalar) -> Scalar:
         """The value at ``x``, a number of any kind."""
         if type(x) is not float:
-            x = to_plain(scalar(x))
+            x = to_plain(scalar(x) if getattr(x, "shape", ()) else real_scalar(x))
             if isinstance(x, _Own):
                 return x._of_table(self) if hasattr(x, "_of_table") else self._dimension(x)
             if is_expression(x):

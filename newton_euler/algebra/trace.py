@@ -160,8 +160,7 @@ def _is(x, number):
 
 class Trace:
     """The steps of one formula, in order; ``known`` finds equal ones. Of a formula that is
-    integrated, ``outer`` is the trace of that around it, and ``captured`` the outer steps, by
-    number, that it reads.
+    integrated, ``outer`` is the trace of that around it, and ``captured`` the outer steps it reads.
     """
 
     def __init__(self, outer=None):
@@ -223,9 +222,6 @@ class Trace:
                 "compiled formula"
             )
         return type(a), repr(a) if isinstance(a, float) else a
-
-
-# -- formulas inside a formula
 
 
 class Inner:

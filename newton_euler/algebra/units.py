@@ -1,8 +1,7 @@
 """Dimensions, and units by name with exact factors to the coherent base kg, m, s, rad.
 
 ``Unit("rev/min")`` or ``Unit("slug*ft^2")``: names joined by ``*`` and ``/``, powers by ``^``.
-``lb`` is the pound of force, ``slug`` the mass that it accelerates at 1 ft/s^2; angles are pure
-numbers.
+``lb`` is the pound of force, ``slug`` what it accelerates at 1 ft/s^2; angles are pure.
 """
 
 import re
@@ -55,6 +54,19 @@ class Dimension(_Own):
     def __repr__(self):
         named = [f"{n}^{p}" for n, p in zip("MLT", self.powers, strict=True) if p]
         return f"Dimension({' '.join(named) or '1'})"
+
+    def __str__(self):
+        """In SI units, "kg m/s^2"; of a pure number in words."""
+        named = [f"{u}^{p}".removesuffix("^1") for u, p in self._units if p > 0]
+        below = [f"{u}^{-p}".removesuffix("^1") for u, p in self._units if p < 0]
+        if not named and not below:
+            return "a pure number"
+        over = f"({' '.join(below)})" if len(below) > 1 else "".join(below)
+        return (" ".join(named) or "1") + (f"/{over}" if over else "")
+
+    @property
+    def _units(self):
+        return zip(("kg", "m", "s"), self.powers, strict=True)
 
     def __eq__(self, other):
         return isinstance(other, Dimension) and self.powers == other.powers
@@ -147,7 +159,7 @@ class Dimension(_Own):
             _ = args[0] + args[1]  # of one dimension, or this raises
         elif any(self.powers):
             raise DimensionError(
-                f"{name} of a quantity with {self}: its argument must be a pure number"
+                f"{name} of a quantity in {self}: its argument must be a pure number"
             )
         return Dimension()
 
@@ -210,6 +222,7 @@ UNITS = {
 
 
 _FEET = {"in", "ft", "mi", "slug", "lb", "oz"}
+_ANGLES = {"rad", "deg", "rev"}
 
 
 class UnitError(NewtonEulerError, ValueError):
@@ -273,14 +286,17 @@ class Unit:
         return self.pi_power != 0
 
     @property
+    def is_of_angle(self) -> bool:
+        """True of an angle, as opposed to a rate of it or a pure number."""
+        return len(self.parts) == 1 and not _ANGLES.isdisjoint(self.parts)
+
+    @property
     def is_of_feet(self) -> bool:
         """True if a part of it is one of the units of feet and pounds."""
         return not _FEET.isdisjoint(self.parts)
 
     def to_base(self, x: Scalar, system: System = SI) -> Scalar:
-        """The quantity of ``x`` (a scalar or a Vector) such units, in kg, m, s and rad, or in
-        ``system``.
-        """
+        """The quantity of ``x`` (a scalar or a Vector) such units, in the units of ``system``."""
         return self._scaled(x, self.factor / _size(system, self.dimension), self.pi_power)
 
     def from_base(self, x: Scalar, system: System = SI) -> Scalar:
@@ -341,8 +357,6 @@ def _parts(text):
             continue
         match = re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d+))?", token)
         if not match:
-            raise UnitError(
-                f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s'"
-            )
+            raise UnitError(f"cannot read the unit {text!r} at {token!r}; write it as 'kg*m^2/s'")
         parts.append((match[1], sign * int(match[2] or 1)))
     return parts

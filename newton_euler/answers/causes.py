@@ -18,21 +18,31 @@ class Cause:
     worded.
 
     group : listed (a mistake of the problem's own list), omitted or term, unit, axes or turned (of
-        another frame), rate, book, exchanged, factor, slip, computed (a slip in one step), both
-        (two listed ones at once), follows (from an earlier answer), seen (a remark, where nothing
-        explains it)
+        another frame), rate, book, exchanged, factor, slip, computed (a slip in one step), sequel
+        (the same in going on from earlier answers), both (two listed ones at once), follows (from
+        an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text : its words
+    text : its words. where : the place in the book where to read on
     """
 
     group: str
     name: str
     text: str = field(compare=False)
+    where: str = field(default="", compare=False)
 
     @property
     def is_observation(self) -> bool:
         """True of a remark on an answer that no mistake explains."""
         return self.group == "seen"
+
+    def at(self, where: str) -> "Cause":
+        """The same cause with the place where to read on."""
+        return replace(self, where=where)
+
+    def after(self, wrong: Sequence[str]) -> "Cause":
+        """The same slip in going on from earlier answers, of which these are wrong."""
+        goes_on = f"goes on from your {' and '.join(wrong)}, but " if wrong else ""
+        return replace(self, group="sequel", text=goes_on + self.text)
 
     @property
     def shows_everywhere(self) -> bool:
@@ -54,11 +64,13 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     """The words of the causes that give the same numbers, as many as can be read at once; None if
     there are none.
     """
-    first, *others = dict.fromkeys(c.text for c in causes) or [""]
+    words = {c.text: c.where for c in reversed([*causes])}
+    first, *others = reversed(words) if words else [""]
+    see = f" (see {words[first]})" if words and words[first] else ""
     for other in others:
-        if len((longer := first + OR + other).split()) <= WORDS:
+        if len((longer := first + OR + other).split()) + len(see.split()) <= WORDS:
             first = longer
-    return first or None
+    return first + see or None
 
 
 def slip(name: str, text: str) -> Cause:

@@ -5,7 +5,9 @@ remembered.
 """
 
 import ast
+import re
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -56,6 +58,10 @@ class Watch:
     before: dict = field(default_factory=dict)
     # {name: (the given names at the start of the cell in which it got its value, that cell)}
     computed: dict = field(default_factory=dict)
+    # the names that a cell sets which has ended in an error since, and the problem whose receipt
+    # has read the value that a name has
+    failed: set = field(default_factory=set)
+    read: dict = field(default_factory=dict)
 
     def start(self, info=None):
         """Before a cell: keep the values of all names."""
@@ -69,13 +75,16 @@ class Watch:
 
     def end(self, result):
         """After a cell: the names that it set were computed with the values at its start."""
-        cell, failed = _cell_of(result), result.error_in_exec is not None
+        cell, text = _cell_of(result), getattr(result.info, "raw_cell", "")
         # a cell that sets a name to an equal small number leaves the same object
-        stored = set() if failed else _stored(getattr(result.info, "raw_cell", ""))
+        stored = _stored(text) if result.success else set()
+        self.failed |= set() if result.success else _stored(text)
         nothing = object()
         for name, value in self.shell.user_ns.items():
             if name in stored or self.before.get(name, nothing) is not value:
                 self.computed[name] = self.at_start, cell
+                self.failed.discard(name)
+                self.read.pop(name, None)
                 own = _given.get(self.givers.get(name, ""), {})
                 if own.get(name, value) is not value:
                     self.changers[name] = cell
@@ -92,7 +101,7 @@ def _stored(text):
     try:
         nodes = ast.walk(ast.parse(text))
     except (SyntaxError, ValueError):  # a magic, or an error that IPython reports
-        return set()
+        return set(re.findall(r"(?m)^ *(\w+) *=(?!=)", text))
     return {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
 
 
@@ -120,6 +129,20 @@ def _shell():
 def in_notebook() -> bool:
     """True in the kernel of a notebook, which can show more than text."""
     return getattr(_shell(), "kernel", None) is not None
+
+
+def outdated(problem: str, names: Iterable[str]) -> dict[str, str]:
+    """{name: why its value is no answer to this problem}: its cell has ended in an error since, or
+    the value was read as the answer to another problem.
+    """
+    watch, found = watching(), {}
+    for name in names if watch.shell else ():
+        other = watch.read.setdefault(name, problem)
+        if name in watch.failed:
+            found[name] = f"the cell that gives {name} a value has ended in an error"
+        elif other != problem and watch.shell.user_ns.get(name) is not None:
+            found[name] = f"{name} has its value from {other}: run your cell of {problem}"
+    return found
 
 
 def stale(problem: str, answers: dict, names_of_answers: set) -> str:

@@ -1,97 +1,53 @@
-"""What a traced computation gives with one slip in it, for all slips at once, and which of them a
-wrong answer meets more closely than by chance.
+"""What a traced computation gives with one slip in it, for all slips at once."""
 
-**The test.** A slip is at a distance ``gap`` from an answer, no less than what the answer was
-rounded by. Of the slips that are as simple or simpler, ``n`` are within a quarter of the size of
-the answer; in the ``d`` components in which it differs from the key, a random answer at this place
-would be as near to one of them with the chance ``n (gap / a quarter)^d``. A slip is named where
-that is at most half a percent.
-"""
-
-import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..algebra.compile import Compiled
 from ..algebra.scalars import to_plain
 from ..algebra.source import WITHIN, operations
 from ..algebra.trace import Inner, Step
-from ..algebra.units import SI, System
-from .causes import Cause
-from .edits import Edit, edits_of, steps_in
-from .fit import Fit
-from .kinds import Kind
-from .tolerance import NOISE, ROUND_OFF, Points
-
-AROUND = 0.25  # of the size of an answer: where slips are counted
-CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many
-CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits written
-CHANCE_BESIDE = 0.05  # the same where some of its components are right
-
-
-class Traced(NamedTuple):
-    """An answer of a traced computation: [(component, factor to its unit)], and the number of
-    points at which it is compared.
-    """
-
-    parts: Sequence[tuple[Any, float]]
-    points: int
+from ..algebra.units import unit
+from .edits import edits_of
+from .formulas import Edit, Formulas, needed, steps_in
+from .near import Ranked, Slips
 
 
 class Computation:
     """A traced computation: the steps that its answers need, and the slips in it."""
 
-    def __init__(
-        self,
-        answers: Mapping[str, Traced],
-        units: Mapping[str, str],
-        system: System,
-    ):
-        self.answers = answers
-        self.steps = needed(x for traced in answers.values() for x, _ in traced.parts)
-        self.edits: list[Edit] = edits_of(
-            self.steps, [[x for x, _ in a.parts] for a in answers.values()], units, system
-        )
-        self.places: dict[Cause, list[int]] = {}
+    def __init__(self, formulas: Formulas):
+        self.answers, self.system = formulas.answers, formulas.system
+        self.steps = needed(x for a in self.answers.values() for x in a.parts)
+        self.edits: list[Edit] = edits_of(formulas)
+        stages = [x for stage in formulas.stages for x in stage.parts]
+        self.every = needed([*self.steps, *stages])
+        self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         self.own: dict[int, tuple[list[int], list[Any]]] = {}  # of a step: edits, expressions
         for n, edit in enumerate(self.edits):
-            self.places.setdefault(edit.cause, []).append(n)
             for number, expression in edit.instead.items():
                 lanes, expressions = self.own.setdefault(number, ([], []))
                 lanes.append(n)
                 expressions.append(expression)
         self.run = {
             a: Compiled("the formula inside", a.parameters, a.trace, a.leaves)
-            for s in self.steps
+            for s in self.every
             for a in s.args
             if isinstance(a, Inner)
         }
 
-    @cached_property
-    def ranks(self) -> Any:
-        """How simple each is, as an array."""
-        from numpy import array
 
-        return array([e.rank for e in self.edits])
-
-
-def needed(leaves: Iterable[Any]) -> list[Step]:
-    """The steps that these need, in order."""
-    waiting, found = [x for x in leaves if isinstance(x, Step)], {}
-    while waiting:
-        s = waiting.pop()
-        if s.number not in found:
-            found[s.number] = s
-            waiting += steps_in(s)
-    return [found[n] for n in sorted(found)]
-
-
-class Perturbed:
+class Perturbed(Slips):
     """A computation with each slip, for the numbers of one student, arrays for symbols."""
 
     def __init__(self, computation: Computation, values: Mapping[str, Any]):
         self.computation, self.values = computation, values
+
+    def of_answer(self, key: str) -> tuple[Ranked, Any] | None:
+        """As for :class:`.near.Slips`."""
+        ranked = self.computation.ranked
+        return (ranked, self._rows[key]) if ranked.slips and key in self._rows else None
 
     @cached_property
     def _rows(self):
@@ -101,77 +57,18 @@ class Perturbed:
         with np.errstate(all="ignore"):
             lanes = _Lanes(self.computation, self.values)
             rows = {s.number: lanes.row(s) for s in self.computation.steps}
-        count = len(self.computation.edits)
-        found = {}
-        for key, (parts, points) in self.computation.answers.items():
-            columns = [f * (rows[x.number] if isinstance(x, Step) else float(x)) for x, f in parts]
-            # a number has one point, beside formulas too
-            one = [c[..., :points] if np.ndim(c) else c for c in columns]
-            found[key] = np.stack([np.broadcast_to(c, (count, points)) for c in one], axis=-1)
-        return found
+            return {k: self._answer(a, rows) for k, a in self.computation.answers.items()}
 
-    def of(self, key: str, cause: Cause) -> list[Points]:
-        """What the slips of this cause make of an answer; none if it is no slip of this kind."""
-        if key not in self.computation.answers:
-            return []
-        return [_points(self._rows[key][n]) for n in self.computation.places.get(cause, ())]
-
-    def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
-        """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
+    def _answer(self, answer, rows):
         import numpy as np
 
-        edits = self.computation.edits
-        if not edits or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
-            return []
-        rows = self._rows[key]
-        with np.errstate(all="ignore"):
-            if kind.is_formula:
-                places = _formulas_near(rows, fit)
-            else:
-                places = _numbers_near(rows, fit, kind, self.computation.ranks)
-        return [
-            (edits[n].level, edits[n].cause, kind.like(_points(rows[n]), fit.given)) for n in places
-        ]
-
-
-def _points(row):
-    return tuple(map(tuple, row.tolist()))
-
-
-def _formulas_near(rows, fit):
-    """Of formulas: those near at the first point where the key has a value; few are, by chance."""
-    import numpy as np
-
-    given = np.array(fit.given[fit.index])
-    gaps = np.linalg.norm(rows[:, fit.index] - given, axis=-1)
-    return np.flatnonzero(gaps <= fit.rtol * np.linalg.norm(given)).tolist()
-
-
-def _numbers_near(rows, fit, kind, ranks):
-    import numpy as np
-
-    given, key = np.array(fit.given[0]), np.array(fit.key[0])
-    rows = rows[:, 0]
-    if not kind.has_size:
-        rows = np.array([kind.like((row,), fit.given)[0] for row in rows.tolist()])
-    size = np.linalg.norm(given)
-    gaps = np.linalg.norm(rows - given, axis=1)
-    around = (gaps <= AROUND * size) & (np.linalg.norm(rows - key, axis=1) > NOISE * size)
-    nearest = max(fit.rounding, ROUND_OFF * size)
-    there = int((abs(key) > NOISE * fit.sizes[0]).sum()) or 1
-    wrong = int((abs(given - key) > max(nearest, NOISE * fit.sizes[0])).sum())
-    found = []
-    for n in np.flatnonzero(around & (gaps <= fit.rtol * size)):
-        others = rows[around & (ranks <= ranks[n])]
-        count = len(np.unique(np.round(others / size, 9), axis=0))
-        share = max(gaps[n], nearest) / (AROUND * size)
-        limit = CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
-        if count * share**there <= limit and count * share**wrong <= CHANCE_BESIDE:
-            found.append(int(n))
-    return found
-
-
-NO_SLIPS = Perturbed(Computation({}, {}, SI), {})
+        numbers = [rows[x.number] if isinstance(x, Step) else float(x) for x in answer.parts]
+        factor = unit(answer.unit).from_base(1.0, self.computation.system)
+        columns = [factor * x for x in numbers]
+        # a number has one point, beside formulas too
+        one = [c[..., : answer.points] if np.ndim(c) else c for c in columns]
+        shape = len(self.computation.edits), answer.points
+        return np.stack([np.broadcast_to(c, shape) for c in one], axis=-1)
 
 
 class _Lanes:
@@ -184,11 +81,11 @@ class _Lanes:
 
         self.np, self.run, self.operations = np, computation.run, operations(np)
         # a number is not an array of one, which costs more
-        self.values = {n: np.asarray(x, float)[()] for n, x in values.items()}
+        self.values = {n: np.squeeze(x)[()] for n, x in values.items()}
         self.points = max((np.size(x) for x in self.values.values()), default=1)
         self.count, self.own = len(computation.edits), computation.own
         self.base, self.rows = {}, {}
-        for s in computation.steps:
+        for s in computation.every:
             self.base[s.number] = self._plain(s, self.base)
 
     def row(self, s):

@@ -13,7 +13,7 @@ from typing import Any
 from ..algebra.errors import checked
 from .checks import Check, check
 from .forms import AnswerError, Form
-from .givens import in_notebook, seals, stale
+from .givens import in_notebook, outdated, seals, stale
 from .notation import formula, is_word, symbol, unit_symbol
 from .sanity import doubts
 from .trees import NODES, dimension_hints, in_words
@@ -34,8 +34,8 @@ def expect(
 
     symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where
         :func:`~newton_euler.answers.notation.symbol` would print another symbol
-    sane : maps answers to what any answer must be: ``(low, high)`` for its size, or "kinetic
-        energy"; a receipt warns of one that is not
+    sane : maps answers to what any answer must be, see :func:`~newton_euler.answers.sanity.doubts`;
+        a receipt warns of one that is not
 
     >>> expect("0/1", v="vector, mm/s")
     >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
@@ -65,7 +65,9 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if key not in forms:
             asked = ", ".join(forms)
             raise AnswerError(f"problem {problem} does not ask for {key!r}; it asks for {asked}")
-    answers = {key: (names or {}).get(key) for key in forms} | answers
+    old = outdated(problem, forms.keys() - answers.keys())
+    there = {key: (names or {}).get(key) for key in forms}
+    answers = there | dict.fromkeys(old) | answers
     read, faults = record(forms, symbols, answers)
     receipts[problem] = {"problem": problem, "answers": read, "faults": faults}
     if faults:
@@ -86,14 +88,14 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if read.get(key) is not None and key in forms
         if (outcome := check(seal, forms[key].kind, read[key]))
     }
+    beside = {key: (form, read.get(key)) for key, form in forms.items()}
     doubted = {
         key: found
         for key, form in forms.items()
-        if (found := doubts(form, read.get(key), symbols, sane.get(key)))
+        if (found := doubts(form, read.get(key), symbols, sane.get(key), beside))
     }
-    return Receipt(
-        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted, checks
-    )
+    warning = "; ".join([*old.values(), *filter(None, [stale(problem, answers, others)])])
+    return Receipt(problem, read, forms, symbols, warning, notation, doubted, checks)
 
 
 def _blank(forms, read):
@@ -143,7 +145,8 @@ class Receipt:
 
     def __repr__(self):
         if not self._given:
-            return f"{self.problem}: no answer yet."
+            again = f" Look again: {self.warning}." if self.warning else ""
+            return f"{self.problem}: no answer yet.{again}"
         read = "; ".join(self._as_text(key, tree) for key, tree in self._given.items())
         hints = "".join(f"\n  {hint}" for hint in self._hints())
         return f"{self.problem}: {read}. {self._remarks()}{hints}"
@@ -152,7 +155,7 @@ class Receipt:
     def markdown(self):
         """The same as Markdown, with the answers as formulas."""
         if not self._given:
-            return f"{self.problem}: no answer yet."
+            return _escaped(repr(self))
         read = "; ".join(self._as_markdown(key, tree) for key, tree in self._given.items())
         hints = "".join(f"\n- {_escaped(hint)}" for hint in self._hints())
         space = "\n" if hints else ""

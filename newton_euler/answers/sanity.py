@@ -9,33 +9,68 @@ from typing import Any
 
 from ..algebra.units import UnitError, unit
 from .forms import Form
-from .tolerance import ROOM
+from .tolerance import ROOM, RTOL
 from .trees import TreeError, evaluate
 
-KINETIC = "kinetic energy"
+KINETIC, MAGNITUDE = "kinetic energy", "magnitude"
 POINTS = 8  # places at which formulas are tried
 
 
-def doubts(form: Form, tree: Any, symbols: Mapping[str, str], sane: Any) -> list[str]:
-    """What makes an answer, the ``tree`` as it was read, impossible, in sentences. ``symbols``:
-    {name: unit} of formulas; ``sane``: ``(low, high)``, between which its size is for whatever
-    numbers the problem may give, or :data:`KINETIC`, or None.
+def doubts(
+    form: Form,
+    tree: Any,
+    symbols: Mapping[str, str],
+    sane: Any,
+    beside: Mapping[str, tuple[Form, Any]] | None = None,
+) -> list[str]:
+    """What makes an answer, the ``tree`` as it was read, impossible, in sentences.
+
+    symbols : {name: unit} of formulas
+    sane : None, or what the answer must be for whatever numbers the problem may give: ``(low,
+        high)``, between which its size is, :data:`KINETIC`, :data:`MAGNITUDE`, "magnitude of v",
+        or ``(low, high, "magnitude of v")``
+    beside : {name: (form, tree)} of the other answers
     """
+    points = _points(form, tree, symbols)
+    if not points:
+        return []
+    known = sane if isinstance(sane, tuple | list) else (sane,)
+    word = next((x for x in known if isinstance(x, str)), "")
+    bounds = [x for x in known if isinstance(x, int | float)]
+    found: list[str] = []
+    if bounds and form.kind.has_size:
+        found += _size(points[0], form, *bounds)
+    if word == KINETIC and any(x < 0 for (x,) in points):
+        found.append("a kinetic energy is never negative")
+    if word.startswith(MAGNITUDE) and form.kind.length == 1:
+        if any(x < 0 for (x,) in points):
+            found.append("a magnitude is never negative")
+        name = word.removeprefix(MAGNITUDE).removeprefix(" of ")
+        found += _magnitude(points, form, name, (beside or {}).get(name), symbols)
+    if form.kind.length == 9 and _is_inertia(form.unit):
+        found += _inertia(points, whole=not form.kind.is_formula)
+    return found
+
+
+def _points(form, tree, symbols):
+    """The components at some points of the symbols; [] of a word, and of what has no value."""
     if form.kind.is_word or tree is None:
         return []
     trees = form.kind.parts(next(iter(tree.values())) if isinstance(tree, dict) else tree)
     try:
-        points = _values(form, trees, symbols)
+        return _values(form, trees, symbols)
     except (TreeError, ArithmeticError, ValueError, TypeError):
         return []
-    found: list[str] = []
-    if isinstance(sane, (tuple, list)) and form.kind.has_size:
-        found += _size(points[0], form, *sane)
-    if sane == KINETIC and any(x < 0 for (x,) in points):
-        found.append("a kinetic energy is never negative")
-    if form.kind.length == 9 and _is_inertia(form.unit):
-        found += _inertia(points, whole=not form.kind.is_formula)
-    return found
+
+
+def _magnitude(points, form, name, other, symbols):
+    """Whether a magnitude is that of the vector beside it."""
+    vectors = _points(*other, symbols) if other else []
+    for (x,), vector in zip(points, vectors, strict=False):
+        if abs(x - (size := math.hypot(*vector))) > 2 * RTOL * max(abs(x), size):
+            of = f", which is {size:.4g} {form.unit}" if not form.kind.is_formula else ""
+            yield f"it is not the magnitude of {name}{of}"
+            return
 
 
 def _values(form, trees, symbols):

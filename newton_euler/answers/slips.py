@@ -5,10 +5,11 @@ components exchanged, two listed mistakes at once. Each is [(cause, points)] for
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import cache
 from itertools import combinations
 
-from ..algebra.units import unit
+from ..algebra.units import Dimension, unit
 from . import causes
 from .causes import Cause
 from .fit import Fit, most_digits, written
@@ -31,6 +32,8 @@ WEIGHTS = {
 def factors(stated_in: str) -> Mapping[str, float]:
     """{words: factor} of the units that an answer, stated in this unit, may be in by mistake."""
     found = PURE | ANGLES
+    if unit(stated_in).factor == Fraction(1, 100) and unit(stated_in).dimension == Dimension():
+        found |= {"a fraction against percent": 100.0}
     mass, length, _ = unit(stated_in).dimension.powers
     if length:
         found |= {words: factor ** abs(float(length)) for words, factor in LENGTHS.items()}

@@ -165,5 +165,7 @@ def dimension_hints(tree, form, symbols):
             continue
         got = got if isinstance(got, Dimension) else Dimension()
         if got != asked and part != 0:  # 0 has every dimension
-            hints.append(f"{where} has {got}, but {form.unit} has {asked}")
+            has = f"is in {got}" if got != Dimension() else "has no unit"
+            wanted = "a pure number" if asked == Dimension() else form.unit
+            hints.append(f"{where} {has}, but {wanted} is asked")
     return hints

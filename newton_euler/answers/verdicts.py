@@ -13,7 +13,7 @@ from .forms import Form
 from .frames import counted
 from .kinds import Kind
 from .messages import one_line
-from .perturbed import Perturbed
+from .near import Slips
 from .reading import Budget
 from .tolerance import Points
 from .trees import TreeError, in_words
@@ -58,8 +58,11 @@ class Numbers(Protocol):
         """{later answer: names of the earlier ones from which it follows}."""
 
     @property
-    def slips(self) -> Perturbed:
+    def slips(self) -> Slips:
         """The slips in the computation of the answers."""
+
+    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
+        """The slips in computing an answer from a student's own earlier ones."""
 
     def wrong(self, key: str) -> Sequence[Model]:
         """What the wrong models make of an answer."""
@@ -132,11 +135,14 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     """Why an answer is wrong; ``found`` has the :class:`Judged` of each answer of the problem."""
     given = found[asked.key].given
     assert given is not None
-    causes = _causes(asked, given, found, numbers)
+    earlier = _followed(asked, given, found, numbers)
+    # in what follows, a slip that gives the same numbers was made before
+    slips = () if earlier else (partial(_slips, asked, found, numbers),)
+    causes = _causes(asked, given, found, numbers, *slips)
     if BOOK in causes:
         message = "not right: this is the answer for the book's numbers; yours are others"
         return Explained(message, (BOOK,))
-    if earlier := _followed(asked, given, found, numbers):
+    if earlier:
         message = f"not right; it follows from your {' and '.join(earlier)}"
         also = f"; it also fits a solution that {sentence(causes)}" if causes else ""
         return Explained(message, (follows(earlier), *causes), earlier, also)
@@ -147,13 +153,22 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     return Explained(message, causes)
 
 
-def _causes(asked, given, found, numbers):
+def _causes(asked, given, found, numbers, *slips):
     key, wrong = _like(given, asked, numbers)
     wrong += _exchanged(asked, given, found, numbers)
     factors = asked.kind.factors(asked.unit)
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
-    slips = partial(numbers.slips.near, asked.key)
-    return diagnose(given, key, wrong, asked.kind, factors, elsewhere, slips)
+    return diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
+
+
+def _slips(asked, found, numbers, fit, kind):
+    """The slips in the computation from the givens, or else from the student's earlier answers."""
+    near = numbers.slips.near(asked.key, fit, kind)
+    wrong, earlier = _earlier(asked, found, numbers)
+    if near or not earlier or None in earlier.values():
+        return near
+    sequel = numbers.sequel(asked.key, earlier).near(asked.key, fit, kind)
+    return [(level, c.after(wrong), points) for level, c, points in sequel]
 
 
 def _like(given, asked, numbers):
@@ -188,16 +203,21 @@ def _elsewhere(asked, found, numbers):
 
 def _followed(asked, given, found, numbers):
     """The student's own wrong answers from which this one follows rightly; () if it does not."""
-    names = numbers.earlier.get(asked.key, ())
-    wrong = tuple(n for n in names if n in found and found[n].verdict == "wrong")
-    # an earlier part that the sheet does not ask for is not the student's
-    earlier = {n: found[n].given if n in found else numbers.key[n] for n in names}
+    wrong, earlier = _earlier(asked, found, numbers)
     if not wrong or None in earlier.values():
         return ()
     expected = numbers.following(asked.key, earlier)
     if expected is None or asked.kind.is_zero(expected, asked.atol):
         return ()  # zero follows from zero: nothing was computed
     return wrong if asked.kind.is_right(given, expected, asked.atol) else ()
+
+
+def _earlier(asked, found, numbers):
+    """The earlier answers from which one follows: the names of the wrong ones, {name: points}."""
+    names = numbers.earlier.get(asked.key, ())
+    wrong = tuple(n for n in names if n in found and found[n].verdict == "wrong")
+    # an earlier part that the sheet does not ask for is not the student's
+    return wrong, {n: found[n].given if n in found else numbers.key[n] for n in names}
 
 
 def value_line(form: Form, tree: Any, verdict: str) -> str:

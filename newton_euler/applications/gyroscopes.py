@@ -1,5 +1,4 @@
-"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a fixed point of its
-axis, or about its centre of mass.
+"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a point of its axis.
 
 Moments of inertia about that point: ``I0`` about a transverse axis, ``I`` about the axis of
 symmetry k (10.17). Euler angles 3-1-3: ``theta`` is the angle from the axis of precession K
@@ -8,10 +7,6 @@ symmetry k (10.17). Euler angles 3-1-3: ``theta`` is the angle from the axis of 
 its whole rate about k (10.26). Moments are about the line of nodes i = K x k/sin(theta): gravity's
 is mgr sin(theta) (10.30), ``mgr`` weight times distance of G from the fixed point, positive if G
 lies on the side of k; any other is given as ``moment``. Angles in rad, rates in rad/s.
-
->>> found = steady_precession(I0=0.02, I=0.01, theta=1.0, spin=100.0, mgr=0.5)
->>> round(found.slow, 6), round(found.fast, 4)
-(0.501358, 184.5802)
 """
 
 import math
@@ -147,9 +142,7 @@ def _check_moments(I0, I):
     if not is_numeric(I0):
         return
     if anywhere(to_plain(I0) <= 0):
-        raise GyroError(
-            f"the transverse moment of inertia I0 must be positive, got {to_plain(I0)!r}"
-        )
+        raise GyroError(f"the transverse moment I0 must be positive, got {to_plain(I0)!r}")
     # a disk has I = 2 I0, up to round-off
     if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
         raise GyroError(
@@ -170,11 +163,9 @@ def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None
 
 @checked
 def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
-    """The moment I psi' x phi' on a body whose spin axis precesses at right angles to itself
-    (10.38).
+    """The moment I psi' x phi' on a spin axis that precesses at right angles (10.38).
 
-    precession, spin : Vectors, rad/s, at right angles (:class:`GyroError` otherwise); I about the
-        spin
+    precession, spin : Vectors, rad/s, at right angles (:class:`GyroError` otherwise)
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -216,8 +207,7 @@ def steady_spin(
     moment: Scalar = None,
 ) -> Scalar:
     """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it; for
-    ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` if I or the
-    precession is zero.
+    ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` without either.
 
     >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
     102.0
@@ -235,8 +225,7 @@ class SteadyPrecession:
     """The two steady precessions at an angle, by :func:`steady_precession`.
 
     slow, fast : the rates psi', rad/s; ``fast`` is infinite where there is no second one
-    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta);
-        zero where both are one
+    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta)
     stiffness : for each of the two, see :func:`nutation_stiffness`
     """
 
@@ -440,11 +429,9 @@ def fast_spin(
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """The steady precession of a symmetric body without moment, about its angular momentum H = H K,
-    at the ``rate`` psi'.
+    """The steady precession of a symmetric body without moment about H = H K, at the ``rate`` psi'.
 
-    sense : "direct" if spin and precession have the same sense, else "retrograde"; None for
-        expressions
+    sense : "direct" if that of the spin, else "retrograde"; None for expressions
     body_cone, space_cone : half-angles (rad) of the cones of the instantaneous axis about k and K
     """
 
@@ -465,23 +452,19 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
     (5.6975, 'direct')
     """
     _check_moments(I0, I)
-    difference, c = scalar(I0) - I, cos(theta)
-    if is_numeric(difference) and is_zero(difference):
+    apart, c = scalar(I0) - I, cos(theta)
+    if is_numeric(apart) and is_zero(apart):
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
     if is_numeric(c) and min_abs(c) <= 4 * epsilon(c) and not is_zero(spin):
         raise GyroError(
             f"theta = {to_plain(theta)!r} rad is pi/2: H has no component along the axis, and the "
             "spin must be zero"
         )
-    sense = (
-        where(to_plain(difference) > 0, "direct", "retrograde") if is_numeric(difference) else None
-    )
+    sense = where(to_plain(apart) > 0, "direct", "retrograde") if is_numeric(apart) else None
     tilt = atan(I * tan(theta) / I0)
     gap = theta - tilt
     size = abs(gap) if is_numeric(gap) else sqrt(gap * gap)
-    return FreePrecession(
-        to_plain(I * spin / (difference * c)), sense, to_plain(tilt), to_plain(size)
-    )
+    return FreePrecession(to_plain(I * spin / (apart * c)), sense, to_plain(tilt), to_plain(size))
 
 
 # -- the sleeping top
@@ -521,6 +504,5 @@ def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Sleepin
     margin = where(hangs, math.inf, h * h / where(hangs, 1, 4 * to_plain(c)))
     unstable = to_plain(D) < 0
     growth = sqrt(where(unstable, -D, 0 * D)) / (2 * I0)
-    return SleepingTop(
-        critical, to_plain(margin), where(to_plain(D) >= 0, True, False), to_plain(growth)
-    )
+    stable = where(to_plain(D) >= 0, True, False)
+    return SleepingTop(critical, to_plain(margin), stable, to_plain(growth))

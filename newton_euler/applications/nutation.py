@@ -66,8 +66,7 @@ def nutation(
 
     tolerance : relative, when a limit counts as a cusp, and in rad, when the motion counts as
         steady or as reaching the vertical; the numbers are not affected by it
-    For floats, mpf and arrays; raises :class:`GyroError` for expressions, whose roots have no
-    order.
+    For floats, mpf and arrays; raises :class:`GyroError` for expressions.
     """
     check_top(I0, I, spin, omega_z)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
@@ -85,9 +84,8 @@ def nutation(
     hanging = pull < 0  # seen from below it is a top with pull > 0: theta and pi - theta exchanged
     change = where(hanging, -1, 1) * sine * (n * cosine - b)
     s, c = exchanged(hanging, S, C)
-    moved, left, zeta = turning_points(
-        s, c, q, 1, abs(pull), exchanged(hanging, *momenta), (n * sine, change)
-    )
+    momenta = exchanged(hanging, *momenta)
+    moved, left, zeta = turning_points(s, c, q, 1, abs(pull), momenta, (n * sine, change))
     (up, down), (v1, w2) = exchanged(hanging, *moved), exchanged(hanging, *left)
     low, high = _angle(v1, 2 - v1), _angle(2 - w2, w2)
     still = n * sine * sine
@@ -185,10 +183,8 @@ def _rate(momentum, s2, angle, tolerance):
 
 def _classify(theta_min, theta_max, at_min, at_max, scale, tolerance, pi):
     if getattr(theta_min, "shape", ()):
-        columns = zip(
-            *(x.tolist() for x in (theta_min, theta_max, at_min, at_max, scale)), strict=True
-        )
-        return [_classify(*column, tolerance, pi) for column in columns]
+        given = (x.tolist() for x in (theta_min, theta_max, at_min, at_max, scale))
+        return [_classify(*column, tolerance, pi) for column in zip(*given, strict=True)]
     small, large = sorted((abs(at_min), abs(at_max)))
     if theta_max - theta_min <= tolerance:
         return "steady"

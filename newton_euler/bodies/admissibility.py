@@ -113,9 +113,8 @@ def _check_integrals(I, tolerance, slack):
 
 
 def _check_about_centre(I, tolerance, slack):
-    slack += round_off(I.mass, (I.point, I.centre), I.frame) + tolerance * max(
-        map(max_abs, I.moments)
-    )
+    slack += round_off(I.mass, (I.point, I.centre), I.frame)
+    slack += tolerance * max(map(max_abs, I.moments))
     try:
         _check_integrals(I.about(I.centre), 4 * tolerance, slack)
     except MassError as problem:
@@ -133,6 +132,5 @@ def round_off(mass: Scalar, points: Iterable[Point], frame: Frame) -> float:
     """The rounding of moments of this mass: 100 round-offs of m r^2; 0 for expressions."""
     if not is_numeric(mass):
         return 0.0
-    coordinates = (x for P in points for x in P.position(frame).c)
-    squares = sum(max_abs(x) ** 2 for x in coordinates if is_numeric(x))
+    squares = sum(max_abs(x) ** 2 for P in points for x in P.position(frame).c if is_numeric(x))
     return 100 * epsilon() * max_abs(mass) * squares

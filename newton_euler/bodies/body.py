@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Terms
-from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, scalar, shown
+from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, shown
 from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
@@ -18,12 +18,10 @@ ROUNDED = 1e-2
 
 
 class Body:
-    """A rigid body: name, mass, centre of mass, inertia matrix; or a composite, see
-    :func:`composite`.
+    """A rigid body: mass, centre of mass, inertia matrix; or several, see :func:`composite`.
 
     centre : the centre of mass G, a Point of the body, or a Frame whose origin is G
-    inertia : three principal moments about G along the axes of the frame, or an :class:`Inertia`
-        about any point
+    inertia : three principal moments about G along the axes of the frame, or any :class:`Inertia`
     frame : the frame fixed in the body; default: that of ``inertia``, or the one in which G is
         given (``rotor.origin`` is a point of the *parent* of rotor: give ``rotor`` itself for G)
 
@@ -49,7 +47,7 @@ class Body:
             raise FrameError(f"the frame of {name} is a Frame; got {clipped(frame)}")
         if not isinstance(parts, (tuple, list)) or not all(isinstance(p, Body) for p in parts):
             raise MassError(f"the parts of {name} are bodies; got {clipped(parts)}")
-        self.name, self.mass, self.parts = name, scalar(mass), tuple(parts)
+        self.name, self.mass, self.parts = name, real_scalar(mass), tuple(parts)
         self.centre = G = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
             inertia = Inertia(G, inertia, frame=frame or axes_at(G), tolerance=None)
@@ -93,8 +91,6 @@ class Body:
         self.inertia.check(tolerance)
         return self
 
-    # -- momenta
-
     @checked
     def momentum(self, observer: Frame) -> Vector:
         """L = m v_G seen from ``observer`` (5.2), (5.8), (7.5)."""
@@ -135,8 +131,7 @@ def centre_of_mass(
     parts: Iterable[Body | tuple[Scalar, Point]], frame: Frame | None = None, name: str = "G"
 ) -> Point:
     """The centre of mass of particles and bodies together, a Point of ``frame`` (default: that of
-    the first part) (5.4), (5.9), (5.11). Raises :class:`MassError` unless the total mass is
-    positive.
+    the first part) (5.4), (5.9), (5.11). Raises :class:`MassError` unless its mass is positive.
 
     parts : bodies, or pairs (mass, Point); a removed part has negative mass, as in ``-hole``
 
@@ -170,8 +165,7 @@ def composite(
 
     parts, removed : bodies, all fixed in one rigid body; they are the terms of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
-    Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
-    outside of the body).
+    Raises :class:`MassError` without mass, or for moments that no body has (a hole outside).
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk

@@ -26,6 +26,7 @@ from ..algebra.scalars import (
     is_positive,
     is_zero,
     real,
+    real_scalar,
     scalar,
     sqrt,
     to_plain,
@@ -38,13 +39,11 @@ from .principal_axes import Principal, Symmetry, principal, symmetry
 
 class Inertia(Scaled, NamedTerms):
     """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13). ``A +
-    B`` is that of two bodies together, about the point and in the frame of A; ``-A`` that of a
-    hole.
+    B`` is that of two bodies together, about the point and in the frame of A; ``-A`` of a hole.
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
     moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals
-    mass, centre : mass of the body and its centre of mass, a Point; only needed to go to another
-        point
+    mass, centre : of the body, the centre a Point; only needed to go to another point
     frame : the axes; default: those of the frame in which ``point`` is given
     tolerance : of the check that some body can have this inertia, see :meth:`check`;
         :class:`MassError` otherwise; None: no check
@@ -76,7 +75,7 @@ class Inertia(Scaled, NamedTerms):
         self.frame = axes_at(self.point) if frame is None else frame
         self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")
         self.products = _three(products, "products (I_xy, I_yz, I_zx)")
-        self.mass, self.centre = None if mass is None else scalar(mass), centre
+        self.mass, self.centre = None if mass is None else real_scalar(mass), centre
         if centre is not None and not isinstance(centre, Point):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
         if not isinstance(self.frame, Frame):
@@ -109,9 +108,8 @@ class Inertia(Scaled, NamedTerms):
 
         import numpy as np
 
-        entries = np.broadcast_arrays(
-            *(np.asarray(x, dtype=float) for row in self.matrix for x in row)
-        )
+        numbers = (np.asarray(x, dtype=float) for row in self.matrix for x in row)
+        entries = np.broadcast_arrays(*numbers)
         return np.stack(entries).reshape(3, 3, *entries[0].shape)
 
     def __repr__(self):
@@ -145,8 +143,7 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def moment(self, axis: str | Vector) -> Scalar:
-        """The moment of inertia n . I n about an ``axis`` through ``point``: "x", "y", "z", or a
-        Vector.
+        """The moment n . I n about an ``axis`` through ``point``: "x", "y", "z", or a Vector.
 
         >>> from newton_euler import Frame
         >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
@@ -176,8 +173,7 @@ class Inertia(Scaled, NamedTerms):
     def about(self, point: PointLike) -> "Inertia":
         """The inertia matrix about another point, along the same axes: the parallel axis theorem
         (7.25), (7.26) between any two points. With d1, d2 the vectors from them to G, I_xx changes
-        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y), without
-        cancellation.
+        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y).
 
         terms : ``own``, the matrix about the first point, and ``transfer``, the change
 
@@ -249,7 +245,7 @@ class Inertia(Scaled, NamedTerms):
         return self + (-other if isinstance(other, Inertia) else other)
 
     def __mul__(self, s):
-        s = scalar(s)
+        s = real_scalar(s)
         mass = None if self.mass is None else s * self.mass
         return self._like(scale3(s, self.moments), scale3(s, self.products), mass=mass)
 
@@ -292,7 +288,7 @@ class Inertia(Scaled, NamedTerms):
 
 def _three(values, what):
     try:
-        given = tuple(scalar(x) for x in values) if len(values) == 3 else ()
+        given = tuple(real_scalar(x) for x in values) if len(values) == 3 else ()
     except TypeError:
         given = ()
     if len(given) != 3:

@@ -2,8 +2,7 @@
 
 Order and sign are always the same: moments ascending; the largest component of the first and of the
 second axis (of several equally large ones the first) is positive; the third axis makes them
-right-handed. Where moments are equal within round-off, the axes nearest to those of the frame are
-returned.
+right-handed. Where moments are equal within round-off, the axes are nearest to those of the frame.
 
 Expressions have no order, unless they are numbers times one common factor. If the matrix is
 diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn by half of
@@ -45,8 +44,7 @@ UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
 
 @dataclass(frozen=True)
 class Principal:
-    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined,
-    which ``print`` reports.
+    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined.
 
     noise : relative error of the entries of the matrix; default: round-off
     gaps : for each axis, the distance of its moment from the nearest other one
@@ -90,9 +88,8 @@ class Principal:
         data = f"data with a relative error of {self.noise:.2g}"
         names = [str(n) for n, fixed in enumerate(self.determined, 1) if not fixed]
         if not names:
-            return (
-                f"all axes are determined, to {max(map(max_abs, self.turns)):.2g} rad, for {data}"
-            )
+            worst = max(map(max_abs, self.turns))
+            return f"all axes are determined, to {worst:.2g} rad, for {data}"
         rest = (
             "any axis is a principal axis"
             if len(names) == 3
@@ -149,13 +146,9 @@ def _with_report(inertia, noise, moments, axes):
     largest = where(-first > third, -first, third)  # round-off can make the first negative
     low, high = second - first, third - second
     gaps = low, where(low < high, low, high), high
-    turns = tuple(
-        np.arctan2(*(np.asarray(x, dtype=float) for x in (noise * largest, gap))) for gap in gaps
-    )
+    noise_of_largest, *floats = (np.asarray(x, dtype=float) for x in (noise * largest, *gaps))
+    turns = tuple(np.arctan2(noise_of_largest, gap) for gap in floats)
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
-
-
-# -- numbers
 
 
 def _of_arrays(inertia, noise):
@@ -232,9 +225,6 @@ def _by_sympy(rows):
     return zip(*pairs, strict=True)
 
 
-# -- expressions
-
-
 def _of_expressions(rows):
     coupled = [(u, v) for u, v in PAIRS if not is_zero(rows[u][v])]
     diagonal = [rows[n][n] for n in range(3)]
@@ -281,9 +271,6 @@ def _less(rows, x):
     return [[y - x if n == m else y for m, y in enumerate(row)] for n, row in enumerate(rows)]
 
 
-# -- symmetry
-
-
 @dataclass(frozen=True)
 class Symmetry:
     """The symmetries that an inertia matrix shows; those of the body may be fewer (as of a cube).
@@ -291,8 +278,7 @@ class Symmetry:
     axes : the axes of the frame, as "z", that are principal at the point
     planes : the planes of the frame, as "xy", that may be planes of symmetry through the point:
         both products with their normal vanish
-    kind : "sphere" (three equal moments), "top" (two: the body moves as one with rotational
-        symmetry (7.21)), or "none"
+    kind : "sphere" (three equal moments), "top" (two: as a body of revolution (7.21)), or "none"
     axis : of a top, the unit Vector of the distinct axis; else None
     """
 
@@ -329,9 +315,7 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     def vanishes(x):
         return is_zero(x) or (is_numeric(x) and max_abs(x) <= small)
 
-    left = "".join(
-        name for name, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x)
-    )
+    left = "".join(n for n, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x))
     axes = tuple(axis for axis in AXES if axis not in left)
     planes = {"x": "yz", "y": "zx", "z": "xy"}
     kind, axis = _equal_moments(inertia, vanishes)

@@ -62,13 +62,11 @@ def _is_fixed(point, body):
 def resultant_moment(
     body: Body, observer: Frame, about: Point | Frame | None = None, via: Frame | None = None
 ) -> Vector:
-    """The moment of all external forces about a point, from the motion of the body: (8.9), (8.10),
-    (8.11), (8.12); N m.
+    """The moment of all external forces, from the motion: (8.9), (8.10), (8.11), (8.12); N m.
 
     observer : an inertial frame
     about : G (default), or any Point B, however it moves, or a Frame for its origin
-    via : the frame in which H is differentiated, and whose components the result has; default: that
-        of the body
+    via : the frame in which H is differentiated, and of the result; default: that of the body
     terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of
         ``via``; unless about G, ``reference``, d x m a_B
 
@@ -79,11 +77,6 @@ def resultant_moment(
     >>> bar = rod(2.0, turning.point("G", 1.0, 0, 0), "x", mass=3.0)
     >>> resultant_moment(bar, ground, about=turning).z
     20.0
-    >>> print(resultant_moment(bar, ground).explain("N m"))  # doctest: +ELLIPSIS
-    moment about the mass centre of rod, seen from ground, by way of turning, equation (8.10), ...
-      relative  dH/dt      [0, 0, 5] N m
-      rotation  omega x H  [0, 0, 0] N m
-      sum                  [0, 0, 5] N m
     """
     about, via = _point(body, about), via or body.frame
     seen = f"seen from {observer.name}, by way of {via.name}"

@@ -39,9 +39,6 @@ def _mass(m):
     return scalar(m)
 
 
-# -- the motion is given
-
-
 @checked
 def resultant_force(m: Scalar, a: Vector) -> Vector:
     """The resultant external force F = m a (6.1), ``a`` the acceleration of the mass centre in an
@@ -62,8 +59,7 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
 @checked
 def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     """The one unknown force R = m a - (the known forces) (6.1), along the axes of ``a``, a Vector
-    as the ``known`` are. Terms: ``inertia``, which is m a, and each known force with its sign
-    turned.
+    as the ``known`` are. Terms: ``inertia``, which is m a, and minus each known force.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -85,9 +81,6 @@ def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) ->
     """
     m = _mass(m)
     return to_plain(m * speed_rate), to_plain(m * speed * speed * flexure)
-
-
-# -- the forces are given
 
 
 @checked
@@ -128,8 +121,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     for r'', theta'', …, a tuple; :class:`SingularError` where the coordinates are singular.
 
     P : a point by :func:`~newton_euler.kinematics.coordinates.polar`, ``cylindrical``,
-        ``spherical`` or ``curvilinear``, with the values and the first rates of its coordinates;
-        second rates are replaced
+        ``spherical`` or ``curvilinear``, with its coordinates and their first rates
     forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
 
     >>> from newton_euler import Frame, moving, polar
@@ -158,8 +150,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
 @checked
 def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector) -> Vector:
     """The acceleration of ``P`` seen in its own moving frame (6.10), with the terms F/m of each
-    force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` with their signs as seen (-2
-    omega x v_2 …).
+    force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` as seen.
 
     P : a point with its coordinates and their rates in the moving frame; second rates are ignored
     observer : an inertial frame; forces : Vectors, by name
@@ -186,7 +177,5 @@ def _per_mass(m, forces):
 
 def _three(F, name):
     if len(F) > 3:
-        raise FrameError(
-            f"the force {name} has {len(F)} components: {F!r}; give 3, or 2 in the plane"
-        )
+        raise FrameError(f"the force {name} has {len(F)} components: {F!r}; give 3, or 2")
     return (*F, 0, 0, 0)[:3]

@@ -1,5 +1,4 @@
-"""Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field, if it
-has one.
+"""Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field.
 
 F(x, y, z) = -grad V if its work round every closed path is zero: its curl must be zero, and, which
 the book does not say, the circulation round each hole of the region, as an axis on which F does not
@@ -21,6 +20,7 @@ from ..algebra.scalars import (
     is_numeric,
     max_abs,
     probe,
+    real_scalar,
     scalar,
     short,
     to_plain,
@@ -42,9 +42,6 @@ class NoPotential(WorkError):
         self.place, self.curl, self.circulation = place, curl, circulation
 
 
-# -- potentials of known forces
-
-
 @checked
 def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scalar:
     """The potential V = m g z of a weight (11.34), z the height of the centre of mass.
@@ -58,8 +55,7 @@ def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scala
 
 @checked
 def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
-    """The potential V = K x^2/2 of a spring (11.35), x from the unloaded length, or a torsion
-    angle.
+    """The potential V = K x^2/2 of a spring (11.35), x the stretch, or an angle.
 
     >>> spring_potential(200.0, -0.1)
     1.0
@@ -74,8 +70,7 @@ def spring_between(
     first: Point | Sequence[Scalar],
     second: Point | Sequence[Scalar],
 ) -> Scalar:
-    """The potential of a straight spring between two places (11.35): its stretch is their distance
-    less the free length.
+    """The potential of a spring between two places (11.35): stretch, distance less free length.
 
     first, second : two Points, and V is that of the instant, without rates; or two triples of
         coordinates along the same axes, which can be differentiated, as by
@@ -122,9 +117,6 @@ def conservative_force(V: Callable, P: Point) -> Vector:
     (0, 0, -9.81)
     """
     return -gradient(V, P)
-
-
-# -- of a force field
 
 
 @checked
@@ -191,7 +183,7 @@ class Potential:
     rtol: float = 1e-10
 
     def __call__(self, x: Scalar, y: Scalar, z: Scalar) -> Scalar:
-        target = tuple(scalar(c) for c in (x, y, z))
+        target = tuple(real_scalar(c) for c in (x, y, z))
         V = self._from_base(tuple(c.value if isinstance(c, Moving) else c for c in target))
         if not any(isinstance(c, Moving) for c in target):
             return V
@@ -200,7 +192,7 @@ class Potential:
         return Moving(V, rate.value, rate.rate) if isinstance(rate, Moving) else Moving(V, rate)
 
     def _from_base(self, target):
-        base = tuple(map(scalar, self.base))
+        base = tuple(map(real_scalar, self.base))
         line = tuple(x - a for a, x in zip(base, target, strict=True))
         exact = not all(map(is_numeric, (*target, *base)))
         force = _checked(self.force)
@@ -225,15 +217,12 @@ def find_potential(
     loops: Sequence[Callable] = (),
     tolerance: float = 1e-9,
 ) -> Potential:
-    """The potential of a force field (11.16)-(11.18); :class:`NoPotential` with the reason if it
-    has none.
+    """The potential of a force field (11.16)-(11.18); :class:`NoPotential` if it has none.
 
-    force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers of
-        their own
+    force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers
     base : where V is zero; straight lines from it must stay where the force exists
     box : the region in which the field is used, three pairs (low, high)
-    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region; a
-        hole is not found without its loop
+    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
         and of the work round a loop, relative to size of F times length. A spot check: a curl that
         is zero at these places alone passes.

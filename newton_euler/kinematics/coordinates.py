@@ -40,8 +40,7 @@ from .triads import below_roundoff, norm3, numeric3
 
 @checked
 def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k") -> Frame:
-    """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19), also for polar
-    coordinates (2.6).
+    """The frame of e_r, e_theta, k at the azimuth ``theta`` (3.19), also polar (2.6).
 
     >>> ground = Frame("ground")
     >>> cylindrical_frame(ground, moving(0.5, rate=2.0)).i.rate(ground)
@@ -116,9 +115,8 @@ class CoordinatePoint(Point):
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):
-    return CoordinatePoint(
-        name, local, x, ground, local, coordinates, scale_factors, system, _TERMS[system]
-    )
+    of_system = coordinates, scale_factors, system, _TERMS[system]
+    return CoordinatePoint(name, local, x, ground, local, *of_system)
 
 
 @checked

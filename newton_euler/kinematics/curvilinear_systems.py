@@ -4,6 +4,7 @@ abs(dr/dq_i).
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import combinations_with_replacement
 
 from ..algebra.errors import checked
@@ -33,11 +34,9 @@ def curvilinear(
     q3: Scalar,
     names: Sequence[str] = ("u", "v", "w"),
 ) -> CoordinatePoint:
-    """The point with the coordinates q1, q2, q3 in the system with the position function
-    ``position``.
+    """The point with the coordinates q1, q2, q3 in the system of ``position``.
 
-    position : function of three scalars, of functions of this package, that returns (x, y, z) in
-        ``ground``
+    position : function of three scalars that returns (x, y, z) in ``ground``
     q1, q2, q3 : numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
     names : of the coordinates, for the names of terms
     Velocity and acceleration in ``ground`` are along e_1, e_2, e_3 (``P.local``), with one term for
@@ -60,9 +59,8 @@ def curvilinear(
     factors = tuple(norm3(c) for c in columns)
     _check(position, values, columns, factors)
     axes = [tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)]
-    local = Triad(
-        f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q))
-    )
+    turning = partial(_turning, position, q)
+    local = Triad(f"e_1, e_2, e_3 of {name}", ground, axes, turning)
     local.hats = (r"\hat{e}_1", r"\hat{e}_2", r"\hat{e}_3")
     terms = {
         "velocity": lambda P: _velocity_terms(P, columns, names),
@@ -111,14 +109,12 @@ def _check_axes(axes):
                 f"{to_plain(cosine)}, expected 0; this method needs orthogonal ones"
             )
     if below_roundoff(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
-        raise SingularError(
-            "the coordinates are left-handed here: e_1 x e_2 = -e_3; exchange two of them"
-        )
+        raise SingularError("the coordinates are left-handed: e_1 x e_2 = -e_3; exchange two")
 
 
-def _moving_axes(position, q):
+def _turning(position, q):
     columns = [[as_moving(x) for x in c] for c in tangents(position, q)]
-    return [[as_moving(x / norm3(c)) for x in c] for c in columns]
+    return turning_of([[as_moving(x / norm3(c)) for x in c] for c in columns])
 
 
 def _velocity_terms(P, columns, names):
@@ -142,9 +138,6 @@ def _acceleration_terms(P, position, columns, names):
 
 def _vectors(parts, ground):
     return [(name, Vector(c, ground)) for name, c in parts if any(x is not ZERO for x in c)]
-
-
-# -- the gradient
 
 
 @checked

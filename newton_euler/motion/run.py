@@ -280,8 +280,9 @@ class Run:
             if not method.adaptive:  # the one before has the same start
                 before = self.compared(method, method.other(finer), finer, known, scaled)
         if self.rtol < error < tolerance**0.5 and self.irregular(method) and not trajectory.failed:
-            trajectory, error = self.agreed(method, trajectory, known)
-            error = max(forced, error)
+            agreed, found = self.agreed(method, trajectory, known)
+            if max(forced, found) < error:
+                trajectory, error = agreed, max(forced, found)
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, reported_error(error, self.rtol))
         if not error <= self.rtol:

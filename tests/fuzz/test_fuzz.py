@@ -1,8 +1,12 @@
 """Every public name refuses bad values in words: a sample here, all of them with -m slow."""
 
+import inspect
+
+import mpmath
+import numpy as np
 import pytest
 
-from newton_euler.algebra import ScalarError
+from newton_euler.algebra.scalars import Scalar, ScalarError
 from tests.fuzz.bad import quantities
 from tests.fuzz.judge import judged, outcome, stripped, table, trials
 from tests.fuzz.names import public_callables
@@ -95,6 +99,26 @@ def test_no_argument_of_a_model_or_a_motion_takes_a_quantity_and_drops_its_unit(
         if word in quantities() and outcome(functions[name], *with_value(make()))[0] == "answered"
     ]
     assert taken == []
+
+
+MECHANICS = "kinematics", "bodies", "dynamics", "applications"
+UNREAL = {"1+2j": 1 + 2j, "of NumPy": np.complex128(1j), "of mpmath": mpmath.mpc(1, 2),
+          "an array of it": np.array([1j, 2.0]), "an empty array": np.zeros(0)}  # fmt: skip
+
+
+@pytest.mark.parametrize("unreal", UNREAL)
+def test_no_number_of_mechanics_is_complex_and_no_array_of_them_empty(doors, unreal):
+    functions, calls = doors
+    answered, tried = [], 0
+    for name in (n for n in calls if room_of(n) in MECHANICS):
+        kinds = inspect.signature(functions[name]).parameters
+        for label, word, _, with_value in trials(functions[name], calls[name]):
+            if word == "None" and label in kinds and kinds[label].annotation in ("Scalar", Scalar):
+                tried += 1
+                found = outcome(functions[name], *with_value(UNREAL[unreal]), PATIENCE)
+                answered += [(name, label, found)] * (found[0] != "refused")
+    assert tried > 200
+    assert not answered
 
 
 def test_an_error_from_inside_is_told_from_one_in_words():

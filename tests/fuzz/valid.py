@@ -156,6 +156,8 @@ def scalars_and_vectors(ground):
             refused()
     x = algebra.Moving(2.0, 3.0)
     1 / x, 2.0**x, 1.0 - x, abs(x)
+    data = algebra.table([0.0, 1.0], [2.0, 3.0])
+    data == data.derivative(), data.key()
     v = ground.vector(1.0, 2.0, 2.0)
     v[0], abs(v), v.latex(), sum([v, v]), v.direction()
     arm = ground.rotate("arm", "z", rate=2.0)

@@ -32,8 +32,8 @@ def test_help_teaches(name, words):
 
 def test_list_says_how_many_sheets_a_problem_has():
     lines = command("list", "8/5", "5/26")[1].splitlines()
-    assert lines[1].split()[0] == "8/5"
-    assert [line.split()[-1] for line in lines[1:3]] == ["2.09e+03", "1"]
+    sheets = {words[0]: words[-1] for words in map(str.split, lines) if words}  # a title may go on
+    assert (sheets["8/5"], sheets["5/26"]) == ("2.09e+03", "1")
 
 
 def test_solve_takes_other_numbers_and_variants():
@@ -133,7 +133,7 @@ WRONG = [
     (("build", "ch04", "--course", "{tmp}/c", "--problem", "99/1"), "ch04 has no problem 99/1; it has 4/1 to 4/43"),
     (("build", "ch04", "--course", "{tmp}/c", "--students", "{tmp}/missing.csv"), "does not exist"),
     (("build", "ch04", "--course", "{tmp}/c", "--update"), "is not a course folder"),
-    (("build", "ch04", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
+    (("build", "ch04", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty; name a new folder, or add"),
     (("demo", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
     (("demo", "--course", "{tmp}/c", "--problem", "4/1", "--problem", "5/20"), "problems of one chapter, not of ch04 and ch05"),
     (("demo", "--course", "{tmp}/c", "--problem", "4/77"), "there is no problem 4/77; ch04 has"),
@@ -179,7 +179,7 @@ def test_running_without_a_cage_has_a_banner_an_exit_code_and_a_word_in_every_ro
         assert record["sandbox"].startswith("unsandboxed")
 
 
-def test_the_demo_can_be_run_again_in_its_folder_and_touches_no_other(tmp_path, monkeypatch):
+def test_the_demo_can_be_run_again_in_its_folder(tmp_path, monkeypatch):
     from grader.demo import run as demo
 
     def stop(*_, **__):
@@ -190,8 +190,3 @@ def test_the_demo_can_be_run_again_in_its_folder_and_touches_no_other(tmp_path, 
         with pytest.raises(RuntimeError, match="far enough"):
             command("demo", "--course", tmp_path / "d", "--problem", "4/1")
     assert (tmp_path / "d/nbgrader_config.py").read_text().count("Exchange.root") == 1
-    (tmp_path / "mine").mkdir()
-    (tmp_path / "mine/thesis.tex").write_text("x")
-    code, out = command("demo", "--course", tmp_path / "mine", "--problem", "4/1")
-    assert (code, "exists and is not empty" in out) == (2, True)
-    assert (tmp_path / "mine/thesis.tex").exists()

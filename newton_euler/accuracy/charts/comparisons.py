@@ -49,14 +49,14 @@ def _draw(question, points, left, right):
     return best
 
 
-def points_table(points, error="relative"):
+def points_table(points, error="relative", cost="time", unit="s"):
     """The points as a table."""
-    engineering, width = EngFormatter(unit="s", places=1), max(len(p.setting) for p in points)
+    engineering, width = EngFormatter(unit=unit, places=1), max(len(p.setting) for p in points)
     rows = [
         f"  {p.method:44} {p.setting:{width}} {engineering(p.cost):>9}  {p.error:8.2g}"
         for p in points
     ]
-    return "\n".join([f"  {'':{45 + width}} {'time':>9}  error, {error}", *rows])
+    return "\n".join([f"  {'':{45 + width}} {cost:>9}  error, {error}", *rows])
 
 
 def ways_caption(points):

@@ -75,9 +75,7 @@ def by_extrapolation(model, t, start, digits=30):
                 now, x = now + h, new
                 sizes = [max(a, abs(b)) for a, b in zip(sizes, x, strict=True)]
             elif h < end * mp.mpf(10) ** -8:
-                raise ModelError(
-                    f"{model.name!r} could not be integrated beyond t = {float(now):.6g}"
-                )
+                raise ModelError(f"{model.name!r} cannot be integrated beyond {float(now):.6g}")
             # usual limits of a step control: Hairer, Norsett and Wanner, II.4
             h = h * mp.mpf(min(4.0, max(0.2, 0.9 * factor)))
         return tuple(+v for v in x)

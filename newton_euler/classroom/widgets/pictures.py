@@ -30,9 +30,7 @@ def show_figure(figure: Any, alt: str) -> None:
 def alt_text(alt: Any) -> str:
     """``alt`` on one line, if it is a text of 8 words or more."""
     if not isinstance(alt, str) or len(alt.split()) < SHORTEST_ALT:
-        raise ArgumentError(
-            f"alt says what the figure shows, in {SHORTEST_ALT} words or more; got {alt!r}"
-        )
+        raise ArgumentError(f"alt says what is shown, in {SHORTEST_ALT} words or more; got {alt!r}")
     return " ".join(alt.split())
 
 

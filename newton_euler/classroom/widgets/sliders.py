@@ -31,9 +31,7 @@ class Slider:
             if not isinstance(text, str):
                 raise ArgumentError(f"name, label and unit of a slider are texts; got {text!r}")
         if not self.name.isidentifier():
-            raise ArgumentError(
-                f"the name of a slider is that of an argument of draw; got {self.name!r}"
-            )
+            raise ArgumentError(f"a slider is named as an argument of draw; got {self.name!r}")
         numbers = self.start, self.lowest, self.highest, self.step
         if not all(isinstance(x, (int, float)) and abs(x) < 1e300 for x in numbers):
             raise ArgumentError(

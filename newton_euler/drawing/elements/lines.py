@@ -92,14 +92,12 @@ class Lines(Recorder):
         >>> s.plate(half_circle)  # half a disk
         """
         angle = self._angle(angle)
-        centre, e1, e2, radius = self._circle_through(
-            self._triple_of(A), self._triple_of(C), self._unit(axis)
-        )
+        A, C, axis = self._triple_of(A), self._triple_of(C), self._unit(axis)
+        centre, e1, e2, radius = self._circle_through(A, C, axis)
         count = max(2, math.ceil(abs(angle) / math.radians(6)))
-        whole = abs(abs(angle) - 2 * math.pi) < 1e-9  # the last place would be the first
-        return [
-            on_circle(centre, e1, e2, radius, angle * n / count) for n in range(count + (not whole))
-        ]
+        # of a whole turn the last place would be the first
+        angles = [angle * n / count for n in range(count + (abs(abs(angle) - 2 * math.pi) >= 1e-9))]
+        return [on_circle(centre, e1, e2, radius, a) for a in angles]
 
     def _angle(self, x):
         try:

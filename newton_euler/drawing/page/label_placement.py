@@ -9,9 +9,7 @@ from .primitives import FONT, STYLES
 def place_labels(ax, canvas, renderer, before):
     """The labels as texts on ``ax``; ``before``, their last places in an animation, is updated."""
     _share_parser(renderer)
-    left_bottom, right_top = (
-        ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
-    )
+    edges = ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
     made = []
 
     def half_of(note):
@@ -23,7 +21,7 @@ def place_labels(ax, canvas, renderer, before):
         made.append(artist)
         return artist.get_window_extent(renderer).size * 72 / ax.figure.dpi / 2
 
-    for _, shift in label_shifts(canvas, half_of, (left_bottom, right_top), before):
+    for _, shift in label_shifts(canvas, half_of, tuple(edges), before):
         made[-1].set_position(shift)
         yield made[-1]
 
@@ -117,9 +115,8 @@ def _seen(np, canvas, points, owners):
             for places in stroke.outlines()
         )
         low, high = outline.min(axis=0), outline.max(axis=0)
-        near = np.flatnonzero(
-            seen & (owners < number) & ((points > low) & (points < high)).all(axis=1)
-        )
+        in_box = ((points > low) & (points < high)).all(axis=1)
+        near = np.flatnonzero(seen & (owners < number) & in_box)
         if len(near):
             covered = Path(outline).contains_points(points[near])
             for hole in holes:

@@ -58,9 +58,7 @@ def space_view(azimuth, elevation, up):
     Azimuth 0 looks from the axis after ``up``, and grows towards the next.
     """
     if not isinstance(up, str) or up not in ("x", "y", "z"):
-        raise FrameError(
-            f"up is 'x', 'y' or 'z', the axis that is vertical in the figure; got {up!r}"
-        )
+        raise FrameError(f"up is 'x', 'y' or 'z', the axis that is vertical; got {up!r}")
     azimuth, elevation = real(azimuth, "the azimuth"), real(elevation, "the elevation")
     a, h = math.radians(azimuth), math.radians(elevation)
     n = "xyz".index(up)
@@ -77,13 +75,8 @@ def space_view(azimuth, elevation, up):
 def plane_view(plane):
     """The view at a right angle to a plane; "xz" has x to the right and z up."""
     if not isinstance(plane, str) or len(plane) != 2 or len(set(plane) & set("xyz")) != 2:
-        raise FrameError(
-            f"a plane is two axes, as in plane='xz', x to the right and z up; got {plane!r}"
-        )
+        raise FrameError(f"a plane is two axes, as in plane='xz', the second up; got {plane!r}")
     return View(*(tuple(float(axis == name) for axis in "xyz") for name in plane))
-
-
-# -- geometry of triples
 
 
 def norm3(v):
@@ -157,9 +150,8 @@ def convex_hull(view, points):
         return []
     seen = [view.project(p) for p in points]
     grid = 1e-9 * max(max(column) - min(column) for column in zip(*seen, strict=True)) or 1.0
-    ordered = sorted(
-        (round(x / grid), round(y / grid), p) for (x, y), p in zip(seen, points, strict=True)
-    )
+    pairs = zip(seen, points, strict=True)
+    ordered = sorted((round(x / grid), round(y / grid), p) for (x, y), p in pairs)
 
     def half(points):
         out = []

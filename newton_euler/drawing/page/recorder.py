@@ -50,9 +50,7 @@ class Recorder:
         arrows: float = 62,
     ):
         if not hasattr(ax, "add_patch"):
-            raise FrameError(
-                f"a sketch is drawn on a matplotlib Axes, as of plt.subplots(); got {ax!r}"
-            )
+            raise FrameError(f"a sketch is on a matplotlib Axes, as of plt.subplots(); got {ax!r}")
         if not isinstance(ground, Frame):
             raise FrameError(
                 f"Sketch(ax, ground) shows a scene from its ground, a Frame; got {ground!r}"
@@ -68,8 +66,6 @@ class Recorder:
         self._pending, self._before = False, None
         self._window: Window | None = None  # that of an animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
-
-    # -- conversion of places, directions and lengths
 
     def _place(self, P):
         """A place as a triple of floats in the ground; it is added to the extent of the figure."""
@@ -165,8 +161,6 @@ class Recorder:
     def _extend(self, points):
         self._extent.extend(points)
         return points
-
-    # -- recording and finishing
 
     def _record(self, command):
         self._commands.append(command)

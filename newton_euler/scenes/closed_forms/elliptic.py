@@ -38,13 +38,11 @@ def jacobi(u, m1):
     u0 = where(bound, 0, u)
     e = exp(-where(abs(u0) < FAR, abs(u0), FAR))
     sech = 2 * e / (1 + e * e)
-    ending = tanh(u0), sech, sech, 0 * u0
+    end = tanh(u0), sech, sech, 0 * u0
     if is_numeric(k1):
-        return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), ending, strict=True))
+        return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), end, strict=True))
     few, many = _landen(u, k1, FEW), _landen(u, k1, MANY)
-    return tuple(
-        where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, ending, strict=True)
-    )
+    return tuple(where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, end, strict=True))
 
 
 def _landen(u, k1, count):

@@ -30,13 +30,10 @@ def _nutation(S, C, rate, I0, mgr, q, whole, t):
     from ...applications.nutation import turning_points
 
     v = 2 * (S * S)
-    rest, sum_ = (
-        q * C / (2 * where(abs(q) > 0, S, 1)),
-        whole * S / (2 * where(abs(whole) > 0, C, 1)),
-    )
-    (X, Y), (v1, w2), zeta = turning_points(
-        S, C, rate, I0, mgr, (q, whole), (rest + sum_, rest - sum_)
-    )
+    rest = q * C / (2 * where(abs(q) > 0, S, 1))
+    more = whole * S / (2 * where(abs(whole) > 0, C, 1))
+    transverse = rest + more, rest - more
+    (X, Y), (v1, w2), zeta = turning_points(S, C, rate, I0, mgr, (q, whole), transverse)
     k = 1 / sqrt(2 * I0)
     start = _signed(sqrt(X), S), _signed(sqrt(Y), C), _signed(sqrt(zeta + mgr * v), rate)
     x, y, z, phase = coupled((k, -k, k * mgr), start, -(zeta + mgr * v1) / (2 * I0), t)

@@ -44,8 +44,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 )  # fmt: skip
 def orbit(mu: Scalar) -> Model:
     """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
-    over mass, and the Laplace vector, of the size of the eccentricity, towards the closest
-    approach.
+    over mass, and the Laplace vector(the eccentricity, towards the closest point).
 
     mu : the constant of the attraction mu/r^2, m^3/s^2
     The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at
@@ -81,9 +80,6 @@ _INVARIANTS = {
     "laplace_x": lambda s, p, t: s.v_y * _angular_momentum(s) / p.mu - s.x / _distance(s),
     "laplace_y": lambda s, p, t: -s.v_x * _angular_momentum(s) / p.mu - s.y / _distance(s),
 }
-
-
-# -- the exact solution
 
 
 def _exact(s, p, t):
@@ -125,14 +121,10 @@ def _check(x, y, v_x, v_y, mu, t):
     if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
     if not all(map(is_finite, (*state, mu, t))) or max_abs(where(mu <= 0, 1, 0)):
-        raise ModelError(
-            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, {state}, t = {t}"
-        )
+        raise ModelError(f"an orbit needs finite numbers, mu > 0; got mu = {mu}, {state}, t = {t}")
     one, two = x * v_y, y * v_x
     if max_abs(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
-        raise ModelError(
-            "the orbit is a straight line through the centre: its angular momentum is 0"
-        )
+        raise ModelError("the orbit is a straight line through the centre: no angular momentum")
 
 
 def _beta(x, y, v_x, v_y, mu, r):
@@ -169,9 +161,6 @@ def _halley(E, e, rest, M):
     return E - 2 * late * slope / (2 * slope * slope - late * e * sine)
 
 
-# -- a satellite over the equator
-
-
 def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     """The Model of a circular orbit of radius r; its only state is the azimuth ``angle`` (rad).
     ``sense`` is 1 for counterclockwise, -1 for clockwise.
@@ -179,10 +168,8 @@ def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    name, neglects = "satellite, circle", (ECCENTRICITY, BULGE)
-    return constant_rate(
-        name, {"mu": mu, "r": r, "sense": sense}, _circling, "angle", neglects=neglects
-    )
+    given, neglects = {"mu": mu, "r": r, "sense": sense}, (ECCENTRICITY, BULGE)
+    return constant_rate("satellite, circle", given, _circling, "angle", neglects=neglects)
 
 
 @scene(
@@ -210,8 +197,7 @@ def ladder(
     mu: Scalar = EARTH_GM, oblateness: Scalar = EARTH_OBLATENESS,
     start: tuple[Scalar, ...] = (7e6, 0.0, 0.0, 7.6e3), t: Scalar = 30_000.0,
 ) -> Ladder:  # fmt: skip
-    """The models circle, ellipse and oblate Earth, for the position from the ``start`` x, y, v_x,
-    v_y.
+    """The models circle, ellipse and oblate Earth, for the position from x, y, v_x, v_y.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]

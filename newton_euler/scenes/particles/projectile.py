@@ -137,9 +137,6 @@ def _air_drag(s, p):
     return scale3(-p.drag * sqrt(dot3(_v(s), _v(s))), _v(s))
 
 
-# -- flat
-
-
 def _flat(s, p, t):
     return *_v(s), *_down(p)
 
@@ -151,9 +148,6 @@ def _parabola(s, p, t):
 
 def _flat_in_air(s, p, t):
     return *_v(s), *add3(_down(p), _air_drag(s, p))
-
-
-# -- Coriolis
 
 
 def _turned(s, p, t):
@@ -186,9 +180,6 @@ def _uniform_exact(s, p, t):
     return *add3(_r(s), moved), *coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
 
 
-# -- full
-
-
 def _full(s, p, t):
     omega = _omega(p)
     seen = scale3(-2, cross3(omega, _v(s)))
@@ -199,9 +190,6 @@ def _full(s, p, t):
 def _full_in_air(s, p, t):
     rates = _full(s, p, t)
     return *rates[:3], *add3(rates[3:], _air_drag(s, p))
-
-
-# -- invariants
 
 
 def _inertial(s, p):

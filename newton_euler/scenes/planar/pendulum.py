@@ -1,6 +1,5 @@
 """A rigid body that swings about a level axis: the physical pendulum (11.17). m mass, I moment of
-inertia about the parallel to the axis through G, l distance of G from the axis, theta from the
-downward vertical.
+inertia about the parallel to the axis through G, l distance of G from the axis, theta from below.
 """
 
 import math
@@ -74,9 +73,6 @@ def _exact(s, p, t):
     now = where(upright, y, x), where(upright, x, y)
     turns = where(gap > 0, 0, where(omega < 0, -phase, phase))
     return 2 * counted(half, start, now, turns), 2 * rate
-
-
-# -- smaller models
 
 
 def small_swings(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:

@@ -1,5 +1,4 @@
-"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact, next to the
-separatrix too.
+"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact everywhere.
 
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is
 Jacobi's: with b the intermediate axis and a the one that the motion circles, w_a is a dn, w_b a sn,
@@ -62,9 +61,6 @@ def _momentum(s, p, t):
     return sqrt(dot3(H, H))
 
 
-# -- the exact solution
-
-
 def _exact(s, p, t):
     *I, w_x, w_y, w_z, t = comparable("free body", p.I_x, p.I_y, p.I_z, s.w_x, s.w_y, s.w_z, t)
     _check(I, (w_x, w_y, w_z), t)
@@ -91,9 +87,7 @@ def _check(moments, w, t):
             "must be finite"
         )
     if any(is_numeric(I) and max_abs(where(I > 0, 0, 1)) for I in moments):
-        raise ModelError(
-            f"the principal moments of the exact solution are three positive numbers, got {moments}"
-        )
+        raise ModelError(f"the principal moments are three positive numbers, got {moments}")
 
 
 def _gap(k, I, w):
@@ -106,9 +100,6 @@ def _gap(k, I, w):
     rough = r - p
     cancelled = abs(rough) < abs(p + r) / 16
     return where(cancelled, -k[1] / (I[0] * I[2]) * doubled(difference, *I, w[0], w[2]), rough)
-
-
-# -- a wobble about the axis of spin
 
 
 def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
@@ -137,8 +128,7 @@ def ladder(
     I_x: Scalar = 1.0, I_y: Scalar = 1.02, I_z: Scalar = 1.5,
     start: tuple[Scalar, ...] = (0.1, 0.0, 5.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models symmetric body, small wobble and free body, for w_x, w_y, w_z, which are the
-    start.
+    """The models symmetric body, small wobble and free body, for w_x, w_y, w_z.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]

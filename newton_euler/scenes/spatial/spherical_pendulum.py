@@ -51,12 +51,8 @@ def nodding(mass: Scalar, length: Scalar, g: Scalar, theta: Scalar, precession: 
     1.03829
     """
     top = pendulum(mass, length, g).parameters
-    return nutation(
-        **top, momentum_difference=momentum_difference(top["I0"], 0, theta, precession, 0)
-    )
-
-
-# -- the tip in plan
+    difference = momentum_difference(top["I0"], 0, theta, precession, 0)
+    return nutation(**top, momentum_difference=difference)
 
 
 def small_swings(length: Scalar, g: Scalar) -> Model:
@@ -71,9 +67,8 @@ def small_swings(length: Scalar, g: Scalar) -> Model:
 
 def small_swings_with_friction(length: Scalar, g: Scalar, friction: Scalar) -> Model:
     """The Model of small swings with friction below the critical, 2 sqrt(3 g/(2 length))."""
-    return Model(
-        "bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,)
-    )
+    given, name = locals(), "bar, small swings with friction"
+    return Model(name, given, STATES, _damped, {}, _damped_exact, (SIZE,))
 
 
 def any_swing(length: Scalar, g: Scalar) -> Model:

@@ -2,8 +2,7 @@
 alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a fast top, :func:`euler` for
 psi and phi off the vertical; and the free symmetric body (10.8).
 
-I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, constant,
-is a parameter.
+Symbols as in :mod:`newton_euler.applications.gyroscopes`; the parameter ``omega_z`` is constant.
 """
 
 from dataclasses import replace
@@ -45,9 +44,6 @@ def momentum_difference(
     0.0
     """
     return I0 * precession * sin(theta) ** 2 - 2 * I * omega_z * sin(theta / 2) ** 2
-
-
-# -- theta alone
 
 
 @scene(
@@ -97,9 +93,6 @@ def _nutation_energy(s, p, t):
     return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
 
 
-# -- Euler's angles
-
-
 @scene(
     "10.5", "top, angles", "the nutating top in Euler's angles",
     10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP,
@@ -133,9 +126,6 @@ def _euler_energy(s, p, t):
 
 def _euler_vertical(s, p, t):
     return p.I0 * (s.psi_rate * sin(s.theta) ** 2) + p.I * p.omega_z * cos(s.theta)
-
-
-# -- the frame that goes with the axis without spinning
 
 
 @scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
@@ -183,9 +173,6 @@ _NONSPINNING_INVARIANTS = {
 }
 
 
-# -- the body's own frame
-
-
 @scene(
     "10.5", "top, attitude", "the nutating top by the quaternion of the body",
     10.0, tilted(0.6), **TOP,
@@ -206,11 +193,8 @@ def _attitude_rates(s, p, t):
     q0, q1, q2, q3 = q = _q(s)
     pull, rate = 2 * p.mgr / p.I0, (p.I - p.I0) / p.I0 * p.omega_z
     turning = quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
-    return (
-        *turning,
-        pull * (q2 * q3 + q0 * q1) - rate * s.w_y,
-        rate * s.w_x - pull * (q1 * q3 - q0 * q2),
-    )
+    x, y = pull * (q1 * q3 - q0 * q2), pull * (q2 * q3 + q0 * q1)
+    return *turning, y - rate * s.w_y, rate * s.w_x - x
 
 
 @scene(

@@ -29,8 +29,7 @@ RATES = "w_x", "w_y", "w_z"
 
 
 def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) -> Model:
-    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z), at a constant theta:
-    state psi.
+    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z), for a theta: state psi.
 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
@@ -77,9 +76,7 @@ def asymmetric_top_quaternion(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Sca
     return Model("top of unequal moments, quaternion", locals(), (*QUATERNION, *RATES), _quaternion)
 
 
-@scene(
-    "10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True
-)
+@scene("10.5", "top", "slow and steady precession, nutation, unequal moments", ladder=True)
 def ladder(
     I0: Scalar = 0.02, I: Scalar = 0.01, mgr: Scalar = 0.5, omega_z: Scalar = 150.0,
     theta: Scalar = 0.6, theta_rate: Scalar = 0.0, precession: Scalar = 0.34,
@@ -110,9 +107,6 @@ def ladder(
     return Ladder("top", DIRECTION, t, tuple(rungs))
 
 
-# -- the direction of the axis
-
-
 def _direction(psi, theta):
     """The unit vector along the axis, in the ground."""
     return sin(theta) * sin(psi), -sin(theta) * cos(psi), cos(theta)
@@ -130,8 +124,6 @@ def _along(s, p, t):
 def _third(s, p, t):
     return tuple(row[2] for row in matrix_from_quaternion(_q(s)))
 
-
-# -- rates
 
 _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
 

@@ -74,7 +74,7 @@ def test_a_step_with_the_name_of_an_answer_or_a_given_is_refused(monkeypatch):
 def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
     p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
     assert faults(p, p.book_values) == [
-        "the step rate is stated in rad/s, Dimension(T^-1), and has Dimension(L^1 T^-1)"
+        "the step rate is stated in rad/s, that is 1/s, and has m/s"
     ]
 
 

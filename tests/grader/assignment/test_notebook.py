@@ -4,14 +4,11 @@ catalogue asks for.
 
 import json
 
-import pytest
-
 from exercises.catalogue import problem
 from grader.assignment import notebook as nb
 from grader.assignment import problems_of
 from newton_euler.answers.notation import number_symbol
-from tests.grader.courses import nbgrader, read, released_sheet, submit
-from tests.grader.submissions import work
+from tests.grader.courses import read, released_sheet
 
 STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
 
@@ -83,10 +80,3 @@ def test_every_problem_that_varies_gets_its_numbers_into_its_statement():
             own = {n: drawn(p, 3)[n] for n in p.givens}
             book = nb.statement(p, p.book_values)
             assert personal_statement(p.id, book, own) == nb.statement(p, own)
-
-
-@pytest.mark.slow
-def test_validate_tells_a_student_what_cannot_be_read(fresh):
-    submit(fresh, "dan", work(fresh, "dan", p4_16="alpha_CD = a_D = None\nv_D = [1, 2]"))
-    _, out = nbgrader("validate", "submitted/dan/ch04/ch04.ipynb", cwd=fresh.path)
-    assert "expected a vector, three numbers" in out, out

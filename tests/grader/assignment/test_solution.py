@@ -8,7 +8,7 @@ import pytest
 from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw, flat
 from grader.assignment.notebook import typeset
-from grader.assignment.solution import lines, worked_solution
+from grader.assignment.solution import TOO_LONG, lines, worked_solution
 from grader.assignment.spelled import typeset_formulas
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import unit
@@ -28,7 +28,7 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
     values = {**draw(p, seed), **p.sympy_symbols()}
     text = worked_solution(p, values)
     for a in p.answers:
-        assert typeset(typeset_formulas(a.means, p.notation), p)[1:] in text
+        assert typeset_formulas(a.means, p.notation, lambda x: typeset(x, p))[1:] in text
     for name, given in p.givens.items():
         assert number_symbol(values[name]) in text, given
     for formula in re.findall(r"\$([^$]*)\$", text):
@@ -36,6 +36,8 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
         assert len(re.findall(r"\\left\b", formula)) == len(re.findall(r"\\right\b", formula))
     assert text.count("$") % 2 == 0
     own = text.partition("*Solution*")[2]
+    cited = {int(n) for n in re.findall(r"By equation \((\d+)\.", own)}
+    assert not cited or max(cited) <= int(p.id.partition("/")[0].replace("A", "1"))
     assert all(len(digits(x)) <= 6 for x in re.findall(r"\d*\.\d+", own)), own
 
 
@@ -51,6 +53,8 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
     right = p.solve(values)
     for line in lines(p, values, latex=False):
         *formulas, value = line.equal
+        assert line.reason or formulas or line.together or line.above
+        assert line.reason != TOO_LONG or p.id == "11/7"
         if line.step.key in right:
             assert line.step.value == right[line.step.key] or str(line.step.value) == str(
                 right[line.step.key]

@@ -14,14 +14,6 @@ from grader.course.creation import MADE, UNFINISHED, new_course
 from tests.grader.courses import REPOSITORY, command, environment, ran, run
 
 
-def test_a_course_folder_that_exists_is_left_as_it_is(tmp_path):
-    (tmp_path / "notes.txt").write_text("mine")
-    code, out = command("build", "ch04", "--course", tmp_path, "--problem", "4/1")
-    assert code == 2
-    assert "exists and is not empty; name a new folder, or add to the course in it with" in out
-    assert os.listdir(tmp_path) == ["notes.txt"]
-
-
 def test_build_says_how_many_it_enrolled_and_how_the_roster_was_read(tmp_path):
     roster = tmp_path / "roster.csv"
     roster.write_text("Vorname;Nachname;Matrikelnummer\nAda;L.;1001\nBen;M.;1002\n")

@@ -45,6 +45,7 @@ def test_late_work_loses_what_the_policy_says_by_both_routes_until_it_is_off(two
 
 def test_a_policy_of_the_instructors_own_comes_first(two_days_late):
     ran(command("late", "none", "--course", two_days_late.path))
+    assert graded(two_days_late, "ada") == {"ada": (11, 0)}
     append_config(
         two_days_late,
         "c.AssignLatePenalties.plugin_class = 'nbgrader.plugins.LateSubmissionPlugin'\n"

@@ -8,13 +8,14 @@ from grader.course.owners import Person, owners
 ROSTER = [
     {"id": "ada", "first_name": "Ada", "last_name": "Lovelace", "lms_user_id": "4711"},
     {"id": "ben", "first_name": "Ben", "last_name": "Müller-Lüdenscheidt"},
+    {"id": "cleo", "first_name": "Cléo", "last_name": "de Mérode"},
     {"id": "dan", "email": "daniel.g@uni.edu"},
     {"id": "eve"},
     {"id": "s1234567", "first_name": "Ann", "last_name": "Lee"},
 ]
 COMMON = (
     "late", "attempt", "homework", "notebook", "copy", "file", "assignment", "submission", "work",
-    "final", "ch04", "hw", "1", "2026",
+    "final", "ch04", "hw", "1", "2026", "submissions", "assignsubmission",
 )  # fmt: skip
 MOODLE = "_77_assignsubmission_file_/"
 
@@ -25,6 +26,15 @@ def owned(names, *more):
 
 
 HONEST = {
+    "submissions/lovelaceada_4711_98765_ch04.ipynb": "ada",
+    "lovelaceada_4711_98765_ch04-1.ipynb": "ada",
+    f"Ben Müller-Lüdenscheidt{MOODLE}notebook.ipynb": "ben",
+    f"Cléo de Mérode{MOODLE}work.ipynb": "cleo",
+    "de Mérode, Cléo/ch04.ipynb": "cleo",
+    "dan.ipynb": "dan",
+    "ch04-ada.ipynb": "ada",
+    "ada_notebook.ipynb": "ada",
+    "submissions/eve/ch04.ipynb": "eve",
     "lovelaceada_LATE_4711_98765_ch04-1.ipynb": "ada",
     "müllerlüdenscheidtben_5_98765_ch04.ipynb": "ben",
     "Ann Lee_123_assignsubmission_file_ch04.ipynb": "s1234567",
@@ -57,20 +67,28 @@ STRANGERS = [
     "ada_9999_12_ch04.ipynb", "annleee_1_2_ch04.ipynb", "zoe/ada/ch04.ipynb", "zoe\\ada.ipynb",
     "submitted/zoe/ch04/ada.ipynb", "daniel.g@other.edu/ch04.ipynb", "group 3 ada ben/ch04.ipynb",
     "ch04_zoe_attempt_2026-05-01-10-11-12_ada.ipynb", "adam/ch04.ipynb",
-    "12-34 - Zoe Quinn - Oct 3, 2026 1122 PM/ada.ipynb",
+    "12-34 - Zoe Quinn - Oct 3, 2026 1122 PM/ada.ipynb", f"Zoe Quinn{MOODLE}ada.ipynb",
+    f"Zoe Quinn{MOODLE}ada/ch04.ipynb", "quinnzoe_99_100_ch04_ada.ipynb", "quinnzoe_99_100_4711.ipynb",
+    "zoe/ada.ipynb", "x_2_ch04_ben.ipynb",
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("others", [[], ["eve.ipynb"], ["eve/a.ipynb", "ben/a.ipynb"]], ids=len)
+@pytest.mark.parametrize("others", [
+    [], ["eve.ipynb"], ["eve/a.ipynb", "ben/a.ipynb"], ["ben_1_ch04.ipynb", "eve_2_ch04.ipynb"],
+    [f"Ben Müller-Lüdenscheidt{MOODLE}ch04.ipynb", "eve/ada.ipynb"],
+], ids=str)  # fmt: skip
 @pytest.mark.parametrize("stranger", STRANGERS)
 def test_the_work_of_a_stranger_is_given_to_nobody(stranger, others):
     """Also where a name or number of theirs is that of a student, or they name files after one."""
     found = dict(zip([stranger, *others], owned([stranger, *others]), strict=True))
-    assert found == {stranger: ""} | {name: name[:3] for name in others}
+    assert found == {stranger: ""} | {name: name[:3].lower() for name in others}
 
 
 def test_a_title_in_all_names_and_a_folder_around_all_are_nobodys():
     assert owned(["Mechanics II/eve.ipynb", "Mechanics II/ben.ipynb"]) == ["eve", "ben"]
     assert owned(["Mechanics eve.ipynb", "Mechanics ben.ipynb"]) == ["eve", "ben"]
+    notebooks = [f"{s}_notebook.ipynb" for s in ("ada", "eve", "ben")]
+    assert owned(notebooks, *COMMON) == ["ada", "eve", "ben"]
+    assert owned([f"submissions/{s}/work.ipynb" for s in ("eve", "ada")], *COMMON) == ["eve", "ada"]
     assert owned([f"Zoe Quinn{MOODLE}{s}.ipynb" for s in ("eve", "ben")]) == ["", ""]
     assert owned(["Ada Smith a.ipynb", "Ada Smith b.ipynb"]) == ["", ""]

@@ -2,12 +2,10 @@
 penalties for late submissions.
 """
 
-import shutil
-
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import append_config, forget, nbgrader, points, ran, submit, total
+from tests.grader.courses import points, submit, total
 from tests.grader.submissions import work
 
 
@@ -66,21 +64,3 @@ def test_scores_that_another_grader_overwrote_are_put_right(fresh):
         book.db.commit()
     grade(fresh, "ch04", ["ada"])
     assert total(points(fresh)["ada"]) == 11
-
-
-def test_late_penalties_of_the_course_are_applied_by_both_routes(fresh):
-    append_config(fresh, "c.LateSubmissionPlugin.penalty_method = 'zero'")
-    for s in ("ben", "cleo", "dan", "eve", "mallory"):
-        shutil.rmtree(fresh.path / "submitted" / s)
-    (fresh.path / "submitted/ada/ch04/timestamp.txt").write_text("2026-11-20 12:00:00.0 UTC")
-    with fresh.gradebook() as book:
-        book.update_or_create_assignment("ch04", duedate="2026-11-19 12:00:00.0 UTC")
-    for route in (
-        lambda: grade(fresh, "ch04"),
-        lambda: ran(nbgrader("autograde", "ch04", "--force", cwd=fresh.path)),
-    ):
-        forget(fresh, "ada")
-        route()
-        with fresh.gradebook() as book:
-            own = book.find_submission_notebook("ch04", "ch04", "ada")
-            assert (own.score, own.late_submission_penalty) == (11, 11)

@@ -47,11 +47,14 @@ def exported(fresh, form, tmp_path):
 @pytest.mark.parametrize("form", [form for form in FORMATS if form != "parts"])
 def test_no_name_or_id_is_a_formula_of_a_spreadsheet_for_a_platform(fresh, form, tmp_path):
     hostile = {"first_name": "@SUM(1)", "last_name": "+1+cmd", "email": "-2@uni.edu"}
-    fresh.enrol([{"id": "ada", **hostile, "lms_user_id": "=4711"}])
+    others = {"first_name": "\n=1", "last_name": " ＝2", "email": " @3"}
+    fresh.enrol([{"id": "ada", **hostile, "lms_user_id": "=4711"}, {"id": "ben", **others}])
     path = tmp_path / f"{form}.csv"
     ran(command("export", "ch04", "--course", fresh.path, "--format", form, "--to", path))
     cells = [cell for row in rows_of(path, "utf-8-sig") for cell in row]
-    assert not [cell for cell in cells if cell.startswith(("=", "+", "-", "@", "\t", "\r"))]
+    assert not [
+        c for c in cells if c.lstrip().startswith(tuple("=+-@＝＋－＠")) or c[:1] in ("\t", "\r")
+    ]
     assert any("+1+cmd" in cell for cell in cells)
 
 

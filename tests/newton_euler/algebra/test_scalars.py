@@ -427,7 +427,11 @@ def test_dimension_algebra():
     assert LENGTH + ZERO == LENGTH
     assert LENGTH * ZERO is LENGTH * 0 is 0 * LENGTH is 0 / LENGTH is ZERO
     assert sum([LENGTH, 2 * LENGTH]) == LENGTH  # which begins with the integer 0
-    assert repr(MASS * LENGTH / TIME**2) == "Dimension(M^1 L^1 T^-2)"
+    force = MASS * LENGTH / TIME**2
+    assert (repr(force), str(force)) == ("Dimension(M^1 L^1 T^-2)", "kg m/s^2")
+    assert [str(x) for x in (1 / TIME, 1 / (MASS * TIME), Dimension())] == [
+        "1/s", "1/(kg s)", "a pure number",
+    ]  # fmt: skip
     assert len({LENGTH, Dimension(0, 1, 0), TIME}) == 2
     assert LENGTH != 1
     assert 2 ** Dimension() == Dimension()
@@ -450,7 +454,7 @@ def test_unlike_dimensions_do_not_add():
 def test_functions_take_pure_numbers_only(name):
     with pytest.raises(
         DimensionError,
-        match=rf"{name} of a quantity with Dimension\(L\^1\): its argument must be a pure number",
+        match=rf"{name} of a quantity in m: its argument must be a pure number",
     ):
         function(name, LENGTH)
     assert function(name, Dimension()) == Dimension()
@@ -490,7 +494,7 @@ def test_a_choice_between_like_quantities_has_their_dimension():
 
 
 def test_unlike_quantities_are_not_compared():
-    with pytest.raises(DimensionError, match=r"cannot compare Dimension\(L\^1\) with Dimension\(T"):
+    with pytest.raises(DimensionError, match="cannot compare m with s"):
         where(LENGTH > TIME, LENGTH, LENGTH)
     with pytest.raises(DimensionError, match=r"cannot compare .* with 1\.0"):
         where(LENGTH > 1.0, LENGTH, LENGTH)

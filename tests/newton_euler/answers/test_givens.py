@@ -101,10 +101,37 @@ def test_an_answer_that_is_an_equal_object_was_still_computed_anew(shell):
     assert run(shell, *cells) == ""
 
 
-def test_an_answer_computed_in_a_cell_that_failed_keeps_the_numbers_of_its_value(shell):
-    run(shell, "givens 4/16", ANSWER, "givens 4/12")
-    shell.run_cell("a_D = omega / 0", cell_id="1")
-    assert run(shell, "receipt 4/16") == ""
+SPEED = "expect('{0}', speed='number, m/s')\nr = receipt('{0}', globals())"
+FAILED = "the cell that gives speed a value has ended in an error"
+OTHER = "speed has its value from 4/1: run your cell of 4/2"
+
+
+@pytest.mark.parametrize(
+    ("cell", "answer", "warning"),
+    [
+        ("speed = 7.0", 7.0, ""),
+        ("speed = 5.0", 5.0, ""),
+        ("speed = 3", 3, ""),
+        ("speed = None", None, ""),
+        ("speed = (7.0", None, FAILED),
+        ("x = 1 / 0\nspeed = x", None, FAILED),
+        ("speed = 7.0\nx = 1 / 0", 7.0, ""),
+        ("# not written yet", None, OTHER),
+    ],
+)
+def test_a_receipt_shows_no_answer_of_another_problem(shell, cell, answer, warning):
+    run(shell, "givens 4/12", "1 speed = 5.0", f"8 {SPEED.format('4/1')}")
+    shell.run_cell(cell, cell_id="2")
+    run(shell, f"9 {SPEED.format('4/2')}")
+    assert shell.user_ns["r"].answers == {"speed": answer}
+    assert shell.user_ns["r"].warning == warning
+    assert warning in repr(shell.user_ns["r"])
+    run(shell, f"8 {SPEED.format('4/2')}")
+    assert shell.user_ns["r"].answers == {"speed": answer}
+    run(shell, "2 speed = 8.0", f"9 {SPEED.format('4/2')}")
+    assert (shell.user_ns["r"].answers, shell.user_ns["r"].warning) == ({"speed": 8.0}, "")
+    for number in ("4/1", "4/2"):
+        _expected.pop(number)
 
 
 def test_symbols_and_arrays_are_compared_too(shell):

@@ -9,8 +9,10 @@ from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
 from newton_euler.answers.diagnosis import diagnose
+from newton_euler.answers.formulas import Formulas, Traced
 from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.perturbed import NO_SLIPS, Computation, Perturbed, Traced
+from newton_euler.answers.near import NO_SLIPS
+from newton_euler.answers.perturbed import Computation, Perturbed
 
 UNITS = {"m": "kg", "g": "m/s^2", "s": "mm", "d": "mm", "alpha": "deg", "v": "km/h", "b": "m"}
 GIVEN = {"m": 2.3, "g": 9.81, "s": 0.71, "d": 0.26, "alpha": 0.61, "v": 3.1, "b": 1.7}
@@ -28,6 +30,7 @@ def speed(g, s, alpha, **_):
     return sqrt(2 * g * s * cos(alpha))
 
 
+UNIT = {"E": "J", "I": "kg*m^2", "u": "m/s"}
 FORMULAS = {"E": energy, "I": moment, "u": speed}
 
 
@@ -35,8 +38,8 @@ FORMULAS = {"E": energy, "I": moment, "u": speed}
 def perturbed():
     trace = Trace()
     given = {n: trace.new("argument", n) for n in UNITS}
-    answers = {key: Traced([(f(**given), 1.0)], 1) for key, f in FORMULAS.items()}
-    return Perturbed(Computation(answers, UNITS, SI), GIVEN)
+    answers = {key: Traced([f(**given)], UNIT[key]) for key, f in FORMULAS.items()}
+    return Perturbed(Computation(Formulas(answers, UNITS, SI)), GIVEN)
 
 
 def named(perturbed, key, given):

@@ -116,7 +116,9 @@ def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
 
 def test_a_hint_stands_in_the_receipt_and_names_the_component():
     expect("0/9", {"r": "m", "omega": "rad/s"}, v="vector_expression, m/s")
-    assert "look again at v: component 2 has" in repr(receipt("0/9", v=[r * omega, r, 0]))
+    assert "look again at v: component 2 is in m, but m/s is asked" in repr(
+        receipt("0/9", v=[r * omega, r, 0])
+    )
 
 
 def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
@@ -146,7 +148,7 @@ def test_a_receipt_prints_an_answer_that_is_named_by_a_word_as_the_code_does():
 def test_hints_of_a_receipt_are_text_and_no_markdown():
     expect("0/12", {"r": "m", "omega_1": "rad/s"}, v="expression, m/s")
     said = receipt("0/12", v=symbols("r") * symbols("omega_1") ** 2).markdown
-    assert "\n- look again at v: it has" in said
+    assert "\n- look again at v: it is in" in said
     assert "look again" in repr(receipt("0/12", v=symbols("r")))
     assert "**0/12:**" in said
     assert receipt("0/12").markdown == "0/12: no answer yet."

@@ -52,6 +52,38 @@ def test_a_kinetic_energy_is_not_negative():
     assert doubts(Form("number", "J"), -2.0, {}, KINETIC)
 
 
+SPEED, VELOCITY = Form("number", "m/s"), Form("vector", "m/s")
+WRONG = "it is not the magnitude of v, which is 3 m/s"
+
+
+@pytest.mark.parametrize("bounds", [(), (0.1, 100.0)])
+@pytest.mark.parametrize(
+    ("speed", "v", "words"),
+    [
+        (3.0, [1.0, 2.0, 2.0], []),
+        (3.0, {"body": [2.0, -2.0, 1.0]}, []),
+        (3.01, [1.0, 2.0, 2.0], []),  # rounded
+        (3.0, None, []),
+        (3.5, [1.0, 2.0, 2.0], [WRONG]),
+        (-3.0, None, ["a magnitude is never negative"]),
+        (-3.0, [1.0, 2.0, 2.0], ["a magnitude is never negative", WRONG]),
+    ],
+)
+def test_a_magnitude_is_not_negative_and_is_that_of_the_vector_beside_it(speed, v, words, bounds):
+    sane = (*bounds, "magnitude of v") if bounds else "magnitude of v"
+    assert doubts(SPEED, speed, {}, sane, {"v": (VELOCITY, v)}) == words
+    assert doubts(SPEED, speed, {}, "magnitude") == words[: speed < 0]
+
+
+def test_a_formula_of_a_magnitude_is_that_of_the_vector_beside_it():
+    symbols, x = {"u": "m/s"}, ["*", 3, "u"]
+    beside = {"v": (Form("vector_expression", "m/s"), ["u", ["*", 2, "u"], ["*", 2, "u"]])}
+    form = Form("expression", "m/s")
+    assert doubts(form, x, symbols, "magnitude of v", beside) == []
+    found = doubts(form, ["*", 5, "u"], symbols, "magnitude of v", beside)
+    assert found == ["it is not the magnitude of v"]
+
+
 @pytest.mark.parametrize(
     ("x", "fine"), [(5.0, True), (0.05, False), (200.0, False), (0.0, True), (-5.0, True)]
 )

@@ -18,7 +18,7 @@ from tests.newton_euler.answers.one_answer import SYMBOLS, omega, one, r, theta
     ("formula", "hint"),
     [
         (r * omega, None),
-        (r * omega**2, r"it has .*, but m/s has"),
+        (r * omega**2, "it is in .*, but m/s is asked"),
         (r + omega, "adds unlike quantities"),
         (sympy.sin(r), "adds unlike|it "),
         (0 * r, None),

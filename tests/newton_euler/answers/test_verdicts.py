@@ -7,7 +7,7 @@ import pytest
 from newton_euler.answers.causes import BOOK, answer_to, follows, listed
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.perturbed import NO_SLIPS
+from newton_euler.answers.near import NO_SLIPS
 from newton_euler.answers.verdicts import explain, judge, value_line
 
 
@@ -36,6 +36,9 @@ class Fall:
 
     def wrong(self, key):
         return [model[1:] for model in self._wrong if model[0] == key]
+
+    def sequel(self, key, earlier):
+        return NO_SLIPS
 
     def following(self, key, earlier):
         ((v,),) = earlier["v"]
@@ -125,6 +128,9 @@ class Two(Fall):
     def __init__(self):
         super().__init__()
         self.earlier = {"square": ("v", "bounces")}
+
+    def sequel(self, key, earlier):
+        return NO_SLIPS
 
     def following(self, key, earlier):
         if None in earlier.values():

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from newton_euler import Model, cos, integrate, sin
+from newton_euler import Model, cos, integrate, sin, where
 from newton_euler.motion import ModelError, second_order
 from newton_euler.motion import run as run_module
 from newton_euler.motion.error_estimates import (
@@ -570,3 +570,59 @@ def test_a_time_of_a_few_roundings_ends(ulps):
     except AccuracyError as refused:
         motion = refused.reached
     assert motion.end["x"] == pytest.approx(end - begin, rel=0.5)
+
+
+# -- across kinks
+
+
+@pytest.mark.parametrize(("k", "periods"), [(4.0, 1), (9.0, 2), (2.0, 4)])
+def test_a_spring_of_two_stiffnesses_is_known_to_be_back_after_its_periods(k, periods):
+    """To 1e-12, where the difference from a coarser run is a hundred times the error."""
+    model = second_order(
+        "two", {"k": k}, ("x",), lambda s, p, t: (-where(s.x > 0, p.k, 1.0) * s.x,)
+    )
+    motion = integrate(model, periods * math.pi * (1 + k**-0.5), (1.0, 0.0), rtol=1e-12)
+    assert abs(motion.end["x"] - 1) < motion.error <= 1e-12
+    assert abs(motion.end["dx"]) / k**0.5 < motion.error
+
+
+class Ending:
+    """A trajectory that ends at x after some steps."""
+
+    def __init__(self, x, tolerance):
+        self.x, self.tolerance, self.count = x, tolerance, 300
+        stepper = SimpleNamespace(scales=(1.0,))
+        self.segments = [(prepared_model(PENDULUM), stepper, 0.0, 1.0, (x,))]
+
+    def difference(self, other):
+        return abs(self.x - other.x)
+
+
+@pytest.mark.parametrize(
+    ("ends", "chosen", "apart"),
+    [
+        ((5.0, 5.1, 9.0), 5.0, 0.1),
+        ((5.0, 9.0, 5.1), 5.0, 0.1),
+        ((9.0, 5.0, 5.1), 5.0, 0.1),
+        ((9.0, 5.0, 5.1, 5.4), 5.4, 0.3),
+    ],
+)
+def test_of_three_runs_the_two_that_agree_give_the_motion_and_its_error(
+    monkeypatch, ends, chosen, apart
+):
+    first, second, third, *again = ends
+    others = {1.4 * 1e-14: second, 2e-14: third}
+    one = run()
+    monkeypatch.setattr(one, "compared", lambda m, x, fine, known: Ending(others[x], x))
+    monkeypatch.setattr(one, "trajectory", lambda m, x, known: Ending(*(again or [others[x]]), x))
+    found, error = one.agreed(METHODS["dop853"], Ending(first, 1e-14), None)
+    assert found.x == chosen
+    assert error == pytest.approx(4 * apart + 1e-13, rel=1e-9)
+
+
+def test_what_is_smooth_is_not_decided_by_runs_that_agree():
+    kinked = second_order("kinked", {}, ("x",), lambda s, p, t: (-abs(s.x),))
+    clocked = second_order("clocked", {}, ("x",), lambda s, p, t: (-abs(t - 1.0) * s.x,))
+    for model, irregular in ((PENDULUM, False), (clocked, False), (kinked, True)):
+        assert bool(run(model).irregular(METHODS["dop853"])) is irregular
+        assert not run(model).irregular(METHODS["yoshida4"])

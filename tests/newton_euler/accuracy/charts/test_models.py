@@ -6,6 +6,7 @@ import matplotlib
 import pytest
 from matplotlib.figure import Figure
 
+from newton_euler import integrate
 from newton_euler.accuracy.charts.models import (
     MeasuredModel,
     choice,
@@ -14,7 +15,7 @@ from newton_euler.accuracy.charts.models import (
     models_caption,
     usual_tolerance,
 )
-from newton_euler.scenes import ladder
+from newton_euler.scenes import ladder, smallest
 from newton_euler.scenes.ladders import Ladder, Rung
 from newton_euler.scenes.particles import projectile
 
@@ -60,14 +61,16 @@ def models(**costs_and_errors):
 @pytest.mark.parametrize(
     ("points", "ringed", "words"),
     [
-        (models(bare=(1e-6, 1.0), rich=(5e-6, 1e-2), full=(1e-3, 0.0)), 1, ["cheapest model is 2 (rich), 5 µs a run"]),
-        (models(bare=(1e-6, 1.0), rich=(1e-3, 1e-2), full=(5e-6, 0.0)), 2,
-         ["cheapest model is 3 (full), 5 µs a run", "2 (rich) costs more than 3 and is less accurate."]),
-        (models(bare=(1e-6, 1.0), rich=(5e-6, 0.5)), None, ["No model stays within 0.1 m."]),
-        (models(bare=(1.1e-6, 0.05), full=(1e-6, 0.0)), 0,
+        (models(bare=(100, 1.0), rich=(500, 1e-2), full=(9000, 0.0)), 1,
+         ["smallest model is 2 (rich), 500 operations a run",
+          "The fullest takes 90 times as many operations as the cheapest, bare."]),
+        (models(bare=(100, 1.0), rich=(9000, 1e-2), full=(500, 0.0)), 1,
+         ["smallest model is 2 (rich), 9000 operations a run", "2 (rich) costs more than 3 and is less accurate."]),
+        (models(bare=(100, 1.0), rich=(500, 0.5)), None, ["No model stays within 0.1 m."]),
+        (models(bare=(110, 0.05), full=(100, 0.0)), 0,
          ["2 (full) costs about the same", "The fullest model costs no more than the cheapest."]),
     ],
-    ids=["the cheapest within the tolerance", "two costs swapped", "none within the tolerance", "equal costs: the simplest"],
+    ids=["the smallest within the tolerance", "two costs swapped", "none within the tolerance", "equal costs"],
 )  # fmt: skip
 def test_the_choice_is_ringed_and_named(points, ringed, words):
     figure, doctored = Figure(), SimpleNamespace(name="doctored", of="place, m", t=1.0)
@@ -77,6 +80,25 @@ def test_the_choice_is_ringed_and_named(points, ringed, words):
     assert [tuple(map(float, line.get_xdata())) for line in lines] == expected
     caption = models_caption(points, doctored, 0.1)
     assert [w for w in words if w not in caption] == []
+
+
+@pytest.mark.parametrize("name", ["projectile", "sphere on an incline"])
+def test_the_ring_is_on_the_model_that_smallest_takes_whatever_they_cost(name):
+    rungs = ladder(name)
+    points = measured_models(rungs)
+    errors = [p.error for p in points if p.error > 0]
+    for tolerance in (0.2, *(1.5 * e for e in errors), *(0.7 * e for e in errors)):
+        assert choice(points, tolerance).method == smallest(rungs, tolerance).rung.name
+
+
+def test_costs_are_counted_and_so_the_same_at_each_measurement(shots):
+    first, again = measured_models(shots), measured_models(shots)
+    assert [p.cost for p in first] == [p.cost for p in again]
+    runs = [integrate(r.model, 5.0, r.start, 1e-9, "dop853") for r in shots.rungs]
+    operations = [r.model.compiled_rhs(*r.model.parameters).operations for r in shots.rungs]
+    assert [p.cost for p in first] == [
+        n * run.cost.calls for n, run in zip(operations, runs, strict=True)
+    ]
 
 
 def test_the_coarsest_model_is_not_ringed_where_it_is_beyond_the_tolerance_though_it_is_cheapest():

@@ -75,12 +75,19 @@ def test_progress_is_reported_and_never_goes_back(swing):
     assert swing[1][0][1] == "dop853, 1e-03"
 
 
-def test_the_table_has_all_numbers_and_the_ratios_of_auto(swing):
+def test_the_table_has_all_numbers_and_no_ratio_to_an_exact_solution(swing):
     output = swing[0].explain()
     assert output.count("yoshida6 ") >= 3
-    for rtol, (ratio, best) in swing[0].ratios.items():
-        assert best in ("dop853", "yoshida6")
-        assert f"auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" in output
+    assert swing[0].ratios == {}
+    assert "auto takes the exact solution" in output
+
+
+def test_the_table_has_the_ratios_of_auto_where_it_steps():
+    found = work_precision("top", (1e-3,), ("dop853", "auto"), longest=math.inf)
+    ((rtol, (ratio, best)),) = found.ratios.items()
+    assert best == "dop853"
+    assert f"auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" in found.explain()
+    assert "exact solution" not in found.explain()
 
 
 def test_a_method_that_takes_long_is_asked_for_no_more_digits_and_named():

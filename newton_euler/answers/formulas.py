@@ -1,0 +1,98 @@
+"""What a problem computes, traced, and what a slip changes in it."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from ..algebra import scalars
+from ..algebra.scalars import NewtonEulerError
+from ..algebra.source import operations
+from ..algebra.trace import Step
+from ..algebra.units import Dimension, System, Unit
+from .causes import Cause
+
+# how simple a slip is, in pairs: of two that are equally simple the second is made less often
+SIMPLE, RARER, LESS, LEAST = 2, 3, 4, 6
+
+
+class Traced(NamedTuple):
+    """An answer of a traced computation: its components in base units, its unit, and the number of
+    points at which it is compared.
+    """
+
+    parts: Sequence[Any]
+    unit: str
+    points: int = 1
+
+
+class Stage(NamedTuple):
+    """A quantity on the way to the answers: its name, where the book has it, its components."""
+
+    name: str
+    where: str
+    parts: Sequence[Any]
+
+
+class Formulas(NamedTuple):
+    """A traced computation.
+
+    units : of the givens and symbols, which are the arguments, in base units of the ``system``
+    where : the section of the problem
+    """
+
+    answers: Mapping[str, Traced]
+    units: Mapping[str, str]
+    system: System
+    stages: Sequence[Stage] = ()
+    where: str = ""
+
+
+class Edit(NamedTuple):
+    """A slip: other expressions for some steps, {number: expression}. An expression is a number, a
+    step, or an operation and its expressions, as a tuple. The lower the ``rank``, the simpler; two
+    of one ``level`` are equally simple.
+    """
+
+    rank: int
+    cause: Cause
+    instead: dict[int, Any]
+
+
+def steps_in(s: Step) -> list[Step]:
+    """The arguments of a step that are steps."""
+    return [a for a in s.args if isinstance(a, Step)]
+
+
+def needed(leaves: Iterable[Any]) -> list[Step]:
+    """The steps that these need, in order."""
+    waiting, found = [x for x in leaves if isinstance(x, Step)], dict[int, Step]()
+    while waiting:
+        s = waiting.pop()
+        if s.number not in found:
+            found[s.number] = s
+            waiting += steps_in(s)
+    return [found[n] for n in sorted(found)]
+
+
+def users_of(steps: Iterable[Step]) -> dict[Step, list[Step]]:
+    """{step: the steps that use it}."""
+    users: dict[Step, list[Step]] = {s: [] for s in steps}
+    for s in users:
+        for a in dict.fromkeys(steps_in(s)):
+            users[a].append(s)
+    return users
+
+
+def dimensions_of(steps: Sequence[Step], units: Mapping[str, Unit]) -> dict[Step, Dimension | None]:
+    """The dimension of each step; None where it has no whole powers, or is within an integral."""
+    run, found = operations(scalars), dict[Step, Any]()
+    for s in steps:
+        try:
+            args = [found[a] if isinstance(a, Step) else a for a in s.args]
+            found[s] = units[s.args[0]].dimension if s.op == "argument" else run[s.op](*args)
+        except (NewtonEulerError, TypeError, AttributeError, KeyError):
+            found[s] = None
+    return {s: d if isinstance(d, Dimension) and _is_whole(d) else None for s, d in found.items()}
+
+
+def _is_whole(dimension):
+    return all(p.denominator == 1 for p in dimension.powers)
