@@ -39,7 +39,7 @@ else:
 class NewtonEulerError(Exception):
     """Base of the engine's errors; each is also the built-in error that fits it, as ValueError.
 
-    >>> from newton_euler import Frame
+    >>> from newton_euler import Frame, NewtonEulerError
     >>> try:
     ...     Frame("ground").point("P", 1.0, 0, 0).velocity()
     ... except NewtonEulerError as error:
