@@ -4,9 +4,11 @@ numbers and the wrong models of each.
 
 import contextlib
 import math
+from typing import Any
 
 import numpy as np
 
+from exercises.catalogue import Problem
 from exercises.catalogue.steps import in_unit, listed_steps, repeated, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.vectors import Vector
@@ -15,6 +17,7 @@ from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.notation import symbol
 from newton_euler.answers.tolerance import is_apart
 
+from ..assignment.cells import Values
 from ..assignment.notebook import typeset
 from ..scoring.wrong_models import general_models
 from .plain import plain
@@ -23,7 +26,7 @@ KEPT = 10  # digits of the numbers of wrong models
 NOISE = 1e-12  # of a model and a key that are both zero, in the unit of the text
 
 
-def quantities(p, values):
+def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """([description for the file], {key: numbers or word}) of all quantities, steps first."""
     described, right = [], {}
     for s in [s for s in steps(p, values) if s.key not in repeated(p)]:
@@ -53,7 +56,9 @@ def _numbers(x, kind):
     return x if kind.is_word else [float(part) for part in flat(x)]
 
 
-def wrong_numbers(p, values, described, right):
+def wrong_numbers(
+    p: Problem, values: Values, described: list[dict[str, Any]], right: dict[str, Any]
+) -> list[tuple]:
     """[(key, cause, numbers)] of the wrong models of all quantities that differ from the
     right ones.
     """
