@@ -3,7 +3,6 @@ it refuses, in words.
 """
 
 import math
-import pickle
 import random
 import time
 from dataclasses import FrozenInstanceError
@@ -316,8 +315,6 @@ def test_a_table_among_the_parameters_is_read_by_formulas_and_laws():
     assert close(
         model.changed(torque=table([0.0, 4.0], [2.0, 2.0])).derivative((1.0,), 0.5), (-1.0,), 0
     )
-    again = pickle.loads(pickle.dumps(model))
-    ends = [integrate(m, 4.0, (0.5,)).end["w"] for m in (model, again)]
-    assert ends[0] == ends[1]
+    end = integrate(model, 4.0, (0.5,)).end["w"]
     many = integrate(model.changed(k=np.array([0.5, 0.6])), 4.0, (0.5,))
-    assert many.end["w"][0] == pytest.approx(ends[0], rel=1e-9)
+    assert many.end["w"][0] == pytest.approx(end, rel=1e-9)
