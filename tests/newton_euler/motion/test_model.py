@@ -307,7 +307,7 @@ def test_numbers_in_sequences_are_an_array_and_what_is_none_is_named_alone():
 
 
 def test_a_table_among_the_parameters_is_read_by_formulas_and_laws():
-    torque = table([0.0, 2.0, 9.0], [1.0, 5.0, -2.0])
+    torque = table([0.0, 2.0, 9.0], [1.0, 5.0, -2.0], outside="hold")
     rates = lambda s, p, t: (p.k * p.torque(s.w) + p.load,)
     load = lambda s, p, t: -p.torque(t)
     model = Model("motor", {"torque": torque, "k": 0.5, "load": load}, ("w",), rates)
