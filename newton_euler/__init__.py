@@ -1,5 +1,4 @@
-"""Newton-Euler dynamics of particles and rigid bodies in three dimensions: a small engine for
-teaching and for work.
+"""Newton-Euler dynamics of particles and rigid bodies in three dimensions for teaching and work.
 
 >>> from newton_euler import Frame
 >>> ground = Frame("ground")

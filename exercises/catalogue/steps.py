@@ -37,7 +37,8 @@ class Step:
     unit : in which it is stated
     means : what it is, as "angular velocity of CD in the ground"
     section, equation : of the book, where it is found and by which equation; "" where there is none
-    term : (name, equation of the engine) of a term of the sum that ``means`` names
+    term : (name, equation of the engine) of a term of a sum
+    of : the key of this sum
     """
 
     key: str
@@ -47,6 +48,7 @@ class Step:
     section: str = ""
     equation: str = ""
     term: tuple = ()
+    of: str = ""
 
     @property
     def is_vector(self) -> bool:
@@ -71,10 +73,11 @@ def terms(
             f"{key}_{_identifier(name, equation)}",
             term.expressed_in(vector.frame),
             stated_in,
-            key,
+            "",
             section,
             number or equation.number,
             (name, equation),
+            key,
         )
 
 
@@ -120,7 +123,7 @@ def _stated(step, p):
     value = in_unit(step.value, step.unit, p.system)
     if not step.term:
         return replace(step, value=value)
-    return replace(step, value=value, means=f"{term_text(*step.term, p)}, in {step.means}")
+    return replace(step, value=value, means=f"{term_text(*step.term, p)}, in {step.of}")
 
 
 def in_unit(value: Any, stated_in: str, system: System) -> Any:

@@ -8,47 +8,39 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from exercises import catalogue
-from exercises.catalogue import CatalogueError, Problem, problems
+from exercises.catalogue import Problem
 
 from ..course import Course, load_json, read_roster, write_json
 from ..course.creation import new_course, refuse_existing, write_pinned
+from ..course.files import write_text
 from ..sandbox import CELL_SECONDS, SECONDS
 from .cells import own_metadata
 from .figures import figure_png
 from .merge import Merged, merged
 from .notebook import build_notebook
+from .spec import Spec, read_spec, spec_of
 
 
 @dataclass(frozen=True)
 class Built:
-    """The course, the source notebook, the number of new students, and how the roster was read.
+    """The course, the source notebook, the assignment, the number of new students, and how the
+    roster was read.
 
     merged, backup : what an update has kept of the notebook that was there, and its copy
     """
 
     course: Course
     path: Path
+    spec: Spec
     enrolled: int = 0
     read_as: str = ""
     merged: Merged | None = None
     backup: Path | None = None
 
 
-def select_problems(chapter: str, only: Collection[str]) -> list[Problem]:
-    """The problems of a chapter, or those of them whose numbers are in ``only``."""
-    found = problems(chapter)
-    unknown = set(only) - {p.id for p in found}
-    if unknown:
-        raise CatalogueError(
-            f"{chapter} has no problem {sorted(unknown)[0]}; it has {found[0].id} to {found[-1].id}"
-        )
-    return [p for p in found if not only or p.id in only]
-
-
 def build_assignment(
     course_path: str | Path,
-    chapter: str,
+    what: str | Spec,
     students: str | Path | None = None,
     only: Collection[str] = (),
     update: bool = False,
@@ -58,8 +50,9 @@ def build_assignment(
     id_column: str | None = None,
     chapters: str | None = None,
 ) -> Built:
-    """Write the source notebook of a chapter, or of the problems ``only``, into a new course, or
-    with ``update`` into an existing one. A notebook that is there is merged with what has changed
+    """Write the source notebook of a chapter, of the problems ``only`` under the name ``what``, or
+    of a :class:`~grader.assignment.spec.Spec`, into a new course, or with ``update`` into an
+    existing one. A notebook that is there is merged with what has changed
     (:mod:`~grader.assignment.merge`), and keeps its problems unless ``only`` names them.
 
     students : path of a roster as CSV; id_column : the header of its ids. bar : a ``rich`` progress
@@ -68,8 +61,11 @@ def build_assignment(
     """
     if not update:
         refuse_existing(course_path)
-    selected = select_problems(chapter, only or (_built(course_path, chapter) if update else ()))
-    title = catalogue.chapter(chapter).title
+    if isinstance(what, Spec):
+        spec = what
+    else:
+        kept = _built(course_path, what) if update and not only else None
+        spec = kept or spec_of(what, only)
     roster = read_roster(students, id_column) if students else None
     opened = (
         contextlib.nullcontext(Course(course_path))
@@ -77,40 +73,46 @@ def build_assignment(
         else new_course(course_path, name, exchange)
     )
     # drawn before the folder is made, so that a failure leaves nothing behind
-    figures = _figures(selected, bar)
+    figures = _figures(spec.problems, bar)
     with opened as course:
         if chapters is not None:
             course.set(chapters=chapters)
         links = course.settings.get("chapters", "")
-        notebook = build_notebook(selected, title, CELL_SECONDS, SECONDS, figures, links)
-        kept, backup = _write(course, chapter, notebook)
+        notebook = build_notebook(spec.items, spec.title, CELL_SECONDS, SECONDS, figures, links)
+        kept, backup = _write(course, spec, notebook)
         enrolled = course.enrol(roster.students) if roster else 0
     if update:
         write_pinned(course.path)  # a course of an earlier version has none
     read_as = roster.read_as if roster else ""
-    return Built(Course(course_path), course.source(chapter), enrolled, read_as, kept, backup)
+    path = course.source(spec.name)
+    return Built(Course(course_path), path, spec, enrolled, read_as, kept, backup)
 
 
-def _write(course, chapter, notebook):
+def _write(course, spec, notebook):
     """Write a source notebook, merged with the one that is there: (what was merged, its copy)."""
-    path, base = course.source(chapter), course.built(chapter)
+    name = spec.name
+    path, base = course.source(name), course.built(name)
     kept = backup = None
     if path.exists():
         there = load_json(path.read_bytes())
         kept = merged(load_json(base.read_bytes()) if base.exists() else notebook, there, notebook)
-        backup = course.path / "backup" / f"{chapter} {datetime.now():%Y-%m-%d %H.%M.%S.%f}.ipynb"
+        backup = course.path / "backup" / f"{name} {datetime.now():%Y-%m-%d %H.%M.%S.%f}.ipynb"
         backup.parent.mkdir(mode=0o700, exist_ok=True)
         shutil.copy(path, backup)
     write_json(path, kept.notebook if kept else notebook)
     write_json(base, notebook)
+    write_text(base.with_suffix(".yaml"), spec.as_yaml)
     return kept, backup
 
 
-def _built(course_path, chapter):
-    """The problems of the assignment that the last build wrote, () if there is none."""
-    base = Course(course_path).built(chapter)
+def _built(course_path, name):
+    """The assignment that the last build wrote, None if there is none."""
+    base = Course(course_path).built(name)
+    if (path := base.with_suffix(".yaml")).exists():
+        return read_spec(path)
     cells = load_json(base.read_bytes())["cells"] if base.exists() else ()
-    return tuple(dict.fromkeys(p for c in cells if (p := own_metadata(c).get("problem"))))
+    numbers = dict.fromkeys(p for c in cells if (p := own_metadata(c).get("problem")))
+    return spec_of(name, numbers) if numbers else None
 
 
 def _figures(selected: list[Problem], bar: Any) -> dict[str, bytes | None]:

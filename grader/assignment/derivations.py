@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from exercises.catalogue import Problem
+from exercises.catalogue import Givens, Problem
 from exercises.catalogue.tracing import traced_quantities
+from exercises.catalogue.variants import draw
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
@@ -61,11 +62,17 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
     if found is None:
         return {}
     g = p.base({**p.sympy_symbols(), **values})
-    memo: dict[int, Any] = {}
+    memo: dict[int, float | None] = {}
     cases = [_value(c, g, memo) for c in _choices(found)]
     scalars = {key: parts[0] for key, parts in found.components.items() if len(parts) == 1}
     positive = {key for key, x in scalars.items() if (_value(x, g, memo) or 0.0) > 0}
-    return _derivations(p, tuple(c and c > 0 for c in cases), frozenset(positive))
+    usual = all(low <= values[n] <= high for n, (low, high) in _ranges(p).items())
+    return _derivations(p, tuple(c and c > 0 for c in cases), frozenset(positive), usual)
+
+
+def _ranges(p):
+    """The lowest and highest number of each given."""
+    return {n: q.vary or (q.value, q.value) for n, q in p.givens.items()}
 
 
 def _choices(found):
@@ -84,17 +91,18 @@ def _traced(p):
 
 
 @lru_cache(maxsize=400)
-def _derivations(p, cases, positive):
+def _derivations(p, cases, positive, usual):
     """The derivations where the choices of the computation, in their order, are ``cases``, and
-    these quantities are ``positive``.
+    these quantities are ``positive``; ``usual`` if the givens are within their ranges.
     """
     found = _traced(p)
     numbers = [c.number if isinstance(c, Step) else None for c in _choices(found)]
-    lowest = {n: (q.vary or (q.value,))[0] for n, q in p.givens.items()}
+    lowest = {n: low for n, (low, _) in _ranges(p).items() if usual}
     lowest |= {n: q.vary[0] for n, q in p.symbols.items()}
     positive |= {n for n, low in lowest.items() if low > 0}
     asked = {a.key for a in p.answers}
-    reader = _Reader(found, dict(zip(numbers, cases, strict=True)), {*positive}, asked)
+    drawn = [p.base({**p.sympy_symbols(), **draw(p, bytes([n]))}) for n in range(8 * usual)]
+    reader = _Reader(found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn)
     return {key: reader.derived(key) for key in found.components}
 
 
@@ -106,6 +114,7 @@ class _Reader:
     cases: Mapping[int, Any]
     positive: set[str]
     asked: set[str]
+    drawn: Sequence[Givens]
     known: dict[int, Any] = field(default_factory=dict)
     shown: set[int] = field(default_factory=set)
 
@@ -121,7 +130,7 @@ class _Reader:
                     self.unknowns.setdefault(x.number, (equations, name))
         # formulas for which a later one has the name, and components that are as short as theirs
         self.called, self.shorter, self.short = {}, [], {}
-        self.terms = {s.key: s.means for s in self.found.steps if s.term and s.means in self.asked}
+        self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
         self.of_sums = {}  # {sum: its terms, known while it is derived}
         for key, parts in self.found.components.items():
             for n, x in enumerate(parts):
@@ -178,13 +187,25 @@ class _Reader:
     def _formula(self, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
         try:
-            formula = self._shortened(_simplest(self._written(x, {})))
+            formula = self._shortened(self._without_bars(_simplest(self._written(x, {}))))
             if _is_atom(formula):
                 formula = formula.xreplace(self.short)
         except Unwritten:
             return None
         is_itself = formula.is_Symbol and formula.name == name and name not in self.found.givens
         return None if is_itself or _is_long(formula) else formula
+
+    def _without_bars(self, formula):
+        """The formula without the bars around what is positive for all numbers that are drawn."""
+        import sympy
+
+        for bars in formula.atoms(sympy.Abs):
+            inside, free = bars.args[0], bars.free_symbols
+            if self.drawn and {x.name for x in free} <= {*self.found.givens}:
+                draws = ({x: getattr(g, x.name) for x in free} for g in self.drawn)
+                if all(inside.subs(values).is_positive for values in draws):
+                    formula = formula.xreplace({bars: inside})
+        return formula
 
     def _shortened(self, formula):
         """The formula with earlier quantities in the place of theirs."""

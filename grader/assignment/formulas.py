@@ -4,7 +4,7 @@ with numbers in the place of the symbols.
 
 import math
 from collections.abc import Collection, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from newton_euler.algebra.units import unit
@@ -28,6 +28,7 @@ def written(
     return printer.doprint(formula)
 
 
+@lru_cache(maxsize=4000)  # many results are the same for all students
 def simplest(formula: Any) -> Any:
     """A result as the shortest of its usual forms."""
     import sympy

@@ -40,6 +40,7 @@ from .cells import (
     markdown_cell,
     own_metadata,
 )
+from .spec import Item
 
 SETUP = """\
 from math import pi
@@ -200,15 +201,16 @@ def answer_id(problem_id: str) -> str:
 
 
 def build_notebook(
-    problems: Iterable[Problem],
+    items: Iterable[Item | Problem],
     title: str,
     seconds: float,
     total: float,
     figures: Mapping[str, bytes | None] | None = None,
     chapters: str = "",
 ) -> Notebook:
-    """A source notebook with the book's numbers; ``seconds``: per cell, ``total``: of all;
-    ``chapters``: where its links lead, see :func:`~exercises.catalogue.sections.section_line`.
+    """A source notebook of problems and texts with the book's numbers; ``seconds``: per cell,
+    ``total``: of all; ``chapters``: where its links lead, see
+    :func:`~exercises.catalogue.sections.section_line`.
     """
     text = INTRODUCTION.format(title=title, seconds=seconds, total=total, whose=MASTER_COPY)
     locked: NbgraderMetadata = {
@@ -218,8 +220,12 @@ def build_notebook(
         markdown_cell("introduction", text, {"role": "introduction"}),
         code_cell("setup", SETUP.strip(), {"role": "setup"}, locked),
     ]
-    for p in problems:
-        cells += _problem_cells(p, p.book_values, (figures or {}).get(p.id), chapters)
+    for n, item in enumerate(x if isinstance(x, Item) else Item(x) for x in items):
+        if p := item.problem:
+            figure = (figures or {}).get(p.id)
+            cells += _problem_cells(p, p.book_values, figure, chapters, item.options)
+        else:
+            cells.append(markdown_cell(f"text-{n}", item.text, {"role": f"text-{n}"}))
     return {
         "nbformat": 4,
         "nbformat_minor": 5,
@@ -231,16 +237,17 @@ def build_notebook(
     }
 
 
-def _problem_cells(p, values, figure, chapters):
+def _problem_cells(p, values, figure, chapters, options):
     n = slug(p.id)
     # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell
     # without one would lose its text
     answer = starter(p).replace("\n", "\n### BEGIN SOLUTION\n### END SOLUTION\n", 1)
     asked = {a.key: str(a.form) for a in p.answers}
     own: OwnMetadata = {"role": "answer", "problem": p.id, "asked": asked}
+    own |= {key: options[key] for key in options.keys() - {"points"}}  # type: ignore[typeddict-item]
     marks: NbgraderMetadata = {
         "grade": True, "solution": True, "locked": False, "grade_id": answer_id(p.id),
-        "points": len(asked),
+        "points": options.get("points", len(asked)),
     }  # fmt: skip
     locked: NbgraderMetadata = {
         "grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0,

@@ -1,108 +1,32 @@
 """The worked solution of a problem in Markdown: text, steps, terms of each sum, answers."""
 
 import re
-import tomllib
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
-from functools import cache
-from pathlib import Path
-from typing import Any
 
-import exercises.catalogue
 from exercises.catalogue import Problem
-from exercises.catalogue.steps import Step, steps
-from exercises.catalogue.variants import flat
+from exercises.catalogue.book_equations import book_equations, own_number
 from exercises.catalogue.wording import term_text
-from newton_euler.algebra.scalars import is_numeric, to_plain
-from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.notation import (  # fmt: skip
-    is_word,
-    list_symbol,
-    matrix_symbol,
-    number_symbol,
-    symbol,
-    unit_symbol,
-)
+from newton_euler.algebra.scalars import to_plain
+from newton_euler.answers.notation import symbol, unit_symbol
 
 from .cells import Values
-from .derivations import Derivation, component, derivations
-from .formulas import coherent, numerals, simplest, written
+from .lines import TOO_LONG, is_sum, latex_of, lines
 from .notebook import statement, typeset
 from .spelled import typeset_formulas
-
-LONGEST = 400  # characters of a formula with numbers
-
-
-@dataclass(frozen=True)
-class Line:
-    """A step or answer of a worked solution; its formulas are LaTeX, or text.
-
-    together, with_numbers : the equations that are solved first
-    above : True if it is an unknown of equations that were solved before
-    name : of the quantity, "" where it has none
-    equal : what it is equal to: its formula, that with numbers, its value with the unit
-    reason : why there is no formula, where there is none
-    """
-
-    step: Step
-    together: tuple[str, ...]
-    with_numbers: tuple[str, ...]
-    above: bool
-    name: str
-    equal: tuple[str, ...]
-    reason: str = ""
-
-
-WORD, SUM = "it is a word, or counted", "its terms stand above"
-RESULT, SAME = "the result is a formula", "it is the same whatever is given"
-TOO_LONG = "its formula is too long for a page"
-
-
-def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
-    """The lines of a worked solution: the steps, and then the answers, for ``values`` in the units
-    of the text, with SymPy symbols for quantities without a number.
-    """
-    answers = p.solve(values)
-    asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
-    found = steps(p, values)
-    writer = _Writer(p, values, [*found, *asked], latex)
-    for s in [*found, *asked]:
-        yield writer.line(s)
-
-
-def own_number(number: str, p: Problem) -> str:
-    """An equation of the engine as the chapter of ``p`` numbers it, "" if it comes later."""
-    order = ("A", *map(str, range(2, 12)))
-    chapter = p.id.partition("/")[0]
-    if order.index(number.partition(".")[0]) <= order.index(chapter):
-        return number
-    return book_equations()["own"].get(chapter, {}).get(number, "")
-
-
-@cache
-def book_equations() -> Mapping[str, Any]:
-    """The equations that are cited, as the book writes them: {number: LaTeX}."""
-    folder = Path(exercises.catalogue.__file__).parent
-    return tomllib.loads((folder / "book_equations.toml").read_text())
 
 
 def worked_solution(p: Problem, values: Values, text: bool = True) -> str:
     """The worked solution as Markdown; ``text``: with the text of the problem before it."""
-    answers = p.solve(values)
     out = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
     found = {line.step.key: line for line in lines(p, values)}
-    of_answers = tuple(f"{key}_" for key, answer in answers.items() if _is_sum(answer))
-    listed = [
-        line for key, line in found.items()
-        if key not in answers and not (line.step.term and key.startswith(of_answers))
-    ]  # fmt: skip
+    answers = {a.key: found[a.key].step.value for a in p.answers}
+    shown = {*answers, *(key for key, line in found.items() if is_sum(answers.get(line.step.of)))}
+    listed = [line for key, line in found.items() if key not in shown]
     for n, line in enumerate(listed, 1):
         out += [f"{n}. {_sentence(_means(line.step, p))}{_where(line.step)}: {_chain(line)}"]
     out.append("")
     for a in p.answers:
-        if _is_sum(answers[a.key]):
-            terms = {x.step.term[0]: x for key, x in found.items()
-                     if x.step.term and key.startswith(f"{a.key}_")}  # fmt: skip
+        if is_sum(answers[a.key]):
+            terms = {x.step.term[0]: x for x in found.values() if x.step.of == a.key}
             out += _ledger(a, answers[a.key], p, terms)
         out += [f"**{_sentence(_typeset(a.means, p))}:** {_chain(found[a.key])}", ""]
     return "\n".join(out)
@@ -121,193 +45,11 @@ def _chain(line):
     return f"{begin}: {' '.join(pieces)}{end}" if begin else f"{' '.join(pieces)}{end}"
 
 
-class _Writer:
-    """Writes the derivations of a problem with its symbols and numbers."""
-
-    def __init__(self, p, values, quantities, latex):
-        self.p, self.latex = p, latex
-        self.derivations = derivations(p, values)
-        self.sums = {}  # {sum: keys of its terms}
-        for s in quantities:
-            if s.term:
-                self.sums.setdefault(s.means.rpartition(", in ")[-1], []).append(s.key)
-        self.names, self.units, self.numbers, self.sizes = {}, {}, {}, {}
-        for name, stated in p.units.items():
-            self._know(name, p.notation[name], values[name], stated)
-        for s in quantities:
-            parts = [] if isinstance(s.value, str) or callable(s.value) else list(flat(s.value))
-            for n, x in enumerate(parts):
-                key = component(s.key, n, len(parts))
-                named = p.notation.get(key) or symbol(key)
-                self._know(key, named, x, s.unit)
-
-    def _know(self, name, named, x, stated):
-        self.names[name], self.units[name] = named if self.latex else name, stated
-        if is_numeric(x):
-            self.numbers[name] = x, stated
-            self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
-
-    def line(self, s):
-        """The line of a step or answer."""
-        found = self.derivations.get(s.key, Derivation())
-        if s.key in self.sums:
-            found = replace(found, formulas=tuple(self._sum(s.key, n) for n in range(3)))
-        formula, numbers = self._formula(found.formulas, s)
-        value = self._value(s)
-        chain = [x for x in (formula, numbers) if x]
-        last = (value, value.removesuffix(self._unit(s)))
-        chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
-        above = found.solved and not found.together
-        reason = "" if chain or above or found.together else self._reason(s, found)
-        return Line(s, *self._together(found), above, self._name(s), (*chain, value), reason)
-
-    def _reason(self, s, found):
-        """Why there is no formula."""
-        if isinstance(s.value, (str, int)) or callable(s.value):
-            return WORD
-        if s.key in self.sums or _is_sum(s.value):
-            return SUM
-        if not all(map(is_numeric, map(to_plain, flat(s.value)))):
-            return RESULT
-        known = found.formulas and None not in found.formulas
-        return SAME if known or not found.varies else TOO_LONG
-
-    def _sum(self, key, n):
-        """A component of a sum, of the symbols of its terms."""
-        import sympy
-
-        return sympy.Add(*(sympy.Symbol(component(k, n, 3)) for k in self.sums[key]))
-
-    def _together(self, found):
-        """The equations that are solved together, with symbols and with numbers."""
-        rows = self._rows(found.together, self._called)
-        free = {x.name for pair in found.together for f in pair for x in f.free_symbols}
-        used = {n: self.numbers[n] for n in free - found.unknowns if n in self.numbers}
-        if len(used) < len(free - found.unknowns) or not used:
-            return rows, ()
-        bare = coherent([self.numbers[n][1] for n in free if n in self.numbers])
-        names = numerals(used, bare, self.latex)
-        with_numbers = self._rows(found.together, lambda f: self._called(f) | names, True)
-        with_numbers = tuple(row for row in with_numbers if row not in rows)
-        return rows, with_numbers if sum(map(len, with_numbers)) <= LONGEST else ()
-
-    def _rows(self, pairs, named, numbers=False):
-        return tuple(
-            " = ".join(written(f, named(f), self.latex, numbers) for f in pair) for pair in pairs
-        )
-
-    def _name(self, s):
-        a = next((a for a in self.p.answers if a.key == s.key), None)
-        if a and is_word(a.key) and not a.latex:
-            return "" if self.latex else s.key
-        if not self.latex:
-            return s.key
-        return self.p.notation[s.key] if a else symbol(s.key, s.is_vector)
-
-    def _called(self, formula):
-        """The names of the symbols of a formula; unknowns have those of the code."""
-        free = {s.name for s in formula.free_symbols}
-        return {n: self.names.get(n) or (symbol(n) if self.latex else n) for n in free}
-
-    def _formula(self, formulas, s):
-        """A quantity as a formula, and with numbers; "" where there is none to read."""
-        import sympy
-
-        if not formulas or None in formulas or all(isinstance(f, sympy.Float) for f in formulas):
-            return "", ""
-        free = {x.name for f in formulas for x in f.free_symbols}
-        degrees = "deg" in (s.unit, *(self.units.get(n) for n in free))
-        plain = self._whole(formulas, s.key) or self._joined(
-            [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas]
-        )
-        if s.key in self.sums:  # its terms stand above it
-            plain = ""
-        if any(n not in self.numbers for n in free):
-            return plain, ""
-        stated = {self.numbers[n][1] for n in free}
-        if all(_is_atom(f) for f in formulas) and stated == {s.unit}:
-            return plain, ""
-        bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
-        names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
-        formulas = [f.xreplace(self._nothing(f)) for f in formulas]
-        text = self._joined([written(f, names, self.latex, True, degrees) for f in formulas])
-        return plain, text if len(text) <= LONGEST else ""
-
-    def _mixes(self, formula):
-        """True if an angle in degrees is added to one that is not."""
-        import sympy
-
-        def in_degrees(x):
-            of = x.as_coeff_Mul()[1]
-            return of == sympy.pi or (of.is_Symbol and self.units.get(of.name) == "deg")
-
-        return any(len(set(map(in_degrees, x.args))) == 2 for x in formula.atoms(sympy.Add))
-
-    def _nothing(self, formula):
-        """The symbols of a formula of which round-off is left, such as cos(60 deg) - 1/2, as 0."""
-        known = {
-            x: self.numbers[x.name] for x in formula.free_symbols if x.name not in self.p.units
-        }
-        return {x: 0 for x, (number, of) in known.items() if abs(number) <= self._noise(of)}
-
-    def _noise(self, stated_in):
-        return 1e-12 * self.sizes.get(stated_in, 0.0)
-
-    def _whole(self, formulas, own_key):
-        """The name of another vector that has these components, "" if there is none."""
-        keys = {f.name.rpartition("_")[0] for f in formulas if f.is_Symbol}
-        key = keys.pop() if len(keys) == 1 else ""
-        own = [component(key, n, len(formulas)) for n in range(len(formulas))]
-        if (
-            key == own_key
-            or len(formulas) < 2
-            or not all(
-                (f.is_Symbol and f.name == name)
-                or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
-                for f, name in zip(formulas, own, strict=True)
-            )
-        ):
-            return ""
-        return symbol(key, len(formulas) == 3) if self.latex else key
-
-    def _joined(self, parts):
-        if len(parts) == 1:
-            return parts[0]
-        rows = [parts[n : n + 3] for n in (0, 3, 6)] if len(parts) == 9 else []
-        if self.latex:
-            return matrix_symbol(rows) if rows else rf"\left[{list_symbol(parts)}\right]"
-        return f"[{', '.join(map(self._joined, rows) if rows else parts)}]"
-
-    def _value(self, s):
-        value = s.value
-        if isinstance(value, Vector):
-            value = value.rounded(self._noise(s.unit))
-        text = _latex(value, self.p.notation) if self.latex else formatted(value)
-        return text + self._unit(s)
-
-    def _unit(self, s):
-        if self.latex:
-            return unit_symbol(s.unit)
-        return "" if s.unit == "1" else f" {s.unit}"
-
-
-def _is_atom(formula):
-    """True if a formula is a symbol, with a sign, or a number."""
-    return formula.is_number or formula.is_Symbol or (-formula).is_Symbol
-
-
-def _is_sum(answer):
-    """True if an answer is shown with a table of its terms, which are then not listed as steps."""
-    return isinstance(answer, Vector) and len(answer.terms) > 1
-
-
 def _means(step, p):
     """The description of a step, with formulas in LaTeX."""
     if not step.term:
         return _typeset(step.means, p)
-    of = step.means.rpartition(", in ")[-1]  # the sum
-    words = _words(*step.term, p)
-    return f"{words}, in ${symbol(of, step.is_vector)}$"
+    return f"{_words(*step.term, p)}, in ${symbol(step.of, step.is_vector)}$"
 
 
 def _typeset(means, p):
@@ -335,32 +77,6 @@ def _where(s):
     return f", {', '.join(places)}" if places else ""
 
 
-def _latex(value, notation):
-    """An answer in LaTeX, numbers with six significant digits."""
-    if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
-        return matrix_symbol([[_latex(x, notation) for x in row] for row in value])
-    if isinstance(value, (Vector, tuple, list)):
-        inside = list_symbol(_latex(v, notation) for v in value)
-        return rf"\left[{inside}\right]"
-    if isinstance(value, str):
-        return rf"\text{{{value}}}"
-    if is_numeric(value) or not value.free_symbols:
-        return number_symbol(value if isinstance(value, int) else float(value))
-    names = {x.name: notation.get(x.name) or symbol(x.name) for x in value.free_symbols}
-    return written(simplest(value), names, latex=True)
-
-
-def formatted(value: Any) -> str:
-    """An answer as text, numbers with six significant digits."""
-    if isinstance(value, (Vector, tuple, list)):
-        return "[" + ", ".join(formatted(v) for v in value) + "]"
-    if isinstance(value, (int, str)):
-        return str(value)
-    if is_numeric(value) or not value.free_symbols:
-        return f"{float(value) + 0.0:.6g}"
-    return written(simplest(value), {}, latex=False)
-
-
 def _ledger(a, value, p, found):
     """The terms of an answer as a table, each in words, how it is found, and its value. A zero term
     is left out if it comes from a frame or a force, and listed if it belongs to an equation of
@@ -380,7 +96,7 @@ def _ledger(a, value, p, found):
     yield "| --- | --- |"
     for name, term in explained.terms.items():
         if name in equation.terms or any(x != 0 for x in map(to_plain, term.c)):
-            equal = [f"{_latex(term, p.notation)}{unit_symbol(a.unit)}"]
+            equal = [f"{latex_of(term, p.notation)}{unit_symbol(a.unit)}"]
             equal = found[name].equal if name in found else equal
             cells = _words(name, equation, p), " = ".join(equal)
             words, how = (c.replace("|", r"\vert ") for c in cells)  # a bar would end the cell

@@ -22,7 +22,8 @@ STUDENTS = click.option(
 
 
 @click.command()
-@click.argument("chapter")
+@click.argument("assignment")
+@click.argument("more", nargs=-1, metavar="")
 @COURSE
 @click.option(
     "--students",
@@ -30,7 +31,20 @@ STUDENTS = click.option(
     help="The roster: a CSV file as Canvas, Moodle, Gradescope or a registrar exports it.",
 )
 @ID_COLUMN
-@PROBLEMS
+@click.option(
+    "--problems",
+    "--problem",
+    "only",
+    multiple=True,
+    metavar="4/3 4/16 11/1-11/6",
+    help="These problems, of any chapters.",
+)
+@click.option(
+    "--points",
+    multiple=True,
+    metavar="4/3=10",
+    help="The points of a problem; may be repeated. Default: one for each answer.",
+)
 @click.option("--due", metavar="'2027-01-31 23:59 Europe/Berlin'", help="The due date.")
 @click.option("--name", help="The name of a new course; default: that of the folder.")
 @click.option(
@@ -53,22 +67,30 @@ STUDENTS = click.option(
     "you changed in its source notebook stays, and a copy of it is kept in COURSE/backup.",
 )
 def build(
-    chapter: str,
+    assignment: str,
+    more: tuple[str, ...],
     course_path: Path,
     students: str | None,
     id_column: str | None,
     only: tuple[str, ...],
+    points: tuple[str, ...],
     due: str | None,
     name: str | None,
     exchange: Path | None,
     chapters: str | None,
     update: bool,
 ) -> None:
-    """Make an nbgrader assignment from a chapter.
+    """Make an nbgrader assignment: of a chapter, of problems, or as a file describes it.
 
     The course folder is new, or with --update an existing one.
+
+    \b
+    build ch04 --course ~/mechanics                 all of chapter 4
+    build hw3 --problems 4/3 4/16 11/1-11/6 --points 4/3=10 --course ~/mechanics
+    build hw3.yaml --course ~/mechanics             as the file says, see grader/README.md
     """
     from ..assignment import build_assignment
+    from ..assignment.spec import Spec, read_spec, spec_of
     from ..course.due import due_date, set_due
 
     if update and (name or exchange):
@@ -76,23 +98,32 @@ def build(
             "--name and --exchange are for a new course; those of this one are in course.json "
             "and nbgrader_config.py"
         )
+    only = (*only, *more)
+    what: str | Spec = assignment
+    if Path(assignment).suffix in (".yaml", ".yml"):
+        if only or points:
+            raise click.UsageError(f"{assignment} says which problems there are; add them there")
+        what = read_spec(Path(assignment))
+        due = due or what.due
+    elif only or points:
+        what = spec_of(assignment, only, points)
     when = due_date(due) if due else None
     with progress_bar() as bar:
         built = build_assignment(
-            course_path, chapter, students, only, update, bar, name, exchange, id_column, chapters
+            course_path, what, students, (), update, bar, name, exchange, id_column, chapters
         )
-    course = built.course
+    course, name = built.course, built.spec.name
     if when:
-        set_due(course, chapter, when)
+        set_due(course, name, when)
         click.echo(f"Due {when:%Y-%m-%d %H:%M} UTC")
     if students:
         click.echo(f"Enrolled {built.enrolled} students ({built.read_as})")
     click.echo(f"Wrote {built.path}")
     if built.merged:
-        _report_merge(built.merged, built.backup, course.built(chapter))
+        _report_merge(built.merged, built.backup, course.built(name))
     click.echo(
-        f"Next:  cd {shlex.quote(str(course.path))} && nbgrader generate_assignment {chapter} && "
-        f"nbgrader release_assignment {chapter}"
+        f"Next:  cd {shlex.quote(str(course.path))} && nbgrader generate_assignment {name} && "
+        f"nbgrader release_assignment {name}"
     )
     if not (enrolled := len(course.roster())):
         click.echo(
@@ -220,7 +251,8 @@ def personal(
             right_or_wrong=right_or_wrong,
         )  # fmt: skip
     if exchange:
-        copy_to_exchange(course, assignment, exchange_outbound(course, assignment), paths)
+        outbound = exchange_outbound(course, assignment)
+        _warn_of(copy_to_exchange(course, assignment, outbound, paths))
     for student, path in paths.items():
         click.echo(f"{student}: {path}")
 
@@ -344,8 +376,15 @@ def retry(
     number, path = new_attempt(course, assignment, student)
     if exchange:
         outbound = exchange_outbound(course, assignment)
-        copy_to_exchange(course, assignment, outbound, {student: path})
+        _warn_of(copy_to_exchange(course, assignment, outbound, {student: path}))
     click.echo(f"Attempt {number} of {student}: {path}")
+
+
+def _warn_of(students):
+    from ..assignment.personal import warning
+
+    if words := warning(students):
+        click.echo(words, err=True)
 
 
 @click.command("take-in")

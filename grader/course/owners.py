@@ -13,13 +13,14 @@ from pathlib import PurePosixPath
 
 from nbgrader.api import Student
 
-# how platforms name work: ``who`` handed it in, ``number`` is the platform's own of that person;
-# what comes after it is a name that the student chose
+# how platforms name work: ``who`` handed it in, with nothing else but for the ``title`` of the
+# assignment, ``number`` is the platform's own of that person; what comes after it the student chose
 PLATFORMS = tuple(map(re.compile, (
     r"(?P<who>.+?)_\d+_assignsubmission_",  # Moodle
     r"(?P<who>.+?)(_LATE)?_(?P<number>\d+)_\d+_",  # Canvas
-    r"(?P<who>.+)_attempt_\d{4}-",  # Blackboard; the assignment's title comes before the id
+    r"(?P<who>(?P<title>.+?)_.+?)_attempt_\d{4}-",  # Blackboard
     r"\d+-\d+ - (?P<who>.+?) - ",  # Brightspace
+    r"(?P<who>[^,(]+, [^(]+\([^()]+\))$",  # Sakai
 )))  # fmt: skip
 Words = tuple[str, ...]
 WORDS = re.compile(r"[^\W_]+")
@@ -60,7 +61,7 @@ class Person:
 
     def is_named(self, found: Words, silent: frozenset[str]) -> bool:
         """True if these words are of this student, and none of them of anybody else."""
-        telling = [i for i in self.ids if not all(_is_silent(w, silent) for w in i)]
+        telling = [i for i in self.ids if not all(_is_silent(w, silent, 2) for w in i)]
         return all(w in self.own or _is_silent(w, silent) for w in found) and (
             any(_holds(found, i) for i in telling)
             or (bool(self.name) and {*self.name} <= {*found})
@@ -68,8 +69,9 @@ class Person:
         )
 
 
-def _is_silent(word, silent):
-    return word in silent or (word.isdigit() and len(word) < 5)
+def _is_silent(word, silent, digits=4):
+    """True for a word of nobody, and a number of so few digits, as of a copy or in a date."""
+    return word in silent or (word.isdigit() and len(word) <= digits)
 
 
 def words(text: str) -> Words:
@@ -86,25 +88,35 @@ def _holds(found, wanted):
 
 @dataclass(frozen=True)
 class Roster:
-    """The people to whom work may belong, and the words that tell of nobody."""
+    """The people to whom work may belong, and the words of the assignment's title."""
 
     people: Mapping[str, Person]
-    silent: frozenset[str]
+    title: frozenset[str]
+
+    @property
+    def silent(self) -> frozenset[str]:
+        """The words that tell of nobody."""
+        return SILENT | self.title
 
     def tells(self, part: str) -> bool:
         """True if a name of a folder or file says whose it is."""
-        return _of_platform(part) or not all(_is_silent(w, self.silent) for w in words(part))
+        silent = all(_is_silent(w, self.silent) for w in words(part))
+        return not silent or bool(_of_platform(part) or self.named_in(part))
 
     def named_in(self, part: str, common: frozenset[str] = frozenset()) -> list[str]:
         """The students of whom the name of a folder or file tells, apart from ``common`` words."""
-        who, number = _who(part)
+        match = _of_platform(part)
+        who, number, titled = _said(part, match)
         if number and (known := [s for s, p in self.people.items() if p.number == number]):
             return known
         found = tuple(w for w in words(who) if w not in common)
-        return [
-            s for s, p in self.people.items()
-            if p.is_named(found, self.silent) and not (number and p.number)
-        ]  # fmt: skip
+
+        def named(silent):
+            return [s for s, p in self.people.items()
+                    if p.is_named(found, silent) and not (number and p.number)]  # fmt: skip
+
+        exact = named(self.title) if match else []
+        return exact or (named(self.silent) if titled else [])
 
     def owners(self, folders: Sequence[str], own: str, common: frozenset[str]) -> list[str]:
         """The students whose the outermost telling folder is, or the file where no folder tells,
@@ -121,13 +133,17 @@ class Roster:
 
 
 def _of_platform(part):
-    return next((m for p in PLATFORMS if (m := p.match(part))), None)
+    """The match of the platform whose pattern ends first: what follows is the student's."""
+    found = [match for p in PLATFORMS if (match := p.match(part))]
+    return min(found, key=lambda match: match.end(), default=None)
 
 
-def _who(part):
-    """(who handed a part in, their number) as a platform wrote it, or (the part, None)."""
-    match = _of_platform(part)
-    return (match["who"], match.groupdict().get("number")) if match else (part, None)
+def _said(part, match):
+    """(who handed a part in, their number or None, whether more may be said than who)."""
+    if not match:
+        return part, None, True
+    found = match.groupdict()
+    return found["who"], found.get("number"), "title" in found
 
 
 def owners(
@@ -138,7 +154,7 @@ def owners(
     A folder of all files holds the work of a class if it has no name that a platform gives to that
     of one, is nobody's on the roster, and what lies in it belongs to two students or more.
     """
-    roster = Roster(people, SILENT | {*words(assignment)})
+    roster = Roster(people, frozenset(words(assignment)))
     paths = {n: PurePosixPath(n.removesuffix(".ipynb").replace("\\", "/")).parts for n in names}
     lead = _shared(path[:-1] for path in paths.values())
     inside = _owners({n: path[len(lead) :] for n, path in paths.items()}, roster)
@@ -149,7 +165,7 @@ def owners(
 
 def _owners(paths, roster):
     telling = {next(filter(roster.tells, folders), own) for *folders, own in paths.values()}
-    common = _common({words(_who(part)[0]) for part in telling})
+    common = _common({words(_said(part, _of_platform(part))[0]) for part in telling})
     return {n: roster.owners(folders, own, common) for n, (*folders, own) in paths.items()}
 
 

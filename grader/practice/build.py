@@ -22,8 +22,9 @@ from ..assignment.notebook import frame_heading, number, slug, statement, typese
 from ..assignment.solution import worked_solution
 from ..course import CourseError
 from .plain import plain
-from .quantities import quantities, wrong_numbers
+from .quantities import KEPT, quantities, wrong_numbers
 from .relations import relations
+from .slips import slip_numbers
 from .twins import sets_of_numbers, twin
 
 COLOURS = 64  # of a figure: a quarter of the bytes, and nobody sees it
@@ -107,18 +108,26 @@ def page_of(name, count, help, graded=None, draw=figure_png):
             file = f"{slug(name)}-{hashlib.sha256(png).hexdigest()[:12]}.png"
             figures[file] = png  # a figure without numbers is there once
             variants[-1]["figure"] = file
-    labels = list(dict.fromkeys((key, cause) for v in variants for key, cause, _ in v["wrong"]))
-    place = {label: n for n, label in enumerate(labels)}
-    for v in variants:
-        v["wrong"] = [[place[key, cause], x] for key, cause, x in v["wrong"]]
+    labels = _numbered(variants, "wrong")
+    slips = _numbered(variants, "slips")
     page = {
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
         "labels": [(key, c.group, c.name, c.text) for key, c in labels],
+        "slips": [(key, rank, c.name, c.text, c.where) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
     return page, figures
+
+
+def _numbered(variants, name):
+    """The labels of what all variants have under this name, where each becomes [n, numbers]."""
+    labels = list(dict.fromkeys(tuple(label) for v in variants for *label, _ in v[name]))
+    place = {label: n for n, label in enumerate(labels)}
+    for v in variants:
+        v[name] = [[place[tuple(label)], x] for *label, x in v[name]]
+    return labels
 
 
 def _described(p, computed, help):
@@ -156,6 +165,7 @@ def _same_for_all(p, computed):
 def _variant(p, values, described, right, help):
     shown = {q["key"] for q in described if not q["step"] or help != "check"}
     wrong = wrong_numbers(p, values, described, right)
+    slips = slip_numbers(p, values, described, right)
     solution = worked_solution(p, values, text=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
@@ -163,6 +173,7 @@ def _variant(p, values, described, right, help):
         "text": _plain(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
+        "slips": [(*label, [float(f"{part:.{KEPT}g}") for part in x]) for *label, x in slips],
         "program": relations(p, values) if help != "check" else None,
         "terms": _terms(p, values) if help != "check" else {},
         "solution": solution,

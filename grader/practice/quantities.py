@@ -32,7 +32,7 @@ def quantities(p, values):
             "key": s.key, "kind": kind.name, "unit": s.unit, "means": typeset(s.means, p),
             "plain": plain(s.means, p.units), "section": s.section or p.section,
             "equation": s.equation, "latex": symbol(s.key, kind.is_vector), "atol": 0.0, "of": [],
-            "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
+            "sum": s.of, "step": True,
         })  # fmt: skip
         right[s.key] = _numbers(s.value, kind)
     for key, x in p.solve(values).items():

@@ -8,8 +8,8 @@ from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 
 from ..assignment.cells import Values
-from ..assignment.solution import formatted
-from ..assignment.solution import lines as solution_lines
+from ..assignment.lines import formatted
+from ..assignment.lines import lines as solution_lines
 
 Results = Mapping[str, Any]  # the answers of a problem, by key
 

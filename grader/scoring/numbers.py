@@ -14,7 +14,7 @@ from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
 from newton_euler.answers.causes import listed
-from newton_euler.answers.perturbed import NO_SLIPS
+from newton_euler.answers.near import NO_SLIPS
 
 from .computation import perturbed, perturbed_sequel
 from .sheet import ScoreError

@@ -105,8 +105,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
 @_out(ATLAS)
 @click.option("--quick", is_flag=True, help="As --quick of one chart: some minutes in all.")
 def atlas_main(folder, quick):
-    """Measure and draw every chart, and write them to index.html in a folder, which works without a
-    network.
+    """Measure and draw every chart, to index.html in a folder, which needs no network.
 
     The charts are grouped by the questions that they answer: Which method? Which model? Which
     formula? Where does it change? When does it fail? Each has a caption written from what was

@@ -386,10 +386,7 @@ def recorded(f, **constants):
         if not (of_numpy or _needed_values(error)):
             raise
         raise ScalarError(NO_VALUE) from error
-    defaults = {
-        n: default
-        for n in parameters
-        if (default := signature[n].default) is not inspect.Parameter.empty
-    }
+    given = {n: signature[n].default for n in parameters}
+    defaults = {n: x for n, x in given.items() if x is not inspect.Parameter.empty}
     name = getattr(f, "__name__", "formula")
     return Recording(name, parameters, trace, leaves, shape, keys, defaults)

@@ -254,11 +254,8 @@ LONGEST_SEQUENCE = 10**7  # entries: the most that are iterated over
 
 
 def _is_iterable(x):
-    return (
-        hasattr(x, "__iter__")
-        and not isinstance(x, (str, bytes))
-        and 0 <= _length(x) <= LONGEST_SEQUENCE
-    )
+    iterable = hasattr(x, "__iter__") and not isinstance(x, (str, bytes))
+    return iterable and 0 <= _length(x) <= LONGEST_SEQUENCE
 
 
 def _is_sequence(x):

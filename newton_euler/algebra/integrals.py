@@ -48,11 +48,9 @@ def integral(f: Callable, start: Scalar, end: Scalar, breaks: Sequence[Scalar] =
     step of a formula that is compiled, and of expressions a formula of SymPy.
 
     f : function of one number that returns a scalar, a Vector, or a tuple of them, smooth between
-        the limits and ``breaks``. It may be infinite at ``start`` = 0 if integrable, as x**-0.5,
-        but at no other end
+        the limits and ``breaks``. Only at ``start`` = 0 it may be infinite, as x**-0.5
     breaks : in order, where f has corners or jumps
-    Raises :class:`SingularError` where the integral does not settle, :class:`WorkError` where SymPy
-    finds no formula.
+    Raises :class:`SingularError` where it does not settle, :class:`WorkError` without a formula.
 
     >>> round(integral(lambda x: x**-0.5, 0.0, 4.0), 12)
     4.0
@@ -129,8 +127,7 @@ def _by_parts(kind, f, start, end):
 
 def _tanh_sinh(f, start, end, sample):
     """By places at the fraction 1/(1 + exp(pi sinh t)) of the way from either end, for equal steps
-    of t (H. Takahasi and M. Mori, Publ. RIMS 9, 721, 1974); halving these squares the error of a
-    smooth f.
+    of t (H. Takahasi and M. Mori, Publ. RIMS 9, 721, 1974); halving these squares the error.
     """
     start, end, *_ = promote(start, end, *sample)
     width, small = end - start, epsilon(end - start)

@@ -246,8 +246,7 @@ def _derived(x):
 
 def at(f: Callable, t: Scalar) -> Moving:
     """The function of time ``f`` at the instant ``t`` (s), of any kind, with its first and second
-    rate, exact up to round-off. ``f`` uses the functions of this package (``from newton_euler
-    import sin, sqrt …``).
+    rate, exact up to round-off. ``f`` uses the functions of this package.
 
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)

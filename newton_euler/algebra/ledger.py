@@ -200,8 +200,7 @@ class Ledger:
 
 
 class Explanation:
-    """A vector as a sum of terms: ``str()`` gives text, ``latex`` the formulas, which Jupyter
-    shows.
+    """A vector as a sum of terms: ``str()`` gives text, ``latex`` what Jupyter shows.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -217,10 +216,8 @@ class Explanation:
             raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        noise = NOISE * max(
-            (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)),
-            default=0.0,
-        )
+        sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
+        noise = NOISE * max(sizes, default=0.0)
         self.vector = vector.rounded(noise)
         self.terms = terms.mapped(lambda t: t.rounded(noise))
 

@@ -229,6 +229,7 @@ def solve_rates(conditions: Callable, count: int) -> tuple:
     """
     equations = _equations(conditions(*_unknowns(count)), count)
     noise = RATE_NOISE * _largest(c for e in equations for c in e.coefficients)
+
     rows = [
         e.parts()
         for e in equations
@@ -359,10 +360,8 @@ class Solution:
             f"The equation {name!r} is redundant: it follows from {_quoted(others)}"
             for name, others in self.redundant.items()
         ]
-        return (
-            ". ".join(sentences)
-            or "The equations determine every unknown, and each of them is needed"
-        )
+        nothing = "The equations determine every unknown, and each of them is needed"
+        return ". ".join(sentences) or nothing
 
     def __str__(self):
         lines = [
@@ -380,8 +379,7 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
     conditions : a function of the unknowns that returns what must be zero, linear in them: best a
         dict of scalars and Vectors by the name of the equation (a Vector is three equations, as
         "force.x"); or a tuple, or one of them. Each equation may have its own unit
-    names : of the unknowns, in the order of the arguments, as "a N alpha" or a tuple; default: the
-        names of the arguments
+    names : of the unknowns, in order, as "a N alpha" or a tuple; default: those of the arguments
 
     Numbers are eliminated equation by equation, with a choice of pivots. Arrays are solved for all
     instants. Expressions give formulas, without simplification: unknowns that stand alone first,
@@ -445,9 +443,7 @@ def _solved(equations, names):
 
 @dataclass(frozen=True)
 class _Equation:
-    """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition, of which
-    a Vector makes three equations.
-    """
+    """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition."""
 
     name: str
     coefficients: tuple
@@ -504,8 +500,7 @@ class _Elimination:
     agree. A row is a sum of equations: its coefficients, its right side, and how much of each
     equation is in it. ``rows`` has them by the unknown that is their pivot, with 1 there,
     ``dependent`` those without by the number of the last equation. Sizes are compared unknown by
-    unknown (in ``scale``) and within a condition (``usual``, for each equation), so that units do
-    not matter.
+    unknown (in ``scale``) and within a condition (``usual``, for each equation), in their units.
     """
 
     def __init__(self, equations, count, faithful, numbers):
@@ -557,10 +552,8 @@ class _Elimination:
 
     def _relative(self, row, measure=max_abs):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
-        return [
-            measure(x) / s if s and x is not ZERO else 0.0
-            for x, s in zip(row, self.scale, strict=False)
-        ]
+        pairs = zip(row, self.scale, strict=False)
+        return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in pairs]
 
     def _eliminate(self, n):
         own = (int(n == m) or ZERO for m in range(len(self.equations)))

@@ -1,6 +1,5 @@
 """Partial evaluation: the parts of a right-hand side that depend on its parameters alone are
-computed once before a motion. In a series of heyoka, products by constants are cheap, and quotients
-are not.
+computed once before a motion; in series of heyoka, products by constants are cheap.
 """
 
 import math
@@ -12,8 +11,7 @@ from .trace import Step, Trace
 
 def folded(formula, count):
     """A :class:`~newton_euler.algebra.compile.Compiled` formula in two: one that takes the first
-    ``count`` arguments, which are no parameters, and constants; and the formula of the parameters
-    that returns these.
+    ``count`` arguments, no parameters, and constants; and the formula of these from the parameters.
 
     >>> from newton_euler import compiled
     >>> rest, constants = folded(compiled(lambda x, m, g, l: -m*g*l*x/(m*l*l)), 1)
@@ -63,7 +61,5 @@ def folded(formula, count):
     leaves = [in_rest(renewed(leaf)) for leaf in formula.leaves]
     names = [*arguments, *(step.args[0] for _, step in constants.values())]
     values = [x for x, _ in constants.values()]
-    return (
-        Compiled(formula.name, names, rest, leaves),
-        Compiled(formula.name, parameters, early, values),
-    )
+    constants_of = Compiled(formula.name, parameters, early, values)
+    return Compiled(formula.name, names, rest, leaves), constants_of

@@ -35,8 +35,7 @@ class Portable:
 
 def portable(f):
     """The function ``f``, or its traced :class:`Steps` if no other process finds it by its name:
-    what it reads besides its arguments is taken as it is now. One that branches on values stays as
-    it is.
+    what it reads besides its arguments is taken as it is now. One that branches on values stays.
     """
     if type(f) is not FunctionType or _has_name(f):
         return f

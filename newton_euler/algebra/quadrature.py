@@ -1,6 +1,4 @@
-"""Integrals with an estimated error: adaptive quadrature of floats, and cubature in several
-variables.
-"""
+"""Integrals with an estimated error: adaptive, of floats, and in several variables."""
 
 from itertools import pairwise
 

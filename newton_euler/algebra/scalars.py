@@ -1,8 +1,7 @@
 """Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
 Every formula of the engine is written once over *scalars*: a Python float, a NumPy array (many
-instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the
-engine's own kinds:
+instants at once), an ``mpmath.mpf``, a expression of SymPy, SymEngine or heyoka, or one of these:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
@@ -40,7 +39,7 @@ else:
 class NewtonEulerError(Exception):
     """Base of the engine's errors; each is also the built-in error that fits it, as ValueError.
 
-    >>> from newton_euler import Frame
+    >>> from newton_euler import Frame, NewtonEulerError
     >>> try:
     ...     Frame("ground").point("P", 1.0, 0, 0).velocity()
     ... except NewtonEulerError as error:
@@ -203,8 +202,7 @@ def scalar(x):
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
     (and of bool, and of floats of fewer digits) an array of 64-bit floats, which rounds entries
     above 2**53, a single one a Python integer, which is exact. Raises :class:`ScalarError` if ``x``
-    is not a number (text, None, lists), or has a unit of its own, as quantities of pint and astropy
-    have.
+    is not a number (text, None, lists), or has a unit of its own, as those of pint and astropy.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -534,8 +532,9 @@ def radians(degrees: Scalar) -> Scalar:
 def is_numeric(x: Scalar) -> bool:
     """True if ``x`` has a value that can be compared; not for an expression or a dimension.
 
-    >>> is_numeric(1.0), is_numeric(ZERO)
-    (True, True)
+    >>> from newton_euler import Dimension
+    >>> is_numeric(1.0), is_numeric(Dimension(1))
+    (True, False)
     """
     if type(x) is float:
         return True
@@ -556,9 +555,7 @@ def is_expression(x: Scalar) -> bool:
 
 
 def promote(*values):
-    """The values, each with the digits and instants of the others; traced ones and expressions
-    stay.
-    """
+    """The values, each with the digits and instants of the others; others stay."""
     values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
         return values

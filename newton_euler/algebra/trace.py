@@ -160,8 +160,7 @@ def _is(x, number):
 
 class Trace:
     """The steps of one formula, in order; ``known`` finds equal ones. Of a formula that is
-    integrated, ``outer`` is the trace of that around it, and ``captured`` the outer steps, by
-    number, that it reads.
+    integrated, ``outer`` is the trace of that around it, and ``captured`` the outer steps it reads.
     """
 
     def __init__(self, outer=None):

@@ -1,8 +1,7 @@
 """Dimensions, and units by name with exact factors to the coherent base kg, m, s, rad.
 
 ``Unit("rev/min")`` or ``Unit("slug*ft^2")``: names joined by ``*`` and ``/``, powers by ``^``.
-``lb`` is the pound of force, ``slug`` the mass that it accelerates at 1 ft/s^2; angles are pure
-numbers.
+``lb`` is the pound of force, ``slug`` what it accelerates at 1 ft/s^2; angles are pure.
 """
 
 import re
@@ -297,9 +296,7 @@ class Unit:
         return not _FEET.isdisjoint(self.parts)
 
     def to_base(self, x: Scalar, system: System = SI) -> Scalar:
-        """The quantity of ``x`` (a scalar or a Vector) such units, in kg, m, s and rad, or in
-        ``system``.
-        """
+        """The quantity of ``x`` (a scalar or a Vector) such units, in the units of ``system``."""
         return self._scaled(x, self.factor / _size(system, self.dimension), self.pi_power)
 
     def from_base(self, x: Scalar, system: System = SI) -> Scalar:

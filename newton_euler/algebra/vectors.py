@@ -103,8 +103,7 @@ def scale3(s, a):
 
 class Vector(Scaled, NamedTerms):
     """A vector with components (x, y, z), of every kind, along the axes of ``frame``; made by
-    ``frame.vector(x, y, z)``. ``a + b, a - b, 2*a, a/2, -a``, :meth:`dot` (A.11), :meth:`cross`
-    (A.13).
+    ``frame.vector(x, y, z)``. ``a + b, a - b, 2*a, a/2, -a``, ``dot`` (A.11), ``cross`` (A.13).
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -161,8 +160,7 @@ class Vector(Scaled, NamedTerms):
     # without __hash__: vectors that are equal up to round-off would need one hash for all
     def __eq__(self, other):
         """True for the same vector, in whichever frame it is expressed, up to round-off as
-        :func:`same` says; False where no frame is common, or where shapes or kinds cannot be
-        compared.
+        :func:`same` says; False where no frame is common, or where it cannot be known.
         """
         if not isinstance(other, Vector):
             return NotImplemented
@@ -498,9 +496,7 @@ def named_sum(
     terms: Mapping[str, Vector] | Iterable[tuple[str, Vector]],
     frame: Frame,
 ) -> Vector:
-    """The Vector in ``frame`` that is the sum of these terms, and keeps them by name (as
-    :class:`Terms`).
-    """
+    """The Vector in ``frame`` that is the sum of these terms, which it keeps by name."""
     parts = Terms(terms)
     ledger = Ledger(kind, subject, lambda: parts.mapped(lambda v: v.expressed_in(frame)))
     return Vector(sum3(v.expressed_in(frame).c for v in parts.values()), frame, None, ledger)

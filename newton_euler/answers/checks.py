@@ -68,7 +68,7 @@ def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
     return Check(False, len(entry["wrong"]), wait)
 
 
-def _digest(salt, x):
+def _digest(salt: str, x: Any) -> str:
     return hashlib.sha256(f"{salt} {json.dumps(x)}".encode()).hexdigest()[:12]
 
 

@@ -54,7 +54,7 @@ def _term(term, whole):
     if not isinstance(term, Step):
         around = typed(whole)
         return f"the {term:g} of {around}" if around else "the constant term of a sum"
-    return f"the term {what}" if (what := described(term)) else "one term of a sum"
+    return described(term, "the term") or "one term of a sum"
 
 
 def of_product(s: Step, number: Callable[[Step], Any]) -> Iterator[Slip]:
@@ -62,10 +62,10 @@ def of_product(s: Step, number: Callable[[Step], Any]) -> Iterator[Slip]:
     product = Product(s)
     of = f" of {whole}" if (whole := typed(s)) else ""
     for factor, power in product.powers.items():
-        if named := described(factor):
-            yield from _of_factor(s, number(factor), power, named, of)
+        if described(factor):
+            yield from _of_factor(s, factor, power, number(factor), of)
     for part, op in _parts(s, "/"):
-        words = f"leaves out the factor {described(part) or 'of a product'}{of}"
+        words = f"leaves out {described(part, 'the factor') or 'a factor'}{of}"
         yield LESS, "factor", words, (op, s, number(part))
     powers = product.powers.values()
     if min(powers, default=0) < 0 < max(powers):
@@ -86,14 +86,15 @@ def _parts(s, op):
             yield from _parts(a, inner)
 
 
-def _of_factor(s, factor, power, named, of):
+def _of_factor(s, x, power, factor, of):
+    named, the_factor = described(x), described(x, "the factor")
     if power == 2:
         of = "" if of == f" of {named}^2" else of
         yield SIMPLE, "square", f"does not square {named}{of}", ("/", s, factor)
     elif power == -2:
         yield SIMPLE, "square", f"divides by {named}, not by its square", ("*", s, factor)
     elif power > 0:
-        yield LESS, "factor", f"leaves out the factor {named}{of}", ("/", s, factor)
+        yield LESS, "factor", f"leaves out {the_factor}{of}", ("/", s, factor)
         yield LEAST, "squared", f"squares {named}{of}", ("*", s, factor)
         words = f"divides by {named} and does not multiply"
         yield LEAST, "divided", words, ("/", ("/", s, factor), factor)

@@ -56,11 +56,6 @@ class Edit(NamedTuple):
     cause: Cause
     instead: dict[int, Any]
 
-    @property
-    def level(self) -> int:
-        """Its pair of ranks."""
-        return self.rank // 2
-
 
 def steps_in(s: Step) -> list[Step]:
     """The arguments of a step that are steps."""

@@ -1,14 +1,5 @@
-"""What a traced computation gives with one slip in it, for all slips at once, and which of them a
-wrong answer meets more closely than by chance.
+"""What a traced computation gives with one slip in it, for all slips at once."""
 
-**The test.** A slip is at a distance ``gap`` from an answer, no less than what the answer was
-rounded by. Of the slips that are as simple or simpler, ``n`` are within a quarter of the size of
-the answer; a random answer of ``d`` components at this place would be as near to one of them with
-the chance ``n (gap / a quarter)^d``. A slip is named where that is at most :data:`CHANCE`. Counted
-over all places, random numbers are named in less than half a percent.
-"""
-
-import math
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
@@ -17,18 +8,10 @@ from ..algebra.compile import Compiled
 from ..algebra.scalars import to_plain
 from ..algebra.source import WITHIN, operations
 from ..algebra.trace import Inner, Step
-from ..algebra.units import SI, unit
-from .causes import Cause
+from ..algebra.units import unit
 from .edits import edits_of
-from .fit import Fit
 from .formulas import Edit, Formulas, needed, steps_in
-from .kinds import Kind
-from .tolerance import NOISE, ROUND_OFF, Points
-
-AROUND = 0.25  # of the size of an answer: where slips are counted
-CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many
-CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits written
-CHANCE_BESIDE = 0.05  # the same where some of its components are right
+from .near import Ranked, Slips
 
 
 class Computation:
@@ -40,10 +23,9 @@ class Computation:
         self.edits: list[Edit] = edits_of(formulas)
         stages = [x for stage in formulas.stages for x in stage.parts]
         self.every = needed([*self.steps, *stages])
-        self.places: dict[Cause, list[int]] = {}
+        self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         self.own: dict[int, tuple[list[int], list[Any]]] = {}  # of a step: edits, expressions
         for n, edit in enumerate(self.edits):
-            self.places.setdefault(edit.cause, []).append(n)
             for number, expression in edit.instead.items():
                 lanes, expressions = self.own.setdefault(number, ([], []))
                 lanes.append(n)
@@ -55,19 +37,17 @@ class Computation:
             if isinstance(a, Inner)
         }
 
-    @cached_property
-    def ranks(self) -> Any:
-        """How simple each is, as an array."""
-        from numpy import array
 
-        return array([e.rank for e in self.edits])
-
-
-class Perturbed:
+class Perturbed(Slips):
     """A computation with each slip, for the numbers of one student, arrays for symbols."""
 
     def __init__(self, computation: Computation, values: Mapping[str, Any]):
         self.computation, self.values = computation, values
+
+    def of_answer(self, key: str) -> tuple[Ranked, Any] | None:
+        """As for :class:`.near.Slips`."""
+        ranked = self.computation.ranked
+        return (ranked, self._rows[key]) if ranked.slips and key in self._rows else None
 
     @cached_property
     def _rows(self):
@@ -89,71 +69,6 @@ class Perturbed:
         one = [c[..., : answer.points] if np.ndim(c) else c for c in columns]
         shape = len(self.computation.edits), answer.points
         return np.stack([np.broadcast_to(c, shape) for c in one], axis=-1)
-
-    def of(self, key: str, cause: Cause) -> list[Points]:
-        """What the slips of this cause make of an answer; none if it is no slip of this kind."""
-        if key not in self.computation.answers:
-            return []
-        return [_points(self._rows[key][n]) for n in self.computation.places.get(cause, ())]
-
-    def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
-        """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
-        import numpy as np
-
-        edits = self.computation.edits
-        if key not in self.computation.answers or fit.index is None:
-            return []
-        if not edits or not 0 < math.hypot(*fit.first[0]) < math.inf:
-            return []
-        rows = self._rows[key]
-        with np.errstate(all="ignore"):
-            if kind.is_formula:
-                places = _formulas_near(rows, fit)
-            else:
-                places = _numbers_near(rows, fit, kind, self.computation.ranks)
-        return [
-            (edits[n].level, edits[n].cause, kind.like(_points(rows[n]), fit.given)) for n in places
-        ]
-
-
-def _points(row):
-    return tuple(map(tuple, row.tolist()))
-
-
-def _formulas_near(rows, fit):
-    """Of formulas: those near at the first point where the key has a value; few are, by chance."""
-    import numpy as np
-
-    given = np.array(fit.given[fit.index])
-    gaps = np.linalg.norm(rows[:, fit.index] - given, axis=-1)
-    return np.flatnonzero(gaps <= fit.rtol * np.linalg.norm(given)).tolist()
-
-
-def _numbers_near(rows, fit, kind, ranks):
-    import numpy as np
-
-    given, key = np.array(fit.given[0]), np.array(fit.key[0])
-    rows = rows[:, 0]
-    if not kind.has_size:
-        rows = np.array([kind.like((row,), fit.given)[0] for row in rows.tolist()])
-    size = np.linalg.norm(given)
-    gaps = np.linalg.norm(rows - given, axis=1)
-    around = (gaps <= AROUND * size) & (np.linalg.norm(rows - key, axis=1) > NOISE * size)
-    nearest = max(fit.rounding, ROUND_OFF * size)
-    there = int((abs(key) > NOISE * fit.sizes[0]).sum()) or 1
-    wrong = int((abs(given - key) > max(nearest, NOISE * fit.sizes[0])).sum())
-    found = []
-    for n in np.flatnonzero(around & (gaps <= fit.rtol * size)):
-        others = rows[around & (ranks <= ranks[n])]
-        count = len(np.unique(np.round(others / size, 9), axis=0))
-        share = max(gaps[n], nearest) / (AROUND * size)
-        limit = CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
-        if count * share**there <= limit and count * share**wrong <= CHANCE_BESIDE:
-            found.append(int(n))
-    return found
-
-
-NO_SLIPS = Perturbed(Computation(Formulas({}, {}, SI)), {})
 
 
 class _Lanes:

@@ -18,6 +18,7 @@ from .kinds import Kind
 from .tolerance import NOISE, RTOL
 from .trees import evaluate
 
+VERSION = 2
 COST = 2**15  # of scrypt: some 0.1 s
 MEMORY = 2**26  # bytes, twice what it takes
 SHIFTS = 8  # to which the place of the right answer within its cell is told
@@ -36,20 +37,23 @@ def seal(
     """
     salt = os.urandom(8).hex()
     if isinstance(numbers, (str, int)):
-        return {"salt": salt, "hashes": [_hash(salt, numbers)]}
+        return {"version": VERSION, "salt": salt, "hashes": [_hash(salt, numbers)]}
     numbers = kind.sealed(tuple(numbers))[0]
     size = math.hypot(*numbers)
     exponent = round(math.log2(size)) if size > ZERO else None
     width = _width(kind, exponent)
     places = [round(SHIFTS * x / width) if width else 0 for x in numbers]
     cell, shifts = [n // SHIFTS for n in places], [n % SHIFTS for n in places]
-    found = {"salt": salt, "size": exponent, "shifts": shifts, "hashes": [_hash(salt, *cell)]}
+    found = {
+        "version": VERSION, "salt": salt, "size": exponent, "shifts": shifts,
+        "hashes": [_hash(salt, *cell)],
+    }  # fmt: skip
     return found | ({"at": dict(at)} if at else {})
 
 
 def is_known(sealed: Mapping[str, Any]) -> bool:
     """False for a seal that another version of this module made."""
-    return len(sealed["hashes"]) == 1 and ("size" in sealed) == ("shifts" in sealed)
+    return bool(sealed.get("version") == VERSION)
 
 
 def opens(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> bool:

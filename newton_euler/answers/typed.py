@@ -62,12 +62,14 @@ def typed(x: Any, most: int = SHORT) -> str:
     return written if len(written) <= most else ""
 
 
-def described(x: Any) -> str:
-    """An expression in words: as it is typed, or by the givens that are in it; "" for a number."""
+def described(x: Any, noun: str = "") -> str:
+    """An expression in words: as it is typed, after the ``noun`` if there is one, or by the givens
+    that are in it; "" for a number.
+    """
     if written := typed(x):
-        return written
+        return f"{noun} {written}".strip()
     names = list(_names(x, {}))
-    return f"in {', '.join(names)}" if 0 < len(names) <= NAMES else ""
+    return f"{noun or 'what is'} in {', '.join(names)}" if 0 < len(names) <= NAMES else ""
 
 
 def _names(x, seen):

@@ -13,7 +13,7 @@ from .forms import Form
 from .frames import counted
 from .kinds import Kind
 from .messages import one_line
-from .perturbed import Perturbed
+from .near import Slips
 from .reading import Budget
 from .tolerance import Points
 from .trees import TreeError, in_words
@@ -58,10 +58,10 @@ class Numbers(Protocol):
         """{later answer: names of the earlier ones from which it follows}."""
 
     @property
-    def slips(self) -> Perturbed:
+    def slips(self) -> Slips:
         """The slips in the computation of the answers."""
 
-    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Perturbed:
+    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
         """The slips in computing an answer from a student's own earlier ones."""
 
     def wrong(self, key: str) -> Sequence[Model]:

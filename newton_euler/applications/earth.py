@@ -1,5 +1,4 @@
-"""Motion as seen from the rotating Earth (6.8)-(6.11): ground frames, apparent weight, projectiles,
-weather.
+"""Motion as seen from the rotating Earth (6.8)-(6.11): frames, weight, projectiles, weather.
 
 *Ground axes*: i east, j north, k up, away from the centre of a uniform sphere. Angles in rad:
 latitude, north positive; azimuth from east toward north; elevation from the horizontal. ``rate`` is
@@ -100,9 +99,7 @@ def _check_latitude(latitude):
 
 @checked
 def earth_rate(ground: Frame) -> Vector:
-    """The angular velocity of the Earth (6.18) in ``ground``; the root of its tree counts as
-    inertial.
-    """
+    """The angular velocity of the Earth (6.18) in ``ground``, seen from the root of its tree."""
     return ground.angular_velocity(ground.tree[0])
 
 
@@ -158,8 +155,7 @@ def ground_acceleration(ground: Frame) -> Vector:
 def effective_gravity(g: Scalar, ground: Frame) -> Vector:
     """The acceleration of a body released at rest, g' = -g k - a_B (6.11), along ground axes and a
     plumb line; terms ``attraction``, ``centrifugal``. The book's apparent g, g - R omega^2
-    cos(latitude)^2, is its component down; ``g'.angle_to(-ground.k)`` the deflection of the plumb
-    line.
+    cos(latitude)^2, is its component down; ``g'.angle_to(-ground.k)`` the plumb line's angle.
 
     >>> from newton_euler import Frame
     >>> print(effective_gravity(9.82, ground_frame(earth_frame(Frame("stars")), 1.5)))
@@ -180,10 +176,8 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
     -0.128
     """
     not_negative(m, "the mass")
-    parts = {
-        "weight": scalar(m) * scalar(g) * ground.k,
-        "rotation": scalar(m) * ground_acceleration(ground),
-    }
+    m = scalar(m)
+    parts = {"weight": m * scalar(g) * ground.k, "rotation": m * ground_acceleration(ground)}
     return named_sum("support force", f"in {ground.name}", parts, ground)
 
 
@@ -192,8 +186,7 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
 
 @checked
 def coriolis_acceleration(omega: Vector, v: Vector) -> Vector:
-    """The Coriolis acceleration -2 omega x v for a velocity ``v`` seen from a frame that turns at
-    ``omega``.
+    """The Coriolis acceleration -2 omega x v for ``v`` seen from a frame that turns at ``omega``.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -220,8 +213,7 @@ def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
 @checked
 def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
     """The resultant force, weight included, on a body that moves as seen from the ground (6.15): m
-    a + 2 m omega x v, terms ``relative``, ``coriolis``; those in omega^2 belong to the effective
-    gravity.
+    a + 2 m omega x v, terms ``relative``, ``coriolis``; omega^2 is in the effective gravity.
 
     v, a : velocity and acceleration seen from the ground
 
@@ -370,8 +362,7 @@ def flight_time(
     g: Scalar,
     rate: Scalar = EARTH_RATE,
 ) -> Scalar:
-    """The time until a shot is back at the level of its start (6.26), to first order in the
-    rotation.
+    """The time until a shot is back at its level (6.26), to first order in the rotation.
 
     >>> flight_time(50.0, 0.0, 1.5707963267948966, 0.0, 10.0, rate=0.0)
     10.0
@@ -476,8 +467,7 @@ def gradient_wind(
     pressure_gradient: Scalar, radius: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
 ) -> Scalar:
     """The speed v of a steady wind on a circle of ``radius`` about a centre of pressure, v^2/radius
-    + 2 omega |sin(latitude)| v = G; positive for a cyclone: counterclockwise seen from above in the
-    north.
+    + 2 omega |sin(latitude)| v = G; positive for a cyclone: counterclockwise in the north.
 
     pressure_gradient : G, over the density, m/s^2; positive about a low, negative about a high, and
         then :class:`EarthError` if it is steeper than any wind can balance

@@ -1,5 +1,4 @@
-"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a fixed point of its
-axis, or about its centre of mass.
+"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a point of its axis.
 
 Moments of inertia about that point: ``I0`` about a transverse axis, ``I`` about the axis of
 symmetry k (10.17). Euler angles 3-1-3: ``theta`` is the angle from the axis of precession K
@@ -164,11 +163,9 @@ def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None
 
 @checked
 def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
-    """The moment I psi' x phi' on a body whose spin axis precesses at right angles to itself
-    (10.38).
+    """The moment I psi' x phi' on a spin axis that precesses at right angles (10.38).
 
-    precession, spin : Vectors, rad/s, at right angles (:class:`GyroError` otherwise); I about the
-        spin
+    precession, spin : Vectors, rad/s, at right angles (:class:`GyroError` otherwise)
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -210,8 +207,7 @@ def steady_spin(
     moment: Scalar = None,
 ) -> Scalar:
     """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it; for
-    ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` if I or the
-    precession is zero.
+    ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` without either.
 
     >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
     102.0
@@ -229,8 +225,7 @@ class SteadyPrecession:
     """The two steady precessions at an angle, by :func:`steady_precession`.
 
     slow, fast : the rates psi', rad/s; ``fast`` is infinite where there is no second one
-    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta);
-        zero where both are one
+    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta)
     stiffness : for each of the two, see :func:`nutation_stiffness`
     """
 
@@ -434,11 +429,9 @@ def fast_spin(
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """The steady precession of a symmetric body without moment, about its angular momentum H = H K,
-    at the ``rate`` psi'.
+    """The steady precession of a symmetric body without moment about H = H K, at the ``rate`` psi'.
 
-    sense : "direct" if spin and precession have the same sense, else "retrograde"; None for
-        expressions
+    sense : "direct" if that of the spin, else "retrograde"; None for expressions
     body_cone, space_cone : half-angles (rad) of the cones of the instantaneous axis about k and K
     """
 

@@ -66,8 +66,7 @@ def nutation(
 
     tolerance : relative, when a limit counts as a cusp, and in rad, when the motion counts as
         steady or as reaching the vertical; the numbers are not affected by it
-    For floats, mpf and arrays; raises :class:`GyroError` for expressions, whose roots have no
-    order.
+    For floats, mpf and arrays; raises :class:`GyroError` for expressions.
     """
     check_top(I0, I, spin, omega_z)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0

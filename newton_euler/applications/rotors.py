@@ -1,5 +1,4 @@
-"""Rotation about a fixed axis (chapter 9): the bearing forces of a rotor, its imbalance and
-balancing.
+"""Rotation about a fixed axis (chapter 9): bearing forces, imbalance, balancing.
 
 A rotor turns about the line AB of two bearings, Points at rest. The unit vector e points from A to
 B, rates and moments are right-handed about it. O is a point of the axis, the bearings lie at -a and
@@ -173,8 +172,7 @@ def _check_motion(body, A, e, length, ground):
 
 @dataclass(frozen=True)
 class Imbalance:
-    """The static and the dynamic imbalance (9.4) about the point O, at right angles to the axis, in
-    the frame of the body.
+    """The static and the dynamic imbalance (9.4) about O, across the axis, along the body's axes.
 
     static : m d (kg m), d from the axis to G
     dynamic : the products of inertia with the axis (kg m^2), the integral of z r dm, z along the
@@ -213,8 +211,7 @@ class Balance:
 
     eccentricity, product : distance of G from the axis, m; size of the products of inertia with the
         axis about O, kg m^2
-    offset, tilt : the same divided by the radius of gyration k about O, and by m k^2; they are
-        compared with ``tolerance``
+    offset, tilt : the same over k, the radius of gyration about O, and m k^2, at most ``tolerance``
     """
 
     static: bool
@@ -246,12 +243,10 @@ class Balance:
 def balance(
     body: Body, A: Point, B: Point, about: Point | None = None, tolerance: float = 1e-9
 ) -> Balance:
-    """Whether a rotor is balanced (9.4): statically if G is on the axis, dynamically if the axis is
-    principal at O.
+    """Whether a rotor is balanced (9.4): statically, G on the axis; dynamically, a principal axis.
 
     about : the point O; default: the foot of G, so that the two are independent. About another
-        point a body that is not balanced statically changes its products of inertia: give the O of
-        the exercise.
+        point a body that is not balanced statically changes its products of inertia: give its O.
     tolerance : relative, of the radius of gyration k about O (the root mean square distance of the
         mass from it; at least a thousandth of AB), and of m k^2
     An array is balanced if every instant is. Raises :class:`RotorError` for expressions.

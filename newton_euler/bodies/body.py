@@ -18,12 +18,10 @@ ROUNDED = 1e-2
 
 
 class Body:
-    """A rigid body: name, mass, centre of mass, inertia matrix; or a composite, see
-    :func:`composite`.
+    """A rigid body: mass, centre of mass, inertia matrix; or several, see :func:`composite`.
 
     centre : the centre of mass G, a Point of the body, or a Frame whose origin is G
-    inertia : three principal moments about G along the axes of the frame, or an :class:`Inertia`
-        about any point
+    inertia : three principal moments about G along the axes of the frame, or any :class:`Inertia`
     frame : the frame fixed in the body; default: that of ``inertia``, or the one in which G is
         given (``rotor.origin`` is a point of the *parent* of rotor: give ``rotor`` itself for G)
 
@@ -133,8 +131,7 @@ def centre_of_mass(
     parts: Iterable[Body | tuple[Scalar, Point]], frame: Frame | None = None, name: str = "G"
 ) -> Point:
     """The centre of mass of particles and bodies together, a Point of ``frame`` (default: that of
-    the first part) (5.4), (5.9), (5.11). Raises :class:`MassError` unless the total mass is
-    positive.
+    the first part) (5.4), (5.9), (5.11). Raises :class:`MassError` unless its mass is positive.
 
     parts : bodies, or pairs (mass, Point); a removed part has negative mass, as in ``-hole``
 
@@ -168,8 +165,7 @@ def composite(
 
     parts, removed : bodies, all fixed in one rigid body; they are the terms of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
-    Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
-    outside of the body).
+    Raises :class:`MassError` without mass, or for moments that no body has (a hole outside).
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk

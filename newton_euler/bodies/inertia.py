@@ -39,13 +39,11 @@ from .principal_axes import Principal, Symmetry, principal, symmetry
 
 class Inertia(Scaled, NamedTerms):
     """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13). ``A +
-    B`` is that of two bodies together, about the point and in the frame of A; ``-A`` that of a
-    hole.
+    B`` is that of two bodies together, about the point and in the frame of A; ``-A`` of a hole.
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
     moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals
-    mass, centre : mass of the body and its centre of mass, a Point; only needed to go to another
-        point
+    mass, centre : of the body, the centre a Point; only needed to go to another point
     frame : the axes; default: those of the frame in which ``point`` is given
     tolerance : of the check that some body can have this inertia, see :meth:`check`;
         :class:`MassError` otherwise; None: no check
@@ -145,8 +143,7 @@ class Inertia(Scaled, NamedTerms):
 
     @checked
     def moment(self, axis: str | Vector) -> Scalar:
-        """The moment of inertia n . I n about an ``axis`` through ``point``: "x", "y", "z", or a
-        Vector.
+        """The moment n . I n about an ``axis`` through ``point``: "x", "y", "z", or a Vector.
 
         >>> from newton_euler import Frame
         >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
@@ -176,8 +173,7 @@ class Inertia(Scaled, NamedTerms):
     def about(self, point: PointLike) -> "Inertia":
         """The inertia matrix about another point, along the same axes: the parallel axis theorem
         (7.25), (7.26) between any two points. With d1, d2 the vectors from them to G, I_xx changes
-        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y), without
-        cancellation.
+        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y).
 
         terms : ``own``, the matrix about the first point, and ``transfer``, the change
 

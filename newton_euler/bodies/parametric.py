@@ -37,8 +37,7 @@ class IntegratedBody(Body):
     """A :class:`newton_euler.bodies.body.Body` found by integration.
 
     content : its length, area or volume
-    error : that of mass, first and second moments, relative to mass and size, an estimate; 0 if
-        exact
+    error : estimated, of mass, first and second moments, relative to mass and size
     """
 
     content: Scalar = None
@@ -61,12 +60,10 @@ def integrated(
 
     position : function of the parameters that returns (x, y, z) in ``frame``, with functions of
         this package (sin, sqrt …)
-    limits : for each parameter a pair (from, to), either a function of the parameters before it or
-        a number
+    limits : for each parameter a pair (from, to), numbers or functions of the parameters before
     mass, density : the mass, or the density per length, area or volume, a number or a function of
         x, y, z; if both are given the density is relative
-    exact : by SymPy, with symbols taken as positive; a parametrisation that folds back raises an
-        error
+    exact : by SymPy, with symbols taken as positive; a parametrisation that folds back is refused
     rtol : required accuracy, :class:`MassError` if it is not reached; roots at the limits, as in y
         = -sqrt(r^2 - x^2), do no harm
 

@@ -2,8 +2,7 @@
 
 Order and sign are always the same: moments ascending; the largest component of the first and of the
 second axis (of several equally large ones the first) is positive; the third axis makes them
-right-handed. Where moments are equal within round-off, the axes nearest to those of the frame are
-returned.
+right-handed. Where moments are equal within round-off, the axes are nearest to those of the frame.
 
 Expressions have no order, unless they are numbers times one common factor. If the matrix is
 diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn by half of
@@ -45,8 +44,7 @@ UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
 
 @dataclass(frozen=True)
 class Principal:
-    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined,
-    which ``print`` reports.
+    """Principal moments, their axes (unit Vectors, right-handed), and how well they are determined.
 
     noise : relative error of the entries of the matrix; default: round-off
     gaps : for each axis, the distance of its moment from the nearest other one
@@ -280,8 +278,7 @@ class Symmetry:
     axes : the axes of the frame, as "z", that are principal at the point
     planes : the planes of the frame, as "xy", that may be planes of symmetry through the point:
         both products with their normal vanish
-    kind : "sphere" (three equal moments), "top" (two: the body moves as one with rotational
-        symmetry (7.21)), or "none"
+    kind : "sphere" (three equal moments), "top" (two: as a body of revolution (7.21)), or "none"
     axis : of a top, the unit Vector of the distinct axis; else None
     """
 

@@ -8,8 +8,7 @@ as in the book's table, "y", "z", or with a minus sign where the body has a sens
 direction give the body a frame of its own, ``ground.rotate(...)``.
 
 Mass: either ``mass=`` or ``density=`` is given, the mass per length, area or volume. ``name=``
-names the body; default: the name of the shape. :class:`MassError` for lengths or a mass that are
-not positive.
+names the body; default: the name of the shape. :class:`MassError` for what is not positive.
 
 >>> from newton_euler import Frame
 >>> part = Frame("part")
@@ -340,10 +339,8 @@ def simplex(*corners: Point, **matter: Unpack[Matter]) -> Body:
     # not times 1/(n + 1), which would round before an mpf or a fraction comes in
     middle = tuple(x / (n + 1) for x in sum3(edges))
     arms = [scale3(-1, middle), *(sub3(e, middle) for e in edges)]
-    second = [
-        sum((arm[a] * arm[b] for arm in arms), ZERO) * m / ((n + 1) * (n + 2))
-        for a, b in SECOND_MOMENTS
-    ]
+    sums = (sum((arm[a] * arm[b] for arm in arms), ZERO) for a, b in SECOND_MOMENTS)
+    second = [x * m / ((n + 1) * (n + 2)) for x in sums]
     G = frame.point(f"G of {name}", *add3(first, middle))
     return Body(name, m, G, Inertia(G, *from_second_moments(second), m, G, frame, None))
 

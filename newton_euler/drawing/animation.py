@@ -131,8 +131,7 @@ def animate(
     progress: Callable[[int, int], Any] = lambda done, of_all: None,
 ) -> Animation:
     """An :class:`Animation` of the scene that ``draw(t, ax)`` draws with a Sketch on ``ax``; it is
-    called once for each of the times. Raises :class:`AnimationError` for too many or large
-    pictures.
+    called for each of the times. Raises :class:`AnimationError` for too many pixels.
 
     times : of the pictures in s, increasing; they need not be evenly spaced
     speed : seconds of the motion shown in one second; by default 1, but for a motion shorter than 1

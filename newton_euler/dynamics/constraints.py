@@ -29,8 +29,7 @@ class ConstraintError(NewtonEulerError, ValueError):
 class Freedom:
     """The degrees of freedom of a system: ``count`` = ``unknowns`` - ``rank``.
 
-    redundant : names of constraints that follow from those before them, with how many of their
-        equations do
+    redundant : names of constraints that follow from those before, and how many of their equations
     configuration : the coordinates by body at which the rank was computed
     singular : True if at the configuration passed as ``at`` the rank is lower than in its
         neighbourhood, as for a linkage at its dead point
@@ -63,15 +62,13 @@ def degrees_of_freedom(
     bodies: dict, constraints: dict | None = None, at: dict | None = None, tolerance: float = 1e-9
 ) -> Freedom:
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
-    of coordinates less the rank of the Jacobian. Springs, dampers and weights are forces, not
-    constraints.
+    of coordinates less the rank of the Jacobian. Springs and weights are no constraints.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
     constraints : name -> function that vanishes (5.28), a scalar or a tuple of them, of the bodies
         it names as its parameters, each a tuple of coordinates (lengths and radians)
     at : name -> coordinates: the configuration at which the rank is computed; default: one that
-        Newton's method finds, in no special position; :class:`ConstraintError` if it does not meet
-        the constraints
+        Newton's method finds, in no special position; :class:`ConstraintError` if it breaks them
     tolerance : a row of the Jacobian, scaled to 1, depends on those before it if less than this
         lies outside their span
 

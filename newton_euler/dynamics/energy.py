@@ -91,8 +91,7 @@ def kinetic_energy_about(body: Body, point: Point, observer: Frame) -> Amount:
 def plane_kinetic_energy(
     m: Scalar, speed: Scalar, moment_of_inertia: Scalar, rate: Scalar
 ) -> Amount:
-    """The kinetic energy T = m v^2/2 + I_zz omega^2/2 of plane motion (11.51), v of G, I_zz about
-    G.
+    """The kinetic energy T = m v^2/2 + I_zz omega^2/2 of plane motion (11.51); I_zz about G.
 
     >>> plane_kinetic_energy(2.0, 3.0, 0.5, 4.0).terms
     {'translation': 9.0, 'rotation': 4.0}
@@ -160,17 +159,13 @@ def rigid_power(body: Body, observer: Frame, force: Vector, moment: Vector) -> A
     >>> rigid_power(ball, ground, 3.0*ground.i, -1.0*ground.k).terms
     {'translation': 0, 'rotation': -4.0}
     """
-    terms = {
-        "translation": power(force, body.centre, observer),
-        "rotation": power(moment, body.frame, observer),
-    }
-    return summed(terms, "power", "11.47")
+    of_force, of_moment = power(force, body.centre, observer), power(moment, body.frame, observer)
+    return summed({"translation": of_force, "rotation": of_moment}, "power", "11.47")
 
 
 @checked
 def speed_after(speed: Scalar, work: Amount | Scalar, m: Scalar) -> Scalar:
-    """The speed of a particle on which the work U was done: v_1 = sqrt(v_0^2 + 2 U/m) (11.12),
-    (11.14).
+    """The speed of a particle after the work U: v_1 = sqrt(v_0^2 + 2 U/m) (11.12), (11.14).
 
     work : U, or the loss of potential energy (11.29), or the sum of both
     m : the mass; of a body with T = (some m) v^2/2, as in rolling, that m
@@ -194,8 +189,7 @@ class Audit:
     """The energy balance of a motion between two instants (11.29), (11.48): ``kinetic`` +
     ``potentials`` = ``works``, changes in J by name.
 
-    residual, error : the change of T + V less the work of the other forces; the error of the
-        integrals
+    residual, error : the change of T + V less the other works; the error of the integrals
     largest : the largest of the energies and works, to compare with
     """
 

@@ -18,8 +18,7 @@ from ..bodies.inertia import Inertia, axis_index
 def euler_moment(
     inertia: Inertia, omega: Vector, alpha: Vector, turning: Vector | None = None
 ) -> Vector:
-    """The moment M = dH/dt + Omega x H of a rotation, H = I omega (8.12), in axes that need not be
-    principal.
+    """The moment M = dH/dt + Omega x H of a rotation, H = I omega (8.12), in any axes.
 
     turning : Omega, the angular velocity of the frame of ``inertia`` where that is not fixed in the
         body, as one that precesses without spinning; default: omega
@@ -40,19 +39,14 @@ def euler_moment(
         Omega = turning.expressed_in(frame).c
         # the rate of omega seen in the frame; in the frame of the body it is alpha itself
         rate = sub3(rate, cross3(Omega, w))
-    return _summed(
-        inertia,
-        "Euler's moment",
-        relative=inertia.times3(rate),
-        rotation=cross3(Omega, inertia.times3(w)),
-    )
+    rotation = cross3(Omega, inertia.times3(w))
+    return _summed(inertia, "Euler's moment", relative=inertia.times3(rate), rotation=rotation)
 
 
 @checked
 def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
     """The moment by Euler's equations (8.13), (8.14): M_x = I_xx alpha_x - (I_yy - I_zz) omega_y
-    omega_z and cyclic; :class:`MassError` if the axes of the matrix, fixed in the body, are not
-    principal.
+    omega_z and cyclic; :class:`MassError` if the axes are not principal.
 
     >>> from newton_euler import Frame, Inertia
     >>> body = Frame("body")

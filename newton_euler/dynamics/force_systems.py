@@ -47,8 +47,7 @@ class Force:
 
     @checked
     def moved(self, to: Point | Frame) -> "ForceSystem":
-        """The equivalent system of the force at ``to`` and the couple of its moment about ``to``
-        (8.20).
+        """The equivalent force at ``to`` and couple of its moment about ``to`` (8.20).
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground")

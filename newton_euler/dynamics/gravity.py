@@ -59,8 +59,7 @@ def gravity_at_surface(mass: Scalar, radius: Scalar, K: Scalar = K) -> Scalar:
 
 @checked
 def gravity_at_height(height: Scalar, radius: Scalar, g: Scalar = G_STANDARD) -> Scalar:
-    """The acceleration of gravity g (R/(R + h))^2 at a height, from g at the surface (5.22),
-    (5.23).
+    """The acceleration g (R/(R + h))^2 at a height, from g at the surface (5.22), (5.23).
 
     >>> gravity_at_height(6.4e6, 6.4e6, g=8.0)
     2.0

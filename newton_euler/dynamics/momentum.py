@@ -62,13 +62,11 @@ def _is_fixed(point, body):
 def resultant_moment(
     body: Body, observer: Frame, about: Point | Frame | None = None, via: Frame | None = None
 ) -> Vector:
-    """The moment of all external forces about a point, from the motion of the body: (8.9), (8.10),
-    (8.11), (8.12); N m.
+    """The moment of all external forces, from the motion: (8.9), (8.10), (8.11), (8.12); N m.
 
     observer : an inertial frame
     about : G (default), or any Point B, however it moves, or a Frame for its origin
-    via : the frame in which H is differentiated, and whose components the result has; default: that
-        of the body
+    via : the frame in which H is differentiated, and of the result; default: that of the body
     terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of
         ``via``; unless about G, ``reference``, d x m a_B
 

@@ -59,8 +59,7 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
 @checked
 def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     """The one unknown force R = m a - (the known forces) (6.1), along the axes of ``a``, a Vector
-    as the ``known`` are. Terms: ``inertia``, which is m a, and each known force with its sign
-    turned.
+    as the ``known`` are. Terms: ``inertia``, which is m a, and minus each known force.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -122,8 +121,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     for r'', theta'', …, a tuple; :class:`SingularError` where the coordinates are singular.
 
     P : a point by :func:`~newton_euler.kinematics.coordinates.polar`, ``cylindrical``,
-        ``spherical`` or ``curvilinear``, with the values and the first rates of its coordinates;
-        second rates are replaced
+        ``spherical`` or ``curvilinear``, with its coordinates and their first rates
     forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
 
     >>> from newton_euler import Frame, moving, polar
@@ -152,8 +150,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
 @checked
 def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector) -> Vector:
     """The acceleration of ``P`` seen in its own moving frame (6.10), with the terms F/m of each
-    force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` with their signs as seen (-2
-    omega x v_2 …).
+    force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` as seen.
 
     P : a point with its coordinates and their rates in the moving frame; second rates are ignored
     observer : an inertial frame; forces : Vectors, by name

@@ -1,5 +1,4 @@
-"""Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field, if it
-has one.
+"""Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field.
 
 F(x, y, z) = -grad V if its work round every closed path is zero: its curl must be zero, and, which
 the book does not say, the circulation round each hole of the region, as an axis on which F does not
@@ -56,8 +55,7 @@ def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scala
 
 @checked
 def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
-    """The potential V = K x^2/2 of a spring (11.35), x from the unloaded length, or a torsion
-    angle.
+    """The potential V = K x^2/2 of a spring (11.35), x the stretch, or an angle.
 
     >>> spring_potential(200.0, -0.1)
     1.0
@@ -72,8 +70,7 @@ def spring_between(
     first: Point | Sequence[Scalar],
     second: Point | Sequence[Scalar],
 ) -> Scalar:
-    """The potential of a straight spring between two places (11.35): its stretch is their distance
-    less the free length.
+    """The potential of a spring between two places (11.35): stretch, distance less free length.
 
     first, second : two Points, and V is that of the instant, without rates; or two triples of
         coordinates along the same axes, which can be differentiated, as by
@@ -220,15 +217,12 @@ def find_potential(
     loops: Sequence[Callable] = (),
     tolerance: float = 1e-9,
 ) -> Potential:
-    """The potential of a force field (11.16)-(11.18); :class:`NoPotential` with the reason if it
-    has none.
+    """The potential of a force field (11.16)-(11.18); :class:`NoPotential` if it has none.
 
-    force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers of
-        their own
+    force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers
     base : where V is zero; straight lines from it must stay where the force exists
     box : the region in which the field is used, three pairs (low, high)
-    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region; a
-        hole is not found without its loop
+    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
         and of the work round a loop, relative to size of F times length. A spot check: a curl that
         is zero at these places alone passes.

@@ -36,16 +36,13 @@ def work_integral(
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> Amount:
-    """The integral of ``f`` from ``start`` to ``end`` with its estimated error: (11.2), (11.3),
-    (11.4) or (11.11), by what f is.
+    """The integral of ``f`` with its estimated error: (11.2), (11.3), (11.4) or (11.11).
 
     f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise
-        dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy, which may
-        take long
+        dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy
     breaks : in order, where f has corners or jumps, or begins and ends a short pulse
-    Raises :class:`WorkError` where it does not converge, f is not finite, or SymPy finds no
-    formula.
+    Raises :class:`WorkError` where it does not converge, is not finite, or has no formula.
 
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
     -1.0
@@ -90,10 +87,8 @@ def work_along(
 
         return f
 
-    parts = {
-        name: work_integral(component(n), start, end, rtol, exact, breaks)
-        for n, name in enumerate("xyz")
-    }
+    how = rtol, exact, breaks
+    parts = {n: work_integral(component(k), start, end, *how) for k, n in enumerate("xyz")}
     return summed(parts, number="11.5", error=sum(p.error for p in parts.values()))
 
 

@@ -40,8 +40,7 @@ from .triads import below_roundoff, norm3, numeric3
 
 @checked
 def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k") -> Frame:
-    """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19), also for polar
-    coordinates (2.6).
+    """The frame of e_r, e_theta, k at the azimuth ``theta`` (3.19), also polar (2.6).
 
     >>> ground = Frame("ground")
     >>> cylindrical_frame(ground, moving(0.5, rate=2.0)).i.rate(ground)

@@ -34,11 +34,9 @@ def curvilinear(
     q3: Scalar,
     names: Sequence[str] = ("u", "v", "w"),
 ) -> CoordinatePoint:
-    """The point with the coordinates q1, q2, q3 in the system with the position function
-    ``position``.
+    """The point with the coordinates q1, q2, q3 in the system of ``position``.
 
-    position : function of three scalars, of functions of this package, that returns (x, y, z) in
-        ``ground``
+    position : function of three scalars that returns (x, y, z) in ``ground``
     q1, q2, q3 : numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
     names : of the coordinates, for the names of terms
     Velocity and acceleration in ``ground`` are along e_1, e_2, e_3 (``P.local``), with one term for

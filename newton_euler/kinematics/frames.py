@@ -134,11 +134,9 @@ class Frame:
     ) -> "Frame":
         """A new frame turned from this one about ``axis``, right-handed.
 
-        axis : "x", "y", "z", "-x", "-y", "-z", or three constant components of any length along the
-            axes of this frame
+        axis : "x", "y", "z", "-x", "-y", "-z", or three constant components in this frame
         angle, rate, acceleration : rad, rad/s, rad/s^2; ``angle`` may be moving (see
-            :func:`moving`, :func:`at`), or a SymPy expression in the symbol ``t``, and then has its
-            rates already
+            :func:`moving`, :func:`at`), or a SymPy expression in the symbol ``t``, with its rates
         origin : a Point of this frame, the origin of the new one; default: the origin of this frame
         """
         angle = moving(angle, rate, acceleration)
@@ -286,8 +284,7 @@ class Frame:
 
     def angular_acceleration(self, observer: "Frame") -> Vector:
         """alpha of this frame seen from ``observer``, rad/s^2, in components of this frame (4.25),
-        (4.26); terms: one for each frame between, and ``"arm x rod"`` for each omega_arm x
-        omega_rod.
+        (4.26); terms: one for each frame between, and ``"arm x rod"`` for two of them.
         """
         ledger = self._ledger("angular acceleration", observer, self._alpha_terms)
         return Vector(self._alpha(observer), self, None, ledger)

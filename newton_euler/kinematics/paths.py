@@ -4,8 +4,7 @@ The unit vectors belong to the path: e_t along the velocity, e_n towards the cen
 e_b = e_t x e_n; in the plane e_b is k where the path turns counterclockwise, else -k. *Flexure* f
 is the reciprocal of the radius of curvature rho, both positive. *Torsion* tau has the book's sign
 (3.9), de_b/ds = tau e_n: it is **minus** the torsion of most other books, and negative for a
-right-handed helix. A *path* is a function of one parameter that returns the three coordinates; its
-derivatives are exact.
+right-handed helix. A *path* is a function of one parameter that returns three coordinates.
 """
 
 from collections.abc import Callable
@@ -58,8 +57,7 @@ def derivatives(path: Callable, q: Scalar) -> tuple:
 def at_speed(path: Callable, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Moving:
     """The parameter ``q`` with its rates, for a point that passes there with this speed (and its
     rate of change) in the direction of increasing q: with r_q = dr/dq, q' = nu/abs(r_q), and q''
-    from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq)/abs(r_q). Raises :class:`SingularError` where r_q =
-    0.
+    from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq)/abs(r_q). :class:`SingularError` where r_q = 0.
 
     >>> at_speed(lambda q: (q, q**2, 0), 0.0, speed=2.0)
     moving(0.0, rate=2.0, acceleration=-0.0)
@@ -100,8 +98,7 @@ def _three(c):
 class Frenet:
     """A motion in intrinsic components, from :func:`frenet` or :func:`frenet_along`.
 
-    frame : the frame of the axes e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are
-        expressed
+    frame : the frame of e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are given
     speed, speed_rate : nu and its rate of change, the tangential component of acceleration
     flexure : f = 1/rho, in 1/length
     """
@@ -178,8 +175,7 @@ def flexure(v: Vector, a: Vector) -> Scalar:
 
 @checked
 def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path") -> Frenet:
-    """The intrinsic triad and components of a motion with velocity ``v`` and acceleration ``a``
-    (2.14), (3.13).
+    """The intrinsic triad and components of a motion by velocity and acceleration (2.14), (3.13).
 
     v, a, jerk : Vectors, all seen from one observer; the frame of ``v`` is the parent of the triad
     jerk : da/dt; only needed for the torsion

@@ -26,8 +26,7 @@ from ..algebra.scalars import (
 def from_time(
     a: Callable, t: Scalar, x0: Scalar = ZERO, v0: Scalar = ZERO
 ) -> tuple[Scalar, Scalar]:
-    """(x, v) at the time ``t`` for the acceleration ``a(t)``, from ``x0`` with velocity ``v0`` at
-    time 0.
+    """(x, v) at the time ``t`` for the acceleration ``a(t)``, from ``x0`` and ``v0`` at time 0.
 
     >>> x, v = from_time(lambda t: 6.0*t, 2.0, v0=1.0)
     >>> round(x, 12), round(v, 12)

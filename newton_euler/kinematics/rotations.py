@@ -139,8 +139,7 @@ def direction_cosines(frame: Frame, ground: Frame) -> tuple:
 
 @checked_but("axis")
 def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
-    """The matrix, three rows, of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2, by
-    Rodrigues' formula).
+    """The matrix, three rows, of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2).
 
     axis : three components of any length but zero (:class:`RotationError`), or a Vector; the same
         in the turned and in the fixed axes
@@ -377,8 +376,7 @@ def _norm2(q):
 
 @checked
 def euler_matrix(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
-    """The rotation matrix, body to ground, of Euler angles: that of T_phi T_theta T_psi transposed
-    (10.10).
+    """The rotation matrix, body to ground, of Euler angles: T_phi T_theta T_psi transposed (10.10).
 
     >>> euler_matrix(0.0, 0.0, 0.0)[2]
     (0.0, 0.0, 1.0)
@@ -424,8 +422,7 @@ def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
 
 @checked
 def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
-    """The Euler angles of a quaternion of any length; ranges and choices as by
-    :func:`euler_angles`.
+    """The Euler angles of a quaternion of any length, as by :func:`euler_angles`.
 
     >>> [round(x, 12) for x in euler_from_quaternion(quaternion_from_euler(0.3, 0.2, 0.1))]
     [0.3, 0.2, 0.1]
@@ -445,8 +442,7 @@ def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
 
 @checked
 def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Scalar]) -> tuple:
-    """The angular velocity in body components (10.12), rad/s, from ``rates`` = (psi', theta',
-    phi').
+    """The angular velocity in body components (10.12) from ``rates`` = (psi', theta', phi').
 
     >>> euler_body_rates(0.0, 0.0, 0.0, (2.0, 0.5, 3.0))
     (0.5, 0.0, 5.0)
@@ -463,8 +459,7 @@ def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Sc
 @checked
 def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple:
     """The rates (psi', theta', phi') in rad/s from the angles and the angular velocity ``omega`` in
-    body components: (10.12) solved; :class:`RotationError` where sin(theta) is zero within
-    round-off.
+    body components: (10.12) solved; :class:`RotationError` where sin(theta) is zero.
 
     >>> omega = euler_body_rates(0.3, 0.2, 0.1, (2.0, 0.5, 3.0))
     >>> [round(x, 12) for x in euler_rates(0.3, 0.2, 0.1, omega)]

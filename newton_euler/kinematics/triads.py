@@ -13,8 +13,7 @@ from .frames import Frame, Point
 class Triad(Frame):
     """The frame with given axes, at this instant.
 
-    axes : three triples, the components in ``parent`` of three orthonormal vectors, right-handed,
-        not checked
+    axes : three triples, components in ``parent`` of orthonormal vectors, right-handed, not checked
     turning : function without arguments that returns angular velocity and acceleration in
         ``parent``, each three components along the axes (rad/s, rad/s^2), or None where unknown
 
@@ -103,8 +102,7 @@ def below_roundoff(value: Scalar, noise: Scalar) -> bool:
 
 def roundoff_sensitivity(f: Callable, q: Sequence[Scalar]) -> list:
     """The changes of the triples f(*q), as lengths, when each of the numbers ``q`` changes by up to
-    41 units in its last place: a direction taken from a vector no longer than its change is
-    arbitrary.
+    41 units in its last place: the direction of a shorter vector is arbitrary.
     """
     middle = f(*q)
     totals = [0.0] * len(middle)

@@ -56,10 +56,10 @@ def hazards(traced):
     denominator, and those that vanish below round-off.
     """
     steps = varying(traced)
-    poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
+    poles = {f.number for s in steps if s.op == "/" for f in factors(s.args[1])}
     # a negative power is a denominator
     poles |= {
-        n for s in steps if s.op == "**" and _negative(s.args[1]) for n in _factors(s.args[0])
+        f.number for s in steps if s.op == "**" and _negative(s.args[1]) for f in factors(s.args[0])
     }
     branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
@@ -78,16 +78,16 @@ def varying(traced):
     return [s for n, s in found.items() if n in needed]
 
 
-def _factors(x):
-    """The numbers of the steps of the trace whose zeros are zeros of x."""
+def factors(x):
+    """The steps of the trace whose zeros are zeros of x."""
     if not isinstance(x, Step):
         return set()
     below = set()
     if x.op == "*":
-        below = _factors(x.args[0]) | _factors(x.args[1])
+        below = factors(x.args[0]) | factors(x.args[1])
     elif x.op in ("**", "neg", "sqrt"):
-        below = _factors(x.args[0])
-    return {x.number} | below
+        below = factors(x.args[0])
+    return {x} | below
 
 
 def _negative(x):

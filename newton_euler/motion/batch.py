@@ -226,6 +226,8 @@ def _taylor(many, run):
         errors[n] = [error_by_difference(d, ratio, tolerance) for d in apart.tolist()]
         span = run.t0, float(times[-1])
         errors[n] += _clock_errors(system, *span, ends[:, n], p[:, n], sizes[:, n], rtol / 100)
+        if system.traced.narrow:
+            errors[n] += [_unseen(many, run, k, tolerance) for k in np.asarray(n).tolist()]
         return more
 
     calls += compare(chosen)
@@ -238,6 +240,15 @@ def _taylor(many, run):
         calls += compare(rest)
     reported = np.maximum(errors, np.minimum(rtol, REPORTED_SAFETY * errors))
     return Sweep(states, reported, calls)
+
+
+def _unseen(many, run, n, tolerance):
+    """What the series of the motion of this number do not see of the rates, relative to the
+    scales of the states.
+    """
+    one, x0 = many.alone(n)
+    alone = replace(run, system=one, state=x0, samples=None, progress=None)
+    return alone.trajectory(METHODS["taylor"], tolerance).unseen()
 
 
 def _constants(many, system):

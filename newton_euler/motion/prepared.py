@@ -14,6 +14,7 @@ from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .analytic import clocked, hazards, kinks, surprises
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
+from .narrow import narrow_arguments
 from .verified import Verified
 
 _TRACED: dict = {}
@@ -60,6 +61,11 @@ class Traced:
     def hazards(self):
         """See :func:`newton_euler.motion.analytic.hazards`."""
         return hazards(self)
+
+    @cached_property
+    def narrow(self):
+        """See :func:`newton_euler.motion.narrow.narrow_arguments`."""
+        return narrow_arguments(self)
 
 
 class FunctionText:

@@ -110,6 +110,7 @@ class Run:
     own: bool = True  # False: states that are small by cancellation count by their natural sizes
     calls: int = 0
     last: int = 0  # calls of the last trajectory
+    narrow: bool = False  # True if steps of a trajectory had to be repeated
     started: float = field(default_factory=perf_counter)
 
     def by_name(self, name):
@@ -223,9 +224,7 @@ class Run:
 
         def error():
             self.progress, fine = None, trajectory.tolerance
-            return error_by_comparison(
-                self.compared(method, method.other(fine), fine), trajectory, method
-            )
+            return self.error(self.compared(method, method.other(fine), fine), trajectory)
 
         ends = self.t0, self.t1, self.state, trajectory.segments[-1].x1
         if not self.events and known_accurate(self.system, method, self.rtol, *ends):
@@ -265,22 +264,24 @@ class Run:
                 return self.by(METHODS["taylor"])
         for _ in range(MAX_REFINEMENTS):
             trajectory = self.trajectory(method, tolerance, known, scaled)
+            if trajectory.repeated and not before.watched:
+                before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
-            error = max(forced, error_by_comparison(before, trajectory, method))
+            error = max(forced, self.error(before, trajectory))
             if error <= self.rtol or trajectory.failed:
                 break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound
                 before = self.compared(method, 10 * tolerance, tolerance, known, scaled)
-                again = error_by_comparison(before, trajectory, method)
-                error = min(error, max(forced, again))
+                error = min(error, max(forced, self.error(before, trajectory)))
                 break
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
                 before = self.compared(method, method.other(finer), finer, known, scaled)
         if self.rtol < error < tolerance**0.5 and self.irregular(method) and not trajectory.failed:
             agreed, found = self.agreed(method, trajectory, known)
+            found += agreed.unseen()
             if max(forced, found) < error:
                 trajectory, error = agreed, max(forced, found)
         self.system.traced.seconds += perf_counter() - begun
@@ -353,8 +354,9 @@ class Run:
 
     def trajectory(self, method, tolerance, *more):
         """The trajectory at one tolerance."""
-        trajectory = Trajectory(self, method, tolerance, *more)
+        trajectory = Trajectory(self, method, tolerance, *more, watched=True)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
+        self.narrow = self.narrow or trajectory.repeated
         return trajectory
 
     def compared(self, method, tolerance, fine, known=None, scaled=False):
@@ -368,9 +370,16 @@ class Run:
         state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         shifted = replace(self, state=tuple(state))
         samples = SIZE_SAMPLES if method.series else None
-        trajectory = Trajectory(shifted, method, tolerance, known, scaled, samples)
+        more = known, scaled, samples, self.narrow
+        trajectory = Trajectory(shifted, method, tolerance, *more)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
+
+    @staticmethod
+    def error(before, trajectory):
+        """The error of a trajectory by comparison with another one, and by what it has not seen."""
+        known = error_by_comparison(before, trajectory, trajectory.method)
+        return known + trajectory.unseen()
 
     def motion(self, trajectory, method, error):
         """The :class:`~newton_euler.motion.solution.Motion` of a trajectory; raises

@@ -2,6 +2,7 @@
 which the state jumps or the model changes.
 """
 
+from math import inf
 from typing import NamedTuple
 
 from .arguments import start_state
@@ -11,6 +12,7 @@ from .knots import knots
 from .methods.base import SMALLEST_SCALE, Stepper
 from .methods.table import METHODS
 from .model import ModelError
+from .narrow import passage
 from .prepared import prepared_model
 from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 
@@ -18,6 +20,7 @@ from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 # since a search has a fixed cost
 FIRST_STEPS, MAX_STEPS = 8, 128
 MAX_SEGMENTS = 20_000
+MAX_REPEATS = 100  # of the steps between two searches
 # fraction of the whole time: events in faster succession accumulate (Zeno), as the impacts of a
 # ball that comes to rest
 MIN_SEGMENT = 1e-9
@@ -56,9 +59,12 @@ class Trajectory:
         them; None for the first
     scaled : True if the states are divided by their sizes where the method itself does not
     samples : default those of the run
+    watched : True if its steps are to see what is narrow
     """
 
-    def __init__(self, run, method, tolerance, known=None, scaled=False, samples=None):
+    def __init__(
+        self, run, method, tolerance, known=None, scaled=False, samples=None, watched=False
+    ):
         self.method, self.known, self.scaled = method, known, scaled
         self.tolerance = method.rounded(tolerance)
         self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
@@ -66,6 +72,9 @@ class Trajectory:
         self.samples = None if run.events or run.progress else samples
         self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
         self.natural, self.units, self.max_steps = None, (), run.max_steps
+        # what its steps did not see, relative to the scales
+        self.watched, self.missed = watched and not (self.step or method.closed), 0.0
+        self.repeated = False  # True if steps were repeated since they had not seen something
         self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
         while start:
@@ -152,14 +161,14 @@ class Trajectory:
 
         initial : the events with which the segment began
         """
-        if not events and not self.progress:
-            stepper.step()
-            return None
+        watched = self.watched and stepper.resumable and stepper.system.traced.narrow
         locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
-        limit, done = FIRST_STEPS, 0
+        limit, done = FIRST_STEPS if events or self.progress else inf, 0
         while stepper.t < self.goal:
             stepper.step(limit)
-            for n in range(done, len(stepper.step_times) - 1):
+            if watched:
+                self._see(stepper, done, min(limit, MAX_STEPS))
+            for n in range(done, len(stepper.step_times) - 1) if events else ():
                 for found in events_in_step(locators, n):
                     ending = [k for _, k in found if events[k].ends]
                     for t, k in found:
@@ -172,6 +181,27 @@ class Trajectory:
             if self.progress:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
+
+    def _see(self, stepper, first, limit):
+        """Repeat the steps from number ``first`` on that passed over something narrow."""
+        for _ in range(MAX_REPEATS):
+            passed = passage(stepper, first)
+            if not passed:
+                return
+            first, self.repeated = passed.number, True
+            stepper.back_to(first, passed.time)
+            stepper.step(limit)
+        self.missed += passed.size
+
+    def unseen(self):
+        """How much the steps did not see of the rates, relative to the scales of the states."""
+        total = self.missed
+        for system, stepper, *_ in self.segments if self.watched else ():
+            passed = system.traced.narrow and not stepper.resumable and passage(stepper, 0)
+            while passed:
+                total, first = total + passed.size, passed.number + 1
+                passed = first < len(stepper.dense.step_times) - 1 and passage(stepper.dense, first)
+        return total
 
     def _after(self, ending, events):
         """The arguments of the segment that follows the events, or None."""

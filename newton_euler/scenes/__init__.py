@@ -1,5 +1,4 @@
-"""Models of the scenes of the book, and ladders of models, by name in :data:`SCENES` and
-:data:`LADDERS`.
+"""The :data:`SCENES` of the book and :data:`LADDERS` of models, by name.
 
 >>> model, t, start = scene("pendulum").motion
 >>> model.states, t, start

@@ -1,9 +1,7 @@
-"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest that is
-accurate enough.
+"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest that will do.
 
 Rungs may have different states, but the same quantity is *observed*, as the position of a shot. The
-error of a rung is its largest distance from the fullest; it is measured where no model bounds what
-it leaves out.
+error of a rung is its largest distance from the fullest, measured where no bound is known.
 """
 
 import math
@@ -33,8 +31,7 @@ ROUGH, FINEST = 1e-9, 1e-11
 class Rung(Portable):
     """One model of a ladder.
 
-    model : it ``neglects`` what the fuller rungs contain, with bounds of the error against the
-        fullest
+    model : it ``neglects`` what the fuller rungs contain, with bounds of its error
     start : its states at t = 0
     observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the
         unit of the ladder
@@ -54,7 +51,9 @@ class Rung(Portable):
         """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(f"the bounds of {self.name!r} need numbers for parameters, start, t")
+            raise ModelError(
+                f"the bounds of {self.name!r} have no values: give numbers for parameters, start, t"
+            )
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
@@ -238,8 +237,7 @@ def smallest(ladder: Ladder, tolerance: float) -> Choice:
     ``tolerance``, in the ladder's unit.
 
     A rung is accepted if the bound of what it neglects is small enough, or its motion near enough
-    to that of the fullest, whose own bound, if it has one, is added. :class:`ModelError` if none is
-    accepted.
+    to that of the fullest, whose own bound is added. :class:`ModelError` if none is accepted.
 
     >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))

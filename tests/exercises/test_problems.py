@@ -131,3 +131,9 @@ def test_answer_is_the_one_found_by_hand(p, key):
         assert [float(x) for x in found] == pytest.approx(
             [float(x) for x in by_hand], rel=1e-12, abs=1e-9
         )
+
+
+@by_id
+def test_a_mistake_is_worded_in_a_sentence_that_is_read(p):
+    for text in p.mistakes.values():
+        assert len(text.split()) <= 27  # 30 with "in this part"

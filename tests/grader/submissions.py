@@ -10,11 +10,11 @@ from tests.grader.courses import read
 RIGHT = {"ada": 11, "ben": 6, "cleo": 4, "eve": 9, "mallory": 0}
 
 
-def work(course, student, **changed):
+def work(course, student, assignment="ch04", **changed):
     """A right notebook of this student; ``changed`` replaces answer cells, as p4_16="...")."""
-    own = read(course.personal_path("ch04", student))
+    own = read(course.personal_path(assignment, student))
     problems = problems_of(own)
-    values = course.values("ch04", student, problems)
+    values = course.values(assignment, student, problems)
     texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems}
     return sample.fill_in(
         own, {**texts, **{k[1:].replace("_", "/"): v for k, v in changed.items()}}

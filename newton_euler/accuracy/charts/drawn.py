@@ -10,8 +10,7 @@ from ...classroom import show_figure
 @dataclass(frozen=True, eq=False)
 class DrawnChart:
     """A chart that was measured and drawn: its subject ``title``, the ``points`` (of a map, the
-    choices), a ``caption`` that follows from them, the ``table`` that ``print`` writes, and the
-    ``figure``, of matplotlib.
+    choices), a ``caption`` that follows from them, the ``table`` to print, and the ``figure``.
     """
 
     title: str

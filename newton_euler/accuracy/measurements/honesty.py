@@ -148,8 +148,7 @@ class Tally(NamedTuple):
     """How honest one method was. A part or a median of nothing is nan.
 
     runs, refused, failed : how often it was asked, and how often without an answer
-    met, covers : the part of its answers within the tolerance, and of its estimates not below the
-        error
+    met, covers : the part of its answers in the tolerance, and of its estimates not below the error
     ratio, cost : the median of estimate over true error; of the cost, in seconds or relative
     silent : how many answers were wrong by more than ten times both tolerance and estimate
     """

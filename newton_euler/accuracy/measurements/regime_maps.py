@@ -1,5 +1,4 @@
-"""Maps of parameter space: the method to use, or the model that is accurate enough, and theoretical
-borders.
+"""Maps of parameter space: the method to use, or the least model, with theoretical borders.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found.tolist()[0], found[1, 0]

@@ -1,5 +1,4 @@
-"""Work-precision data of the methods of integration on a scene: the time of each, and its error
-against 30 digits.
+"""Work-precision data of the methods on a scene: the time of each, and its error against 30 digits.
 
 >>> found = work_precision("sphere on an incline", (1e-3, 1e-9), ("exact", "dop853", "auto"))
 >>> max(p.error for p in found.points if p.method == "exact") < 1e-13
@@ -36,15 +35,12 @@ STEPPING, CLOSED = "stepping methods", "closed forms"  # the families
 class WorkPrecision:
     """What was measured on one scene. A method that the scene cannot use has no points.
 
-    points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance
-        ``asked`` for
+    points : :class:`~newton_euler.accuracy.Measured`, method by method
     ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
         name)}, measured in turns; not where "auto" takes the exact solution, whose time says
         nothing about methods that step
-    preparing : {method: seconds that its first run took more than the next, to write and compile
-        code}; all imports were made before
-    too_slow, unable : {method: after which run it was not asked for smaller tolerances}, or why it
-        cannot reach them
+    preparing : {method: seconds that its first run took more than the next, to compile code}
+    too_slow, unable : {method: after which run it was left out}, or why it failed
     """
 
     scene: Scene

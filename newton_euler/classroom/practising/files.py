@@ -15,7 +15,7 @@ from ...answers.forms import kind_named
 from ...answers.messages import one_line
 from .programs import OPERATIONS
 
-FORMAT = 2
+FORMAT = 3
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
@@ -99,11 +99,12 @@ QUANTITY = {
 VARIANT = {
     "givens": {str: (NUMBER, str, str)}, "statement": str, "text": str, "solution": str,
     "right": {str: str | int | list}, "wrong": [(int, object)], "terms": {str: [str]},
-    "program": dict | None,
+    "program": dict | None, "slips": [(int, list)],
 }  # fmt: skip
 PAGE = {
     **dict.fromkeys(("id", "title", "section", "chapter", "preamble", "figure"), str),
     "book": bool, "quantities": [QUANTITY], "labels": [(str, str, str, str)], "variants": [VARIANT],
+    "slips": [(str, int, str, str, str)],
 }  # fmt: skip
 PROGRAM = {"operations": [list], "quantities": {str: list}, "earlier": {str: [str]}}
 
@@ -145,11 +146,13 @@ def _is_whole(page):
         and all(set(q) == set(QUANTITY) for q in page["quantities"])
         and not any(kind.is_formula for kind in kinds.values())
         and all(group != "axes" or place.isdecimal() for _, group, place, _ in page["labels"])
-        and all(_is_variant(v, kinds, page["labels"]) for v in page["variants"])
+        and all(_is_variant(v, kinds, page) for v in page["variants"])
     )  # fmt: skip
 
 
-def _is_variant(v, kinds, labels):
+def _is_variant(v, kinds, page):
+    labels, slips = page["labels"], page["slips"]
+
     def is_answer(key, x):
         if kinds[key].is_word:
             return isinstance(x, kinds[key].python_type)
@@ -160,6 +163,8 @@ def _is_variant(v, kinds, labels):
         and all(key in kinds and is_answer(key, x) for key, x in v["right"].items())
         and all(0 <= n < len(labels) and labels[n][0] in kinds and is_answer(labels[n][0], x)
                 for n, x in v["wrong"])
+        and all(0 <= n < len(slips) and slips[n][0] in kinds and is_answer(slips[n][0], x)
+                for n, x in v["slips"])
         and (v["program"] is None or _is_program(v["program"], kinds))
     )  # fmt: skip
 

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from ...answers.causes import Cause
+from ...answers.causes import Cause, computed
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
-from ...answers.perturbed import NO_SLIPS, Perturbed
+from ...answers.near import NO_SLIPS, Ranked, Slips
 from ...answers.tolerance import Points
 from .programs import Program
 
@@ -44,12 +44,12 @@ class Quantity:
 class KeptNumbers:
     """The numbers of one variant of a problem; ``book`` is the variant with the book's."""
 
-    def __init__(self, quantities, labels, variant, book=None):
+    def __init__(self, quantities, labels, variant, book=None, slips=()):
         self.answers = [q for q in quantities if q.key in variant["right"]]
         self._labels, self._variant, self._book = labels, variant, book
         self.program = Program(variant["program"])
         self.tried: Collection[str] = ()
-        self.slips = NO_SLIPS
+        self.slips = KeptSlips(slips, variant.get("slips", ()))
         self.symbols: dict[str, Any] = {}  # all is numbers in practice
 
     @cached_property
@@ -88,7 +88,7 @@ class KeptNumbers:
                 seen.add(name)
                 yield from self._tried_before(name, seen)
 
-    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Perturbed:
+    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
         """No slips: the computation of later quantities from earlier ones is one of numbers."""
         return NO_SLIPS
 
@@ -98,6 +98,28 @@ class KeptNumbers:
             return None
         found = self.program.following(key, {name: x[0] for name, x in earlier.items()})
         return (found,) if found else None
+
+
+class KeptSlips(Slips):
+    """The slips of one variant: ``labels`` of all, [key, rank, name, text, where], and the numbers
+    that these make, [place among the labels, numbers].
+    """
+
+    def __init__(self, labels, kept):
+        self._found: dict[str, list] = {}
+        for n, numbers in kept:
+            key, rank, name, text, where = labels[n]
+            slip = rank, computed(name, text).at(where)
+            self._found.setdefault(key, []).append((slip, numbers))
+
+    def of_answer(self, key: str) -> tuple[Ranked, Any] | None:
+        """As for :class:`~newton_euler.answers.near.Slips`."""
+        import numpy as np
+
+        if key not in self._found:
+            return None
+        slips, numbers = zip(*self._found[key], strict=True)
+        return Ranked(slips), np.array(numbers, float)[:, None]
 
 
 def _points(right):

@@ -70,7 +70,8 @@ class PracticeProblem:
         variants = self._page["variants"]
         self._variant = variants[number]
         book = variants[0] if number and self._page["book"] else None
-        self._numbers = KeptNumbers(self._all, self._page["labels"], self._variant, book)
+        labels, slips = self._page["labels"], self._page["slips"]
+        self._numbers = KeptNumbers(self._all, labels, self._variant, book, slips)
         self._asked = {q.key: q for q in self._numbers.answers}
         self._found: dict[str, Any] = {}
         self._trees: dict[str, Any] = {}

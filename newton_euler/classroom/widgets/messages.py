@@ -8,8 +8,7 @@ from ...algebra.errors import ArgumentError, checked
 
 @checked
 def error_message(f: Callable[[], object], width: int = 100) -> str:
-    """The error that ``f()`` raises, as text in lines of ``width``; AssertionError if it raises
-    none.
+    """The error that ``f()`` raises, as text in lines of ``width``; AssertionError if none.
 
     >>> print(error_message(lambda: 1/0))
     ZeroDivisionError: division by zero

@@ -24,11 +24,8 @@ def route(stops, turns=None):
     turned = [n for n, stop in enumerate(stops) if isinstance(stop, Pulley)]
     closed = len(stops) > 2 and stops[0] is stops[-1] and 0 in turned
     free = turned[: len(turned) - closed]
-    if turns is not None and not (
-        isinstance(turns, (list, tuple))
-        and len(turns) == len(free)
-        and all(n in (1, -1) for n in turns)
-    ):
+    listed = isinstance(turns, (list, tuple)) and len(turns) == len(free)
+    if turns is not None and not (listed and all(n in (1, -1) for n in turns)):
         raise FrameError(
             f"turns is for each of the {len(free)} pulleys on the way 1 or -1, right-handed about "
             f"its normal or left-handed; got {turns!r}"

@@ -25,8 +25,7 @@ class Solids(Recorder):
         hole: float = 0,
     ) -> None:
         """Draw a disk about C, ``thickness`` metres thick, with a round ``hole`` of this radius.
-        ``spoke``: a place on its rim to which a line from C is drawn; it shows how the disk has
-        turned.
+        ``spoke``: a place on its rim to which a line shows how the disk has turned.
         """
         C, normal, r = self._place(C), self._unit(normal), self._length(radius)
         thickness, hole = self._or_default(thickness) or 0.0, self._bore(hole, r)

@@ -25,8 +25,7 @@ class Vectors(Recorder):
     ) -> None:
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
-        labels : three, as a string or a list, or "" for arrows without; an axis with the label ""
-            is left out
+        labels : three, as a string or a list, or "" for none; an axis labelled "" is left out
         moved : True for the axes of a frame that moves, which are brown and dashed; fixed ones are
             black. By default those of every frame but the ground of the sketch.
         """
@@ -51,8 +50,7 @@ class Vectors(Recorder):
     ) -> None:
         """Draw an arrow from P along ``v``; a dot if ``v`` is zero beside the longest of its kind.
         That is 62 points long (``Sketch(…, arrows=62)``), the others in proportion, but no shorter
-        than a quarter of it, unless the figure moves. For an arrow to the scale of the bodies, see
-        :meth:`arrow`.
+        than a quarter of it, unless the figure moves. To the scale of the bodies: :meth:`arrow`.
 
         kind : velocity, acceleration, rate, force or plain, which sets the colour
         size : a unit, as "m/s", with which the magnitude is written after the label

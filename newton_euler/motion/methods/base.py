@@ -51,12 +51,18 @@ class Stepper:
         that does not keep its steps
     most_steps : the most steps of one motion
 
+    resumable : True if the method can go back to one of its steps
+    repeated : True if it has gone back
+    taken : the number of steps where not all of them are kept
+
     A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
     at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of
     times inside step n as an array (states, times).
     """
 
     most_steps = MAX_STEPS
+
+    resumable, repeated, taken = False, False, 0
 
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
@@ -77,6 +83,22 @@ class Stepper:
         there; None for a method that has no such run.
         """
         return
+
+    @property
+    def dense(self):
+        """The same run with all of its steps."""
+        return self
+
+    def back_to(self, n, stop):
+        """Go back to the beginning of step ``n``, and stop at this time."""
+        size = len(self.x)
+        self.t, self.x, self.repeated = self.step_times[n], tuple(self.steps[n][-size:]), True
+        seen = [self.floors, *(map(abs, s[-size:]) for s in self.steps[: n + 1])]
+        self.scales = tuple(map(max, *seen))
+        del self.steps[n:], self.step_times[n + 1 :]
+        self.checked = min(self.checked, n)
+        self.stops = tuple(sorted({stop, *(t for t in self.stops if t > self.t)}))
+        self.resume()
 
     def next_stop(self):
         """The time at which the next step must end at the latest."""

@@ -124,6 +124,8 @@ def _row(i):
 class Dop853(Stepper):
     """A run of DOP853; each of its ``steps`` is (time, length, *state)."""
 
+    resumable = True
+
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         system, step, span = self.system, trajectory.step, self.goal - self.t
@@ -142,6 +144,11 @@ class Dop853(Stepper):
         # at the least what changes the time
         self.hmax = step or max(trajectory.longest_part * span, 1e-13 * abs(self.goal))
         self.h = min(step or self.h, self.hmax)
+
+    def resume(self):
+        """Continue from the present state, see ``back_to``."""
+        self.rates, self._kept = self.system.rates(self.t, self.x), (None, None)
+        self.calls += 1
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""

@@ -10,6 +10,8 @@ class SciPy(Stepper):
     times as fast as on NumPy's (measured).
     """
 
+    resumable = True
+
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         step = trajectory.step
@@ -25,6 +27,10 @@ class SciPy(Stepper):
         if not isfinite(sum(self.system.rates(self.t, self.x))):
             raise StepError("the rates are not finite")
         self.solver, self.calls_before = self._from_here(), 1
+
+    def resume(self):
+        """Continue from the present state, see ``back_to``."""
+        self.solver, self.calls_before = self._from_here(), self.calls
 
     def _from_here(self):
         """SciPy's solver from the present state to the next stop."""

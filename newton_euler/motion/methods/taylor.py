@@ -275,16 +275,31 @@ class Taylor(Stepper):
         times = np.asarray(times, dtype=float)
         if self.kept and np.array_equal(times, self.kept[0]):
             return self.kept[1].copy()
-        if self.series or len(self.step_times) < 2:
+        if self.series:
+            return self._polynomials(times)
+        if len(self.step_times) < 2:
             return super().states(times)
         enough = len(times) > 1 or self.taken > FEW_STEPS
         increasing = enough and not self.stops and np.all(np.diff(times) > 0)
         found = self._grid(times) if increasing else None
         return self.dense.states(times) if found is None else found
 
+    def _polynomials(self, times):
+        """The states at an array of times by the series of the steps."""
+        import numpy as np
+
+        n = np.searchsorted(self.step_times[1:-1], times, side="right")
+        u, out = times - np.array(self.step_times)[n], 0.0
+        # an array (order, states, times) of coefficients, the highest first
+        for row in np.array(self.series)[n].T[::-1]:
+            out = out * u + row
+        return out
+
     @cached_property
     def dense(self):
         """The same run step by step; a copy, since several threads may need it at once."""
+        if self.series:
+            return self
         dense = copy(self)
         dense._begin_again()
         dense._by_steps(inf)

@@ -41,8 +41,7 @@ def integrated_square(v, a, t):
 
 
 def oscillation(x, v, square, t, damping=ZERO):
-    """x and its rate at the time t if x'' = -square x - damping x', from x and v at t = 0; square >
-    (damping/2)^2.
+    """x and its rate at the time t if x'' = -square x - damping x'; square > (damping/2)^2.
 
     >>> [round(q, 9) for q in oscillation(1.0, 0.0, 4.0, 0.25)]  # cos(2 t), -2 sin(2 t)
     [0.877582562, -0.958851077]
@@ -78,8 +77,7 @@ def growth(n, t):
 
 
 def circular_or_hyperbolic(square, t):
-    """cos(n t) and sin(n t)/n with n^2 = ``square``, which may also be negative or zero; for
-    numbers and traced values.
+    """cos(n t) and sin(n t)/n with n^2 = ``square``of any sign; for numbers and traced values.
 
     >>> circular_or_hyperbolic(0.0, 3.0)
     (1.0, 3.0)

@@ -1,5 +1,4 @@
-"""An aircraft as a particle over a ground taken as inertial: in a vertical plane (6.3), in space
-(6.12).
+"""An aircraft as a particle over inertial ground: in a vertical plane (6.3), in space (6.12).
 
 Thrust acts along the velocity, drag against it, lift normal to it and, in a coordinated turn,
 tilted by the *bank* angle to the right; each, and the bank, is a number or a law ``(s, p, t)``. The
@@ -34,8 +33,7 @@ def vertical_flight(
     lift: Scalar | Callable = 0,
 ) -> Model:  # fmt: skip
     """The Model of flight in a vertical plane (6.3): states v, gamma, x, y (y up). Without thrust
-    and drag the energy over mass is an invariant; without lift as well the parabola is its exact
-    solution.
+    and drag the energy over mass is an invariant; without lift as well it is a parabola.
 
     >>> plane = vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62)
     >>> plane.derivative((50.0, 0.0, 0.0, 100.0))
@@ -79,8 +77,7 @@ def ladder(
     """The models of a flight at fixed controls, for the position (m) until ``t``: straight, in a
     level turn (none without bank), in a vertical plane, in space.
 
-    lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All
-        are numbers.
+    lift, drag : numbers, force over speed squared, kg/m; start : v, chi, gamma, x, y, h.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (200.0, 50.0, 1.0)]

@@ -36,8 +36,7 @@ def car(
     m, wheel_mass : mass of the whole car, wheels included, and of each wheel
     gyration, radius : of each wheel; gyration is its radius of gyration about the axle
     air : the drag over the square of the speed, rho C_D A/2, kg/m
-    force, slope : the force at the wheels and the inclination of the road (rad, positive uphill);
-        numbers, or laws (s, p, t)
+    force, slope : at the wheels, and of the road (rad, positive uphill); numbers, or laws (s, p, t)
 
     >>> car(1000.0, 50.0, 0.3, 0.3, 0.5, 10.0, force=1250.0, slope=0.0).derivative((0.0, 10.0))
     (10.0, 1.0)
@@ -51,8 +50,7 @@ def ladder(
     air: Scalar = 0.4, g: Scalar = 9.81, force: Scalar = 2500.0, slope: Scalar = 0.08,
     start: tuple[Scalar, ...] = (0.0, 10.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models of one start, for the distance (m) until ``t``: a particle, on wheels, against the
-    air.
+    """The models of one start, for the distance (m) until ``t``: particle, wheels, air.
 
     start : s, v; the rest are numbers, as for :func:`car`.
     Raises :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``.

@@ -20,8 +20,7 @@ PLACE = "place in plan, m"
 
 
 def any_swing(length: Scalar, g: Scalar) -> Model:
-    """The Model for an Earth at rest, with swings of any size below the level of the support:
-    states x, y, dx, dy.
+    """The Model for an Earth at rest, with swings of any size: states x, y, dx, dy.
 
     >>> # -g sin(theta) cos(theta)
     >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)
@@ -57,10 +56,8 @@ def ladder(
     ["Foucault's pendulum, small swings, Earth at rest", "Foucault's pendulum"]
     """
     name = "Foucault's pendulum, small swings"
-    still, turned = (
-        air_near_low(0, g / length, rate=0),
-        air_near_low(latitude, g / length, rate=rate),
-    )
+    still = air_near_low(0, g / length, rate=0)
+    turned = air_near_low(latitude, g / length, rate=rate)
     still = replace(still, name=f"{name}, Earth at rest", neglects=(SIZE, ROTATION))
     turned = replace(turned, name=name, neglects=(SIZE,))
     models = still, turned, any_swing(length, g), full(length, g, latitude, rate, radius)

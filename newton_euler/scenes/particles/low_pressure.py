@@ -1,5 +1,4 @@
-"""Horizontal motion of air near a centre of low pressure (6.11), where it turns counterclockwise in
-the northern hemisphere.
+"""Horizontal motion of air near a centre of low pressure (6.11), counterclockwise in the north.
 
 x east, y north, at one latitude. The pressure grows with the square of the distance from the
 centre; ``pressure_gradient`` is its gradient over density and distance, 1/s^2. With g/length for it
@@ -38,11 +37,9 @@ def air_near_low(
     rate: Scalar = EARTH_RATE,
 ) -> Model:  # fmt: skip
     """The Model of a parcel of air (6.33): states x, y from the centre, and dx, dy, seen from the
-    ground. Without friction, energy and absolute angular momentum are invariants, and there is an
-    exact solution.
+    ground. Without friction, energy and absolute angular momentum are invariants; exact.
 
-    pressure_gradient : inward acceleration over distance; 0 for air that moves in circles, by the
-        Coriolis acceleration alone
+    pressure_gradient : inward acceleration over distance; 0 for air that moves in circles
     friction : deceleration over speed, 1/s
 
     >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
@@ -62,8 +59,7 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of one parcel of air: the Earth at rest, rotating, and friction as well.
 
-    pressure_gradient, friction : numbers, the first above 0, the second not negative; start : x, y,
-        dx, dy in m and m/s
+    pressure_gradient, friction : above 0, not negative; start : x, y, dx, dy in m and m/s
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]

@@ -44,8 +44,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 )  # fmt: skip
 def orbit(mu: Scalar) -> Model:
     """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
-    over mass, and the Laplace vector, of the size of the eccentricity, towards the closest
-    approach.
+    over mass, and the Laplace vector(the eccentricity, towards the closest point).
 
     mu : the constant of the attraction mu/r^2, m^3/s^2
     The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at
@@ -198,8 +197,7 @@ def ladder(
     mu: Scalar = EARTH_GM, oblateness: Scalar = EARTH_OBLATENESS,
     start: tuple[Scalar, ...] = (7e6, 0.0, 0.0, 7.6e3), t: Scalar = 30_000.0,
 ) -> Ladder:  # fmt: skip
-    """The models circle, ellipse and oblate Earth, for the position from the ``start`` x, y, v_x,
-    v_y.
+    """The models circle, ellipse and oblate Earth, for the position from x, y, v_x, v_y.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]

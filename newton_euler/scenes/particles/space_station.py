@@ -20,8 +20,7 @@ CREEP = 0.01  # m/s, small against any throw, so that the drag has a derivative 
 
 
 def station_rate(g: Scalar, radius: Scalar) -> Scalar:
-    """The rate of rotation sqrt(g/radius), rad/s, at which a body at the rim has its weight on the
-    Earth.
+    """The rate sqrt(g/radius), rad/s, at which a body at the rim has its weight on the Earth.
 
     >>> round(station_rate(9.81, 100.0)*60/6.2832, 2)  # turns a minute
     2.99
@@ -45,13 +44,10 @@ def free_body(omega: Scalar) -> Model:
 
 
 def body_in_air(omega: Scalar, air: Scalar, creep: Scalar = CREEP) -> Model:
-    """The Model of a body in the air, which rotates with the station; states as for
-    :func:`free_body`.
+    """The Model of :func:`free_body` in the air, which rotates with the station.
 
-    air : rho C_D A/(2 m), 1/m: the drag over the mass is that times the square of the speed seen
-        there
-    creep : a speed, m/s, well below which the drag is proportional to the speed, so that a body may
-        start at rest
+    air : rho C_D A/(2 m), 1/m: drag over mass and square of the speed seen there
+    creep : a speed, m/s, well below which the drag is linear, so that a body may start at rest
 
     >>> # 0.25 against the velocity
     >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))
@@ -67,8 +63,7 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of a throw near (radius, 0) at the rim: uniform gravity, the turning station, air.
 
-    omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before
-        the body reaches it.
+    omega : not zero; start : x, y, dx, dy in m and m/s. t : before it is at the floor.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1)]

@@ -48,8 +48,7 @@ def swing_out(
 ) -> Scalar:
     """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g
     d/((I_n - I_r) omega^2)), (10.31) with I = 0. Raises
-    :class:`~newton_euler.applications.gyroscopes.GyroError` for a lower rate: then it hangs
-    straight down.
+    :class:`.GyroError` for a lower rate: then it hangs straight down.
 
     >>> round(swing_out(**rod(3.0, 2.0, 4.0, 9.81)), 6)
     1.092977
@@ -107,8 +106,7 @@ def on_free_shaft(
     ``theta``: states as for :func:`hinged`. The angle of the shaft is cyclic, so that the angular
     ``momentum`` about the vertical is a parameter.
 
-    shaft : moment of inertia about the vertical of all that rotates, for theta = 0; the larger it
-        is, the more even the rate
+    shaft : moment of inertia about the vertical of all that rotates, for theta = 0
 
     >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
     (1.0, 0.0)
@@ -128,10 +126,8 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of the thin rod, for theta (rad) until ``t``: small swings, any, a shaft let go.
 
-    omega, shaft : rate of the shaft at the start, and its moment of inertia; start : theta,
-        theta_rate
-    Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small
-    swings are not harmonic.
+    omega, shaft : the first rate of the shaft, and its inertia; start : theta, theta_rate
+    Raises :class:`.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]

@@ -1,6 +1,5 @@
 """A rigid body that swings about a level axis: the physical pendulum (11.17). m mass, I moment of
-inertia about the parallel to the axis through G, l distance of G from the axis, theta from the
-downward vertical.
+inertia about the parallel to the axis through G, l distance of G from the axis, theta from below.
 """
 
 import math

@@ -34,8 +34,7 @@ def rolling_down(slope: Scalar, g: Scalar, k: Scalar | None = None) -> Model:
 
 
 def rolling_in_air(slope: Scalar, g: Scalar, air: Scalar, k: Scalar | None = None) -> Model:
-    """The Model of rolling down against a drag ``air`` m v^2; air (1/m) is rho C_D A/(2 m); v is
-    not negative.
+    """The Model of rolling down against a drag ``air`` m v^2; air (1/m) is rho C_D A/(2 m); v >= 0.
 
     The closed form (1 + k)/air log(cosh(n t) + ...) is not used: with little air it is the
     logarithm of almost 1, in which all digits cancel.
@@ -57,8 +56,7 @@ def ladder(
 ) -> Ladder:  # fmt: skip
     """The models of one run, for the distance (m) until ``t``: a sliding block, rolling, in air.
 
-    air : not negative; start : x, v; :class:`~newton_euler.motion.model.ModelError` if it goes
-        uphill
+    air : not negative; start : x, v; :class:`.ModelError` if it goes uphill
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (20.0, 1.0, 0.01)]

@@ -26,8 +26,7 @@ def turning_rotor(
 ) -> Model:
     """The Model of the rotation under a moment M about the shaft (9.10): states psi and omega.
 
-    x, y, I : coordinates of G in the body's axes; about the shaft; moment : a number or a law (s,
-        p, t)
+    x, y, I : of G in the body; about the shaft; moment : a number or a law (s, p, t)
 
     >>> turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=1.0).derivative((0.0, 3.0))
     (3.0, 2.0)

@@ -1,5 +1,4 @@
-"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact, next to the
-separatrix too.
+"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact everywhere.
 
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is
 Jacobi's: with b the intermediate axis and a the one that the motion circles, w_a is a dn, w_b a sn,
@@ -129,8 +128,7 @@ def ladder(
     I_x: Scalar = 1.0, I_y: Scalar = 1.02, I_z: Scalar = 1.5,
     start: tuple[Scalar, ...] = (0.1, 0.0, 5.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
-    """The models symmetric body, small wobble and free body, for w_x, w_y, w_z, which are the
-    start.
+    """The models symmetric body, small wobble and free body, for w_x, w_y, w_z.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]

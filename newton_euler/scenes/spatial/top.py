@@ -2,8 +2,7 @@
 alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a fast top, :func:`euler` for
 psi and phi off the vertical; and the free symmetric body (10.8).
 
-I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, constant,
-is a parameter.
+Symbols as in :mod:`newton_euler.applications.gyroscopes`; the parameter ``omega_z`` is constant.
 """
 
 from dataclasses import replace
@@ -194,11 +193,8 @@ def _attitude_rates(s, p, t):
     q0, q1, q2, q3 = q = _q(s)
     pull, rate = 2 * p.mgr / p.I0, (p.I - p.I0) / p.I0 * p.omega_z
     turning = quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
-    return (
-        *turning,
-        pull * (q2 * q3 + q0 * q1) - rate * s.w_y,
-        rate * s.w_x - pull * (q1 * q3 - q0 * q2),
-    )
+    x, y = pull * (q1 * q3 - q0 * q2), pull * (q2 * q3 + q0 * q1)
+    return *turning, y - rate * s.w_y, rate * s.w_x - x
 
 
 @scene(

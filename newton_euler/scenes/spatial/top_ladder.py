@@ -29,8 +29,7 @@ RATES = "w_x", "w_y", "w_z"
 
 
 def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) -> Model:
-    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z), at a constant theta:
-    state psi.
+    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z), for a theta: state psi.
 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)

@@ -7,8 +7,9 @@ import pytest
 
 from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw, flat
+from grader.assignment.lines import TOO_LONG, lines
 from grader.assignment.notebook import typeset
-from grader.assignment.solution import TOO_LONG, lines, worked_solution
+from grader.assignment.solution import worked_solution
 from grader.assignment.spelled import typeset_formulas
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import unit

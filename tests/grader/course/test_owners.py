@@ -45,6 +45,8 @@ HONEST = {
     "Ann Lee - ch04.ipynb": "s1234567",
     "eve_ch04_final.ipynb": "eve",
     "eve (1).ipynb": "eve",
+    "4711_ch04.ipynb": "ada",
+    "Homework 3/4711/ch04.ipynb": "ada",
     "2026-05-01 eve.ipynb": "eve",
     "daniel.g@uni.edu/ch04.ipynb": "dan",
     "submitted/eve/ch04/ch04.ipynb": "eve",
@@ -70,6 +72,8 @@ STRANGERS = [
     "12-34 - Zoe Quinn - Oct 3, 2026 1122 PM/ada.ipynb", f"Zoe Quinn{MOODLE}ada.ipynb",
     f"Zoe Quinn{MOODLE}ada/ch04.ipynb", "quinnzoe_99_100_ch04_ada.ipynb", "quinnzoe_99_100_4711.ipynb",
     "zoe/ada.ipynb", "x_2_ch04_ben.ipynb",
+    f"Eve Final{MOODLE}ch04.ipynb", "Late, Eve(zoe)/Submission attachment(s)/ch04.ipynb",
+    "ch04_zoe_attempt_2026-05-01-10-11-12_lovelaceada_4711_2_ch04.ipynb",
 ]  # fmt: skip
 
 
@@ -82,6 +86,16 @@ def test_the_work_of_a_stranger_is_given_to_nobody(stranger, others):
     """Also where a name or number of theirs is that of a student, or they name files after one."""
     found = dict(zip([stranger, *others], owned([stranger, *others]), strict=True))
     assert found == {stranger: ""} | {name: name[:3].lower() for name in others}
+
+
+@pytest.mark.parametrize("name", [
+    f"May Final{MOODLE}ch04.ipynb", "finalmay_5_98_ch04.ipynb", "Final, May(late)/ch04.ipynb",
+    "12-34 - May Final - Oct 3, 2026 1122 PM/ch04.ipynb", "late/ch04.ipynb",
+    "ch04_late_attempt_2026-05-01-10-11-12_work.ipynb",
+])  # fmt: skip
+def test_a_student_whose_name_is_a_common_word_is_found_where_a_platform_names_who_it_is(name):
+    student = Person.read(Student(id="late", first_name="May", last_name="Final"))
+    assert owners([name], "ch04", {"late": student}) == {name: ["late"]}
 
 
 def test_a_title_in_all_names_and_a_folder_around_all_are_nobodys():

@@ -78,7 +78,9 @@ def test_a_clock_set_back_does_not_lock_a_student_out(clock):
 
 
 def test_a_seal_of_another_version_says_nothing():
+    """As in copies that were handed out before an update."""
     assert check({"salt": "00", "size": 1, "hashes": ["a"]}, NUMBER, 2.5) is None
+    assert check({"salt": "00", "hashes": ["a"]}, KINDS["choice"], "stable") is None
 
 
 def test_the_receipt_says_how_long_to_wait_and_keeps_the_count(clock, monkeypatch):

@@ -11,7 +11,8 @@ from newton_euler.algebra.units import SI
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.formulas import Formulas, Traced
 from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.perturbed import NO_SLIPS, Computation, Perturbed
+from newton_euler.answers.near import NO_SLIPS
+from newton_euler.answers.perturbed import Computation, Perturbed
 
 UNITS = {"m": "kg", "g": "m/s^2", "s": "mm", "d": "mm", "alpha": "deg", "v": "km/h", "b": "m"}
 GIVEN = {"m": 2.3, "g": 9.81, "s": 0.71, "d": 0.26, "alpha": 0.61, "v": 3.1, "b": 1.7}

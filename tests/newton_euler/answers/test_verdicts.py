@@ -7,7 +7,7 @@ import pytest
 from newton_euler.answers.causes import BOOK, answer_to, follows, listed
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.perturbed import NO_SLIPS
+from newton_euler.answers.near import NO_SLIPS
 from newton_euler.answers.verdicts import explain, judge, value_line
 
 

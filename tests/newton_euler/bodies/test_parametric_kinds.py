@@ -86,7 +86,7 @@ def test_floats_arrays_and_traced_numbers(case):
         assert close(run(*many), by_hand(*many), 1e-13)
 
 
-@pytest.mark.parametrize("case", ["half disk", "plate"])
+@pytest.mark.parametrize("case", [pytest.param("half disk", marks=pytest.mark.slow), "plate"])
 def test_fifty_digits(case):
     body, by_hand, given = CASES[case]
     with mpmath.mp.workdps(50):

@@ -3,6 +3,7 @@
 import itertools
 import math
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -500,7 +501,7 @@ def test_a_series_that_is_not_accurate_is_calibrated_and_vouches_for_nothing(mon
 
 @needs_heyoka
 def test_a_series_that_stops_is_refused():
-    one = run(FALL, 1.0, (1.0,))
+    one = run(replace(FALL), 1.0, (1.0,))
     with pytest.raises(MotionError, match="could not be followed beyond"):
         one.by_name("taylor")
     assert not one.system.verified.runs

@@ -1,0 +1,24 @@
+"""The equations that steps and answers cite, as the book writes and numbers them."""
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from .model import Problem
+
+
+@cache
+def book_equations() -> Mapping[str, Any]:
+    """The equations that are cited, as the book writes them: {number: LaTeX}."""
+    return tomllib.loads(Path(__file__).with_suffix(".toml").read_text())
+
+
+def own_number(number: str, p: Problem) -> str:
+    """An equation of the engine as the chapter of ``p`` numbers it, "" if it comes later."""
+    order = ("A", *map(str, range(2, 12)))
+    chapter = p.id.partition("/")[0]
+    if order.index(number.partition(".")[0]) <= order.index(chapter):
+        return number
+    return book_equations()["own"].get(chapter, {}).get(number, "")

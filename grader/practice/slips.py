@@ -1,0 +1,31 @@
+"""What simple slips in the computation make of the answers, as numbers for a practice file."""
+
+import math
+
+from newton_euler.answers.formulas import RARER
+from newton_euler.answers.kinds import KINDS
+
+from ..scoring.computation import perturbed
+
+
+def slip_numbers(p, values, described, right):
+    """[(key, rank, cause, numbers)] of the slips in the answers that are at most as rare as
+    :data:`RARER`; of those with the same words and numbers, the first. The formulas themselves are
+    not in it: they would give the answers for other numbers.
+    """
+    slips, found = perturbed(p, values), {}
+    for q in described:
+        of_answer = None if q["step"] or KINDS[q["kind"]].is_word else slips.of_answer(q["key"])
+        if of_answer is None:
+            continue
+        ranked, rows = of_answer
+        for (rank, cause), row in zip(ranked.slips, rows[:, 0].tolist(), strict=True):
+            if rank <= RARER and _differs(row, right[q["key"]]):
+                same = q["key"], cause.text, *(f"{x:.6g}" for x in row)
+                found.setdefault(same, (q["key"], rank, cause, row))
+    return list(found.values())
+
+
+def _differs(row, right):
+    gap = math.dist(row, right)
+    return math.isfinite(gap) and gap > 0.02 * math.hypot(*right)

@@ -1,0 +1,49 @@
+"""Slips in the computation, named in practice."""
+
+import json
+import zipfile
+
+import pytest
+
+from exercises.catalogue import problem
+from grader.scoring import score_receipt
+from grader.scoring.computation import perturbed
+from newton_euler.answers.formulas import SIMPLE
+from newton_euler.classroom import practice
+
+
+def simple_slips(name, values):
+    """(answer, wrong number) of the simplest slips in the answers that are numbers."""
+    slips = perturbed(problem(name), values)
+    for a in problem(name).answers:
+        if a.kind.length == 1 and not a.kind.is_word:
+            ranked, rows = slips.of_answer(a.key)
+            for (rank, _), ((x,),) in zip(ranked.slips, rows.tolist(), strict=True):
+                if rank == SIMPLE and abs(x) > 1e-6:
+                    yield a.key, x
+
+
+@pytest.mark.parametrize("name", ["2/18", "4/1"])
+def test_a_simple_slip_is_named_as_in_grading(practice_file, name):
+    p = practice(practice_file, progress=None)[name].new()
+    named = 0
+    for key, x in simple_slips(name, p.givens):
+        parts = score_receipt(problem(name), p.givens, {"answers": {key: x}}).parts
+        graded = next(part for part in parts if part.key == key)
+        p.forget()
+        checked = p.check(**{key: x}).explained[key]
+        named += bool(graded.causes)
+        # a rarer slip that gives the same numbers is not in the file
+        assert {c.name for c in checked} <= {c.name for c in graded.causes} or not graded.causes
+        assert checked or all(c.group not in ("listed", "computed") for c in graded.causes)
+    assert named > 2
+
+
+def test_a_file_holds_what_slips_give_and_not_the_formulas(practice_file):
+    with zipfile.ZipFile(practice_file) as archive:
+        page = json.loads(archive.read("2-18.json"))
+    assert page["slips"]
+    for variant in page["variants"]:
+        for place, numbers in variant["slips"]:
+            assert 0 <= place < len(page["slips"])
+            assert all(isinstance(x, float) for x in numbers)

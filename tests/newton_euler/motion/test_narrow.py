@@ -1,0 +1,130 @@
+"""Brakes of a millimetre and blows of a millisecond: the speed that they take is known exactly."""
+
+import importlib.util
+import math
+from contextlib import suppress
+
+import numpy as np
+import pytest
+
+from newton_euler import Model, cos, exp, sin, sqrt, tanh, where
+from newton_euler.motion import AccuracyError, integrate, prepare, second_order
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion.prepared import prepared_model
+from newton_euler.motion.run import Run
+from newton_euler.motion.trajectory import Trajectory
+
+needs_heyoka = pytest.mark.skipif(
+    importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed"
+)
+# what each takes of the speed, over its strength and its width
+BRAKES = {
+    "gauss": (lambda z: exp(-z * z), math.sqrt(math.pi)),
+    "quotient": (lambda z: 1 / (1 + z * z) ** 4, 5 * math.pi / 16),
+    "slope of tanh": (lambda z: 1 - tanh(z) * tanh(z), 2.0),
+    "edges": (lambda z: where(z < 0, 0.0, where(z > 1, 0.0, 1.0)), 1.0),
+    "tent": (lambda z: (abs(z + 1) + abs(z - 1) - 2 * abs(z)) / 2, 1.0),
+}
+
+
+def brake(kind, w, speed=1.0, taken=0.2):
+    """A way of 10 m with a brake at 5.3 m, and the speed after it."""
+    shape, area = BRAKES[kind]
+    parameters = {"A": taken / (w * area), "w": w, "c": 5.3}
+    drag = lambda s, p, t: (-p.A * shape((s.x - p.c) / p.w) * s.dx,)
+    return second_order(f"brake, {kind}", parameters, ("x",), drag), speed - taken
+
+
+def error_at(kind, width, method, rtol, speed=1.0):
+    """The error of the speed after a brake, over the speed, and what is told of it."""
+    model, after = brake(kind, width, speed)
+    motion = integrate(model, 11.0, (0.0, speed), rtol, method)
+    return abs(motion.end["dx"] - after) / speed, motion.error
+
+
+@pytest.mark.parametrize("width", [1e-6, 1e-3, 0.05])
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6])
+@pytest.mark.parametrize("kind", BRAKES)
+def test_a_brake_is_seen_however_narrow_it_is(kind, rtol, width):
+    error, told = error_at(kind, width, "auto", rtol)
+    assert error <= told <= rtol
+
+
+@pytest.mark.parametrize("method", ["dop853", "scipy RK45", "scipy DOP853"])
+@pytest.mark.parametrize("kind", ["gauss", "tent"])
+def test_every_runge_kutta_method_sees_it(kind, method):
+    error, told = error_at(kind, 1e-3, method, 1e-4)
+    assert error <= told <= 1e-4
+
+
+@pytest.mark.parametrize("kind", ["gauss", "quotient", "edges"])
+def test_it_is_seen_wherever_in_a_step_it_lies(kind):
+    speeds = np.linspace(1.0, 1.1, 60).tolist()
+    errors = [error_at(kind, 1e-3, "dop853", 1e-4, speed)[0] for speed in speeds]
+    assert max(errors) < 2e-4  # unseen it is 0.2
+    assert sum(error > 1e-4 for error in errors) <= 1
+
+
+@needs_heyoka
+@pytest.mark.parametrize("kind", ["gauss", "quotient", "slope of tanh"])
+def test_a_series_sees_it_or_is_refused(kind):
+    model, after = brake(kind, 1e-3)
+    with suppress(AccuracyError):
+        assert abs(integrate(model, 11.0, (0.0, 1.0), 1e-6, "taylor").end["dx"] - after) < 1e-6
+    assert abs(prepare(model, 1e-6)(11.0, (0.0, 1.0))[1] - after) < 1e-6
+    many = integrate(model, 11.0, (0.0, np.linspace(1.0, 1.1, 70)), 1e-6)
+    assert abs(many.states["dx"][:, -1] - many.states["dx"][:, 0] + 0.2).max() < 1e-6
+
+
+def test_each_of_many_passages_is_seen():
+    """A wheel that is braked at one angle in every turn, a dozen times."""
+    w, lost = 1e-3, 0.01
+    model = second_order(
+        "wheel",
+        {"w": w, "A": lost / (w * math.sqrt(2 * math.pi))},
+        ("theta",),
+        lambda s, p, t: (-p.A * exp((cos(s.theta - 2.0) - 1) / (p.w * p.w)) * s.dtheta,),
+    )
+    motion = integrate(model, 2 * math.pi * 13, (0.0, 1.0), 1e-6)
+    turns = (motion.end["theta"] - 2.0) // (2 * math.pi) + 1
+    assert turns > 10
+    assert motion.end["dtheta"] == pytest.approx(1 - lost * turns, rel=2e-4)
+
+
+def test_a_blow_beside_a_sine_and_a_clock_that_is_a_state():
+    blow = lambda c, p: sin(c) + 0.5 / p.w * exp(-(((c - p.tp) / p.w) ** 2))
+    rates = lambda s, p, t: (blow(s.c, p), 1 + 0.0 * s.v)
+    model = Model("blow", {"w": 1e-4, "tp": 7.0}, ("v", "c"), rates)
+    found = integrate(model, 20.0, (0.0, 0.0), 1e-9).end["v"]
+    assert found == pytest.approx(1 - math.cos(20.0) + 0.5 * math.sqrt(math.pi), rel=1e-8)
+
+
+def test_a_patch_in_the_plane_and_a_resistance_at_an_energy_are_seen():
+    def patch(s, p, t):
+        r2 = (s.x - 3.0) * (s.x - 3.0) + (s.y - 6.0) * (s.y - 6.0)
+        return -p.A * exp(-r2 / (p.w * p.w)) * s.dx, -p.A * exp(-r2 / (p.w * p.w)) * s.dy
+
+    w = 1e-3
+    parameters = {"w": w, "A": 0.3 / (w * math.sqrt(math.pi))}
+    model = second_order("patch", parameters, ("x", "y"), patch)
+    end = integrate(model, 10.0, (0.0, 0.0, 1.0, 2.0), 1e-6).end
+    assert math.hypot(end["dx"], end["dy"]) == pytest.approx(math.sqrt(5) - 0.3, rel=1e-6)
+
+
+@pytest.mark.parametrize("rates", [
+    lambda s: -sin(s.x), lambda s: -s.x**3, lambda s: -s.x / sqrt(s.x * s.x),
+])  # fmt: skip
+def test_nothing_is_looked_for_in_rates_without_scales_of_their_own(rates):
+    model = second_order("smooth", {}, ("x",), lambda s, p, t: (rates(s),))
+    assert prepared_model(model).traced.narrow is None
+
+
+@pytest.mark.parametrize("rates", [
+    lambda s: -s.x - 0.1 * tanh(s.dx / 0.1), lambda s: -2 * (1 - exp(-s.x)) * exp(-s.x),
+    lambda s: -s.x / (1 + s.x * s.x) ** 2, lambda s: -s.x - 0.1 * where(s.dx > 0, 1.0, -1.0),
+])  # fmt: skip
+def test_no_step_is_repeated_where_the_steps_see_everything(rates):
+    system = prepared_model(second_order("seen", {}, ("x",), lambda s, p, t: (rates(s),)))
+    run = Run(system, 0.0, 20.0, (1.0, 0.0), 1e-9)
+    assert system.traced.narrow
+    assert not Trajectory(run, METHODS["dop853"], 1e-9, watched=True).repeated
