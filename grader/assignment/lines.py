@@ -22,7 +22,8 @@ from newton_euler.answers.notation import (  # fmt: skip
 
 from .cells import Values
 from .derivations import Derivation, component, derivations
-from .formulas import coherent, numerals, simplest, written
+from .formulas import coherent, numerals, written
+from .tidy import is_atom, simplest
 
 LONGEST = 400  # characters of a formula with numbers
 
@@ -168,7 +169,7 @@ class _Writer:
         if any(n not in self.numbers for n in free):
             return plain, ""
         stated = {self.numbers[n][1] for n in free}
-        if all(_is_atom(f) for f in formulas) and stated == {s.unit}:
+        if all(f.is_number or is_atom(f) for f in formulas) and stated == {s.unit}:
             return plain, ""
         bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
         names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
@@ -232,11 +233,6 @@ class _Writer:
         if self.latex:
             return unit_symbol(s.unit)
         return "" if s.unit == "1" else f" {s.unit}"
-
-
-def _is_atom(formula):
-    """True if a formula is a symbol, with a sign, or a number."""
-    return formula.is_number or formula.is_Symbol or (-formula).is_Symbol
 
 
 def is_sum(answer):

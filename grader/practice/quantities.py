@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from exercises.catalogue.steps import in_unit, listed_steps, steps
+from exercises.catalogue.steps import in_unit, listed_steps, repeated, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.causes import listed
@@ -26,15 +26,14 @@ NOISE = 1e-12  # of a model and a key that are both zero, in the unit of the tex
 def quantities(p, values):
     """([description for the file], {key: numbers or word}) of all quantities, steps first."""
     described, right = [], {}
-    for s in steps(p, values):
-        kind = _kind(s)
+    for s in [s for s in steps(p, values) if s.key not in repeated(p)]:
         described.append({
-            "key": s.key, "kind": kind.name, "unit": s.unit, "means": typeset(s.means, p),
+            "key": s.key, "kind": s.kind.name, "unit": s.unit, "means": typeset(s.means, p),
             "plain": plain(s.means, p.units), "section": s.section or p.section,
-            "equation": s.equation, "latex": symbol(s.key, kind.is_vector), "atol": 0.0, "of": [],
+            "equation": s.equation, "latex": symbol(s.key, s.is_vector), "atol": 0.0, "of": [],
             "sum": s.of, "step": True,
         })  # fmt: skip
-        right[s.key] = _numbers(s.value, kind)
+        right[s.key] = _numbers(s.value, s.kind)
     for key, x in p.solve(values).items():
         a = p.answer(key)
         described.append({
@@ -48,17 +47,6 @@ def quantities(p, values):
 
 def _equation(x):
     return x.equation.number if isinstance(x, Vector) and len(x.terms) > 1 else ""
-
-
-def _kind(step):
-    value = step.value
-    if isinstance(value, Vector):
-        return KINDS["vector"]
-    if isinstance(value, str):
-        return KINDS["choice"]
-    if isinstance(value, int) and step.unit == "1":
-        return KINDS["count"]
-    return KINDS[{9: "matrix", 2: "interval"}.get(len(flat(value)), "number")]
 
 
 def _numbers(x, kind):
@@ -116,7 +104,7 @@ def _answers_of(p):
 def _steps_of(p):
     def compute(g):
         found = {s.key: in_unit(s.value, s.unit, p.system) for s in listed_steps(p, g)}
-        return {k: x for k, x in found.items() if not isinstance(x, str)}
+        return {k: x for k, x in found.items() if not (isinstance(x, str) or k in repeated(p))}
 
     return compute
 

@@ -5,6 +5,7 @@ of the quantities, for which a student's own can stand.
 
 import math
 
+from exercises.catalogue.steps import repeated
 from exercises.catalogue.tracing import traced_quantities
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
@@ -64,7 +65,7 @@ def _traced(p):
     found = traced_quantities(p)
     factors = {key: unit(u).from_base(1.0, p.system) for key, u in found.units.items()}
     return {key: [_inward(x, factors[key]) for x in parts]
-            for key, parts in found.components.items()}  # fmt: skip
+            for key, parts in found.components.items() if key not in repeated(p)}  # fmt: skip
 
 
 def _inward(x, factor):
