@@ -33,8 +33,6 @@ def graded_numbers(
     }  # fmt: skip
     sheets_of = (p for problems in asked.values() for p in problems if p)
     found: dict[str, list[Values]] = {p.id: [] for p in sheets_of}
-        p.id: [] for problems in asked.values() for p in problems if p
-    }
     sheets = [(assignment, student) for assignment in asked for student in course.roster()]
     for n, (assignment, student) in enumerate(sheets, 1):
         problems = [p for p in asked[assignment] if p]
