@@ -53,14 +53,15 @@ RESULT, SAME = "the result is a formula", "it is the same whatever is given"
 TOO_LONG = "its formula is too long for a page"
 
 
-def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
+def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True) -> Iterator[Line]:
     """The lines of a worked solution: the steps, and then the answers, for ``values`` in the units
-    of the text, with SymPy symbols for quantities without a number.
+    of the text, with SymPy symbols for quantities without a number; without ``formulas`` their
+    values only.
     """
     answers = p.solve(values)
     asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
     found = steps(p, values)
-    writer = _Writer(p, values, [*found, *asked], latex)
+    writer = _Writer(p, values, [*found, *asked], latex, formulas)
     for s in [*found, *asked]:
         yield writer.line(s)
 
@@ -68,12 +69,12 @@ def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
 class _Writer:
     """Writes the derivations of a problem with its symbols and numbers."""
 
-    def __init__(self, p, values, quantities, latex):
+    def __init__(self, p, values, quantities, latex, formulas):
         self.p, self.latex = p, latex
-        self.derivations = derivations(p, values)
+        self.derivations = derivations(p, values) if formulas else {}
         self.sums = {}  # {sum: keys of its terms}
         for s in quantities:
-            if s.of:
+            if s.of and formulas:
                 self.sums.setdefault(s.of, []).append(s.key)
         self.names, self.units, self.numbers, self.sizes = {}, {}, {}, {}
         for name, stated in p.units.items():

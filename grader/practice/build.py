@@ -183,7 +183,8 @@ def _variant(p, values, described, right, help):
     shown = {q["key"] for q in described if not q["step"] or help != "check"}
     wrong = wrong_numbers(p, values, described, right)
     slips = slip_numbers(p, values, described, right)
-    solution = worked_solution(p, values, text=False) if help == "solution" else ""
+    # formulas would serve for the numbers of an assignment, too
+    solution = worked_solution(p, values, False, formulas=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
         "statement": statement(p, values, figure=False),
