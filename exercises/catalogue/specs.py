@@ -15,6 +15,10 @@ from .model import CatalogueError, place
 from .reading import EXERCISES
 
 WIDTH = 160  # of a line of text
+TEXTS = ("text", "figure", "frame")
+FIELDS = (
+    "id", "title", "section", "text", "figure", "givens", "symbols", "frame", "answers", "mistakes",
+)  # fmt: skip
 # a name of a mistake is made of its first words that say something
 WORDS_OF_A_NAME = 4
 EMPTY_WORDS = {
@@ -87,7 +91,7 @@ def _of_the_chapter(name, spec, target):
     first = spec.read_text(encoding="utf-8").partition("\n")[0]
     title = re.match(r"#\s*((?:Chapter|Appendix) \w+: [^.]+)", first)
     files = {
-        target / "chapter.yaml": f"title: {quoted(title[1] if title else name)}\n",
+        target / "chapter.yaml": _as_yaml({"title": title[1] if title else name}),
         target / "__init__.py": "",
     }
     return {path: text for path, text in files.items() if not path.exists()}
@@ -98,23 +102,19 @@ def _of_the_chapter(name, spec, target):
 
 def problem_yaml(entry: dict[str, Any]) -> str:
     """The text of ``pNN.yaml`` from one entry of a spec, without its comments."""
-    lines = [f"id: {quoted(entry['id'])}", f"title: {_plain(entry['title'])}"]
-    lines += [f"section: {quoted(str(entry['section']))}", *_folded("text", entry["text"])]
-    if entry.get("figure") and not entry["figure"].lower().startswith("none"):
-        lines += _folded("figure", entry["figure"])
-    if entry.get("givens"):
-        lines.append("givens:")
-        lines += [f"  {n}: {{{_fields(g)}}}" for n, g in entry["givens"].items()]
-    if entry.get("symbols"):
-        symbols = (f"{n}: {_value('unit', u)}" for n, u in entry["symbols"].items())
-        lines.append(f"symbols: {{{', '.join(symbols)}}}")
-    if entry.get("frame"):
-        lines += _folded("frame", entry["frame"])
-    lines += ["answers:", *(f"  - {{{_fields(a)}}}" for a in entry["answers"])]
-    if entry.get("mistakes"):
-        lines.append("mistakes:")
-        lines += [f"  {n}: {_plain(text)}" for n, text in mistake_names(entry["mistakes"]).items()]
-    return "\n".join(lines) + "\n"
+    content = {field: entry[field] for field in FIELDS if entry.get(field)}
+    if str(content.get("figure", "")).lower().startswith("none"):
+        del content["figure"]
+    content |= {f: " ".join(content[f].split()) for f in TEXTS if f in content}
+    if "mistakes" in content:
+        content["mistakes"] = mistake_names(content["mistakes"])
+    return _as_yaml({**content, "section": str(entry["section"])})
+
+
+def _as_yaml(content):
+    return yaml.safe_dump(
+        content, sort_keys=False, allow_unicode=True, width=WIDTH, default_flow_style=None
+    )
 
 
 def mistake_names(texts: Iterable[str]) -> dict[str, str]:
@@ -129,42 +129,6 @@ def mistake_names(texts: Iterable[str]) -> dict[str, str]:
             name = f"{'_'.join(kept)}_{n}"
         named[name] = text
     return named
-
-
-def _fields(mapping):
-    return ", ".join(f"{key}: {_value(key, x)}" for key, x in mapping.items())
-
-
-def _value(key, x):
-    if isinstance(x, bool):
-        return str(x).lower()
-    if isinstance(x, list):
-        return f"[{', '.join(_value(key, part) for part in x)}]"
-    if not isinstance(x, str):
-        return str(x)
-    bare = key in ("key", "kind", "unit", "of") and re.fullmatch(r"[A-Za-z]\w*([*/^]\w+)*", x)
-    return x if bare and not isinstance(yaml.safe_load(x), bool) else quoted(x)
-
-
-def _plain(text):
-    """A text on one line, in quotation marks where YAML wants them."""
-    text = " ".join(text.split())
-    try:
-        same = yaml.safe_load(f"x: {text}") == {"x": text}
-    except yaml.YAMLError:
-        same = False
-    return text if same else quoted(text)
-
-
-def quoted(text: str) -> str:
-    """A text as a YAML string in double quotation marks."""
-    inner = " ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{inner}"'
-
-
-def _folded(key, text):
-    lines = textwrap.wrap(text, WIDTH - 2, break_long_words=False, break_on_hyphens=False)
-    return [f"{key}: >", *(f"  {line}" for line in lines)]
 
 
 # -- the code

@@ -31,10 +31,7 @@ def word(value: Any) -> Any:
 
 
 def words_at(
-    p: Stated,
-    compute: Callable[[Any], Mapping],
-    values: Mapping[str, Scalar],
-    one: Scalar,
+    p: Stated, compute: Callable[[Any], Mapping], values: Mapping[str, Scalar], one: Scalar
 ) -> dict:
     """The words and counts of ``compute(g)``, {key: answer}, for ``values`` in the units of the
     text: computed in numbers of which none is an array, so that they may branch.

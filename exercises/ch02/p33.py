@@ -24,10 +24,7 @@ def prove(g):
     """The path in the ground, a spiral through O, along the slot as it lies at t = 0."""
     theta = lambda t: g.omega * t + g.alpha * t**2 / 2
     place = lambda t: [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
-    return {
-        "a": second_rate(place),
-        "omega_disk": angular_velocity(lambda t: rot("z", theta(t))),
-    }
+    return {"a": second_rate(place), "omega_disk": angular_velocity(lambda t: rot("z", theta(t)))}
 
 
 def mistakes(g):

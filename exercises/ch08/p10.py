@@ -39,10 +39,7 @@ def solve(g):
 def steps(g):
     _, hinge, body = door(g, g.theta, 0)
     terms = moment(g, g.theta, alpha(g, g.theta)).terms
-    return {
-        "I_O": body.about(hinge).moments[2],
-        "M_ref": terms["reference"].z,
-    }
+    return {"I_O": body.about(hinge).moments[2], "M_ref": terms["reference"].z}
 
 
 def prove(g):

@@ -34,11 +34,7 @@ def solve(g):
 
 def steps(g):
     U = work_to_B(g)
-    return {
-        "U_e": U.terms["engine"],
-        "U_w": U.terms["weight"],
-        "T_B": U.value,
-    }
+    return {"U_e": U.terms["engine"], "U_w": U.terms["weight"], "T_B": U.value}
 
 
 def prove(g):

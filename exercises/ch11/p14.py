@@ -55,10 +55,7 @@ def prove(g):
 
     slopes = [gradient(lambda *r, n=n: force(*r)[n], place(g)) for n in range(3)]
     pairs = ((0, 1), (1, 2), (2, 0))
-    return {
-        "cross": [slopes[n][m] for n, m in pairs],
-        "V": -proofs.integral(work, 0, 1),
-    }
+    return {"cross": [slopes[n][m] for n, m in pairs], "V": -proofs.integral(work, 0, 1)}
 
 
 def mistakes(g):

@@ -36,10 +36,7 @@ def prove(g):
     """The motion under the weight and the force of the rod, until it goes up again."""
     place, _ = other_level(g.g, 0 * g.l, g.l, g.u_0)
     r, v = start(0 * g.l, g.l, g.u_0)[:3], [0, g.u_0, 0]
-    return {
-        "angle": depth_angle(place),
-        "H": g.m * proofs.cross(r, v)[2],
-    }
+    return {"angle": depth_angle(place), "H": g.m * proofs.cross(r, v)[2]}
 
 
 def mistakes(g):
