@@ -16,16 +16,11 @@ def solve(g):
     return {"r_A": A.position(AXES), "r_B": B.position(AXES), "r_BA": B - A}
 
 
-def steps(g):
-    A, _ = points(g)
-    return {"r_OA": AXES.origin - A}
-
-
 def prove(g):
     """From the places of a point that moves uniformly from A to B in unit time."""
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
     place = lambda t: plus(scaled(1 - t, A), scaled(t, B))
-    return {"r_A": place(0), "r_B": place(1), "r_BA": rate(place), "r_OA": scaled(-1, place(0))}
+    return {"r_A": place(0), "r_B": place(1), "r_BA": rate(place)}
 
 
 def mistakes(g):

@@ -23,7 +23,7 @@ def solve(g):
 
 def steps(g):
     R = solve(g)["R"]
-    return {"size": R.norm(), "c": R.direction().dot(AXES.i)}
+    return {"size": R.norm()}
 
 
 def prove(g):
@@ -31,7 +31,7 @@ def prove(g):
     P, G = [g.P_x, g.P_y, 0], [g.G_x, g.G_y, 0]
     R = integral(lambda t: P if t < 1 else G, 0, 2, breaks=(1,))
     cosine = (size(R) ** 2 + 1 - size(minus(R, [1, 0, 0])) ** 2) / (2 * size(R))
-    return {"R": R, "angle": mp.acos(cosine), "size": size(R), "c": cosine}
+    return {"R": R, "angle": mp.acos(cosine), "size": size(R)}
 
 
 def mistakes(g):

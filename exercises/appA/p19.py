@@ -18,7 +18,7 @@ def solve(g):
 
 def steps(g):
     P, G = vectors(g)
-    return {"PxG": P.cross(G), "size": P.cross(G).norm()}
+    return {"size": P.cross(G).norm()}
 
 
 def prove(g):

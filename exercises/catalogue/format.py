@@ -111,7 +111,7 @@ def _answer(a):
 
 
 def _step(key, s):
-    _check_keys(s, f"the step {key}", ("means",), ("unit", "section", "equation"))
+    _check_keys(s, f"the step {key}", ("means",), ("unit", "section", "equation", "kind"))
     return {name: _text(s, name) for name in s} | {"unit": _unit(key, s)}
 
 

@@ -14,18 +14,25 @@ A problem without ``steps`` has the terms of its answers that are named sums. ``
 steps too, by their keys, found by its own way.
 """
 
+import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 from newton_euler.algebra.scalars import Scalar, is_numeric, to_plain
 from newton_euler.algebra.units import Dimension, DimensionError, System, unit
 from newton_euler.algebra.vectors import Vector
+from newton_euler.answers.forms import kind_named
+from newton_euler.answers.kinds import KINDS, Kind
 
 from .model import CatalogueError, Givens, Problem
-from .variants import flat
+from .variants import drawn_value, flat, symbol_values
 from .wording import term_text
 from .words import word
+
+SETS = 3  # of numbers by which repeated terms are found
+SAME = 1e-9  # relative
 
 
 @dataclass(frozen=True)
@@ -34,7 +41,7 @@ class Step:
 
     key : its name, as in a student's notebook: "omega_CD"
     value : a scalar of any kind, a Vector, a matrix as rows; a word or count, or a function for it
-    unit : in which it is stated
+    unit : in which it is stated; kind : may be given by its name; that of a Vector is known
     means : what it is, as "angular velocity of CD in the ground"
     section, equation : of the book, where it is found and by which equation; "" where there is none
     term : (name, equation of the engine) of a term of a sum
@@ -49,11 +56,24 @@ class Step:
     equation: str = ""
     term: tuple = ()
     of: str = ""
+    kind: Kind = KINDS["number"]
+
+    def __post_init__(self) -> None:
+        kind = "vector" if isinstance(self.value, Vector) else self.kind
+        if isinstance(kind, str):
+            object.__setattr__(self, "kind", kind_named(kind))
 
     @property
     def is_vector(self) -> bool:
-        """True if it has components."""
+        """True if it has components along axes."""
         return isinstance(self.value, Vector)
+
+    @property
+    def is_of_its_kind(self) -> bool:
+        """True if the value has the form of the kind."""
+        if self.kind.is_word:
+            return isinstance(self.value, (str, int)) or callable(self.value)
+        return len(flat(self.value)) == self.kind.length and not isinstance(self.value, str)
 
 
 def terms(
@@ -112,6 +132,41 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
     return [s if isinstance(s, Step) else _with_text(p, *s) for s in computed]
 
 
+@cache
+def repeated(p: Problem) -> frozenset[str]:
+    """The steps of which nothing is asked in practice: whatever the numbers, they are an answer, or
+    as terms another step.
+    """
+    rng, always = random.Random(f"steps of {p.id}"), None
+    for _ in range(SETS):
+        numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
+        try:
+            found = _repeated_at(p, p.base(numbers))
+        except (ArithmeticError, ValueError):  # no motion with these numbers
+            continue
+        always = found if always is None else always & found
+    return always or frozenset()
+
+
+def _repeated_at(p, g):
+    answers = [x for x in p.code.solve(g).values() if isinstance(x, Vector)]
+    vectors = [s for s in listed_steps(p, g) if isinstance(s.value, Vector)]
+    known, found = [*answers, *(s.value for s in vectors if not s.term)], set()
+    for s in vectors:
+        if any(_is_same(s.value, x) for x in (known if s.term else answers)):
+            found.add(s.key)
+        elif s.term:
+            known.append(s.value)
+    return frozenset(found)
+
+
+def _is_same(a, b):
+    """Whether two vectors have the same numbers as components, not all of them zero."""
+    pairs = list(zip(map(float, a.c), map(float, b.c), strict=True))
+    size = max(abs(x) for pair in pairs for x in pair)
+    return size > 0 and all(abs(x - y) <= SAME * size for x, y in pairs)
+
+
 def _with_text(p, key, value):
     if key not in p.steps:
         raise CatalogueError(f"{p.id}: the step {key!r} is computed but not in {p.name}.yaml")
@@ -165,6 +220,7 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
         for key in p.steps
         if key not in computed
     ]
+    wrong += [f"the step {key} is an answer" for key in p.steps if key in repeated(p)]
     if not hasattr(p.code, "steps"):
         return wrong
     try:
@@ -172,6 +228,8 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
     except DimensionError as error:
         return [f"steps adds unlike quantities: {error}"]
     for s in found:
+        if not s.is_of_its_kind:
+            wrong.append(f"the step {s.key} has another form than a {s.kind}: say its kind")
         asked = unit(s.unit).dimension
         for x in () if isinstance(s.value, str) or callable(s.value) else flat(s.value):
             if x != asked if isinstance(x, Dimension) else x and any(asked.powers):

@@ -1,7 +1,6 @@
 """2/7: the highest strike on a wall."""
 
 from exercises.devices import thrown_ball
-from exercises.tools import mp
 from newton_euler import asin, atan, pi, sin
 
 
@@ -11,14 +10,12 @@ def solve(g):
 
 
 def steps(g):
-    u = thrown_ball.best_slope(g)
-    return {"u": u, "T": g.d / thrown_ball.forward(g, u)}
+    return {"c": g.g * g.d**2 / (2 * g.v_0**2)}
 
 
 def prove(g):
     gam = thrown_ball.proved_angle(g)
-    T = g.d / (g.v_0 * mp.cos(gam))
-    return {"h": thrown_ball.proved_height(g, gam), "gam": gam, "u": mp.tan(gam), "T": T}
+    return {"h": thrown_ball.proved_height(g, gam), "gam": gam}
 
 
 def mistakes(g):

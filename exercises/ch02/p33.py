@@ -1,8 +1,8 @@
 """2/33: a slider that passes the centre of a turning disk."""
 
 from exercises.devices.turning_plate import turning
-from exercises.tools import Sketch, angular_velocity, mp, rate, rot, second_rate
-from newton_euler import moving, polar
+from exercises.tools import Sketch, angular_velocity, mp, rot, second_rate
+from newton_euler import moving
 
 
 def disk_and_slider(g):
@@ -17,14 +17,7 @@ def solve(g):
 
 def steps(g):
     ground, disk, P = disk_and_slider(g)
-    theta = moving(0, rate=g.omega, acceleration=g.alpha)
-    along_slot = polar(ground, "slider", P.x[0], theta)
-    return {
-        "v_polar": along_slot.velocity(ground),
-        "a_polar": along_slot.acceleration(ground),
-        "omega_disk": disk.angular_velocity(ground),
-        "v_r": P.velocity(disk),
-    }
+    return {"omega_disk": disk.angular_velocity(ground), "v_r": P.velocity(disk)}
 
 
 def prove(g):
@@ -33,8 +26,6 @@ def prove(g):
     place = lambda t: [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
     return {
         "a": second_rate(place),
-        "v_polar": rate(place),
-        "a_polar": second_rate(place),
         "omega_disk": angular_velocity(lambda t: rot("z", theta(t))),
     }
 

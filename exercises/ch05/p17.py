@@ -12,7 +12,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"r": g.R_e + g.h, "fall": solve(g)["W"] / g.W0}
+    return {"r": g.R_e + g.h, "fall": (g.R_e / (g.R_e + g.h)) ** 2}
 
 
 def prove(g):

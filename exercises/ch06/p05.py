@@ -2,7 +2,7 @@
 
 from exercises.devices.atwood import draw_machine
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
-from exercises.tools import Sketch, Step
+from exercises.tools import Sketch
 from newton_euler import Frame
 
 
@@ -16,9 +16,8 @@ def solve(g):
 
 
 def steps(g):
-    yield from block_steps(g, *blocks(g))
-    surplus = g.W_A - g.W_B
-    yield Step("W_net", surplus, "lb", "surplus of weight on the side of A", "6.1", "6.3")
+    A, B = blocks(g)
+    yield from block_steps(g, B, A, "T - W_B = m_B*a and W_A - T = m_A*a")
 
 
 follows = {"a_B": lambda g, a_A: a_A, "T": lambda g, a_A: g.W_A * (1 - a_A / g.g)}

@@ -4,7 +4,6 @@ from exercises.devices.roped_blocks import (
     block_steps,
     by_energy,
     draw_wedge,
-    face_force,
     hanging,
     motion,
     on_face,
@@ -23,7 +22,8 @@ def solve(g):
 
 
 def steps(g):
-    yield from block_steps(g, *blocks(g))
+    A, B = blocks(g)
+    yield from block_steps(g, A, B, "T - W_At = m_A*a and W_B - T = m_B*a")
 
 
 follows = {"T": lambda g, a_B: g.W_B * (1 - a_B / g.g)}
@@ -36,7 +36,7 @@ def prove(g):
         return [s * mp.cos(g.beta), s * mp.sin(g.beta)]
 
     a, T = by_energy(g, g.W_A, g.W_B, (A, lambda s: [0, -s]), 10 * g.g)
-    return {"a_B": a, "T": T, "N_A": face_force(g, g.W_A, A, a, T)}
+    return {"a_B": a, "T": T}
 
 
 def mistakes(g):

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
-from exercises.tools import Sketch, Step, root, second_rate
+from exercises.tools import Sketch, root, second_rate
 from newton_euler import Frame
 
 
@@ -21,9 +21,8 @@ def solve(g):
 
 
 def steps(g):
-    yield from block_steps(g, *blocks(g))
-    pull = 2 * solve(g)["T"]
-    yield Step("F_rope", pull, "lb", "pull of both parts of the rope on A, 2*T", "6.1", "6.3")
+    A, B = blocks(g)
+    yield from block_steps(g, A, B, "2*T - W_A = m_A*a and W_B - T = m_B*2*a")
 
 
 follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a_A / g.g)}

@@ -1,6 +1,6 @@
 """6/15: where a collar stays on a hoop that turns about its vertical diameter."""
 
-from exercises.tools import Sketch, Step, minus, mp, mpf, proofs, rate, second_rate, size, times
+from exercises.tools import Sketch, Step, mp, mpf, proofs, rate, times
 from newton_euler import Frame, acos, asin, atan, cos, pi, root, sin
 from newton_euler.dynamics import reaction
 
@@ -36,15 +36,11 @@ def solve(g):
 
 
 def steps(g):
-    theta = solve(g)["theta_2"]
-    ground, _, C = collar(g, theta)
-    yield Step("c", cos(theta), "1", "cosine of the middle angle, where no force along the "
-               "hoop is needed", "6.1", "6.1")  # fmt: skip
-    yield Step("d", C.x[0].value, "m", "distance of the collar from AB at the middle angle", "6.4")
-    yield Step("a", C.acceleration(ground).norm(), "m/s^2",
-               "acceleration of the collar there, toward AB", "6.4", "6.8")  # fmt: skip
-    yield Step("N", hoop_force(g, theta).norm(), "N", "force of the hoop on the collar there",
-               "6.1", "6.1")  # fmt: skip
+    ground, _, C = collar(g, pi(g.one) / 2)
+    yield Step("a_level", C.acceleration(ground).norm(), "m/s^2", "acceleration at theta = 90 "
+               "degrees, r*omega^2; at theta it is a_level*sin(theta), toward AB, and without a "
+               "force along the hoop (a_level*cos(theta) - g)*sin(theta) = 0", "6.4",
+               "6.8")  # fmt: skip
 
 
 def prove(g):
@@ -57,15 +53,12 @@ def prove(g):
         x, y, z = place(theta)
         return g.omega**2 * (x * x + y * y) / 2 - g.g * z
 
-    found = {
+    return {
         f"theta_{n + 1}": proofs.root(
             lambda theta: rate(lagrangian, theta), mpf(ENDS[n]), mpf(ENDS[n + 1])
         )
         for n in range(3)
     }
-    a = second_rate(lambda t: place(found["theta_2"], t))
-    force = g.m * size(minus(a, [0, 0, -g.g]))
-    return found | {"d": mp.hypot(*place(found["theta_2"])[:2]), "a": size(a), "N": force}
 
 
 def mistakes(g):

@@ -3,7 +3,6 @@
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
 from exercises.tools import Sketch, Step, root, scaled, size
 from newton_euler import Frame, sin
-from newton_euler.applications import earth_rate
 
 
 def launch(g):
@@ -26,13 +25,13 @@ def solve(g):
 def steps(g):
     v = launch(g)
     yield Step("v_rel", v, "ft/s", "initial velocity relative to the earth", "6.10", "6.17")
-    yield Step("Omega", earth_rate(v.frame), "rad/s", "angular velocity of the earth", "6.10",
-               "6.18")  # fmt: skip
     r = shot(g, g.D / v.y, v)
     yield Step("x_launch", r.terms["launch turned"].x, "ft",
-               "eastward part of r that comes from the launch", "6.10", "6.24")  # fmt: skip
+               "eastward part of r that comes from the launch, at t_D: "
+               "omega_e*(sin(lat)*v_y - cos(lat)*v_z)*t^2", "6.10", "6.24")  # fmt: skip
     yield Step("x_fall", r.terms["fall turned"].x, "ft",
-               "eastward part of r that comes from the fall", "6.10", "6.24")  # fmt: skip
+               "eastward part of r that comes from the fall, at t_D: "
+               "omega_e*cos(lat)*g*t^3/3", "6.10", "6.24")  # fmt: skip
 
 
 def prove(g):

@@ -17,9 +17,13 @@ def solve(g):
 
 
 def steps(g):
-    Omega = earth_rate(ground_axes(g))
-    yield Step("t_f", fall_time(g), "s", "time of the fall through h", "6.10", "6.25")
-    yield Step("Omega", Omega, "rad/s", "angular velocity of the earth", "6.10", "6.18")
+    t, north = fall_time(g), earth_rate(ground_axes(g)).y
+    yield Step("t_f", t, "s", "time of the fall through h, from $h = g t^2/2$", "6.10")
+    yield Step("a_x", 2 * north * g.g * t, "m/s^2", "eastward acceleration at its end, which grows "
+               r"as $\ddot x = 2 \omega_e g t \cos\lambda$", "6.10", "6.15")  # fmt: skip
+    yield Step("v_x", north * g.g * t**2, "m/s", "eastward velocity then, the integral "
+               r"$\omega_e g t^2 \cos\lambda$; the displacement is the integral of that", "6.10",
+               "6.24")  # fmt: skip
 
 
 def prove(g):

@@ -17,7 +17,8 @@ def solve(g):
 
 
 def steps(g):
-    return {"Omega": earth_rate(ground_axes(g)), "a_C": force(g).terms["coriolis"] / g.M}
+    Omega = earth_rate(ground_axes(g))
+    return {"Omega": Omega, "a_C": 2 * Omega.cross(-g.v * Omega.frame.j)}
 
 
 def prove(g):

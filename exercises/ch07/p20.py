@@ -22,9 +22,8 @@ def solve(g):
 
 
 def steps(g):
-    r_a = solve(g)["r_a"]
-    r_b = g.L - r_a
-    return {"apart": r_a - r_b, "r_b": r_b, "I_GG": g.m * at_G(g, r_a) ** 2}
+    apart = (g.I_AA - g.I_BB) / (g.m * g.L)
+    return {"apart": apart, "I_GG": g.I_AA - g.m * solve(g)["r_a"] ** 2}
 
 
 follows = {"k_G": lambda g, r_a: at_G(g, r_a)}
@@ -39,7 +38,7 @@ def prove(g):
     nearly = 1 - mp.mpf(10) ** -9  # share of the distance that puts all the mass at G
     r_a = proof_root(excess, 0, nearly * mp.sqrt(g.I_AA / g.m))
     near, far = two_masses(g.I_AA / g.m, r_a)
-    return {"r_a": r_a, "k_G": (far - near) / 2, "r_b": g.L - r_a}
+    return {"r_a": r_a, "k_G": (far - near) / 2}
 
 
 def mistakes(g):

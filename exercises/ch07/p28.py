@@ -25,14 +25,10 @@ def solve(g):
 
 
 def steps(g):
-    alpha = solve(g)["alpha"]
-    body = of_height_1(g, tan(alpha))
-    return {
-        "own": body.inertia.moment("z"),
-        "d": body.centre.position(CONE).z,
-        "at_apex": body.about(CONE).moment("x"),
-        "ratio": tan(alpha),
-    }
+    body = of_height_1(g, g.one)  # as wide as high
+    own = body.inertia.moment("z")
+    tall = body.inertia.moment("x") - own / 2
+    return {"d": body.centre.position(CONE).z, "own": own, "tall": tall}
 
 
 def prove(g):
@@ -44,15 +40,9 @@ def prove(g):
         for w, (y, _, _) in proofs.disk(mp.mpf(1), order=2)
     ]
     d = proofs.mean(lambda p: p[1], body)
-    across, along, from_apex = proofs.mean(lambda p: [p[0] ** 2, (p[1] - d) ** 2, p[1] ** 2], body)
+    across, along = proofs.mean(lambda p: [p[0] ** 2, (p[1] - d) ** 2], body)
     radius = proofs.root(lambda r: 2 * across * r**2 - (across * r**2 + along), mp.mpf(1) / 10, 5)
-    return {
-        "alpha": mp.atan2(radius, 1),
-        "own": 2 * across * radius**2,
-        "d": d,
-        "at_apex": across * radius**2 + from_apex,
-        "ratio": radius,
-    }
+    return {"alpha": mp.atan2(radius, 1), "d": d, "own": 2 * across, "tall": along}
 
 
 def mistakes(g):

@@ -24,10 +24,7 @@ def solve(g):
 def steps(g):
     for part in parts(g):
         yield part.name.replace(" ", "_"), part.about(CHAIN).moment("x")
-    body = composite("assembly", parts(g))
-    d = body.centre.position(CHAIN)
-    yield "d", d
-    yield "transfer", body.mass * (d.y**2 + d.z**2)
+    yield "d", composite("assembly", parts(g)).centre.position(CHAIN)
 
 
 def prove(g):

@@ -42,7 +42,6 @@ def steps(g):
     return {
         "I_O": body.about(hinge).moments[2],
         "M_ref": terms["reference"].z,
-        "square": 2 * integral(lambda theta: alpha(g, theta), 0, g.theta),
     }
 
 
@@ -68,7 +67,6 @@ def prove(g):
         "theta_dot": omega,
         "omega_shut": speed(mp.pi / 2),
         "I_O": g.M * mean(lambda r: r[0] ** 2 + r[1] ** 2, places(0)),
-        "square": omega**2,
     }
 
 

@@ -32,7 +32,7 @@ def solve(g):
 def steps(g):
     body, A = hanging(g)
     I = body.about(A)
-    return {"J_n": I.moment("z"), "J_d": I.moment("y"), "cos_beta": cos(solve(g)["beta_ring"])}
+    return {"J_n": I.moment("z"), "J_d": I.moment("y")}
 
 
 # omega^2*cos(beta_ring) is the same for all rates
@@ -59,7 +59,6 @@ def prove(g):
     return {
         "beta_ring": beta,
         "omega_max": proofs.root(curvature, quick / 1000, quick),
-        "cos_beta": mp.cos(beta),
         "J_n": sum(share * (x * x + y * y) for share, (x, y) in points),
         "J_d": sum(share * x * x for share, (x, _) in points),
     }

@@ -37,19 +37,16 @@ def solve(g):
 
 
 def steps(g):
-    flat = across(g, 0 * g.r)
-    return {"I": axial(g), "I_flat": flat, "I_apart": across(g, solve(g)["b"]) - flat}
+    return {"I": axial(g), "I_flat": across(g, 0 * g.r)}
 
 
 def prove(g):
     """The length at which the mass points turn about a slanting axis without a moment."""
     flat = proofs.disk(g.r, order=2)
     points = lambda b: [(u / 2, [x, y, z]) for u, (x, y, _) in flat for z in (-b / 2, b / 2)]
-    b = neutral_length(points, g.r)
     squares = lambda p: [p[0] ** 2 + p[1] ** 2, p[0] ** 2]
     I, I_flat = (2 * g.m * x for x in proofs.mean(squares, flat))
-    apart = 2 * g.m * proofs.mean(lambda p: p[2] ** 2, points(b))
-    return {"b": b, "I": I, "I_flat": I_flat, "I_apart": apart}
+    return {"b": neutral_length(points, g.r), "I": I, "I_flat": I_flat}
 
 
 def mistakes(g):

@@ -24,16 +24,15 @@ def solve(g):
 
 
 def steps(g):
-    body, O = cones(g, solve(g)["ratio"])
-    upper = body.parts[0]
-    own, at_O = upper.inertia, upper.about(O)
-    yield Step("axial", own.moment("z"), "1",
-               "moment of inertia of a cone about the axis, over m*r^2", "7.3")  # fmt: skip
-    yield Step("central", own.moment("x"), "1", "transverse moment of inertia of a cone about its "
-               "centre of mass at that ratio, over m*r^2", "7.3")  # fmt: skip
-    yield Step("transfer", at_O.moment("x") - own.moment("x"), "1",
-               "what its move to the vertex adds at that ratio, over m*r^2: (3/4*h/r)^2",
-               "7.8", "7.26")  # fmt: skip
+    body, O = cones(g, g.one)
+    I = body.parts[0].about(O)
+    axial = I.moment("z")
+    yield Step("axial", axial, "1", "moment of inertia of a cone about the axis, over m*r^2", "7.3")
+    yield Step("flat", axial / 2, "1", "part of its transverse moment about the vertex that its "
+               "disks have about their diameters, over m*r^2", "7.3")  # fmt: skip
+    yield Step("tall", I.moment("x") - axial / 2, "1", "part by their heights above the vertex, "
+               "over m*h^2; there is no precession where both moments are equal", "7.8",
+               "7.26")  # fmt: skip
 
 
 def prove(g):
@@ -51,10 +50,8 @@ def prove(g):
         return [(u / 2, [x, y, side * ratio * z]) for u, (x, y, z) in half for side in (1, -1)]
 
     ratio = neutral_length(points, mpf(1))
-    axial, across = proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[1] ** 2], half)
-    height = ratio * proofs.mean(lambda p: p[2], half)
-    spread = proofs.mean(lambda p: (ratio * p[2] - height) ** 2, half)
-    return {"ratio": ratio, "axial": axial, "central": across + spread, "transfer": height**2}
+    axial, flat, tall = proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[1] ** 2, p[2] ** 2], half)
+    return {"ratio": ratio, "axial": axial, "flat": flat, "tall": tall}
 
 
 def mistakes(g):

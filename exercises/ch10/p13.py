@@ -30,7 +30,7 @@ def solve(g):
 def steps(g):
     _, _, body = rotor(g)
     I = body.inertia.moment("x")
-    return {"I": I, "H_spin": g.P * I, "M_rotor": on_the_rotor(g)}
+    return {"I": I, "H_spin": g.P * I}
 
 
 def prove(g):
@@ -53,7 +53,6 @@ def prove(g):
         "M_C": minus(of_weight, moment_needed(m, turned, about=C)),
         "I": m * proofs.mean(lambda p: p[1] ** 2 + p[2] ** 2, points),
         "H_spin": proofs.angular_momentum(m, spun)[0],
-        "M_rotor": moment_needed(m, turned),
     }
 
 

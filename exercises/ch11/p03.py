@@ -38,7 +38,6 @@ def steps(g):
         "U_e": U.terms["engine"],
         "U_w": U.terms["weight"],
         "T_B": U.value,
-        "h_2": solve(g)["s"] * sin(g.theta_2),
     }
 
 
@@ -63,7 +62,7 @@ def prove(g):
     v = size(rate(up, t_B))
     coasting = line(g.theta_2, v, a_2)
     end = root(lambda t: rate(coasting, t)[0], 0, -2 * v / a_2)
-    return {"s": size(coasting(end)), "T_B": m * v**2 / 2, "h_2": coasting(end)[1]}
+    return {"s": size(coasting(end)), "T_B": m * v**2 / 2}
 
 
 def mistakes(g):

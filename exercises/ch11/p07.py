@@ -1,7 +1,7 @@
 """11/7: a linkage of two pairs of links that folds down on a spring."""
 
 from exercises.tools import Sketch, Step, minus, mp, until
-from newton_euler import Frame, acos, atan2, cos, root, sin
+from newton_euler import Frame, acos, atan2, cos, root, sin, sqrt
 from newton_euler.dynamics import spring_potential, weight_potential
 
 
@@ -41,15 +41,16 @@ def solve(g):
 
 
 def steps(g):
-    theta = solve(g)["theta"]
-    (y, h), (collar, balls, spring) = heights(g, theta), energies(g, theta)
-    yield Step("h", h, "mm", "height of the collar above O then, "
-               "sqrt(a^2 + b^2 - 2 a b cos(theta))", "11.18")  # fmt: skip
-    yield Step("y", y, "mm", "height of the knees above O then, (a^2 + h^2 - b^2)/(2 h)", "11.18")
-    yield Step("x", g.a + g.b - h, "mm", "greatest compression of the spring", "11.18")
-    yield Step("V_s", spring, "J", "energy of the spring then", "11.12", "11.35")
-    yield Step("U_c", collar, "J", "work of the weight of the collar", "11.4", "11.7")
-    yield Step("U_b", balls, "J", "work of the weights of both balls", "11.4", "11.7")
+    p = g.k * (g.a + g.b) / 2 - (g.m_c + g.m_b) * g.g
+    q = g.m_b * g.g * (g.b - g.a)
+    yield Step("p", p, "N", "coefficient k*(a + b)/2 - (m_c + m_b)*g in the equation for the "
+               "height h of the collar then: each ball drops by x*(h + b - a)/(2*h) while the "
+               "collar drops by x = a + b - h, and the energies, divided by x and multiplied by h, "
+               "give k*h^2/2 - p*h + q = 0", "11.18", "11.32")  # fmt: skip
+    yield Step("q", q, "J", "coefficient m_b*g*(b - a) in it", "11.18", "11.32")
+    yield Step("h", (p + sqrt(p**2 - 2 * g.k * q)) / g.k, "mm", "height of the collar above O, the "
+               "larger root, to which it comes first; the links a and b and the height h form a "
+               "triangle with the angle theta", "11.18")  # fmt: skip
 
 
 def prove(g):
@@ -64,30 +65,22 @@ def prove(g):
     def collar(x, y):
         return y + mp.sqrt(g.b**2 - x**2)
 
-    def powers(state):
-        """The powers of the collar's weight, of the balls' and of the spring."""
+    def power(state):
+        """Of the collar's weight, of the balls' and of the spring."""
         x, y = ball(state[0])
         h = collar(x, y)
         # the centre is (x h/y, h), and both of its distances are multiplied by y
         sinks = x * h / (h - y)
         push = g.k * (g.a + g.b - h)
-        return [1, g.m_c * g.g * sinks, 2 * g.m_b * g.g * x, -push * sinks]
+        return [1, (g.m_c * g.g - push) * sinks + 2 * g.m_b * g.g * x]
 
     nothing = 0 * g.a
-    _, (lean, U_c, U_b, U_s) = until(powers, [nothing] * 4, lambda s: sum(s[1:]), nothing + 1 / 8)
+    _, (lean, _) = until(power, [nothing] * 2, lambda s: s[1], nothing + 1 / 8)
     x, y = ball(lean)
     h = collar(x, y)
     down, up = minus([0, 0], [x, y]), minus([0, h], [x, y])
     cosine = sum(p * q for p, q in zip(down, up, strict=True)) / (g.a * g.b)
-    return {
-        "theta": mp.acos(cosine),
-        "h": h,
-        "y": y,
-        "x": g.a + g.b - h,
-        "V_s": -U_s,
-        "U_c": U_c,
-        "U_b": U_b,
-    }
+    return {"theta": mp.acos(cosine), "h": h}
 
 
 def folded(g, x):

@@ -10,6 +10,7 @@ from exercises.devices.spherical_pendulum import (
 )
 from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame, asin, pi, sqrt
+from newton_euler.dynamics import weight_potential
 
 
 def sine(g, share=1):
@@ -21,27 +22,22 @@ def solve(g):
 
 
 def steps(g):
-    s = sine(g)
     T_0, H = level_motion(g.m, g.l, 0 * g.l, g.u_0 / g.l)
     yield Step("T_0", T_0, "J", "kinetic energy at the start", "11.7", "11.13")
     yield Step("H", H, "kg*m^2/s", "angular momentum of the bob about the vertical through O; rod "
                "and weight do not change it", "7.1", "7.1")  # fmt: skip
-    yield Step("arm", g.l * sqrt(1 - s**2), "m",
-               "distance from the vertical at the lowest point, l cos(angle)", "11.11")  # fmt: skip
-    yield Step("v_1", g.u_0 / sqrt(1 - s**2), "m/s", "speed at the lowest point, from H", "11.11")
-    yield Step("s", s, "1", "sine of the angle, from the energies at the start and at the "
-               "lowest point", "11.11", "11.32")  # fmt: skip
+    yield Step("n", T_0 / weight_potential(g.m, g.l, g.g), "1", "kinetic energy at the start over "
+               "m*g*l; when the bob moves level again, at the angle delta below the level of "
+               "the start, it is T_0/cos(delta)^2 because of H, and the energies give "
+               "n*sin(delta) = cos(delta)^2", "11.11", "11.32")  # fmt: skip
 
 
 def prove(g):
     """The motion under the weight and the force of the rod, until it goes up again."""
-    place, velocity = other_level(g.g, 0 * g.l, g.l, g.u_0)
+    place, _ = other_level(g.g, 0 * g.l, g.l, g.u_0)
     r, v = start(0 * g.l, g.l, g.u_0)[:3], [0, g.u_0, 0]
     return {
         "angle": depth_angle(place),
-        "s": -place[2] / g.l,
-        "v_1": proofs.size(velocity),
-        "arm": proofs.size(place[:2]),
         "H": g.m * proofs.cross(r, v)[2],
     }
 

@@ -6,8 +6,9 @@ from exercises.devices.spherical_pendulum import (
     other_level,
     sine_of_descent,
 )
-from exercises.tools import Sketch, Step, mp, proofs
+from exercises.tools import Sketch, Step, mp
 from newton_euler import Frame, acos, asin, cos, pi, sin
+from newton_euler.dynamics import weight_potential
 
 
 def cosine(g, share=1):
@@ -25,24 +26,22 @@ def solve(g):
 
 
 def steps(g):
-    c = cosine(g)
     T_0, H = level_motion(g.m, g.a, 0 * g.a, g.omega)
     yield Step("T_0", T_0, "J", "kinetic energy at the start", "11.7", "11.13")
     yield Step("H", H, "kg*m^2/s", "angular momentum of the particle about the vertical; a ring "
                "without mass that turns freely does not change it", "7.1", "7.1")  # fmt: skip
-    yield Step("c", c, "1", "cosine of theta_min, from the energies at the start and where "
-               "the particle does not move along the tube", "11.11", "11.32")  # fmt: skip
-    yield Step("omega_1", g.omega / (1 - c**2), "rad/s", "rate of the ring there, from H", "11.11")
+    yield Step("n", T_0 / weight_potential(g.m, g.a, g.g), "1", "kinetic energy at the start over "
+               "m*g*a; when the particle moves level again, at the angle delta below the level of "
+               "the start, it is T_0/cos(delta)^2 because of H, and the energies give "
+               "n*sin(delta) = cos(delta)^2", "11.11", "11.32")  # fmt: skip
 
 
 def prove(g):
     """The motion under the weight and a force along the radius, as the ring can give no other: one
     across it needs a moment. At the lowest point the motion turns round.
     """
-    place, velocity = other_level(g.g, 0 * g.a, g.a, g.a * g.omega)
-    around = proofs.cross(place, velocity)[2] / proofs.size(place[:2]) ** 2
-    found = answers(mp.pi / 2 - depth_angle(place))
-    return {**found, "c": -place[2] / g.a, "omega_1": around}
+    place, _ = other_level(g.g, 0 * g.a, g.a, g.a * g.omega)
+    return answers(mp.pi / 2 - depth_angle(place))
 
 
 def mistakes(g):

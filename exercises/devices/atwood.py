@@ -22,8 +22,9 @@ def count(names, **ropes):
 
 def steps_to_count(heights, ropes, phrase):
     """``phrase``: what the heights are."""
-    yield Step("heights", count(heights), "1", phrase, "5.11")
-    yield Step("ropes", len(ropes), "1", "constraints: each rope keeps its length", "5.11", "5.28")
+    yield Step("heights", count(heights), "1", phrase, "5.11", kind="count")
+    yield Step("ropes", len(ropes), "1", "constraints: each rope keeps its length", "5.11", "5.28",
+               kind="count")  # fmt: skip
 
 
 def miscounts(masses, heights, ropes):

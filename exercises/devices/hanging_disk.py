@@ -2,7 +2,7 @@
 
 from exercises.devices import steady_precession
 from exercises.tools import Sketch, Step, angular_velocity, mean, mp, plus, proofs, times, vanishing
-from newton_euler import bodies, cos, pi
+from newton_euler import bodies, cos, pi, sin
 from newton_euler.applications.gyroscopes import steady_spin
 
 
@@ -45,7 +45,9 @@ def steps(g):
                "angles to AB", "10.5", "10.17")  # fmt: skip
     yield Step("M", M, "N*m", "moment of the weight about A, in the direction of K x k, where K "
                "points up and k from A to B", "10.6", "10.30")  # fmt: skip
-    yield Step("omega_z", total(g), "rad/s", "whole rate about AB, from the equation of steady "
+    theta = pi(g.beta) - g.beta
+    omega_z = (M / (g.psi_dot * sin(theta)) + I_0 * g.psi_dot * cos(theta)) / I_z
+    yield Step("omega_z", omega_z, "rad/s", "whole rate about AB, from the equation of steady "
                r"precession with $\theta = 180^\circ - \beta$", "10.6", "10.31")  # fmt: skip
 
 

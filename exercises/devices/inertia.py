@@ -56,12 +56,13 @@ def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=()):
         if part.name in at_O:
             yield Step(f"I_{key}", own, inertia,
                        f"inertia matrix of the {part.name} at O, its centre of mass",
-                       "7.10")  # fmt: skip
+                       "7.10", kind="matrix")  # fmt: skip
             continue
         yield Step(f"I_G_{key}", own, inertia,
                    f"inertia matrix of the {part.name} about its own centre of mass",
-                   "7.10")  # fmt: skip
+                   "7.10", kind="matrix")  # fmt: skip
         yield Step(f"d_{key}", part.centre.position(frame), length,
                    f"centre of mass of the {part.name}, from O", "7.8")  # fmt: skip
         yield Step(f"I_{key}", part.about(frame).matrix, inertia,
-                   f"inertia matrix of the {part.name} at O", "7.8", "7.25")  # fmt: skip
+                   f"inertia matrix of the {part.name} at O", "7.8", "7.25",
+                   kind="matrix")  # fmt: skip

@@ -51,8 +51,11 @@ def sums(frame, parts, removed=(), *, content, length, mass=""):
     first, *others = (*parts, *(-hole for hole in removed))
     whole = first.mass + sum(part.mass for part in others)
     yield Step(SYMBOLS[content], whole, unit, f"{content} of the whole", "5.4")
-    yield Step("Q", centre(frame, parts, removed)["d"] * whole, unit_of_moment,
-               f"sum of {content} times place of the centre", "5.4", "5.11")  # fmt: skip
+    Q = first.mass * first.centre.position(frame)
+    for part in others:
+        Q = Q + part.mass * part.centre.position(frame)
+    yield Step("Q", Q, unit_of_moment, f"sum of {content} times place of the centre", "5.4",
+               "5.11")  # fmt: skip
 
 
 def proved(content, whole, first):

@@ -6,7 +6,7 @@ The rope pulls either block along its own line, toward the pulley.
 
 from dataclasses import dataclass
 
-from exercises.tools import Sketch, Step, minus, plus, rate, root, scaled, second_rate, size
+from exercises.tools import Sketch, Step, minus, rate, root
 from newton_euler import Frame, cos, pi, sin, solve_linear, tan
 from newton_euler.algebra.vectors import Vector
 from newton_euler.dynamics import mass_from_weight, resultant_force, weight
@@ -53,18 +53,23 @@ def motion(g, A, B):
     return solve_linear(laws, ["a_A", "a_B", "T", *(f"N_{b.name}" for b in pushed)])
 
 
-def block_steps(g, A, B):
-    """The masses, the parts of the weights along the lines, and the pushes of the faces."""
-    found = motion(g, A, B)
+def block_steps(g, A, B, laws):
+    """The masses, the parts of the weights along the lines, and what is left without the tension of
+    the equations of motion, which ``laws`` writes, for the acceleration a of ``A`` toward its
+    pulley.
+    """
     for b in (A, B):
         yield Step(f"m_{b.name}", b.m, "slug", f"mass of {b.name}, W/g")
+    along = {b.name: -weight(b.m, b.line.frame.j, g.g).dot(b.line) for b in (A, B)}
     for b in (A, B):
         if b.normal:
-            along = -weight(b.m, b.line.frame.j, g.g).dot(b.line)
-            yield Step(f"W_{b.name}t", along, "lb",
+            yield Step(f"W_{b.name}t", along[b.name], "lb",
                        f"part of the weight of {b.name} down its face", "6.1", "6.3")  # fmt: skip
-            yield Step(f"N_{b.name}", found[f"N_{b.name}"], "lb", f"force of the face on {b.name}",
-                       "6.1", "6.4")  # fmt: skip
+    yield Step("F", A.runs * along[B.name] - B.runs * along[A.name], "lb",
+               f"force that is left of the equations of motion {laws} without T", "6.1",
+               "6.3")  # fmt: skip
+    yield Step("M", A.m * B.runs**2 + B.m * A.runs**2, "slug", "mass that it accelerates, F = M*a",
+               "6.1", "6.3")  # fmt: skip
 
 
 def by_energy(g, W_A, W_B, places, reach):
@@ -87,14 +92,6 @@ def by_energy(g, W_A, W_B, places, reach):
         reach,
     )
     return a, -gain(W_B, places[1], a) / (a / 2)  # what B loses is the work against the rope
-
-
-def face_force(g, W, place, a, pull):
-    """Proof: the force of a face on a block at ``place(s)``, s = a t^2/2; ``pull`` of the rope."""
-
-    ahead = minus(place(1), place(0))
-    F = scaled(W / g.g, plus(second_rate(lambda t: place(a * t**2 / 2)), [0, g.g]))
-    return size(minus(F, scaled(pull / size(ahead), ahead)))
 
 
 def draw_wedge(ax, left, right=None):

@@ -2,7 +2,6 @@
 formulas of SymPy: read off the traced computation.
 """
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -16,9 +15,9 @@ from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
-LONGEST = 30  # operations of a formula that a reader follows, and of all components
-LONGEST_LIST = 60
-HOPELESS = 150  # operations that are not worth to be simplified
+from .tidy import LONGEST, constant, is_atom, is_long, is_raised, readable, two_sides
+
+LONGEST_LIST = 60  # operations of all components that a reader follows
 SHORT = 2  # operations of what is read as easily as the name of a component of another vector
 NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FUNCTIONS, "atan2")}}
 
@@ -187,13 +186,13 @@ class _Reader:
     def _formula(self, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
         try:
-            formula = self._shortened(self._without_bars(_simplest(self._written(x, {}))))
-            if _is_atom(formula):
+            formula = self._shortened(self._without_bars(readable(self._written(x, {}))))
+            if is_atom(formula):
                 formula = formula.xreplace(self.short)
         except Unwritten:
             return None
         is_itself = formula.is_Symbol and formula.name == name and name not in self.found.givens
-        return None if is_itself or _is_long(formula) else formula
+        return None if is_itself or is_long(formula) else formula
 
     def _without_bars(self, formula):
         """The formula without the bars around what is positive for all numbers that are drawn."""
@@ -211,7 +210,7 @@ class _Reader:
         """The formula with earlier quantities in the place of theirs."""
         for other, name in reversed(self.shorter):
             shorter = formula.subs(other, name)
-            if shorter.count_ops() < formula.count_ops() and not _is_raised(name, shorter):
+            if shorter.count_ops() < formula.count_ops() and not is_raised(name, shorter):
                 formula = shorter
         return formula
 
@@ -219,7 +218,7 @@ class _Reader:
         import sympy
 
         if not isinstance(x, Step):
-            return _constant(x)
+            return constant(x)
         if x.number in self.known:
             return self.known[x.number]
         if x.number in memo:
@@ -242,10 +241,7 @@ class _Reader:
             return self._written(x.args[1 if self._holds(x.args[0]) else 2], memo)
         if x.op == "item" and isinstance(x.args[0], Step):
             return self._within(x.args[0], x.args[1], memo, x)
-        if x.op not in _WRITTEN and x.op not in NAMES:
-            raise Unwritten
-        args = [self._written(a, memo) for a in x.args]
-        return _WRITTEN[x.op](*args) if x.op in _WRITTEN else getattr(sympy, NAMES[x.op])(*args)
+        return _applied(x.op, [self._written(a, memo) for a in x.args])
 
     def _holds(self, condition):
         """Which case holds for the values of this sheet."""
@@ -312,7 +308,7 @@ class _Reader:
         except Unwritten:
             return ()
         rows = [row for row in rows if row[0] != row[1]]
-        if any(_is_long(left - right) for left, right in rows):
+        if any(is_long(left - right) for left, right in rows):
             return ()
         self.unknowns = everything
         return rows
@@ -327,12 +323,12 @@ class _Reader:
         return symbols
 
     def _tidy(self, left, right):
-        return self._shortened(_simplest(left)), self._shortened(_simplest(right))
+        return self._shortened(readable(left)), self._shortened(readable(right))
 
     def _show_together(self, rows, unknowns):
-        if any(_is_long(left - right) for left, right in rows):
+        if any(is_long(left - right) for left, right in rows):
             raise Unwritten
-        self.together += [row for row in map(_positive, rows) if row not in self.together]
+        self.together += [row for row in map(two_sides, rows) if row not in self.together]
         self.wanted |= {name.removeprefix("-") for name in unknowns}
 
 
@@ -349,17 +345,25 @@ class _Inner:
         import sympy
 
         if not isinstance(x, Step):
-            return _constant(x)
+            return constant(x)
         if x.op == "argument":
             value = self.own[x.args[0]]
             known = isinstance(value, sympy.Basic)
             return value if known else self.outer._written(value, self.memo)
         if x.op == "pi":
             return sympy.pi
-        if x.op not in _WRITTEN and x.op not in NAMES:
-            raise Unwritten
-        args = [self.written(a) for a in x.args]
-        return _WRITTEN[x.op](*args) if x.op in _WRITTEN else getattr(sympy, NAMES[x.op])(*args)
+        return _applied(x.op, [self.written(a) for a in x.args])
+
+
+def _applied(op, args):
+    """An operation on formulas."""
+    import sympy
+
+    if op in _WRITTEN:
+        return _WRITTEN[op](*args)
+    if op not in NAMES:
+        raise Unwritten
+    return getattr(sympy, NAMES[op])(*args)
 
 
 _WRITTEN: Mapping[str, Any] = {
@@ -371,64 +375,6 @@ _WRITTEN: Mapping[str, Any] = {
 def _unsigned(x):
     """A traced number without its minus sign, and the sign."""
     return (x.args[0], -1) if isinstance(x, Step) and x.op == "neg" else (x, 1)
-
-
-def _simplest(formula):
-    """The formula, integrated under a bar, with sin^2 + cos^2 = 1 where that makes it shorter."""
-    import sympy
-
-    formula = sympy.sympify(formula)
-    formula = formula.xreplace({x: _constant(x) for x in formula.atoms(sympy.Float)})
-    if sympy.fraction(sympy.together(formula))[1].has(sympy.Integral):
-        formula = formula.doit()
-    if formula.has(sympy.sin) and formula.has(sympy.cos) and not _is_long(formula):
-        other = sympy.trigsimp(sympy.expand(formula))
-        return min(formula, other, key=lambda f: f.count_ops())
-    if not LONGEST / 2 < formula.count_ops() < HOPELESS:
-        return formula
-    other = sympy.simplify(formula)
-    # of a formula that can be read, the order of its terms says how it was found
-    return other if _is_long(formula) or other.count_ops() < formula.count_ops() / 2 else formula
-
-
-def _positive(row):
-    """The two sides of an equation without minus signs before their terms, where there are two."""
-    import sympy
-
-    terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
-    left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
-    right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
-    return (left, right) if left and right else row
-
-
-def _is_raised(name, formula):
-    """True if a formula has powers of a name that are no usual ones."""
-    import sympy
-
-    return any(p.base == name and abs(p.exp) not in (1, 2) for p in formula.atoms(sympy.Pow))
-
-
-def _is_atom(formula):
-    return formula.is_Symbol or (-formula).is_Symbol
-
-
-def _is_long(formula):
-    return formula.count_ops() > LONGEST
-
-
-def _constant(x):
-    """A number of the code as a reader writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
-    import sympy
-
-    x = float(x)
-    if x.is_integer():
-        return sympy.Integer(int(x))
-    pi, root = (math.pi, sympy.pi), (math.sqrt(2), sympy.sqrt(2))
-    for unit, name in ((1.0, 1), pi, (1 / math.pi, 1 / sympy.pi), root):
-        near = sympy.Rational(x / unit).limit_denominator(60) if math.isfinite(x) else 0
-        if near and math.isclose(float(near) * unit, x, rel_tol=1e-13):
-            return near * name
-    return sympy.Float(x)
 
 
 def _value(x, values, memo):

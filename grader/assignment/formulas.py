@@ -4,7 +4,7 @@ with numbers in the place of the symbols.
 
 import math
 from collections.abc import Collection, Mapping
-from functools import cache, lru_cache
+from functools import cache
 from typing import Any
 
 from newton_euler.algebra.units import unit
@@ -26,21 +26,6 @@ def written(
     printer = _printer(latex)(names, numbers)
     printer.degrees = degrees
     return printer.doprint(formula)
-
-
-@lru_cache(maxsize=4000)  # many results are the same for all students
-def simplest(formula: Any) -> Any:
-    """A result as the shortest of its usual forms."""
-    import sympy
-
-    if formula.count_ops() > 150:
-        return formula
-    if formula.has(sympy.Float):  # beside rounded numbers pi and the square root of 2 are some, too
-        formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
-    forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
-    if formula.has(sympy.sin) and formula.count_ops() < 60:
-        forms.append(sympy.trigsimp(formula))
-    return min(forms, key=lambda f: f.count_ops())
 
 
 def numerals(quantities: Mapping[str, Quantity], bare: bool, latex: bool) -> dict:

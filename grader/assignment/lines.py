@@ -22,7 +22,8 @@ from newton_euler.answers.notation import (  # fmt: skip
 
 from .cells import Values
 from .derivations import Derivation, component, derivations
-from .formulas import coherent, numerals, simplest, written
+from .formulas import coherent, numerals, written
+from .tidy import is_atom, simplest
 
 LONGEST = 400  # characters of a formula with numbers
 
@@ -52,14 +53,15 @@ RESULT, SAME = "the result is a formula", "it is the same whatever is given"
 TOO_LONG = "its formula is too long for a page"
 
 
-def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
+def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True) -> Iterator[Line]:
     """The lines of a worked solution: the steps, and then the answers, for ``values`` in the units
-    of the text, with SymPy symbols for quantities without a number.
+    of the text, with SymPy symbols for quantities without a number; without ``formulas`` their
+    values only.
     """
     answers = p.solve(values)
     asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
     found = steps(p, values)
-    writer = _Writer(p, values, [*found, *asked], latex)
+    writer = _Writer(p, values, [*found, *asked], latex, formulas)
     for s in [*found, *asked]:
         yield writer.line(s)
 
@@ -67,12 +69,12 @@ def lines(p: Problem, values: Values, latex: bool = True) -> Iterator[Line]:
 class _Writer:
     """Writes the derivations of a problem with its symbols and numbers."""
 
-    def __init__(self, p, values, quantities, latex):
+    def __init__(self, p, values, quantities, latex, formulas):
         self.p, self.latex = p, latex
-        self.derivations = derivations(p, values)
+        self.derivations = derivations(p, values) if formulas else {}
         self.sums = {}  # {sum: keys of its terms}
         for s in quantities:
-            if s.of:
+            if s.of and formulas:
                 self.sums.setdefault(s.of, []).append(s.key)
         self.names, self.units, self.numbers, self.sizes = {}, {}, {}, {}
         for name, stated in p.units.items():
@@ -168,7 +170,7 @@ class _Writer:
         if any(n not in self.numbers for n in free):
             return plain, ""
         stated = {self.numbers[n][1] for n in free}
-        if all(_is_atom(f) for f in formulas) and stated == {s.unit}:
+        if all(f.is_number or is_atom(f) for f in formulas) and stated == {s.unit}:
             return plain, ""
         bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
         names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
@@ -232,11 +234,6 @@ class _Writer:
         if self.latex:
             return unit_symbol(s.unit)
         return "" if s.unit == "1" else f" {s.unit}"
-
-
-def _is_atom(formula):
-    """True if a formula is a symbol, with a sign, or a number."""
-    return formula.is_number or formula.is_Symbol or (-formula).is_Symbol
 
 
 def is_sum(answer):

@@ -88,12 +88,14 @@ def exchange_outbound(course: Course, assignment: str) -> Path:
 
 def copy_to_exchange(
     course: Course, assignment: str, outbound: str | Path, paths: Mapping[str, Path]
-) -> None:
+) -> list[str]:
     """Copy personal notebooks ({student: path}) next to ``outbound``, the released assignment in
-    the exchange: not into it, so that a plain fetch gets no student's numbers.
+    the exchange: not into it, so that a plain fetch gets no student's numbers. Returns the students
+    whose copies others could read, since this machine cannot give them to one user.
     """
     from .fetch import FOLDER, personal_name
 
+    open_to_others = []
     folder = Path(outbound).parent / FOLDER / assignment
     folder.mkdir(parents=True, exist_ok=True)
     for student, path in paths.items():
@@ -104,27 +106,44 @@ def copy_to_exchange(
             shutil.copy(notebook, target / notebook.name)
             os.chmod(target / notebook.name, 0o644)
         os.chmod(target, 0o755)
-        _restrict_to_user(student, target)
+        if not _restrict_to_user(student, target):
+            open_to_others.append(student)
     for place in (folder, folder.parent):
         os.chmod(place, 0o711)  # may be entered under a known name, but not listed
+    return open_to_others
+
+
+def warning(students: list[str]) -> str:
+    """The warning where :func:`copy_to_exchange` has left copies open to others; else ""."""
+    if not students:
+        return ""
+    return (
+        f"Others on this machine who know a student's login can read the sheets of {len(students)} "
+        f"students ({', '.join(students[:3])}{', …' if len(students) > 3 else ''}). A sheet is its "
+        "owner's alone where the login is a user of this machine, and you are root or setfacl is "
+        "installed (apt install acl); else hand out COURSE/personal yourself, or by an LMS."
+    )
 
 
 def _restrict_to_user(student, target):
     """Make the copy readable by the student alone, if they are a user of this machine: root
-    transfers ownership; others use an access list, where ``setfacl`` is installed.
+    transfers ownership; others use an access list, where ``setfacl`` is installed. True if done.
     """
     try:
         import pwd
 
         user = pwd.getpwnam(student)
     except (ImportError, KeyError):
-        return
+        return False
     paths = [target, *target.iterdir()]
     if os.geteuid() == 0:
         for path in paths:
             os.chown(path, user.pw_uid, user.pw_gid)
             os.chmod(path, 0o700 if path.is_dir() else 0o600)
-    elif tool := shutil.which("setfacl"):
+        return True
+    if tool := shutil.which("setfacl"):
         who = f"user:{user.pw_uid}:rX,group::---,other::---"
         # not every file system has access lists; the names of the folders are still not listed
-        subprocess.run([tool, "--modify", who, *paths], capture_output=True, check=False)
+        command = [tool, "--modify", who, *paths]
+        return subprocess.run(command, capture_output=True, check=False).returncode == 0
+    return False

@@ -14,10 +14,12 @@ from .notebook import statement, typeset
 from .spelled import typeset_formulas
 
 
-def worked_solution(p: Problem, values: Values, text: bool = True) -> str:
-    """The worked solution as Markdown; ``text``: with the text of the problem before it."""
+def worked_solution(p: Problem, values: Values, text: bool = True, formulas: bool = True) -> str:
+    """The worked solution as Markdown; ``text``: with the text of the problem before it;
+    ``formulas``: with how each value is found, which holds for other numbers too.
+    """
     out = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
-    found = {line.step.key: line for line in lines(p, values)}
+    found = {line.step.key: line for line in lines(p, values, formulas=formulas)}
     answers = {a.key: found[a.key].step.value for a in p.answers}
     shown = {*answers, *(key for key, line in found.items() if is_sum(answers.get(line.step.of)))}
     listed = [line for key, line in found.items() if key not in shown]

@@ -251,7 +251,8 @@ def personal(
             right_or_wrong=right_or_wrong,
         )  # fmt: skip
     if exchange:
-        copy_to_exchange(course, assignment, exchange_outbound(course, assignment), paths)
+        outbound = exchange_outbound(course, assignment)
+        _warn_of(copy_to_exchange(course, assignment, outbound, paths))
     for student, path in paths.items():
         click.echo(f"{student}: {path}")
 
@@ -375,8 +376,15 @@ def retry(
     number, path = new_attempt(course, assignment, student)
     if exchange:
         outbound = exchange_outbound(course, assignment)
-        copy_to_exchange(course, assignment, outbound, {student: path})
+        _warn_of(copy_to_exchange(course, assignment, outbound, {student: path}))
     click.echo(f"Attempt {number} of {student}: {path}")
+
+
+def _warn_of(students):
+    from ..assignment.personal import warning
+
+    if words := warning(students):
+        click.echo(words, err=True)
 
 
 @click.command("take-in")

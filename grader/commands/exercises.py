@@ -3,6 +3,7 @@
 import json
 import math
 import sys
+from collections import Counter
 from pathlib import Path
 
 import click
@@ -265,7 +266,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     from exercises.catalogue import select
 
     from ..practice import practice_shares
-    from ..reports import SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
+    from ..reports import RANDOM, SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
     problems = select(names or ("all",))
     with progress_bar() as bar:
@@ -279,6 +280,8 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
         click.echo(f"a check takes {1000 * took:.2g} ms")
         return  # random numbers are right now and then
     slips = slip_shares(problems, draws)
+    by_chance = slips.pop(RANDOM, Counter())
     console.print(shares_table(slips, "Unlisted slips", "kind", SLIP_OUTCOMES))
+    click.echo(f"of {by_chance.total()} random numbers {by_chance['named']} are named")
     if any(counts["passed"] for counts in found.values()):
         sys.exit(1)

@@ -10,6 +10,7 @@ from nbgrader.exchange.default import ExchangeReleaseAssignment, ExchangeRelease
 from nbgrader.utils import notebook_hash
 
 from ..assignment import copy_to_exchange, make_personal_copies
+from ..assignment.personal import warning
 from ..course import Course
 from ..course.files import NotTaken, read_regular
 
@@ -39,7 +40,8 @@ class ReleaseWithPersonal(ExchangeReleaseAssignment):
             )
             return
         paths = make_personal_copies(course, assignment, students)
-        copy_to_exchange(course, assignment, self.dest_path, paths)
+        if words := warning(copy_to_exchange(course, assignment, self.dest_path, paths)):
+            self.log.warning(words)
         self.log.info("Made %d personal copies", len(paths))
 
 

@@ -6,17 +6,20 @@ import json
 import math
 import os
 import zipfile
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
+from typing import Any
 
-from exercises.catalogue import chapter, problem
+from exercises.catalogue import Problem, chapter, problem
 from exercises.catalogue.wording import term_text
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
+from ..assignment.cells import Values
 from ..assignment.figures import figure_png
 from ..assignment.notebook import frame_heading, number, slug, statement, typeset
 from ..assignment.solution import worked_solution
@@ -42,7 +45,15 @@ class LeftOut:
     why: str
 
 
-def write_practice(path, problems, count=10, help="solution", graded=None, workers=None, done=None):
+def write_practice(
+    path: str | Path,
+    problems: Iterable[Problem],
+    count: int = 10,
+    help: str = "solution",
+    graded: Mapping[str, Sequence[Values]] | None = None,
+    workers: int | None = None,
+    done: Callable[[], object] | None = None,
+) -> list[LeftOut]:
     """Write the practice file of ``problems``; returns the :class:`LeftOut` ones.
 
     count : how many sets of numbers each has, the book's among them
@@ -86,7 +97,13 @@ def _write(path, pages, help):
     os.replace(beside, path)
 
 
-def page_of(name, count, help, graded=None, draw=figure_png):
+def page_of(
+    name: str,
+    count: int,
+    help: str,
+    graded: Sequence[Values] | None = None,
+    draw: Callable[..., bytes | None] = figure_png,
+) -> Any:
     """(page, figures) of the problem of this number, or why it is :class:`LeftOut`.
 
     graded : the numbers that students have of it, None where it is in no course
@@ -166,7 +183,8 @@ def _variant(p, values, described, right, help):
     shown = {q["key"] for q in described if not q["step"] or help != "check"}
     wrong = wrong_numbers(p, values, described, right)
     slips = slip_numbers(p, values, described, right)
-    solution = worked_solution(p, values, text=False) if help == "solution" else ""
+    # formulas would serve for the numbers of an assignment, too
+    solution = worked_solution(p, values, False, formulas=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
         "statement": statement(p, values, figure=False),

@@ -1,6 +1,8 @@
 """The numbers that a course grades, and the answers for them, near which nobody practises."""
 
 import json
+from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 
@@ -8,13 +10,16 @@ from exercises.catalogue import CatalogueError, problem
 from exercises.catalogue.variants import evaluate
 from newton_euler.answers.tolerance import RTOL
 
+from ..assignment.cells import Values
 from ..assignment.sheet import tasks
 from ..course import Course, read_json
 
 FAR = 2 * RTOL  # of the size of a graded answer: practised ones are as far from it at least
 
 
-def graded_numbers(path, done=None):
+def graded_numbers(
+    path: str | Path, done: Callable[[int, int], object] | None = None
+) -> dict[str, list[Values]]:
     """{problem id: [{name: number} of each student's sheet]} of all assignments of the course in a
     folder: what is kept, and what is drawn for those on the roster who fetched nothing yet.
 
@@ -26,7 +31,8 @@ def graded_numbers(path, done=None):
                       for name in tasks(read_json(source))]
         for folder in sorted((course.path / "source").iterdir()) if folder.is_dir()
     }  # fmt: skip
-    found = {p.id: [] for problems in asked.values() for p in problems if p}
+    sheets_of = (p for problems in asked.values() for p in problems if p)
+    found: dict[str, list[Values]] = {p.id: [] for p in sheets_of}
     sheets = [(assignment, student) for assignment in asked for student in course.roster()]
     for n, (assignment, student) in enumerate(sheets, 1):
         problems = [p for p in asked[assignment] if p]

@@ -8,8 +8,11 @@ import random
 import statistics
 import time
 from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from typing import Any
 
+from exercises.catalogue import Problem
 from newton_euler.answers.causes import (
     OPPOSITE,
     ROUNDED,
@@ -31,13 +34,16 @@ DIGITS = 6  # that a student writes
 RANDOMS = 5  # answers for each quantity
 
 
-def practice_shares(problems, variants, progress=None):
+def practice_shares(
+    problems: Iterable[Problem], variants: int, progress: Callable[..., object] | None = None
+) -> tuple[dict[str, Counter], float]:
     """{what was given: Counter of named, misnamed, unnamed, passed}, over this many sets of numbers
     of each problem, and the middle of the times that a check took, in seconds.
 
     A slip is named if it is recognised, or taken for another that gives the same numbers.
     """
-    found, times = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}, []
+    found: dict[str, Counter] = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}
+    times: list[float] = []
     with ProcessPoolExecutor() as pool:
         names = [p.id for p in problems]
         for shares, took in pool.map(_measured, names, [variants] * len(names)):
@@ -132,7 +138,7 @@ def _equal(x, other):
     return math.dist(x, other) <= 10 ** (1 - DIGITS) * math.hypot(*x)
 
 
-def slips(kind, right):
+def slips(kind: str, right: Sequence[float]) -> list[tuple[Any, list[float]]]:
     """[(cause, numbers)] of slips that are made anywhere: signs, components exchanged or left out.
     Those that do not differ from the key are left out.
     """

@@ -1,6 +1,7 @@
 """Our texts for a terminal: names as they are typed, formulas of LaTeX as they are spoken."""
 
 import re
+from collections.abc import Callable, Collection
 
 _SPOKEN = {
     ",": " ", ";": " ", " ": " ", "!": "", "times": " x ", "cdot": " ",
@@ -10,7 +11,7 @@ _SPOKEN = {
 _FUNCTIONS = r"\b(sin|cos|tan|cot|sqrt|ln|exp|log)"
 
 
-def plain(text, names, quantity=None):
+def plain(text: str, names: Collection[str], quantity: Callable[[str], str] | None = None) -> str:
     """``text`` for a terminal: each ``{name}`` of ``names`` by the name, and outside of formulas by
     what ``quantity`` makes of it where it first stands.
 
@@ -38,7 +39,7 @@ def plain(text, names, quantity=None):
 _NAMED = re.compile(r"\{(\w+)\}")
 
 
-def formula(latex, names=()):
+def formula(latex: str, names: Collection[str] = ()) -> str:
     """A formula of LaTeX as it is typed.
 
     >>> formula(r"\\mathbf A = {c} t^2\\,\\mathbf i - \\cos 2\\theta\\,\\mathbf j", {"c"})

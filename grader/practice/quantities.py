@@ -4,10 +4,12 @@ numbers and the wrong models of each.
 
 import contextlib
 import math
+from typing import Any
 
 import numpy as np
 
-from exercises.catalogue.steps import in_unit, listed_steps, steps
+from exercises.catalogue import Problem
+from exercises.catalogue.steps import in_unit, listed_steps, repeated, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.causes import listed
@@ -15,6 +17,7 @@ from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.notation import symbol
 from newton_euler.answers.tolerance import is_apart
 
+from ..assignment.cells import Values
 from ..assignment.notebook import typeset
 from ..scoring.wrong_models import general_models
 from .plain import plain
@@ -23,18 +26,17 @@ KEPT = 10  # digits of the numbers of wrong models
 NOISE = 1e-12  # of a model and a key that are both zero, in the unit of the text
 
 
-def quantities(p, values):
+def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """([description for the file], {key: numbers or word}) of all quantities, steps first."""
     described, right = [], {}
-    for s in steps(p, values):
-        kind = _kind(s)
+    for s in [s for s in steps(p, values) if s.key not in repeated(p)]:
         described.append({
-            "key": s.key, "kind": kind.name, "unit": s.unit, "means": typeset(s.means, p),
+            "key": s.key, "kind": s.kind.name, "unit": s.unit, "means": typeset(s.means, p),
             "plain": plain(s.means, p.units), "section": s.section or p.section,
-            "equation": s.equation, "latex": symbol(s.key, kind.is_vector), "atol": 0.0, "of": [],
+            "equation": s.equation, "latex": symbol(s.key, s.is_vector), "atol": 0.0, "of": [],
             "sum": s.of, "step": True,
         })  # fmt: skip
-        right[s.key] = _numbers(s.value, kind)
+        right[s.key] = _numbers(s.value, s.kind)
     for key, x in p.solve(values).items():
         a = p.answer(key)
         described.append({
@@ -50,22 +52,13 @@ def _equation(x):
     return x.equation.number if isinstance(x, Vector) and len(x.terms) > 1 else ""
 
 
-def _kind(step):
-    value = step.value
-    if isinstance(value, Vector):
-        return KINDS["vector"]
-    if isinstance(value, str):
-        return KINDS["choice"]
-    if isinstance(value, int) and step.unit == "1":
-        return KINDS["count"]
-    return KINDS[{9: "matrix", 2: "interval"}.get(len(flat(value)), "number")]
-
-
 def _numbers(x, kind):
     return x if kind.is_word else [float(part) for part in flat(x)]
 
 
-def wrong_numbers(p, values, described, right):
+def wrong_numbers(
+    p: Problem, values: Values, described: list[dict[str, Any]], right: dict[str, Any]
+) -> list[tuple]:
     """[(key, cause, numbers)] of the wrong models of all quantities that differ from the
     right ones.
     """
@@ -116,7 +109,7 @@ def _answers_of(p):
 def _steps_of(p):
     def compute(g):
         found = {s.key: in_unit(s.value, s.unit, p.system) for s in listed_steps(p, g)}
-        return {k: x for k, x in found.items() if not isinstance(x, str)}
+        return {k: x for k, x in found.items() if not (isinstance(x, str) or k in repeated(p))}
 
     return compute
 

@@ -4,14 +4,19 @@ of the quantities, for which a student's own can stand.
 """
 
 import math
+from typing import Any
 
+from exercises.catalogue import Problem
+from exercises.catalogue.steps import repeated
 from exercises.catalogue.tracing import traced_quantities
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
 from newton_euler.classroom.practising.programs import OPERATIONS, operate
 
+from ..assignment.cells import Values
 
-def relations(p, values):
+
+def relations(p: Problem, values: Values) -> dict[str, Any] | None:
     """{"operations": [[name, *arguments]], "quantities": {key: [component]}, "earlier": {key:
     [keys]}} for :class:`~newton_euler.classroom.practising.programs.Program`; None where the
     computation cannot be traced.
@@ -28,7 +33,9 @@ def relations(p, values):
         return None
     numbers = _evaluated(trace, p.base(values))
     starts = {x.number for parts in components.values() for x, _ in parts if _is_step(x)}
-    program, place, reached = [], {}, {}
+    program: list[Any] = []
+    place: dict[int, int] = {}
+    reached: dict[Any, Any] = {}
     for s in trace.steps:
         if s.op in ("item", *_WITHIN) or not isinstance(numbers[s.number], float):
             continue
@@ -64,7 +71,7 @@ def _traced(p):
     found = traced_quantities(p)
     factors = {key: unit(u).from_base(1.0, p.system) for key, u in found.units.items()}
     return {key: [_inward(x, factors[key]) for x in parts]
-            for key, parts in found.components.items()}  # fmt: skip
+            for key, parts in found.components.items() if key not in repeated(p)}  # fmt: skip
 
 
 def _inward(x, factor):

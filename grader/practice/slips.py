@@ -1,19 +1,25 @@
 """What simple slips in the computation make of the answers, as numbers for a practice file."""
 
 import math
+from typing import Any
 
+from exercises.catalogue import Problem
 from newton_euler.answers.formulas import RARER
 from newton_euler.answers.kinds import KINDS
 
+from ..assignment.cells import Values
 from ..scoring.computation import perturbed
 
 
-def slip_numbers(p, values, described, right):
+def slip_numbers(
+    p: Problem, values: Values, described: list[dict[str, Any]], right: dict[str, Any]
+) -> list[tuple]:
     """[(key, rank, cause, numbers)] of the slips in the answers that are at most as rare as
     :data:`RARER`; of those with the same words and numbers, the first. The formulas themselves are
     not in it: they would give the answers for other numbers.
     """
-    slips, found = perturbed(p, values), {}
+    slips = perturbed(p, values)
+    found: dict[Any, tuple] = {}
     for q in described:
         of_answer = None if q["step"] or KINDS[q["kind"]].is_word else slips.of_answer(q["key"])
         if of_answer is None:

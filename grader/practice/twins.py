@@ -2,19 +2,21 @@
 is asked for in an assignment is not given away.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
-from exercises.catalogue import Given
+from exercises.catalogue import Given, Problem
 from exercises.catalogue.variants import draw, drawn_value
 
+from ..assignment.cells import Values
 from .graded import GradedAnswers
 
 TRIES = 50  # draws for each set that is far from all sheets of a class
 
 
 @cache
-def twin(p):
+def twin(p: Problem) -> Problem:
     """Problem ``p`` itself, or where it has symbols a problem that gives numbers for them."""
     if not p.symbols:
         return p
@@ -38,7 +40,9 @@ class _Middle:
         return (first + last) // 2
 
 
-def sets_of_numbers(p, count, graded=(), seed="practice"):
+def sets_of_numbers(
+    p: Problem, count: int, graded: Sequence[Values] = (), seed: str = "practice"
+) -> list[Values]:
     """The numbers of the book, or near the middle for symbols, and drawn ones, ``count`` in all or
     as many as differ; none with an answer near one of the ``graded`` sheets.
     """

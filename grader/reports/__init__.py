@@ -14,4 +14,4 @@ from .diagnoses import diagnosis_shares, shares_table
 from .export import FORMATS, export
 from .statistics import part_statistics, statistics_csv, statistics_figure, statistics_table
 from .tables import diagnosis_table, gradebook_table, shown, taken_in_table
-from .unlisted import SLIP_OUTCOMES, slip_shares
+from .unlisted import RANDOM, SLIP_OUTCOMES, slip_shares

@@ -3,7 +3,9 @@ notebook: ``b_dot`` is an ASCII name, and b with a dot is what a reader sees.
 """
 
 import re
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
+from typing import Any
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
@@ -20,7 +22,7 @@ _GLUED = rf"(?P<base>{_LETTER})(?P<index>\d+|(?<![A-Z])[A-Z]|[xyz]|(?<=[av])[tn]
 _FUNCTIONS = ("sin", "cos", "tan")
 
 
-def symbol(name, vector=False):
+def symbol(name: str, vector: bool = False) -> str:
     r"""The LaTeX of a name: Greek letters, dots and indices; other words upright, vectors bold.
 
     >>> symbol("omega_2_dot"), symbol("l_OA"), symbol("rddot"), symbol("lead")
@@ -45,7 +47,7 @@ def symbol(name, vector=False):
 
 
 @lru_cache(maxsize=1000)
-def is_word(name):
+def is_word(name: str) -> bool:
     """True if a name is a word, which no formula of a textbook would have: "lead", "speed_rate"."""
     return re.match(r"\|?(\\d?dot\{)?\\text\{", symbol(name)) is not None
 
@@ -93,7 +95,7 @@ def _part_of_index(part):
     return part if short else rf"\text{{{part}}}"
 
 
-def unit_symbol(unit):
+def unit_symbol(unit: str) -> str:
     r"""The LaTeX of a unit behind a number, with the space before it.
 
     >>> unit_symbol("kg*m^2/s"), unit_symbol("deg/s"), unit_symbol("1")
@@ -106,7 +108,7 @@ def unit_symbol(unit):
     return r"\ " + bare_unit(unit)
 
 
-def bare_unit(unit):
+def bare_unit(unit: str) -> str:
     """The LaTeX of a unit that stands alone."""
     parts = re.split(r"(\*|\^\d+)", unit.replace("%", r"\%"))
     return "".join(
@@ -114,7 +116,7 @@ def bare_unit(unit):
     )
 
 
-def number_symbol(x):
+def number_symbol(x: float) -> str:
     r"""The LaTeX of a number, floats with six significant digits.
 
     >>> number_symbol(0.6), number_symbol(3), number_symbol(-1.5e-7)
@@ -140,7 +142,7 @@ _WRITTEN_OUT = re.compile(
 )
 
 
-def typeset_names(text, symbols):
+def typeset_names(text: str, symbols: Mapping[str, str]) -> str:
     r"""A plain text with the names that it writes out as formulas: Greek letters, names with an
     index, sums and equations of names, cross products. What is in braces, dollar signs or
     backquotes stays. ``symbols``: {name: LaTeX} of those that are not written as :func:`symbol`
@@ -167,7 +169,7 @@ def _named(match, symbols):
 _SUM, _PRODUCT, _POWER = 1, 2, 3  # how tightly what is written holds together
 
 
-def formula(tree, symbols):
+def formula(tree: Any, symbols: Mapping[str, str]) -> str:
     r"""The LaTeX of a formula tree, of a list of them, or of components in several frames;
     ``symbols`` as for :func:`typeset_names`.
 
@@ -204,7 +206,7 @@ def _written(tree, symbols):
     return rf"\operatorname{{{_plain(head)}}}\left({inside}\right)", _PRODUCT
 
 
-def matrix_symbol(rows):
+def matrix_symbol(rows: Iterable[Iterable[str]]) -> str:
     r"""The LaTeX of a matrix, of rows of formulas.
 
     >>> matrix_symbol([["1", "0"], ["0", "2"]])
@@ -214,7 +216,7 @@ def matrix_symbol(rows):
     return rf"\begin{{bmatrix}}{inside}\end{{bmatrix}}"
 
 
-def list_symbol(parts):
+def list_symbol(parts: Iterable[str]) -> str:
     """Formulas with commas between them; the braces make a minus the sign of what follows."""
     return r",\ ".join(f"{{{p}}}" if p.startswith("-") else p for p in parts)
 

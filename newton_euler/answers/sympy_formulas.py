@@ -2,8 +2,11 @@
 functions are written out by them, sec x as 1/cos x, and what is left unevaluated is carried out.
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 from ..algebra.scalars import FUNCTIONS, clipped, without_rates
-from .trees import NODES, TreeError, check_size
+from .trees import NODES, Tree, TreeError, check_size
 from .values import read_number, refuse_equation
 
 I_TREE = ["^", -1, 0.5]
@@ -56,7 +59,7 @@ _COMPARISONS = {
 }
 
 
-def read_formula(x, form, symbols, budget):
+def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: list[int]) -> Tree:
     """The tree of a formula: a number, the name of a symbol, or [operator, ...]. ``budget``: a list
     of one number, the operations of the receipt that may still be read.
     """

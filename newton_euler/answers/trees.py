@@ -2,13 +2,16 @@
 evaluated, and checked for their size and their dimension.
 """
 
+from collections.abc import Mapping
 from functools import reduce
 from operator import add, mul
+from typing import Any, TypeAlias
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import FUNCTIONS, function, is_numeric, pi, where
 from ..algebra.units import Dimension, DimensionError, UnitError, unit
 
+Tree: TypeAlias = Any  # a number, the name of a symbol, or [operator, tree, ...], as JSON has it
 NAMED = (*FUNCTIONS, "atan2", "Abs", "Max", "Min", "Mod", "where")
 NODES = 5000  # the largest receipt that is read, in operations of all its formulas
 DEPTH = 200  # the deepest formula
@@ -18,7 +21,7 @@ class TreeError(NewtonEulerError, ValueError):
     """Data that are not a formula: an unknown operator or symbol, or nested too deep."""
 
 
-def check_size(tree, budget):
+def check_size(tree: Tree, budget: list[int]) -> None:
     """Raise :class:`TreeError` if a tree is nested too deep, or has more operations than are left
     in ``budget``, a list of one number; without recursion, since JSON may be nested deeper than
     Python can follow.
@@ -40,7 +43,7 @@ def check_size(tree, budget):
             waiting += [(x, depth + 1) for x in inner]
 
 
-def evaluate(tree, values, depth=0):
+def evaluate(tree: Tree, values: Mapping[str, Any], depth: int = 0) -> Any:
     """The value of a formula tree over scalars of any kind, ``values`` {symbol: scalar}; nothing of
     it is run as code.
 
@@ -128,7 +131,7 @@ def _power(base, exponent):
     return base**exponent
 
 
-def in_words(tree):
+def in_words(tree: Tree) -> str:
     """A tree, a list of trees, or components in several frames, as text for a reader."""
     if isinstance(tree, dict):
         return ", ".join(f"{in_words(part)} in {frame}" for frame, part in tree.items())
@@ -144,7 +147,7 @@ def in_words(tree):
     return f"[{', '.join(parts)}]"
 
 
-def dimension_hints(tree, form, symbols):
+def dimension_hints(tree: Tree, form: Any, symbols: Mapping[str, str]) -> list[str]:
     """Sentences on what is wrong with the dimension of a formula, a list; found from the units of
     the symbols, without the key.
     """

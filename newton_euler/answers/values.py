@@ -6,6 +6,7 @@ import math
 import sys
 from collections.abc import Mapping, Set
 from importlib import import_module
+from typing import Any
 
 from ..algebra.scalars import clipped, without_rates
 from ..algebra.units import pint_name
@@ -14,7 +15,7 @@ from ..algebra.vectors import Vector
 LONGEST = 5000  # numbers in one answer; the largest form has nine
 
 
-def components(value, form):
+def components(value: Any, form: Any) -> list:
     """The numbers or formulas in a scalar, vector, matrix or sequence of any library, as a list,
     row by row; of a pint quantity in the unit that is asked for.
     """
@@ -99,7 +100,7 @@ def _refuse(value, form):
         raise form.error(f"cannot make a number of {clipped(value)}, which is a function: call it")
 
 
-def read_number(x, form):
+def read_number(x: Any, form: Any) -> float:
     """A number of any library as a finite float."""
     x = without_rates(x)
     if x is None or type(x).__name__ in ("bool", "bool_", "BooleanTrue", "BooleanFalse"):
@@ -138,7 +139,7 @@ def _complex(x):
     return None
 
 
-def refuse_equation(x, form):
+def refuse_equation(x: Any, form: Any) -> None:
     """Raise what to write in place of an equation or inequality of SymPy, or a unit of it."""
     if getattr(x, "is_Relational", False):
         raise form.error(f"got {clipped(x)}, an equation; give the side that is asked for")

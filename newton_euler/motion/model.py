@@ -34,6 +34,7 @@ from ..algebra.scalars import (
     scalar,
     to_plain,
 )
+from ..algebra.tables import Table
 
 # a state: its values in the order of the states, or by name
 State = Iterable[Scalar] | Mapping[str, Scalar]
@@ -98,7 +99,8 @@ class Model(Portable):
 
     name : of the scene and of the rung of its ladder
     parameters : by name, a scalar each, or a *law*: a function ``(s, p, t)`` of states, scalar
-        parameters and time, as a thrust that is programmed
+        parameters and time, as a thrust that is programmed; or a :func:`~newton_euler.table`, which
+        formulas read as p.thrust(t)
     states : their names, in the order of all tuples of states
     rhs : a function ``(s, p, t)`` that returns the rates of the states in this order; a formula,
         without branches on values
@@ -300,8 +302,11 @@ class Model(Portable):
         """``f(s, p, t)``, with the value of each law at this state in p."""
         s = Named("state", {n: scalar(x) for n, x in state.items()})
         p = Named("parameter", {n: scalar(x) for n, x in parameters.items() if not is_law(x)})
-        # evaluated before any is added: a law sees numbers only, not other laws
-        vars(p).update({n: scalar(x(s, p, t)) for n, x in parameters.items() if is_law(x)})
+        laws = {n: x for n, x in parameters.items() if is_law(x)}
+        tables = {n: x for n, x in laws.items() if isinstance(x, Table)}
+        # evaluated before any is added: a law sees numbers and tables only, not other laws
+        vars(p).update(tables)
+        vars(p).update({n: scalar(x(s, p, t)) for n, x in laws.items() if n not in tables})
         return f(s, p, t)
 
     def _value(self, f, state, t):

@@ -51,7 +51,9 @@ class Rung(Portable):
         """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(f"the bounds of {self.name!r} need numbers for parameters, start, t")
+            raise ModelError(
+                f"the bounds of {self.name!r} have no values: give numbers for parameters, start, t"
+            )
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 

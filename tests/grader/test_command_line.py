@@ -130,7 +130,7 @@ WRONG = [
     (("grade", "ch04", "--course", "{tmp}/file"), "is a file"),
     (("personal", "ch04", "--course", "{tmp}"), "is not a course folder"),
     (("build", "ch99", "--course", "{tmp}/c"), "there is no chapter 'ch99'"),
-    (("build", "ch04", "--course", "{tmp}/c", "--problem", "99/1"), "ch04 has no problem 99/1; it has 4/1 to 4/43"),
+    (("build", "ch04", "--course", "{tmp}/c", "--problem", "99/1"), "there is no problem 99/1: the chapters with problems are"),
     (("build", "ch04", "--course", "{tmp}/c", "--students", "{tmp}/missing.csv"), "does not exist"),
     (("build", "ch04", "--course", "{tmp}/c", "--update"), "is not a course folder"),
     (("build", "ch04", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty; name a new folder, or add"),

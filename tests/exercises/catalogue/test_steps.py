@@ -7,8 +7,9 @@ import sympy
 
 from exercises.catalogue import CatalogueError, problem, select
 from exercises.catalogue.checks import check
-from exercises.catalogue.steps import Step, faults, steps
+from exercises.catalogue.steps import Step, faults, repeated, steps
 from exercises.catalogue.variants import draw
+from newton_euler import Vector
 
 ALL = select(["all"])
 # for every symbol
@@ -75,6 +76,49 @@ def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
     assert faults(p, p.book_values) == [
         "the step rate is stated in rad/s, that is 1/s, and has m/s"
     ]
+
+
+def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
+    kinds = lambda name: [s.kind.name for s in steps(problem(name), problem(name).book_values)]
+    assert kinds("A/4") == ["number"] * 4  # whole numbers, but for the numbers of the book alone
+    assert set(kinds("5/24")) == {"count"}
+    assert set(kinds("7/2")) == {"number", "vector", "matrix"}
+    rows = lambda g: ((g.b, 0, 0), (0, g.b, 0), (0, 0, g.b))
+    p = with_steps(monkeypatch, lambda g: Step("rows", rows(g), "mm", "a matrix"))
+    assert faults(p, p.book_values) == [
+        "the step rows has another form than a number: say its kind"
+    ]
+    p = with_steps(monkeypatch, lambda g: Step("rows", rows(g), "mm", "a matrix", kind="matrix"))
+    assert faults(p, p.book_values) == []
+
+
+def test_a_step_that_is_an_answer_and_a_term_that_is_a_step_are_not_asked_for(monkeypatch):
+    p = problem("4/16")
+    D = lambda g: p.code.solve(g)["v_D"]
+    term = lambda g, name: D(g).terms[name]
+    asked_as = lambda g, name: {"term": (name, D(g).equation)}
+    p = with_steps(
+        monkeypatch,
+        lambda g: Step("all", 1 * D(g), "mm/s", "velocity of D"),
+        lambda g: Step("part", term(g, "relative"), "mm/s", "velocity of D in BC"),
+        lambda g: Step("again", term(g, "relative"), "mm/s", "v_D", **asked_as(g, "relative")),
+        lambda g: Step("turn", term(g, "rotation"), "mm/s", "v_D", **asked_as(g, "rotation")),
+    )
+    repeated.cache_clear()
+    found = repeated(p)
+    repeated.cache_clear()
+    assert found == {"all", "again"}
+
+
+def test_a_step_of_the_text_that_is_an_answer_is_a_fault(monkeypatch):
+    p = problem("8/4")
+    key = next(iter(p.steps))
+    answer = lambda g: next(x for x in p.code.solve(g).values() if isinstance(x, Vector))
+    monkeypatch.setattr(p.code, "steps", lambda g: {key: 2 * answer(g) / 2})
+    repeated.cache_clear()
+    found = faults(p, p.book_values)
+    repeated.cache_clear()
+    assert f"the step {key} is an answer" in found
 
 
 def test_steps_in_code_and_text_are_the_same(monkeypatch):

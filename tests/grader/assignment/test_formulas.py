@@ -5,7 +5,8 @@ import sympy
 
 from exercises.catalogue import problem
 from grader.assignment.derivations import derivations
-from grader.assignment.formulas import numerals, simplest, written
+from grader.assignment.formulas import numerals, written
+from grader.assignment.tidy import simplest
 
 a, b = sympy.symbols("a b", real=True)
 m, g, h = sympy.symbols("m g h", positive=True)

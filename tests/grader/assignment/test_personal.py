@@ -9,6 +9,7 @@ import pytest
 from grader.assignment import copy_to_exchange, make_personal_copies, problems_of
 from grader.assignment import notebook as nb
 from grader.assignment.fetch import personal_name
+from grader.assignment.personal import warning
 from grader.course import CourseError
 from tests.grader.courses import append_config, command, ran, read, released_sheet
 from tests.grader.keys import secrets_in
@@ -86,7 +87,9 @@ def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monke
     outbound = tmp_path / "outbound/ch04"
     outbound.mkdir(parents=True)
     paths = {s: course.personal_path("ch04", "ada") for s in ("nobody", "no such user")}
-    copy_to_exchange(course, "ch04", outbound, paths)
+    open_to_others = copy_to_exchange(course, "ch04", outbound, paths)
+    assert open_to_others == ["no such user"]
+    assert "of 1 students (no such user)" in warning(open_to_others)
     said = (tmp_path / "said").read_text()
     own = personal_name(course.name, "ch04", "nobody")
     user = pwd.getpwnam("nobody").pw_uid
@@ -95,3 +98,19 @@ def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monke
     assert len(said.splitlines()) == 1
     folder = outbound.parent / ".personal/ch04"
     assert stat.S_IMODE(folder.stat().st_mode) == 0o711
+    (tmp_path / "setfacl").write_text("#!/bin/sh\nexit 1\n")  # a file system without access lists
+    assert copy_to_exchange(course, "ch04", outbound, paths) == list(paths)
+
+
+def test_a_copy_that_root_hands_out_is_its_owners_alone(course, tmp_path, monkeypatch):
+    if os.geteuid() != 0:
+        pytest.skip("only root can give files away")
+    outbound = tmp_path / "outbound/ch04"
+    outbound.mkdir(parents=True)
+    path = course.personal_path("ch04", "ada")
+    assert copy_to_exchange(course, "ch04", outbound, {"nobody": path}) == []
+    place = outbound.parent / ".personal/ch04" / personal_name(course.name, "ch04", "nobody")
+    assert (place.stat().st_uid, stat.S_IMODE(place.stat().st_mode)) == (
+        pwd.getpwnam("nobody").pw_uid, 0o700,
+    )  # fmt: skip
+    assert warning([]) == ""

@@ -138,3 +138,14 @@ def test_the_term_of_two_coordinates_is_typeset():
 ])  # fmt: skip
 def test_a_formula_that_a_text_spells_is_typeset_and_words_stay(text, latex):
     assert typeset_formulas(text, {}) == latex
+
+
+@pytest.mark.parametrize("name", ["2/38", "4/16", "6/5", "11/7"])
+def test_without_formulas_there_are_values_only(name):
+    """A practice file would otherwise tell what holds for the numbers of an assignment, too."""
+    p = problem(name)
+    shown = list(lines(p, p.book_values, formulas=False))
+    assert all(len(line.equal) == 1 and not line.together for line in shown)
+    text = worked_solution(p, p.book_values, text=False, formulas=False)
+    assert len(text) < len(worked_solution(p, p.book_values, text=False))
+    assert " from $" not in text

@@ -47,7 +47,7 @@ def test_the_page_needs_no_network(page):
 def test_captions_and_numbers_are_on_the_page(page):
     text = page.read_text(encoding="utf-8")
     assert text.count("<figcaption>") == text.count("<summary>Numbers</summary>") == len(NAMES)
-    assert "the cheapest model is" in text
+    assert "the smallest model is" in text
 
 
 def test_a_chart_that_cannot_be_made_is_named_with_the_reason_and_the_others_are_drawn(

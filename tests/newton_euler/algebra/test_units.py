@@ -131,3 +131,16 @@ def test_an_unknown_unit_lists_the_known_ones():
         Unit("furlong/s")
     with pytest.raises(UnitError, match="unknown unit 'kgm'"):
         Unit("kg m")
+
+
+@pytest.mark.parametrize(
+    ("text", "turning", "angle", "feet"),
+    [
+        ("deg", True, True, False), ("rad", False, True, False), ("rpm", True, False, False),
+        ("rev/min", True, False, False), ("rad/s", False, False, False), ("%", False, False, False),
+        ("ft/s^2", False, False, True), ("km/h", False, False, False), ("1", False, False, False),
+    ],
+)  # fmt: skip
+def test_a_unit_says_what_it_is_of(text, turning, angle, feet):
+    found = unit(text)
+    assert (found.is_of_turning, found.is_of_angle, found.is_of_feet) == (turning, angle, feet)

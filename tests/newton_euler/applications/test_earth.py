@@ -197,7 +197,7 @@ def shot(rate="0.0001"):
     return launch, g + g.frame.vector(0, mp.mpf("-0.02"), 0), omega
 
 
-def test_eqn_6_20_is_solved_by_the_series_to_30_digits_and_6_21_is_its_first_integral():
+def test_eqn_6_20_6_21_the_series_solves_to_30_digits_and_has_the_first_integral():
     launch, g, omega = shot()
     for t in (mp.mpf(1), mp.mpf(60), mp.mpf(3600)):
         r, v = by_exponential(t, (0, 0, 0), launch, g, omega)

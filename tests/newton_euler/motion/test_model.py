@@ -14,7 +14,7 @@ import pytest
 import sympy
 from scipy import interpolate
 
-from newton_euler import Dimension, Event, cos, exp, integrate, sin, where
+from newton_euler import Dimension, Event, cos, exp, integrate, sin, table, where
 from newton_euler.algebra import ZERO
 from newton_euler.algebra.scalars import DivisionError, RangeError
 from newton_euler.motion.model import (
@@ -304,3 +304,17 @@ def test_numbers_in_sequences_are_an_array_and_what_is_none_is_named_alone():
     assert real_numbers([[1, 2.5], (3, 4)], "numbers").tolist() == [[1.0, 2.5], [3.0, 4.0]]
     with pytest.raises(ModelError, match=r"^numbers; got 'x'$"):
         real_numbers([1.0, ["x"]], "numbers")
+
+
+def test_a_table_among_the_parameters_is_read_by_formulas_and_laws():
+    torque = table([0.0, 2.0, 9.0], [1.0, 5.0, -2.0], outside="hold")
+    rates = lambda s, p, t: (p.k * p.torque(s.w) + p.load,)
+    load = lambda s, p, t: -p.torque(t)
+    model = Model("motor", {"torque": torque, "k": 0.5, "load": load}, ("w",), rates)
+    assert close(model.derivative((1.0,), 0.5), (0.5 * 3.0 - 2.0,), 1e-15)
+    assert close(
+        model.changed(torque=table([0.0, 4.0], [2.0, 2.0])).derivative((1.0,), 0.5), (-1.0,), 0
+    )
+    end = integrate(model, 4.0, (0.5,)).end["w"]
+    many = integrate(model.changed(k=np.array([0.5, 0.6])), 4.0, (0.5,))
+    assert many.end["w"][0] == pytest.approx(end, rel=1e-9)

@@ -1,0 +1,83 @@
+"""Formulas of SymPy in the form in which they are read."""
+
+import math
+from functools import lru_cache
+from typing import Any
+
+LONGEST = 30  # operations of a formula that a reader follows
+HOPELESS = 150  # operations that are not worth to be simplified
+
+
+def readable(formula: Any) -> Any:
+    """The formula, integrated under a bar, with sin^2 + cos^2 = 1 where that makes it shorter."""
+    import sympy
+
+    formula = sympy.sympify(formula)
+    formula = formula.xreplace({x: constant(x) for x in formula.atoms(sympy.Float)})
+    if sympy.fraction(sympy.together(formula))[1].has(sympy.Integral):
+        formula = formula.doit()
+    if formula.has(sympy.sin) and formula.has(sympy.cos) and not is_long(formula):
+        other = sympy.trigsimp(sympy.expand(formula))
+        return min(formula, other, key=lambda f: f.count_ops())
+    if not LONGEST / 2 < formula.count_ops() < HOPELESS:
+        return formula
+    other = sympy.simplify(formula)
+    # of a formula that can be read, the order of its terms says how it was found
+    return other if is_long(formula) or other.count_ops() < formula.count_ops() / 2 else formula
+
+
+def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
+    """The two sides of an equation without minus signs before their terms, where there are two."""
+    import sympy
+
+    terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
+    left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
+    right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
+    return (left, right) if left and right else row
+
+
+def is_raised(name: Any, formula: Any) -> bool:
+    """True if a formula has powers of a name that are no usual ones."""
+    import sympy
+
+    return any(p.base == name and abs(p.exp) not in (1, 2) for p in formula.atoms(sympy.Pow))
+
+
+def is_atom(formula: Any) -> bool:
+    """True if a formula is a name, with a sign or without."""
+    return formula.is_Symbol or (-formula).is_Symbol
+
+
+def is_long(formula: Any) -> bool:
+    """True if a reader does not follow a formula."""
+    return formula.count_ops() > LONGEST
+
+
+def constant(x: Any) -> Any:
+    """A number of the code as a reader writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
+    import sympy
+
+    x = float(x)
+    if x.is_integer():
+        return sympy.Integer(int(x))
+    pi, root = (math.pi, sympy.pi), (math.sqrt(2), sympy.sqrt(2))
+    for unit, name in ((1.0, 1), pi, (1 / math.pi, 1 / sympy.pi), root):
+        near = sympy.Rational(x / unit).limit_denominator(60) if math.isfinite(x) else 0
+        if near and math.isclose(float(near) * unit, x, rel_tol=1e-13):
+            return near * name
+    return sympy.Float(x)
+
+
+@lru_cache(maxsize=4000)  # many results are the same for all students
+def simplest(formula: Any) -> Any:
+    """A result as the shortest of its usual forms."""
+    import sympy
+
+    if formula.count_ops() > HOPELESS:
+        return formula
+    if formula.has(sympy.Float):  # beside rounded numbers pi and the square root of 2 are some, too
+        formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
+    forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
+    if formula.has(sympy.sin) and formula.count_ops() < 60:
+        forms.append(sympy.trigsimp(formula))
+    return min(forms, key=lambda f: f.count_ops())

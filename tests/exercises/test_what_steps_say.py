@@ -1,0 +1,122 @@
+"""The steps that practice asks for lead to the answers and give none away: they are found from the
+givens and from each other, and none is an answer, or another step.
+"""
+
+import math
+from functools import cache
+
+import pytest
+
+from exercises.catalogue import select
+from exercises.catalogue.checks import values
+from exercises.catalogue.steps import listed_steps, repeated
+from exercises.catalogue.variants import flat
+from newton_euler.algebra.trace import Step as Traced
+from newton_euler.algebra.trace import Trace
+
+ALL = select(["all"])
+SEEDS = 1, 2, 3
+# moments about two axes, which are the same by the symmetry of the body
+SYMMETRIC = {("7/6", "I_yy"), ("7/8", "I_xx"), ("8/11", "I_zx")}
+
+by_id = pytest.mark.parametrize("p", ALL, ids=lambda p: p.id.replace("/", "_"))
+
+
+@cache
+def sheets(p):
+    """For some students, ({step: (numbers, whether it is a term)}, {answer: numbers})."""
+    found = []
+    for seed in SEEDS:
+        g = p.base(values(p, seed))
+        asked = {k: x for k, x in p.code.solve(g).items() if not p.answer(k).kind.is_word}
+        listed = {s.key: (numbers(s.value), bool(s.term)) for s in listed_steps(p, g)
+                  if not s.kind.is_word and s.key not in repeated(p)}  # fmt: skip
+        found.append((listed, {k: numbers(x) for k, x in asked.items()}))
+    return found
+
+
+def numbers(x):
+    return [float(part) for part in flat(x)]
+
+
+def same(x, y):
+    size = max(map(abs, [*x, *y]))
+    return size > 0 and len(x) == len(y) and math.dist(x, y) <= 1e-9 * size
+
+
+def always(p, claim):
+    return all(claim(*sheet) for sheet in sheets(p))
+
+
+@by_id
+def test_no_step_is_an_answer(p):
+    listed, asked = sheets(p)[0]
+    for step, (_, is_term) in listed.items():
+        for key in asked:
+            assert not always(p, lambda s, a, n=step, k=key: n in s and same(s[n][0], a[k])), (
+                f"the step {step} is the answer {key}"
+            )
+            assert is_term or not always(
+                p, lambda s, a, n=step, k=key: n in s and same([-x for x in s[n][0]], a[k])
+            ), f"the step {step} is the answer {key} but for its sign"
+
+
+@by_id
+def test_no_step_is_another_step(p):
+    keys = list(sheets(p)[0][0])
+    for n, one in enumerate(keys):
+        for other in keys[:n]:
+            assert (p.id, one) in SYMMETRIC or not always(
+                p, lambda s, _, x=one, y=other: {x, y} <= set(s) and same(s[x][0], s[y][0])
+            ), f"the step {one} is the step {other}"
+
+
+FUNCTIONS = {"cosine": math.cos, "sine": math.sin, "tangent": math.tan, "square": lambda x: x * x}
+
+
+@by_id
+def test_no_step_after_which_only_a_key_of_the_calculator_is_left(p):
+    """A step that is a function of one answer alone, as its cosine, gives it away."""
+    listed, asked = sheets(p)[0]
+    scalars = [(n, k) for n, (x, _) in listed.items() for k, y in asked.items()
+               if len(x) == len(y) == 1]  # fmt: skip
+    for step, key in scalars:
+        for name, f in FUNCTIONS.items():
+
+            def gives_away(s, a, n=step, k=key, f=f):
+                return n in s and any(a[k]) and same(s[n][0], [f(a[k][0])])
+
+            assert not always(p, gives_away), f"the step {step} is the {name} of the answer {key}"
+
+
+def traced(x):
+    """The traced numbers of a value that are computed, up to the sign."""
+    parts = [] if isinstance(x, (str, int)) or callable(x) else flat(x)
+    parts = [part.args[0] if getattr(part, "op", "") == "neg" else part for part in parts]
+    return {part.number: part for part in parts if isinstance(part, Traced)}
+
+
+def before(steps):
+    """The numbers of all from which traced ones are computed."""
+    found, waiting = set(), [a for s in steps for a in s.args]
+    while waiting:
+        a = waiting.pop()
+        if isinstance(a, (tuple, list)):
+            waiting += a
+        elif isinstance(a, Traced) and a.number not in found:
+            found.add(a.number)
+            waiting += a.args
+    return found
+
+
+@by_id
+def test_no_step_is_computed_from_the_last_answer(p):
+    """From an earlier answer it may be: it leads to the next."""
+    trace = Trace()
+    g = p.base({n: trace.new("argument", n) for n in p.units})
+    listed, asked = listed_steps(p, g), [traced(x) for x in p.code.solve(g).values()]
+    given = traced([getattr(g, n) for n in p.units])
+    given = before(given.values()) | set(given)
+    last = next((set(x) - given for x in reversed(asked) if set(x) - given), None)
+    for s in listed if last else ():
+        assert not last <= before(traced(s.value).values()), f"{s.key} is found from the answer"
