@@ -60,10 +60,10 @@ def integrate(
     What is narrow, as a brake of a millimetre on a way of kilometres, is seen where its rates are
     written by ``where``, ``abs``, ``exp``, ``tanh``, ``atan`` or a quotient like 1/(1 + x**2): the
     argument of these is followed along each step, and where it passes the place at which they
-    change the step is compared with the rates and repeated (a series is refused), down to widths of
-    1e-12 of the way. Not seen is what has no such argument, as the sine of a fast variable or a
-    table of places, an argument that turns back within 1e-3 of a step, and what is narrow in the
-    function of an event.
+    change the step is compared with the rates and repeated (a series is refused). Below a width of
+    1e-7 of the way the motion may be refused. Not seen is what has no such argument, as the sine of
+    a fast variable or a table of places, an argument that turns back within 1e-3 of a step, and
+    what is narrow in the function of an event.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))

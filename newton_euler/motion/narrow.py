@@ -122,7 +122,7 @@ def passage(stepper, first):
                 clear[key] = steps
             return None
         stepper = stepper.dense
-        times = np.array([t for bracket in brackets for t in _located(np, stepper, *bracket)])
+        times = np.array([_located(np, stepper, *bracket) for bracket in brackets])
         ends = np.array(stepper.step_times)
         numbers = np.clip(np.searchsorted(ends, times, side="right") - 1, first, len(ends) - 2)
         for n in np.unique(numbers).tolist():
@@ -330,17 +330,17 @@ def _rates(stepper, times, x):
 
 
 def _located(np, stepper, j, low, high):
-    """The time between these at which an argument is least, in a list; none if it does not change
-    its sign although its operation jumps only there.
+    """The time between these at which an argument is least; the middle if it has one sign although
+    its operation jumps: a stage of the interpolation has met what the step has not.
     """
-    kind, signs = stepper.system.traced.narrow.kinds[j], set()
+    kind, signs, middle = stepper.system.traced.narrow.kinds[j], set(), (low + high) / 2
     for _ in range(ROUNDS):
         times = np.linspace(low, high, PARTS + 1)
         values = _values(stepper, times, stepper.states(times))[j]
         signs |= set(np.sign(values).tolist())
         k = int((-values if kind == "largest" else abs(values)).argmin())
         low, high = times[max(k - 1, 0)], times[min(k + 1, PARTS)]
-    return [] if kind == "jump" and len(signs) < 2 else [float(times[k])]
+    return middle if kind == "jump" and len(signs) < 2 else float(times[k])
 
 
 def _difference(stepper, n, centres):
