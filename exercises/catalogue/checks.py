@@ -348,6 +348,3 @@ def _both_zero(a, b, atol, tolerance):
 def _as_text(numbers):
     sized = lambda x: f"{max_abs(x) * (1 if x >= 0 else -1):.6g}"
     return f"({', '.join(x if isinstance(x, str) else sized(x) for x in numbers)})"
-
-
-__all__ = ["AGREEMENT", "alike", "check", "values"]

@@ -46,7 +46,11 @@ def read_problem(entry: Any, path: Path) -> Problem:
         struck=_texts(entry, "struck"),
         steps={key: _step(key, s) for key, s in _named(entry, "steps").items()},
         checked=_checked(_named(entry, "checked"), [a.key for a in answers]),
-        same_in_book=frozenset(_same_in_book(_named(entry, "mistakes"))),
+        same_in_book=frozenset(
+            name
+            for name, m in _named(entry, "mistakes").items()
+            if isinstance(m, dict) and m.get("same_in_book")
+        ),
     )
 
 
@@ -127,11 +131,6 @@ def _mistakes(named):
         n: _text(entry, "text") if isinstance(entry, dict) else _text(named, n)
         for n, entry in named.items()
     }
-
-
-def _same_in_book(named):
-    """The mistakes that give the right answer for the numbers of the book."""
-    return [n for n, m in named.items() if isinstance(m, dict) and m.get("same_in_book")]
 
 
 def _checked(found, asked):

@@ -97,9 +97,6 @@ def _of_the_chapter(name, spec, target):
     return {path: text for path, text in files.items() if not path.exists()}
 
 
-# -- the text
-
-
 def problem_yaml(entry: dict[str, Any]) -> str:
     """The text of ``pNN.yaml`` from one entry of a spec, without its comments."""
     content = {field: entry[field] for field in FIELDS if entry.get(field)}

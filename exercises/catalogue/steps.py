@@ -89,8 +89,9 @@ def terms(
     for name, term in vector.terms.items():
         if is_zero(term):
             continue
+        plain = "".join(c if c.isalnum() else "_" for c in name).strip("_")
         yield Step(
-            f"{key}_{_identifier(name, equation)}",
+            f"{key}_{plain if name in equation.terms else f'of_{plain}'}",  # "of_rod", of a frame
             term.expressed_in(vector.frame),
             stated_in,
             "",
@@ -104,12 +105,6 @@ def terms(
 def is_zero(vector: Vector) -> bool:
     """True if all components are the number zero, and not only for some values."""
     return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
-
-
-def _identifier(name, equation):
-    """The name of a term as part of a Python name: "coriolis"; "of_rod", after a frame."""
-    plain = "".join(c if c.isalnum() else "_" for c in name).strip("_")
-    return plain if name in equation.terms else f"of_{plain}"
 
 
 def steps(p, values, one=1.0):

@@ -32,7 +32,7 @@ def mistakes(g):
     return {
         "static_is_enough": {**rotor.only(none, "F_A", "F_B"), "balance": "both"},
         "wrong_sign": rotor.with_inertia(r, product=-1),
-        "no_rotation": {**rotor.without_H(none), "balance": "both"},
+        "no_rotation": {**{k: x for k, x in none.items() if k != "H_O"}, "balance": "both"},
         "on_the_bearings": rotor.on_the_bearings(r),
     }
 

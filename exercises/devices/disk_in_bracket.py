@@ -41,7 +41,7 @@ def whole_problem(name):
     """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of the disk and of A or B."""
     return (
         lambda g: all_motion(disk_in_bracket(g), name, g.r),
-        lambda g: all_steps(g, name),
+        lambda g: [*turning_steps(g), *rim_steps(g, name)],
         lambda g: prove_turning(g) | prove_rim(g, name),
         lambda g, ax: figure(g, ax, omega_name=r"\omega_b"),
     )
@@ -90,11 +90,6 @@ def rim_steps(g, name):
     v, a = rim_motion(frames, name, g.r).values()
     yield from terms(v, f"v_{name}", f"{length}/s", "4.8")
     yield from terms(a, f"a_{name}", f"{length}/s^2", "4.8")
-
-
-def all_steps(g, name):
-    yield from turning_steps(g)
-    yield from rim_steps(g, name)
 
 
 def alpha_disk(g, omega_disk):

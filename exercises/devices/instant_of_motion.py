@@ -11,14 +11,9 @@ def vectors(g):
     return GROUND.vector(g.v_x, g.v_y, g.v_z), GROUND.vector(g.a_x, g.a_y, g.a_z)
 
 
-def later_velocity(v, a):
-    """Proof, the velocity in time while the acceleration stays what it is."""
-    return lambda t: [x + y * t for x, y in zip(v, a, strict=True)]
-
-
 def speed_and_flexure(v, a):
     """Proof, the rate of the speed, and the turning of the tangent for each length of path."""
-    velocity = later_velocity(v, a)
+    velocity = lambda t: [x + y * t for x, y in zip(v, a, strict=True)]
     tangent = lambda t: scaled(1 / size(velocity(t)), velocity(t))
     return rate(lambda t: size(velocity(t))), size(rate(tangent)) / size(v)
 

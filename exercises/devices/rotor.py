@@ -124,11 +124,6 @@ def only(answers, *keys):
     return {key: answers[key] for key in keys}
 
 
-def without_H(answers):
-    """A mistake that is made after H_O."""
-    return {key: value for key, value in answers.items() if key != "H_O"}
-
-
 def pure_couple(r):
     """The bearing forces with m a_G left out."""
     found = forces(r)
