@@ -85,6 +85,8 @@ def test_the_pieces_of_a_kinked_model_are_its_rates(name):
         x, t = somewhere(case, chance)
         if name == "tank_with_an_overflow":
             x = tuple(map(abs, x))  # a level
+        if name == "swing_on_a_table":
+            x = max(-4.0, min(4.0, x[0])), x[1]  # where the table is
         s = names(case.model.states, x)
         signs = tuple(1 if g(s, p, t) > 0 else -1 for g in case.branches.switches)
         rates = case.model.derivative(x, t)

@@ -358,7 +358,7 @@ ENERGY = oscillator(neglects=[by(lambda s, p, t: t, "energy")])
 @pytest.mark.parametrize(
     ("ask", "words"),
     [
-        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' need numbers for parameters"),
+        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' have no values: give numbers for parameters"),
         (lambda: hand_made(ENERGY), "of different quantities and cannot be compared: position, m; energy"),
         (lambda: hand_made(FIRST, FIRST), "the rungs of 'oscillators' need names of their own, got a, a"),
         (hand_made, "got none"),
