@@ -34,6 +34,15 @@ def kept_numbers(
     return {p.id: _today(p, kept[p.id], path) for p in problems}
 
 
+def numbers_in(path: Path, problems: Iterable[Problem]) -> SheetValues:
+    """The numbers that a file keeps, in today's units, of those problems that still have them."""
+    kept, found = _read(path), {}
+    for p in problems:
+        if p.id in kept and kept[p.id].keys() >= p.givens.keys():
+            found[p.id] = _today(p, kept[p.id], path)
+    return found
+
+
 def keep_numbers(
     course: Course, assignment: str, student: str, problems: Iterable[Problem], values: SheetValues
 ) -> KeptNumbers:

@@ -23,12 +23,13 @@ from .wrong_models import wrong_models
 
 class Numbers:
     """Key and wrong answers of ``problem`` for a student's ``values``: the
-    :class:`~newton_euler.answers.verdicts.Numbers` of scoring.
+    :class:`~newton_euler.answers.verdicts.Numbers` of scoring. ``earlier_sheets``: the values of
+    the sheets that the student had before.
     """
 
-    def __init__(self, problem, values):
+    def __init__(self, problem, values, earlier_sheets=()):
         self.problem, self.sample = problem, _sample(problem, values)
-        self._wrong = {}
+        self._wrong, self._earlier_sheets = {}, earlier_sheets
 
     @property
     def answers(self):
@@ -93,6 +94,11 @@ class Numbers:
         return {} if same else _of_book(self.problem.id)
 
     @cached_property
+    def sheets(self):
+        """[{answer: points}] for the numbers of earlier sheets."""
+        return [Numbers(self.problem, values).key for values in self._earlier_sheets]
+
+    @cached_property
     def slips(self):
         """The slips in the computation of the answers."""
         return perturbed(self.problem, self.sample)
@@ -116,9 +122,11 @@ class Numbers:
             return None
 
 
-def numbers_of(problem, values):
+def numbers_of(problem, values, earlier_sheets=()):
     """The :class:`Numbers` of a problem; those of a problem without givens are the same for all."""
-    return Numbers(problem, values) if problem.givens else _without_givens(problem.id)
+    if not problem.givens:
+        return _without_givens(problem.id)
+    return Numbers(problem, values, earlier_sheets)
 
 
 @cache

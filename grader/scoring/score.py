@@ -7,8 +7,11 @@ run, evaluated as code or simplified here.
 
 import json
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import astuple, dataclass, replace
+from typing import Any
 
+from exercises.catalogue import Problem
 from newton_euler.answers.causes import Cause
 from newton_euler.answers.messages import one_line
 from newton_euler.answers.notation import formula, unit_symbol
@@ -38,12 +41,12 @@ class Part:
     causes: tuple[Cause, ...] = ()
 
     @classmethod
-    def from_dict(cls, kept):
+    def from_dict(cls, kept: Mapping[str, Any]) -> "Part":
         """A part from what :meth:`Score.as_dict` makes of it."""
         causes = tuple(Cause(*cause) for cause in kept.get("causes", ()))
         return cls(**{**kept, "causes": causes})
 
-    def as_dict(self):
+    def as_dict(self) -> dict[str, Any]:
         """The part as a dict that JSON can hold."""
         return {**vars(self), "causes": [list(astuple(c)) for c in self.causes]}
 
@@ -55,26 +58,26 @@ class Score:
     """
 
     problem: str
-    parts: tuple
+    parts: tuple[Part, ...]
     note: str = ""
 
     @property
-    def points(self):
+    def points(self) -> float:
         """The sum of the points of the parts."""
         return _sum(p.points for p in self.parts)
 
     @property
-    def out_of(self):
+    def out_of(self) -> float:
         """What the parts are worth together."""
         return _sum(p.out_of for p in self.parts)
 
-    def as_dict(self):
+    def as_dict(self) -> dict[str, Any]:
         """The score as a dict that JSON can hold."""
         parts = [part.as_dict() for part in self.parts]
         sums = {"points": self.points, "out_of": self.out_of}
         return {**sums, **vars(self), "parts": parts}
 
-    def json(self):
+    def json(self) -> str:
         """The score as JSON text."""
         return json.dumps(self.as_dict())
 
@@ -85,8 +88,16 @@ def _sum(shares):
 
 
 def score_receipt(
-    problem, values, receipt, note="", points=None, weights=None, asked=None, follow_through=None
-):
+    problem: Problem,
+    values: Mapping[str, Any],
+    receipt: Any,
+    note: str = "",
+    points: float | None = None,
+    weights: Mapping[str, float] | None = None,
+    asked: Mapping[str, str] | None = None,
+    follow_through: float | None = None,
+    earlier_sheets: Sequence[Mapping[str, Any]] = (),
+) -> Score:
     """The :class:`Score` of a receipt ({"answers", "faults", "error"}, or None) for ``problem``
     with a student's ``values``.
 
@@ -95,6 +106,7 @@ def score_receipt(
 
     points, weights, asked, follow_through : what the sheet is worth and asked for, as in
         :func:`~grader.scoring.sheet.asked_parts`
+    earlier_sheets : the values of sheets that the student had before
     """
     receipt = receipt if isinstance(receipt, dict) else {}
     answers = receipt.get("answers") if isinstance(receipt.get("answers"), dict) else {}
@@ -102,7 +114,7 @@ def score_receipt(
     error = receipt.get("error")
     notes = [n for n in (note, f"the cell stopped with {one_line(error)}" if error else "") if n]
     sheet = asked_parts(problem, points, weights, asked, follow_through)
-    numbers, budget = numbers_of(problem, values), [NODES]
+    numbers, budget = numbers_of(problem, values, earlier_sheets), [NODES]
     found = {}
     for part in sheet:
         key = part.answer.key

@@ -67,6 +67,7 @@ def _scored(sheet, task, work, executed):
         return score_receipt(
             task.exercise, sheet.values[number], executed.receipts.get(number),
             work.notes.get(number, ""), task.points, task.weights, task.forms, task.follow_through,
+            sheet.earlier.get(number, ()),
         )  # fmt: skip
     except ScoreError as error:
         raise CourseError(str(error)) from error

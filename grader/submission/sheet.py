@@ -1,9 +1,12 @@
 """What grading knows of a student's sheet before it looks at the submission."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..assignment.cells import Notebook, SheetValues, Sources
+from ..assignment.attempts import earlier_attempts
+from ..assignment.cells import Notebook, SheetValues, Sources, Values
+from ..assignment.numbers import numbers_in
 from ..assignment.released import Released, master_notebook, released, sheet_numbers
 from ..assignment.sheet import Task
 from ..course import Course
@@ -22,6 +25,7 @@ class Sheet:
     released: Released
     values: SheetValues
     sources: Sources
+    earlier: Mapping[str, Sequence[Values]]  # by problem: the numbers of earlier attempts
 
     @cached_property
     def master(self) -> Notebook:
@@ -40,4 +44,10 @@ def student_sheet(
     """The :class:`Sheet` of a student."""
     notebook = released(course, assignment)[name]
     values = sheet_numbers(course, assignment, student) if notebook.tasks else {}
-    return Sheet(course, assignment, student, name, notebook, values, sources)
+    problems = [task.exercise for task in notebook.tasks.values()]
+    earlier = [
+        numbers_in(folder / "numbers.json", problems)
+        for folder in earlier_attempts(course, assignment, student).values()
+    ]
+    by_problem = {i: [sheet[i] for sheet in earlier if i in sheet] for i in notebook.tasks}
+    return Sheet(course, assignment, student, name, notebook, values, sources, by_problem)

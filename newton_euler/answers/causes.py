@@ -90,6 +90,7 @@ AS_SCALARS = slip(
 )
 ROUNDED = slip("rounded", "rounds the right answer too far: give three significant figures or more")
 BOOK = Cause("book", "", "takes the numbers of the book instead of yours")
+EARLIER = Cause("book", "earlier", "takes the numbers of an earlier sheet of yours")
 DIRECTION = Cause("seen", "direction", "its size is right, its direction is not")
 NEAR = Cause(
     "seen",

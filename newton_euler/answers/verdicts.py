@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol
 
-from .causes import BOOK, Cause, answer_to, follows, sentence
+from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
 from .forms import Form
 from .frames import counted
@@ -19,6 +19,7 @@ from .tolerance import Points
 from .trees import TreeError, in_words
 
 NO_ANSWER = "no answer"
+OTHER_NUMBERS = {BOOK: "the book's numbers", EARLIER: "the numbers of an earlier sheet"}
 
 
 class Asked(Protocol):
@@ -52,6 +53,10 @@ class Numbers(Protocol):
     @property
     def book(self) -> Mapping[str, Points]:
         """{answer: points} for the book's numbers, {} where these are asked."""
+
+    @property
+    def sheets(self) -> Sequence[Mapping[str, Points]]:
+        """The same for the numbers of the student's earlier sheets."""
 
     @property
     def earlier(self) -> Mapping[str, Sequence[str]]:
@@ -139,9 +144,10 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     # in what follows, a slip that gives the same numbers was made before
     slips = () if earlier else (partial(_slips, asked, found, numbers),)
     causes = _causes(asked, given, found, numbers, *slips)
-    if BOOK in causes:
-        message = "not right: this is the answer for the book's numbers; yours are others"
-        return Explained(message, (BOOK,))
+    for cause, whose in OTHER_NUMBERS.items():
+        if cause in causes:
+            message = f"not right: this is the answer for {whose}; yours are others"
+            return Explained(message, (cause,))
     if earlier:
         message = f"not right; it follows from your {' and '.join(earlier)}"
         also = f"; it also fits a solution that {sentence(causes)}" if causes else ""
@@ -174,8 +180,8 @@ def _slips(asked, found, numbers, fit, kind):
 def _like(given, asked, numbers):
     """(key, models) of an answer, each of the points that mean it the nearest to what was given."""
     key, wrong = numbers.key[asked.key], list(numbers.wrong(asked.key))
-    if asked.key in numbers.book:
-        wrong.append((BOOK, numbers.book[asked.key]))
+    others = [(BOOK, numbers.book), *((EARLIER, sheet) for sheet in numbers.sheets)]
+    wrong += [(cause, right[asked.key]) for cause, right in others if asked.key in right]
     like = asked.kind.like
     return like(key, given), [(cause, like(points, given)) for cause, points in wrong]
 

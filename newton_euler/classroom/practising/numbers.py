@@ -44,6 +44,8 @@ class Quantity:
 class KeptNumbers:
     """The numbers of one variant of a problem; ``book`` is the variant with the book's."""
 
+    sheets = ()
+
     def __init__(self, quantities, labels, variant, book=None, slips=()):
         self.answers = [q for q in quantities if q.key in variant["right"]]
         self._labels, self._variant, self._book = labels, variant, book

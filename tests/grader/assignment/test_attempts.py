@@ -110,3 +110,22 @@ def test_another_attempt_inherits_nothing_that_a_person_gave_until_the_first_cou
     put_back(fresh, "ch04", "ben", 2)
     grade(fresh, "ch04", ["ben"])
     assert given(fresh, "ben") == (2.5, 0.0, "Better.")
+
+
+def test_the_answer_for_an_earlier_sheet_is_named_as_that(fresh):
+    right = work(fresh, "dan")
+    submit(fresh, "dan", right)
+    grade(fresh, "ch04", ["dan"])
+    new_attempt(fresh, "ch04", "dan")
+    cells = {c["id"]: c["source"] for c in right["cells"]}
+    own = read(fresh.personal_path("ch04", "dan"))
+    for c in own["cells"]:
+        if c["id"] in ("answer-4-16", "answer-4-31"):
+            c["source"] = cells[c["id"]]
+    submit(fresh, "dan", own)
+    (result,) = grade(fresh, "ch04", ["dan"])
+    said = [p.message for p in result.scores["4/16"].parts]
+    assert said == 3 * [
+        "not right: this is the answer for the numbers of an earlier sheet; yours are others"
+    ]
+    assert {c.name for p in result.scores["4/31"].parts for c in p.causes} == {"earlier"}
