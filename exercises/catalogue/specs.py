@@ -17,7 +17,7 @@ from .reading import EXERCISES
 WIDTH = 160  # of a line of text
 TEXTS = ("text", "figure", "frame")
 FIELDS = (
-    "id", "title", "section", "text", "figure", "givens", "symbols", "frame", "answers", "mistakes",
+    "id", "title", "section", "text", "figure", "givens", "symbols", "frame", "answers",
 )  # fmt: skip
 # a name of a mistake is made of its first words that say something
 WORDS_OF_A_NAME = 4
@@ -103,14 +103,14 @@ def problem_yaml(entry: dict[str, Any]) -> str:
     if str(content.get("figure", "")).lower().startswith("none"):
         del content["figure"]
     content |= {f: " ".join(content[f].split()) for f in TEXTS if f in content}
-    if "mistakes" in content:
-        content["mistakes"] = mistake_names(content["mistakes"])
-    return _as_yaml({**content, "section": str(entry["section"])})
+    named = {"mistakes": mistake_names(entry["mistakes"])} if entry.get("mistakes") else {}
+    text = _as_yaml({**content, "section": str(entry["section"])}, None)
+    return text + (_as_yaml(named) if named else "")
 
 
-def _as_yaml(content):
+def _as_yaml(content, flow=False):
     return yaml.safe_dump(
-        content, sort_keys=False, allow_unicode=True, width=WIDTH, default_flow_style=None
+        content, sort_keys=False, allow_unicode=True, width=WIDTH, default_flow_style=flow
     )
 
 

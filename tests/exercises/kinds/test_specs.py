@@ -77,7 +77,7 @@ def test_a_problem_that_needs_no_figure_has_none(spec):
 def test_the_chapter_has_its_title(spec):
     written(spec)
     home = spec.parent / "to" / "ch02"
-    assert (home / "chapter.yaml").read_text() == 'title: "Chapter 2: planar kinematics"\n'
+    assert (home / "chapter.yaml").read_text() == "title: 'Chapter 2: planar kinematics'\n"
     assert (home / "__init__.py").exists()
 
 
