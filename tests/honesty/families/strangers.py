@@ -193,24 +193,6 @@ def backlash_of_a_gear(rng):
     return Case(model, T, (angle, 0.0, 0.0, 0.0), branches=Branches(switches, pieces))
 
 
-@family("kinked", "strangers")
-def bungee_jump(rng):
-    """Free fall with the drag of the air, until the rope is taut; then up, slack and down again."""
-    parameters = rng.parameters(g=9.81, L=(10.0, 40.0), k=(0.5, 3.0), c=(0.02, 0.3), d=(2e-3, 8e-3))
-    rope = lambda s, p: p.k * (s.y - p.L) + p.c * s.v
-
-    def rates(s, p, t):
-        return s.v, p.g - where(s.y > p.L, rope(s, p), 0.0) - p.d * s.v * abs(s.v)
-
-    def pieces(s, p, t, b):
-        return s.v, p.g - (1 + b[0]) / 2 * rope(s, p) - p.d * b[1] * s.v * s.v
-
-    switches = lambda s, p, t: s.y - p.L, lambda s, p, t: s.v
-    T, v = rng.values((4.0, 25.0), (0.5, 3.0))
-    model = Model("bungee", parameters, ("y", "v"), rates)
-    return Case(model, T, (0.0, v), branches=Branches(switches, pieces))
-
-
 @family("kinked", "strangers", "near-singular")
 def puck_that_turns_on_an_incline(rng):
     """Dry friction against the direction of the motion, which turns round where it is slow."""

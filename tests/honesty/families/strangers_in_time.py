@@ -217,30 +217,6 @@ def ion_in_a_penning_trap(rng):
 
 
 @family("stiff", "strangers")
-def heat_along_a_rod(rng):
-    """A rod of eight parts, its ends in ice."""
-    nodes, D = 8, rng.decades(10.0, 1e3)
-
-    def rates(s, p, t):
-        x = [0.0, *(getattr(s, f"x{j}") for j in range(nodes)), 0.0]
-        return tuple(p.D * (x[j] - 2 * x[j + 1] + x[j + 2]) for j in range(nodes))
-
-    def exact(mp, s, p, t):
-        x, N = [getattr(s, f"x{j}") for j in range(nodes)], nodes + 1
-        wave = [[mp.sin(mp.pi * k * j / N) for j in range(1, N)] for k in range(1, N)]
-        out = [mp.mpf(0)] * nodes
-        for k, w in enumerate(wave, start=1):
-            part = 2 * sum(a * b for a, b in zip(x, w, strict=True)) / N
-            part *= mp.exp(-4 * p.D * mp.sin(mp.pi * k / (2 * N)) ** 2 * t)
-            out = [a + part * b for a, b in zip(out, w, strict=True)]
-        return tuple(out)
-
-    start = tuple(rng.uniform(0.0, 100.0) for _ in range(nodes))
-    model = Model("rod", {"D": D}, tuple(f"x{j}" for j in range(nodes)), rates)
-    return Case(model, rng.uniform(0.2, 1.0), start, exact=exact)
-
-
-@family("stiff", "strangers")
 def motor_with_an_inductance(rng):
     """A DC motor on a battery: its current settles in milliseconds, its speed in seconds."""
     parameters = rng.parameters(L=Log(3e-4, 1e-2), R=(0.5, 2.0), K=(0.02, 0.1), J=(1e-3, 5e-3))
