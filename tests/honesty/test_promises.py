@@ -84,6 +84,7 @@ def test_a_sample_of_models_reaches_the_goals_without_raw_errors_or_needless_ref
 
 
 STRANGERS = [n for n, f in FAMILIES.items() if "strangers" in f.tags]
+REASONS = "it sticks at", "small beside the round-off of"  # of a refusal
 MISSED = {}  # families of strangers that the engine fails, each with the reason
 
 
@@ -96,12 +97,12 @@ def _stranger(name):
 
 @pytest.mark.parametrize("name", [_stranger(n) for n in STRANGERS])
 def test_what_a_stranger_wrote_is_answered_as_asked_or_refused_with_a_reason(name, known):
-    """Sticking is a reason where it is named, and so is what no method in floats can reach."""
+    """A reason is what no method in floats can reach, or one that the engine names."""
     case, truth = known(name)
     for rtol in judge.TOLERANCES:
         run = judge.judged(case, {0: truth}, "auto", "", rtol, seconds=LONG)
         assert run.outcome in ("met", "refused"), run.words
-        assert not run.needless or "sticks" in run.words, run.words
+        assert not run.needless or any(word in run.words for word in REASONS), run.words
 
 
 @pytest.fixture(scope="module")
