@@ -4,7 +4,7 @@ not read the engine, as are the other files named after strangers.
 
 import math
 
-from newton_euler import Model, cos, exp, sin, sqrt, tanh, where
+from newton_euler import Model, cos, exp, sin, sqrt, where
 from newton_euler.motion import second_order
 from tests.honesty.cases import Branches, Case, Log, around, family
 
@@ -39,8 +39,9 @@ def car_over_a_speed_bump(rng):
     pieces = lambda s, p, t, b: (s.dx, s.dz, *rates(s, p, BETWEEN(b)))
     met = -math.log1p(-c * r / v) / r
     model = second_order("speed bump", parameters, ("x", "z"), a)
+    knots = around(met + L / v / 7, L / v / 3, 10)
     return Case(model, met + rng.uniform(0.5, 3.0), (0.0, 0.0, v, 0.0),
-                branches=Branches(EDGES, pieces), knots=around(met, L / v / 3, 10))  # fmt: skip
+                branches=Branches(EDGES, pieces), knots=knots)  # fmt: skip
 
 
 @family("narrow", "strangers", "kinked")
@@ -58,8 +59,9 @@ def rumble_strip(rng):
     a = lambda s, p, t: rates(s, p, _inside(s, p))
     pieces = lambda s, p, t, b: (s.dx, s.dz, *rates(s, p, BETWEEN(b)))
     model = second_order("rumble strip", parameters, ("x", "z"), a)
+    knots = around((c + L / 7) / v, L / v / 5, 15)
     return Case(model, c / v + rng.uniform(0.2, 1.0), (0.0, 0.0, v, 0.0),
-                branches=Branches(EDGES, pieces), knots=around(c / v, L / v / 5, 15))  # fmt: skip
+                branches=Branches(EDGES, pieces), knots=knots)  # fmt: skip
 
 
 @family("narrow", "strangers")
@@ -118,18 +120,19 @@ def valve_at_a_level(rng):
     return Case(model, filled * rng.uniform(1.05, 2.0), (h,), exact=exact)
 
 
-@family("narrow", "strangers")
+@family("narrow", "strangers", "kinked")
 def hair_trigger(rng):
     """A slider sets off a thruster as it touches a hair; the thrust depends on the touch alone."""
-    v, w, c = rng.values((0.5, 3.0), Log(1e-4, 1e-1), (3.0, 7.0))
-    parameters = {"R": v / w * rng.uniform(0.1, 1.0), "F": v * v * rng.uniform(-0.02, 0.1)}
-    parameters |= {"c": c, "w": w}
-    rates = lambda s, p, t: (s.v, p.F * s.q, p.R * exp(-(((s.x - p.c) / p.w) ** 2)))
-    model = Model("hair trigger", parameters, ("x", "v", "q"), rates)
-    return Case(model, 10.0 / v, (0.0, v, 0.0), knots=around(c / v, w / v / 2, 22))
+    v, L, c = rng.values((0.5, 3.0), Log(1e-4, 1e-1), (3.0, 7.0))
+    parameters = {"R": v / L * rng.uniform(0.1, 1.0), "F": v * v * rng.uniform(-0.02, 0.1)}
+    rates = lambda s, p, t: (s.v, p.F * s.q, p.R * _inside(s, p))
+    pieces = lambda s, p, t, b: (s.v, p.F * s.q, p.R * BETWEEN(b))
+    model = Model("hair trigger", parameters | {"c": c, "L": L}, ("x", "v", "q"), rates)
+    return Case(model, 10.0 / v, (0.0, v, 0.0), branches=Branches(EDGES, pieces),
+                knots=around((c + L / 7) / v, L / v / 2, 5))  # fmt: skip
 
 
-@family("narrow", "strangers")
+@family("narrow", "strangers", "kinked")
 def pendulum_through_a_light_beam(rng):
     """The light that a diode gets through a slit in the bob, as it swings through the beam."""
     n, X, w = rng.values((0.5, 4.0), (0.5, 1.0), Log(1e-4, 1e-1))
@@ -137,15 +140,20 @@ def pendulum_through_a_light_beam(rng):
     parameters = {"n": n, "c": at, "w": w, "I": n * X / w * rng.uniform(0.2, 2.0)}
 
     def rates(s, p, t):
-        z = (s.x - p.c) / p.w
-        return s.v, -p.n * p.n * s.x, p.I * (tanh(4 * z + 4) - tanh(4 * z - 4)) / 2
+        light = where(abs(s.x - p.c) < p.w, p.I, 0.0)
+        return s.v, -p.n * p.n * s.x, light
 
-    first = math.acos(at / X)
-    met = [(2 * math.pi * k + sign * first) / n for k in range(4) for sign in (1, -1)]
-    width = w / (n * math.sqrt(X * X - at * at))
-    knots = tuple(t for m in met for t in around(m, width / 4, 16))
+    def exact(mp, s, p, t):
+        angle, X = p.n * t, s.x
+        first, last = mp.acos((p.c + p.w) / X), mp.acos((p.c - p.w) / X)
+        turns, rest = divmod(angle, 2 * mp.pi)
+        lit = 2 * (last - first) * turns
+        for a, b in ((first, last), (2 * mp.pi - last, 2 * mp.pi - first)):
+            lit += max(min(rest, b) - a, 0)
+        return X * mp.cos(angle), -p.n * X * mp.sin(angle), s.q + p.I / p.n * lit
+
     model = Model("light beam", parameters, ("x", "v", "q"), rates)
-    return Case(model, rng.uniform(3.5, 20.0) / n, (X, 0.0, 0.0), knots=tuple(sorted(knots)))
+    return Case(model, rng.uniform(3.5, 20.0) / n, (X, 0.0, 0.0), exact=exact)
 
 
 @family("narrow", "strangers", "kinked")
