@@ -85,7 +85,21 @@ def test_a_sample_of_models_reaches_the_goals_without_raw_errors_or_needless_ref
 
 STRANGERS = [n for n, f in FAMILIES.items() if "strangers" in f.tags]
 REASONS = "it sticks at", "small beside the round-off of"  # of a refusal
-MISSED = {}  # families of strangers that the engine fails, each with the reason
+# families of strangers that the engine fails, each with the reason
+FROM_NOTHING = "a state that is zero before a jump has no size that an error may be relative to"
+TURNS_BACK = "the argument of where turns back within a step"
+TOO_LARGE = "what was reached is true, and its estimate is larger than what was asked"
+MISSED = {
+    "car_over_a_speed_bump": FROM_NOTHING,
+    "hair_trigger": FROM_NOTHING,
+    "pendulum_through_a_light_beam": FROM_NOTHING,
+    "dose_by_a_clock": "a jump of a state that has nearly died out, at 1e-12",
+    "puck_through_a_round_puddle": TURNS_BACK,
+    "lorry_in_a_bed_of_gravel": TURNS_BACK,
+    "backlash_of_a_gear": TOO_LARGE,
+    "actuator_that_saturates": TOO_LARGE,
+    "shell_with_a_drag_table": TOO_LARGE,
+}
 
 
 def _stranger(name):

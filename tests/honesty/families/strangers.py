@@ -146,7 +146,8 @@ def pendulum_through_a_light_beam(rng):
     def exact(mp, s, p, t):
         angle, X = p.n * t, s.x
         first, last = mp.acos((p.c + p.w) / X), mp.acos((p.c - p.w) / X)
-        turns, rest = divmod(angle, 2 * mp.pi)
+        turns = mp.floor(angle / (2 * mp.pi))
+        rest = angle - 2 * mp.pi * turns
         lit = 2 * (last - first) * turns
         for a, b in ((first, last), (2 * mp.pi - last, 2 * mp.pi - first)):
             lit += max(min(rest, b) - a, 0)
@@ -154,6 +155,35 @@ def pendulum_through_a_light_beam(rng):
 
     model = Model("light beam", parameters, ("x", "v", "q"), rates)
     return Case(model, rng.uniform(3.5, 20.0) / n, (X, 0.0, 0.0), exact=exact)
+
+
+def _soft_ground(rng, name, outside, start, R, T):
+    """A body in the plane that is braked where ``outside`` is negative, by ``R`` at the origin."""
+    speed = math.hypot(*start[2:])
+    parameters = {"A": speed / R * rng.uniform(0.1, 0.6), "R": R}
+    slowed = lambda s, p, inside: (-p.A * inside * s.dx, -p.A * inside * s.dy)
+    a = lambda s, p, t: slowed(s, p, where(outside(s, p) < 0, 1.0, 0.0))
+    pieces = lambda s, p, t, b: (s.dx, s.dy, *slowed(s, p, (1 - b[0]) / 2))
+    model = second_order(name, parameters, ("x", "y"), a)
+    branches = Branches((lambda s, p, t: outside(s, p),), pieces)
+    return Case(model, 2 * T, start, branches=branches, knots=around(T, R / speed / 7, 40))
+
+
+@family("narrow", "strangers", "kinked")
+def puck_through_a_round_puddle(rng):
+    """A disc of wet ice, by its radius, somewhere on a way of ten metres."""
+    u, v, R, T = rng.values((0.5, 3.0), (-2.0, 2.0), Log(3e-3, 0.3), (2.0, 5.0))
+    outside = lambda s, p: s.x**2 + s.y**2 - p.R**2
+    start = -u * T, R * rng.uniform(-0.7, 0.7) - v * T, u, v
+    return _soft_ground(rng, "round puddle", outside, start, R, T)
+
+
+@family("narrow", "strangers", "kinked")
+def lorry_in_a_bed_of_gravel(rng):
+    """Gravel between two marks, by the sign of a product."""
+    u, L, T = rng.values((5.0, 20.0), Log(3e-3, 0.3), (2.0, 5.0))
+    outside = lambda s, p: s.x * (s.x - p.R)
+    return _soft_ground(rng, "bed of gravel", outside, (-u * T, 0.0, u, 0.0), L * u, T)
 
 
 @family("narrow", "strangers", "kinked")
