@@ -1,0 +1,268 @@
+"""Machines and experiments in which something narrow, or a kink, is met: written by someone who has
+not read the engine, as are the other files named after strangers.
+"""
+
+import math
+
+from newton_euler import Model, cos, exp, sin, sqrt, where
+from newton_euler.motion import second_order
+from tests.honesty.cases import Branches, Case, Log, around, family
+
+# -- narrow in place
+
+
+def _inside(s, p):
+    """1 on the length L behind c, else 0."""
+    return where(s.x > p.c, where(s.x < p.c + p.L, 1.0, 0.0), 0.0)
+
+
+EDGES = (lambda s, p, t: s.x - p.c, lambda s, p, t: s.x - p.c - p.L)
+BETWEEN = lambda b: (1 + b[0]) * (1 - b[1]) / 4
+
+
+@family("narrow", "strangers", "kinked")
+def car_over_a_speed_bump(rng):
+    """A quarter of a car, with spring and damper, over a bump of a raised cosine."""
+    v, r, n, zeta, L, c = rng.values(
+        (5.0, 15.0), (1e-3, 0.02), (6.0, 12.0), (0.1, 0.5), Log(1e-2, 1.0), (20.0, 60.0)
+    )
+    parameters = {"k": n * n, "d": 2 * zeta * n, "H": rng.uniform(0.02, 0.1), "L": L, "c": c}
+    parameters["r"] = r
+
+    def rates(s, p, inside):
+        q = 2 * math.pi / p.L
+        height = inside * p.H / 2 * (1 - cos(q * (s.x - p.c)))
+        slope = inside * p.H / 2 * q * sin(q * (s.x - p.c))
+        return -p.r * s.dx, -p.k * (s.z - height) - p.d * (s.dz - slope * s.dx)
+
+    a = lambda s, p, t: rates(s, p, _inside(s, p))
+    pieces = lambda s, p, t, b: (s.dx, s.dz, *rates(s, p, BETWEEN(b)))
+    met = -math.log1p(-c * r / v) / r
+    model = second_order("speed bump", parameters, ("x", "z"), a)
+    knots = around(met + L / v / 7, L / v / 3, 10)
+    return Case(model, met + rng.uniform(0.5, 3.0), (0.0, 0.0, v, 0.0),
+                branches=Branches(EDGES, pieces), knots=knots)  # fmt: skip
+
+
+@family("narrow", "strangers", "kinked")
+def rumble_strip(rng):
+    """A wheel on its spring over some ribs across the road, which brake it as well."""
+    v, n, L, c = rng.values((5.0, 20.0), (20.0, 60.0), Log(0.05, 1.0), (10.0, 80.0))
+    ribs = rng.randint(2, 6)
+    parameters = {"k": n * n, "d": 0.2 * n, "H": rng.uniform(0.005, 0.02), "L": L, "c": c}
+    parameters |= {"q": math.pi * ribs / L, "mu": rng.uniform(0.5, 4.0)}
+
+    def rates(s, p, inside):
+        height = inside * p.H * sin(p.q * (s.x - p.c)) ** 2
+        return -inside * p.mu, -p.k * (s.z - height) - p.d * s.dz
+
+    a = lambda s, p, t: rates(s, p, _inside(s, p))
+    pieces = lambda s, p, t, b: (s.dx, s.dz, *rates(s, p, BETWEEN(b)))
+    model = second_order("rumble strip", parameters, ("x", "z"), a)
+    knots = around((c + L / 7) / v, L / v / 5, 15)
+    return Case(model, c / v + rng.uniform(0.2, 1.0), (0.0, 0.0, v, 0.0),
+                branches=Branches(EDGES, pieces), knots=knots)  # fmt: skip
+
+
+@family("narrow", "strangers")
+def cart_past_a_magnet(rng):
+    """An iron cart on a track of 3 m, close beside which a magnet stands."""
+    v, d, c, r = rng.values((0.3, 2.0), Log(1e-3, 0.1), (1.0, 2.0), (0.0, 0.05))
+    parameters = {"M": d**6 * v * v * rng.uniform(0.1, 2.0), "d": d, "c": c, "r": r}
+
+    def accelerations(s, p, t):
+        z = s.x - p.c
+        return (-6 * p.M * z / (z**2 + p.d**2) ** 4 - p.r * s.dx,)
+
+    met = -math.log1p(-c * r / v) / r
+    model = second_order("cart past a magnet", parameters, ("x",), accelerations)
+    return Case(model, 3.0 / v, (0.0, v), knots=around(met, d / v / 3, 40))
+
+
+@family("narrow", "strangers")
+def door_with_a_latch(rng):
+    """A door is pressed shut against a damper and clicks over the ball of its latch."""
+    a, c, w, theta = rng.values((1.0, 3.0), (0.5, 2.0), Log(1e-4, 3e-2), (0.8, 1.5))
+    opened, place = theta * rng.uniform(1.2, 2.0), lambda t: a / c * (t + math.expm1(-c * t) / c)
+    low, high = 0.0, 100.0
+    while high - low > 1e-9:
+        met = (low + high) / 2
+        low, high = (met, high) if place(met) < opened - theta / 4 else (low, met)
+    u = -a / c * math.expm1(-c * met)
+    parameters = {"a": a, "c": c, "w": w, "at": theta / 4, "E": u * u * rng.uniform(0.05, 0.4)}
+
+    def accelerations(s, p, t):
+        z = (s.theta - p.at) / p.w
+        return (-p.a - p.c * s.dtheta + 2 * p.E / p.w * z * exp(-(z**2)),)
+
+    model = second_order("door with a latch", parameters, ("theta",), accelerations)
+    return Case(model, met * 1.2, (opened, 0.0), knots=around(met, w / u / 3, 30))
+
+
+@family("narrow", "strangers", "kinked")
+def valve_at_a_level(rng):
+    """A tank is filled until a float opens a valve, within millimetres; there the level stays."""
+    q, w, H, h = rng.values((0.1, 1.0), Log(1e-3, 1e-1), (0.8, 2.0), (0.0, 0.5))
+    parameters = {"q": q, "K": q * rng.uniform(1.5, 4.0), "H": H, "w": w}
+
+    def rates(s, p, t):
+        z = (s.h - p.H) / p.w
+        return (p.q - p.K * where(z < 0, 0.0, where(z > 1, 1.0, z)),)
+
+    def exact(mp, s, p, t):
+        above = t - (p.H - s.h) / p.q
+        if above < 0:
+            return (s.h + p.q * t,)
+        return (p.H - p.q * p.w / p.K * mp.expm1(-p.K / p.w * above),)
+
+    filled = (H - h) / q
+    model = Model("valve at a level", parameters, ("h",), rates)
+    return Case(model, filled * rng.uniform(1.05, 2.0), (h,), exact=exact)
+
+
+@family("narrow", "strangers", "kinked")
+def hair_trigger(rng):
+    """A slider sets off a thruster as it touches a hair; the thrust depends on the touch alone."""
+    v, L, c = rng.values((0.5, 3.0), Log(1e-4, 1e-1), (3.0, 7.0))
+    parameters = {"R": v / L * rng.uniform(0.1, 1.0), "F": v * v * rng.uniform(-0.02, 0.1)}
+    rates = lambda s, p, t: (s.v, p.F * s.q, p.R * _inside(s, p))
+    pieces = lambda s, p, t, b: (s.v, p.F * s.q, p.R * BETWEEN(b))
+    model = Model("hair trigger", parameters | {"c": c, "L": L}, ("x", "v", "q"), rates)
+    return Case(model, 10.0 / v, (0.0, v, 0.0), branches=Branches(EDGES, pieces),
+                knots=around((c + L / 7) / v, L / v / 2, 5))  # fmt: skip
+
+
+@family("narrow", "strangers", "kinked")
+def pendulum_through_a_light_beam(rng):
+    """The light that a diode gets through a slit in the bob, as it swings through the beam."""
+    n, X, w = rng.values((0.5, 4.0), (0.5, 1.0), Log(1e-4, 1e-1))
+    at = X * rng.uniform(-0.7, 0.7)
+    parameters = {"n": n, "c": at, "w": w, "I": n * X / w * rng.uniform(0.2, 2.0)}
+
+    def rates(s, p, t):
+        light = where(abs(s.x - p.c) < p.w, p.I, 0.0)
+        return s.v, -p.n * p.n * s.x, light
+
+    def exact(mp, s, p, t):
+        angle, X = p.n * t, s.x
+        first, last = mp.acos((p.c + p.w) / X), mp.acos((p.c - p.w) / X)
+        turns = mp.floor(angle / (2 * mp.pi))
+        rest = angle - 2 * mp.pi * turns
+        lit = 2 * (last - first) * turns
+        for a, b in ((first, last), (2 * mp.pi - last, 2 * mp.pi - first)):
+            lit += max(min(rest, b) - a, 0)
+        return X * mp.cos(angle), -p.n * X * mp.sin(angle), s.q + p.I / p.n * lit
+
+    model = Model("light beam", parameters, ("x", "v", "q"), rates)
+    return Case(model, rng.uniform(3.5, 20.0) / n, (X, 0.0, 0.0), exact=exact)
+
+
+def _soft_ground(rng, name, outside, start, R, T):
+    """A body in the plane that is braked where ``outside`` is negative, by ``R`` at the origin."""
+    speed = math.hypot(*start[2:])
+    parameters = {"A": speed / R * rng.uniform(0.1, 0.6), "R": R}
+    slowed = lambda s, p, inside: (-p.A * inside * s.dx, -p.A * inside * s.dy)
+    a = lambda s, p, t: slowed(s, p, where(outside(s, p) < 0, 1.0, 0.0))
+    pieces = lambda s, p, t, b: (s.dx, s.dy, *slowed(s, p, (1 - b[0]) / 2))
+    model = second_order(name, parameters, ("x", "y"), a)
+    branches = Branches((lambda s, p, t: outside(s, p),), pieces)
+    return Case(model, 2 * T, start, branches=branches, knots=around(T, R / speed / 7, 40))
+
+
+@family("narrow", "strangers", "kinked")
+def puck_through_a_round_puddle(rng):
+    """A disc of wet ice, by its radius, somewhere on a way of ten metres."""
+    u, v, R, T = rng.values((0.5, 3.0), (-2.0, 2.0), Log(3e-3, 0.3), (2.0, 5.0))
+    outside = lambda s, p: s.x**2 + s.y**2 - p.R**2
+    start = -u * T, R * rng.uniform(-0.7, 0.7) - v * T, u, v
+    return _soft_ground(rng, "round puddle", outside, start, R, T)
+
+
+@family("narrow", "strangers", "kinked")
+def lorry_in_a_bed_of_gravel(rng):
+    """Gravel between two marks, by the sign of a product."""
+    u, L, T = rng.values((5.0, 20.0), Log(3e-3, 0.3), (2.0, 5.0))
+    outside = lambda s, p: s.x * (s.x - p.R)
+    return _soft_ground(rng, "bed of gravel", outside, (-u * T, 0.0, u, 0.0), L * u, T)
+
+
+@family("narrow", "strangers", "kinked")
+def pendulum_against_a_stop(rng):
+    """It strikes a hard stop with damping, which is felt only while they touch."""
+    K = rng.decades(1e2, 1e6)
+    parameters = rng.parameters(k=(1.0, 20.0), a=(0.1, 0.6), K=K, c=(0.01, 0.2))
+    parameters["c"] *= math.sqrt(K)
+    stop = lambda s, p: p.K * (s.theta - p.a) + p.c * s.omega
+    rates = lambda s, p, t: (
+        s.omega, -p.k * sin(s.theta) - where(s.theta > p.a, stop(s, p), 0.0))  # fmt: skip
+    pieces = lambda s, p, t, b: (
+        s.omega, -p.k * sin(s.theta) - (1 + b[0]) / 2 * stop(s, p))  # fmt: skip
+    model = Model("pendulum and stop", parameters, ("theta", "omega"), rates)
+    T, theta = rng.values((2.0, 8.0), (-1.5, -0.8))
+    branches = Branches((lambda s, p, t: s.theta - p.a,), pieces)
+    return Case(model, T / math.sqrt(parameters["k"]) * 2, (theta, 0.0), branches=branches)
+
+
+# -- kinks
+
+
+@family("kinked", "strangers", "mechanics")
+def backlash_of_a_gear(rng):
+    """A motor and its load, joined by a gear with play; the motor's torque goes to and fro."""
+    parameters = rng.parameters(K=Log(30.0, 3e3), b=(0.01, 0.1), r=(0.2, 2.0), c=(0.05, 0.5))
+    parameters |= rng.parameters(F=(0.5, 3.0), w=(0.5, 3.0))
+    twist = lambda s, p: s.motor - s.load
+
+    def rates(s, p, t, torque):
+        return -torque + p.F * cos(p.w * t), p.r * torque - p.c * s.dload
+
+    def accelerations(s, p, t):
+        d = twist(s, p)
+        torque = where(d > p.b, d - p.b, where(d < -p.b, d + p.b, 0.0))
+        return rates(s, p, t, p.K * torque)
+
+    def pieces(s, p, t, b):
+        torque = (1 + b[0]) / 2 * (twist(s, p) - p.b) + (1 - b[1]) / 2 * (twist(s, p) + p.b)
+        return s.dmotor, s.dload, *rates(s, p, t, p.K * torque)
+
+    switches = lambda s, p, t: twist(s, p) - p.b, lambda s, p, t: twist(s, p) + p.b
+    model = second_order("backlash", parameters, ("motor", "load"), accelerations)
+    T, angle = rng.values((3.0, 12.0), (-0.005, 0.005))
+    return Case(model, T, (angle, 0.0, 0.0, 0.0), branches=Branches(switches, pieces))
+
+
+@family("kinked", "strangers", "near-singular")
+def puck_that_turns_on_an_incline(rng):
+    """Dry friction against the direction of the motion, which turns round where it is slow."""
+    parameters = rng.parameters(g=(3.0, 8.0), mu=(0.3, 2.0))
+
+    def accelerations(s, p, t):
+        speed = sqrt(s.dx**2 + s.dy**2)
+        return -p.mu * s.dx / speed, -p.g - p.mu * s.dy / speed
+
+    up, aside = rng.values((2.0, 8.0), Log(3e-3, 1.0))
+    turned = up / (parameters["g"] + parameters["mu"])
+    model = second_order("puck on an incline", parameters, ("x", "y"), accelerations)
+    knots = around(turned, aside / parameters["g"] / 3, 40)
+    return Case(model, turned * rng.uniform(1.5, 3.0), (0.0, 0.0, aside, up), knots=knots)
+
+
+@family("kinked", "strangers")
+def actuator_that_saturates(rng):
+    """A controller with an integral winds up while the actuator gives its most."""
+    parameters = rng.parameters(F=(0.3, 1.5), kp=(3.0, 10.0), kd=(1.0, 4.0), ki=(0.2, 2.0))
+    parameters["R"] = rng.uniform(1.0, 5.0)
+    asked = lambda s, p: p.kp * (p.R - s.x) - p.kd * s.v + p.ki * s.i
+
+    def rates(s, p, t):
+        u = asked(s, p)
+        return s.v, where(u > p.F, p.F, where(u < -p.F, -p.F, u)), p.R - s.x
+
+    def pieces(s, p, t, b):
+        free = (1 - b[0]) * (1 + b[1]) / 4 * asked(s, p)
+        return s.v, free + (1 + b[0]) / 2 * p.F - (1 - b[1]) / 2 * p.F, p.R - s.x
+
+    switches = lambda s, p, t: asked(s, p) - p.F, lambda s, p, t: asked(s, p) + p.F
+    model = Model("saturating actuator", parameters, ("x", "v", "i"), rates)
+    start = rng.uniform(-1.0, 0.5), rng.uniform(-0.5, 0.5), 0.0
+    return Case(model, rng.uniform(3.0, 15.0), start, branches=Branches(switches, pieces))
