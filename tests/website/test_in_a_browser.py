@@ -127,6 +127,7 @@ def test_every_page_is_right_and_asks_nobody_else(site, address, driver):
     assert away == []
 
 
+@pytest.mark.slow  # a minute
 def test_no_page_is_wider_than_a_phone(site, address, driver):
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
     wide = {}

@@ -219,6 +219,7 @@ def test_nothing_runs_on_the_page_on_which_a_person_grades(arena, name):
     assert len(text) < 10**8
 
 
+@pytest.mark.slow  # half a minute
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root can give its rights up")
 @pytest.mark.parametrize("route", ["grade", "autograde"])
 def test_where_namespaces_are_refused_nothing_runs_and_nobody_is_graded(released, route):
