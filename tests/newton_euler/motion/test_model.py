@@ -211,7 +211,8 @@ COUNT = iter(range(10**6))
 
 def test_what_a_model_reads_in_lists_and_arrays_is_the_same_at_each_call():
     known = {"c": [1.0, 2.0], "log": []}
-    Model("q", {}, ("v",), lambda s, p, t: (known["log"].append(t), -known["c"][1] * s.v)[1:])
+    rates = lambda s, p, t: (known["log"].append(t), -known["c"][1] * s.v)[1:]
+    assert Model("q", {}, ("v",), rates).derivative((3.0,), 0.0) == (-6.0,)
 
 
 def test_print_in_the_rates_is_reported(capsys):
