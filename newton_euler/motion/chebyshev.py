@@ -37,8 +37,9 @@ def extrema(fits):
 
     c = fits @ _differentiation()
     sizes = np.abs(c)
-    rows = np.flatnonzero(sizes[:, 0] <= sizes[:, 1:].sum(axis=1))  # the others are monotonic
     largest = sizes.max(axis=1, keepdims=True)
+    # the others are monotonic, or constant
+    rows = np.flatnonzero((sizes[:, 0] <= sizes[:, 1:].sum(axis=1)) & (largest[:, 0] > 0))
     degree = int(np.flatnonzero((sizes > 1e-9 * largest).any(axis=0)).max(initial=0))
     if not rows.size or not degree:
         return np.array([], dtype=int), np.array([])

@@ -1,107 +1,45 @@
 """Structures of the rates that a step passes over without seeing them: a brake of some centimetres
 on a way of some metres, a blow of some milliseconds.
 
-The rates change fast where an operation with a scale of its own does: ``where``, ``abs``, ``exp``,
-``tanh``, and a quotient whose denominator comes close to zero. The trajectory is there where the
-argument is about zero, or of ``exp`` the largest, at a time that is found however narrow the
-structure is, since the argument is smooth: in each step it is a cubic polynomial, or the step is
-divided. Around that time the rates are integrated along the trajectory, in pieces that become
-shorter by powers of two, and compared with the change of the states.
+The rates change fast where an operation with a scale of its own does, see
+:mod:`.narrow_arguments`. The trajectory is there where the argument is about zero, or of ``exp``
+the largest, at a time that is found however narrow the structure is, since the argument is smooth:
+in each step it is a polynomial whose extrema are known, or the step is divided. Around that time
+the rates are integrated along the trajectory, in pieces that become shorter by powers of two, and
+compared with the change of the states.
 """
 
-from functools import cache, cached_property
+from functools import cache
+from math import ulp
 from typing import NamedTuple
 
-from ..algebra.compile import Compiled
-from ..algebra.trace import COMPARISONS, Step
-from .analytic import factors, varying
+from .chebyshev import DEGREE, extrema, values_at
+from .methods.base import AROUND
+from .narrow_arguments import CHANGE, RATIO
+from .zeros import sampling
 
-GROWING, STEEP = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}
-# What an argument changes by in a step before a structure can lie between the stages of a method,
-# or the ratio of its values; and the same in a part of a step
-CHANGE, RATIO = (4.0, 0.5), (0.1, 0.5)
-NODES = (0.0, 1e-3, 0.27, 0.5, 0.77, 0.999, 1.0)  # of a part, where arguments are computed
-# part of its change by which an argument may differ from a cubic polynomial, and how many times
-# that its slope and its change are where it does not turn
-ROUGH, STEADY = 0.2, 8.0
-NOISE = 1e-12  # of an argument, relative
-SAMPLES = 16  # of the polynomial
-FEW = 4  # steps: more tell by their ends how fast arguments change
-DEPTH, DIVIDED, MOST = 8, 4, 20_000  # of the division of steps: how often, into how many, in all
+# part of its change by which an argument may differ from a polynomial, and how many times that its
+# extremum is from zero if it certainly does not reach it
+ROUGH, CLEAR = 0.2, 2.0
+NOISE = 1e-14  # of an argument, relative to its largest value on the way
+FEW = 4  # steps: more show by their ends how fast arguments change
+RESOLVED = 6.0  # radians, in a part, of a sine that a polynomial represents
+DEPTH, DIVIDED, MOST = 8, 4, 2000  # of the division of steps: how often, into how many, in all
 ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
 HALVINGS = 44  # of a step towards it
 LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
-
-
-class Arguments(NamedTuple):
-    """The ``kinds`` of operations with scales of their own, "largest", "jump", "steep" or "ratio",
-    and the ``formula`` of their arguments, each as two numbers to be subtracted.
-    """
-
-    kinds: tuple
-    formula: Compiled
-
-
-def narrow_arguments(traced):
-    """The :class:`Arguments` in the rates; None if there are none."""
-    steps, depends = varying(traced), {}
-    for s in steps:
-        below = [depends.get(a.number, set()) for a in s.args if isinstance(a, Step)]
-        depends[s.number] = {s.args[0]} if s.op == "argument" else set().union(*below)
-    found = [pair for s in steps for pair in _scaled(s, depends)]
-    if not found:
-        return None
-    rhs, leaves = traced.rhs, [x for _, pair in found for x in pair]
-    formula = Compiled("arguments", rhs.parameters, rhs.trace, leaves)
-    return Arguments(tuple(kind for kind, _ in found), formula)
-
-
-def _scaled(s, depends):
-    """The arguments of one step, pairs (kind, (a, b)) for the argument a - b."""
-    if s.op in COMPARISONS:
-        yield "jump", tuple(s.args)
-    elif s.op == "abs":
-        yield "jump", (s.args[0], 0.0)
-    elif s.op in STEEP:
-        yield "steep", (s.args[0], 0.0)
-    elif s.op in GROWING:
-        yield "largest", (s.args[-1], 0.0)
-    elif s.op in ("/", "sqrt", "**"):
-        for factor in factors(s.args[s.op == "/"]):
-            if depends.get(factor.number) and _with_squares(factor, depends):
-                yield "ratio", (factor, 0.0)
-
-
-def _with_squares(s, depends):
-    """True for a sum with a constant that may be about zero without being zero, as 1 + x*x."""
-
-    def varies(x):
-        return isinstance(x, Step) and bool(depends.get(x.number))
-
-    def below(x):
-        return [x, *(y for a in x.args for y in below(a))] if varies(x) else []
-
-    def constant(x):
-        return not varies(x) or (x.op in ("+", "-") and any(map(constant, x.args)))
-
-    def square(x):
-        return x.op in ("**", "exp", "pow") or (x.op == "*" and all(map(varies, x.args)))
-
-    steps = below(s)
-    periodic = any(x.op in ("sin", "cos") for x in steps)
-    return s.op in ("+", "-") and constant(s) and any(map(square, steps)) and not periodic
-
-
-# -- along a trajectory
+NUDGE = 2.0**-51  # of states and constants, relative: what rates change by is round-off
 
 
 class Passage(NamedTuple):
     """The ``number`` of a step that does not see all of the rates, the ``time`` at which it differs
-    most from their integral, and by how much, relative to the scales of the states.
+    most from their integral, by how much each state, and the largest ``size`` of these relative to
+    the scales of the states.
     """
 
     number: int
     time: float
+    changes: tuple
     size: float
 
 
@@ -115,202 +53,176 @@ def passage(stepper, first):
     if clear.get(key) == steps:
         return None
     with np.errstate(all="ignore"):
-        path = _Path(np, stepper, first)
-        brackets = [] if _quiet(np, path) else _brackets(np, path)
-        if not brackets:
+        times = narrow_times(stepper, stepper.system.traced.narrow, first)
+        if not len(times):
             if not first:
                 clear[key] = steps
             return None
         stepper = stepper.dense
-        times = np.array([_located(np, stepper, *bracket) for bracket in brackets])
         ends = np.array(stepper.step_times)
         numbers = np.clip(np.searchsorted(ends, times, side="right") - 1, first, len(ends) - 2)
         for n in np.unique(numbers).tolist():
-            when, size = _difference(stepper, n, times[numbers == n].tolist())
-            if size > 0:
-                return Passage(n, when, size)
+            found = _difference(stepper, n, times[numbers == n].tolist())
+            if found:
+                return found
     return None
 
 
+def narrow_times(stepper, arguments, first):
+    """The times, an array, at which one of the :class:`~.narrow_arguments.Arguments` passes its
+    narrow place within a step, from number ``first`` on.
+    """
+    import numpy as np
+
+    path = _Path(np, stepper, arguments, first)
+    suspects = path.suspects()
+    brackets = _brackets(np, path, suspects) if suspects.any() else []
+    return _located(np, stepper.dense, arguments, brackets) if brackets else np.array([])
+
+
 class _Path:
-    """The way from step ``first`` on in parts between the times ``ends``: the steps, with cubic
-    polynomials in them, or where the method does not keep its steps parts of them.
+    """The way from step ``first`` on in parts between the times ``ends``: the steps, or where the
+    method does not keep its steps halves of them; ``x`` are the states there.
     """
 
-    def __init__(self, np, stepper, first):
-        self.np, self.stepper, ends = np, stepper, stepper.step_times[first:]
-        self.kinds, size = stepper.system.traced.narrow.kinds, len(stepper.x)
-        self.x = None
-        if stepper.steps:
+    def __init__(self, np, stepper, arguments, first):
+        self.np, self.stepper, self.of = np, stepper, arguments
+        ends, size, kept = stepper.step_times[first:], len(stepper.x), bool(stepper.steps)
+        if kept:
             self.ends = np.array(ends)
             self.x = np.array([*(s[-size:] for s in stepper.steps[first:]), stepper.x]).T
         else:
             count = len(ends) - 1
             places = np.linspace(0, count, 2 * max(count, stepper.taken) + 1)
             self.ends = np.interp(places, np.arange(count + 1), ends)
+            self.x = stepper.states(self.ends)
         self.lengths = np.diff(self.ends)
+        self.rows = _values(np, stepper, arguments, self.ends, self.x)
         # True if the ends are not those of steps, or a step next to them has missed something
-        self.closely = self.x is None or stepper.repeated
+        self.closely = not kept or stepper.repeated
 
-    @cached_property
-    def changes(self):
-        """The rates at the ends."""
-        return _rates(self.stepper, self.ends, self.x)
+    def suspects(self):
+        """For each argument and part whether it may be narrow there, by its values at the ends."""
+        np, of = self.np, self.of
+        if len(self.lengths) < FEW:
+            return np.full((len(of.kinds), len(self.lengths)), True)
+        a, b = self.rows[:, :-1], self.rows[:, 1:]
+        change = b - a
+        slopes = change / self.lengths
+        # at the beginning and at the end of a step as in the steps next to it
+        k = np.concatenate([slopes[:, :1], slopes[:, :-1]], axis=1)
+        m = np.concatenate([slopes[:, 1:], slopes[:, -1:]], axis=1)
+        sizes = abs(a), abs(b)
+        known = RATIO[1] * np.maximum(*sizes) if self.closely else 2 * np.minimum(*sizes)
+        limits = of.limits[:, int(self.closely), None]
+        limits = np.where(np.isnan(limits), known, limits)
+        much = ~((abs(k) + abs(m)) * self.lengths + abs(change) <= limits)
+        if not self.closely and much.any():
+            # where the rates jump once in a step, its end shows it
+            crossed = of.jumps & (a * b <= 0)
+            much &= ~of.jumps | (crossed.sum(axis=0) > 1) | (k * m <= 0)
+            much |= crossed & much.any(axis=0)
+        return much | (much & of.phases).any(axis=0)
 
-    def arguments(self, n, u):
-        """The arguments at the fractions u of the parts of numbers n, an array (arguments, u)."""
-        times = self.ends[n] + u * self.lengths[n]
-        return _values(self.stepper, times, self._states(n, u, times))
-
-    def _states(self, n, u, times):
-        np = self.np
-        if self.x is None:
-            inside = np.clip(times, self.ends[0], self.ends[-1])
-            at, place = np.unique(inside, return_inverse=True)
-            return self.stepper.states(at)[:, place]
-        a, b, h = self.x[:, n], self.x[:, n + 1], self.lengths[n]
-        return _cubic(a, b, h * self.changes[:, n], h * self.changes[:, n + 1], u)
+    def arguments(self, times):
+        """The arguments at an array of times, an array (arguments, *of the times)."""
+        flat = self.np.clip(times.reshape(-1), self.ends[0], self.ends[-1])
+        rows = _values(self.np, self.stepper, self.of, flat, self.stepper.states(flat))
+        return rows.reshape(-1, *times.shape)
 
 
-def _cubic(a, b, k, m, u):
-    """The polynomial with the values a, b and the slopes k, m at 0 and 1."""
-    d = b - a
-    return a + u * (k + u * (3 * d - 2 * k - m + u * (k + m - 2 * d)))
-
-
-def _brackets(np, path):
+def _brackets(np, path, suspects):
     """Triples (number of an argument, times between which it is at its narrow place)."""
-    n, low = np.arange(len(path.lengths)), np.zeros(len(path.lengths))
-    found, width = [], 1.0
-    for depth in range(DEPTH):
-        u = low + width * np.array(NODES)[:, None]
-        rows = path.arguments(np.tile(n, len(NODES)), u.reshape(-1))
-        rows = rows.reshape(len(path.kinds), len(NODES), len(n))
-        parts = depth > 0 or path.closely
-        j, c, cubic, off = _turning(np, path.kinds, rows, parts)
-        if not len(j):
-            break
-        u, values = _samples(np, *cubic)
-        narrow, rough = _judged(np, np.array(path.kinds)[j], values, off, n[c], parts)
-        for row in np.flatnonzero(narrow & ~rough).tolist():
-            begin, length = path.ends[n[c[row]]], path.lengths[n[c[row]]]
-            for edges in _about(np, path.kinds[j[row]], u[row], values[row]):
-                times = begin + length * (low[c[row]] + width * edges)
+    points, transform = sampling()
+    n = np.flatnonzero(suspects.any(axis=0))
+    suspects, low, width, found = suspects[:, n], np.zeros(len(n)), 1.0, []
+    noise = NOISE * np.nan_to_num(abs(path.rows)).max(axis=1)
+    for depth in range(DEPTH + 1):
+        length = width * path.lengths[n]
+        begin = path.ends[n] + path.lengths[n] * low
+        rows = path.arguments(begin[:, None] + length[:, None] * points)
+        j, c = np.nonzero(suspects & np.isfinite(rows).all(axis=2))
+        values = rows[j, c]
+        fits = values[:, : DEGREE + 1] @ transform
+        off = abs(fits[:, DEGREE + 1 :] - values[:, DEGREE + 1 :]).max(axis=1)
+        off = np.maximum(off, abs(fits[:, DEGREE - 1 : DEGREE + 1]).max(axis=1))
+        off += noise[j]
+        closely, kinds = depth > 0 or path.closely, path.of.names[j]
+        u, v = _turns(np, fits[:, : DEGREE + 1])
+        narrow, rough = _judged(np, kinds, u, v, off, n[c], closely)
+        rough &= np.ptp(v, axis=1) > CLEAR * noise[j]
+        last = depth == DEPTH or DIVIDED * rough.sum() > MOST
+        for row in np.flatnonzero((narrow | rough) & (kinds != "phase") if last else narrow & ~rough).tolist():
+            for edges in [(0.0, 1.0)] if rough[row] else _about(np, kinds[row], u[row], v[row]):
+                times = begin[c[row]] + length[c[row]] * np.array(edges)
                 found.append((int(j[row]), *times.tolist()))
-        again = np.unique(c[rough])
-        if DIVIDED * len(again) > MOST:
+        if last or not rough.any():
             break
-        width /= DIVIDED
-        parts = low[again] + width * np.arange(DIVIDED)[:, None]
-        n, low = np.tile(n[again], DIVIDED), parts.reshape(-1)
+        again = np.zeros(suspects.shape, bool)
+        again[j[rough], c[rough]] = True
+        again |= (again & path.of.phases).any(axis=0)
+        chosen, width = np.flatnonzero(again.any(axis=0)), width / DIVIDED
+        low = (low[chosen] + width * np.arange(DIVIDED)[:, None]).reshape(-1)
+        n, suspects = np.tile(n[chosen], DIVIDED), np.tile(again[:, chosen], DIVIDED)
     return found
 
 
-def _quiet(np, path):
-    """True if no argument changes by much in a step, by its values at the ends of the steps."""
-    if path.closely or len(path.lengths) < FEW:
-        return False
-    rows = _values(path.stepper, path.ends, path.x)
-    slopes = np.diff(rows) / path.lengths
-    # at the beginning and at the end of a step as in the steps next to it
-    k, m = np.empty_like(slopes), np.empty_like(slopes)
-    k[:, 0], k[:, 1:], m[:, -1], m[:, :-1] = (
-        slopes[:, 0],
-        slopes[:, :-1],
-        slopes[:, -1],
-        slopes[:, 1:],
-    )
-    cubic = rows[:, :-1], rows[:, 1:], k * path.lengths, m * path.lengths
-    return not _much(np, path.kinds, cubic, False).any()
-
-
-def _much(np, kinds, cubic, divided):
-    """Whether each argument changes by much in each part, an array (arguments, parts).
-
-    cubic : the values of the arguments and their slopes at both ends of each part
+def _turns(np, fits):
+    """Fractions of parts, the ends and in between the extrema of each polynomial, in order, and its
+    values there; the right end fills the rows.
     """
-    a, b, k, m = cubic
-    jump, relative = _of(np, kinds, "jump"), _of(np, kinds, "jump", "ratio")
-    low = np.minimum(abs(a), abs(b))
-    sizes = RATIO[1] * np.maximum(abs(a), abs(b)) if divided else 2 * low
-    much = ~(abs(k) + abs(m) + abs(b - a) <= np.where(relative, sizes, 2 * CHANGE[divided]))
-    if jump.any() and not divided:  # where the rates jump once in a step, its end shows it
-        often = (jump & (a * b <= 0)).sum(axis=0) > 1
-        much &= ~jump | often | (k * m <= 0)
-    return much
+    row, x = extrema(fits)
+    place = np.arange(len(row)) - np.searchsorted(row, row)
+    u = np.ones((len(fits), 2 + place.max(initial=-1) + 1))
+    u[:, 0] = -1.0
+    u[row, 1 + place] = x
+    rows = np.repeat(fits, u.shape[1], axis=0)
+    return (1 + u) / 2, values_at(rows, u.reshape(-1)).reshape(u.shape)
 
 
-def _turning(np, kinds, rows, divided):
-    """The arguments, and the parts of steps, in which one changes by much and may turn or change
-    its sign; their values and slopes at both ends, and by how much they are not cubic polynomials.
-    """
-    a, b = rows[:, 0], rows[:, -1]
-    k, m = (rows[:, 1] - a) / NODES[1], (b - rows[:, -2]) / NODES[1]
-    much = _much(np, kinds, (a, b, k, m), divided)
-    if not much.any():
-        return [], [], [], []
-    inside = np.array(NODES[2:-2])[:, None]
-    cubic = _cubic(*(x[:, None] for x in (a, b, k, m)), inside)
-    off = abs(rows[:, 2:-2] - cubic).max(axis=1) - NOISE * abs(rows).max(axis=1)
-    slowest = np.minimum(np.minimum(abs(k), abs(m)), abs(b - a))
-    steady = (k * m > 0) & (k * (b - a) > 0) & (slowest > STEADY * off)
-    steady &= (a * b > 0) | _of(np, kinds, "largest")
-    j, c = np.nonzero(~steady & much & np.isfinite(off))
-    return j, c, [x[j, c][:, None] for x in (a, b, k, m)], off[j, c]
-
-
-def _of(np, kinds, *chosen):
-    """For each argument whether it is of one of these kinds, a column."""
-    return np.array([[kind in chosen] for kind in kinds])
-
-
-def _samples(np, a, b, k, m):
-    """Fractions of parts, with those at which a polynomial turns, and its values there."""
-    d = b - a
-    first, second = 3 * d - 2 * k - m, 3 * (k + m - 2 * d)
-    q = -(first + np.where(first < 0, -1.0, 1.0) * np.sqrt(first * first - second * k))
-    turns = np.hstack([q / second, k / q])
-    turns = np.clip(np.where(np.isfinite(turns), turns, 0.0), 0.0, 1.0)
-    grid = np.tile(np.linspace(0, 1, SAMPLES + 1), (len(a), 1))
-    u = np.sort(np.hstack([grid, turns]))
-    return u, _cubic(a, b, k, m, u)
-
-
-def _judged(np, kinds, values, off, steps, divided):
+def _judged(np, kinds, u, values, off, steps, divided):
     """For each of these arguments: whether it changes fast in its part, and whether its polynomial
     cannot tell.
 
+    u, values : where it turns, as of :func:`_turns`
     divided : True for parts of steps, whose ends no stage of the method has seen: less counts
     """
     change, ratio = CHANGE[divided], RATIO[divided]
     level = np.where((kinds == "largest")[:, None], -values, abs(values))
-    crossed = (np.diff(np.sign(values), axis=1) != 0).sum(axis=1)
-    least, lower = level.min(axis=1), np.minimum(level[:, 0], level[:, -1])
-    beside = np.maximum(level[:, 0], level[:, -1]) if divided else lower
-    least[(crossed > 0) & (kinds != "largest")] = 0.0
+    turns = np.where(u[:, 1:-1] < 1, level[:, 1:-1], np.inf).min(axis=1, initial=np.inf)
+    crossed = (np.diff(np.sign(values), axis=1) != 0).sum(axis=1) * (kinds != "largest")
+    lower, upper = np.sort(level[:, [0, -1]]).T
+    beside = upper if divided else lower
+    least = np.where(crossed > 0, 0.0, np.minimum(turns, lower))
     jumps = np.bincount(steps, crossed * (kinds == "jump"))[steps]
-    of_kind = [kinds == "jump", kinds == "ratio"]
-    known = [ROUGH * np.ptp(values, axis=1), ROUGH * lower]
-    narrow = [(jumps > 1 - divided) & (crossed > 0), least < ratio * beside]
-    drop = beside - least
-    rough = off > np.select(of_kind, known, ROUGH * np.maximum(lower - least, change))
-    return np.select(of_kind, narrow, drop > change), rough
+    inside = (crossed > 0) | (turns < lower)
+    of_kind = [kinds == "phase", kinds == "jump", kinds == "ratio"]
+    narrow = [False, (jumps > 1 - divided) & (crossed > 0), inside & (least < ratio * beside)]
+    wild = off > ROUGH * np.ptp(values, axis=1)
+    rough = [
+        np.ptp(values, axis=1) > RESOLVED,
+        (turns < CLEAR * off) | (wild & (least < CLEAR * off)),
+        off > ROUGH * lower,
+    ]
+    found = np.select(of_kind, narrow, inside & (beside - least > change))
+    return found, np.select(of_kind, rough, off > ROUGH * np.maximum(lower - least, change))
 
 
 def _about(np, kind, u, values):
-    """Between which fractions of a part an argument is looked for, each an array of two."""
-    if kind != "jump":
-        return [np.array([0.0, 1.0])]
-    places = np.flatnonzero(np.diff(np.sign(values))).tolist()
-    return [u[[max(k - 1, 0), min(k + 2, len(u) - 1)]] for k in places]
+    """Between which fractions of a part an argument is looked for, pairs: where its sign changes,
+    or about its extrema.
+    """
+    crossed = np.flatnonzero(np.diff(np.sign(values)) != 0).tolist()
+    if kind == "jump" or (crossed and kind != "largest"):
+        return [(u[k], u[k + 1]) for k in crossed]
+    level = -values if kind == "largest" else abs(values)
+    inner = np.flatnonzero((level[1:-1] <= level[:-2]) & (level[1:-1] < level[2:])).tolist()
+    return [(u[k], u[k + 2]) for k in inner] or [(0.0, 1.0)]
 
 
-def _values(stepper, times, x):
+def _values(np, stepper, arguments, times, x):
     """The arguments at some times, rows of an array."""
-    import numpy as np
-
-    rows = stepper.system.traced.narrow.formula.on(np)(times, *x, *stepper.system.p)
-    rows = _array(np, rows, len(times))
+    rows = _array(np, arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
     return rows[::2] - rows[1::2]
 
 
@@ -322,30 +234,31 @@ def _array(np, rows, count):
     return out
 
 
-def _rates(stepper, times, x):
-    import numpy as np
-
+def _rates(np, stepper, times, x, nudge=0.0):
+    """The rates; ``nudge`` is a relative change, by turns up and down, of states and constants."""
     system = stepper.system
-    return _array(np, system.traced.folded[0].on(np)(times, *x, *system.constants), len(times))
+    numbers = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(system.constants)]
+    x = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(x)]
+    return _array(np, system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
 
 
-def _located(np, stepper, j, low, high):
-    """The time between these at which an argument is least; the middle if it has one sign although
-    its operation jumps: a stage of the interpolation has met what the step has not.
-    """
-    kind, signs, middle = stepper.system.traced.narrow.kinds[j], set(), (low + high) / 2
+def _located(np, stepper, arguments, brackets):
+    """The time in each of the brackets at which its argument is least."""
+    j, low, high = map(np.array, zip(*brackets, strict=True))
+    rows, largest = np.arange(len(j)), (arguments.names[j] == "largest")[:, None]
     for _ in range(ROUNDS):
-        times = np.linspace(low, high, PARTS + 1)
-        values = _values(stepper, times, stepper.states(times))[j]
-        signs |= set(np.sign(values).tolist())
-        k = int((-values if kind == "largest" else abs(values)).argmin())
-        low, high = times[max(k - 1, 0)], times[min(k + 1, PARTS)]
-    return middle if kind == "jump" and len(signs) < 2 else float(times[k])
+        times = np.linspace(low, high, PARTS + 1, axis=1)
+        flat = times.reshape(-1)
+        values = _values(np, stepper, arguments, flat, stepper.states(flat))
+        values = values.reshape(-1, *times.shape)[j, rows]
+        k = np.where(largest, -values, abs(values)).argmin(axis=1)
+        low, high = times[rows, np.maximum(k - 1, 0)], times[rows, np.minimum(k + 1, PARTS)]
+    return times[rows, k]
 
 
 def _difference(stepper, n, centres):
-    """How far step ``n`` is from the integral of the rates along it: the time of the largest
-    difference and, relative to the scales, its size; 0 if it is as small as the tolerance allows.
+    """The :class:`Passage` by which step ``n`` differs from the integral of the rates along it; None
+    if that is as small as the tolerance allows.
     """
     import numpy as np
 
@@ -356,18 +269,28 @@ def _difference(stepper, n, centres):
     nodes, weights = _gauss()
     widths = np.diff(edges)[:, None]
     times = (edges[:-1, None] + widths * nodes).reshape(-1)
-    rates = _rates(stepper, times, stepper.interpolate(n, times))
-    rates = rates.reshape(len(rates), len(widths), -1)
-    made = (rates * weights).sum(axis=2) * widths[:, 0]
+    x = stepper.interpolate(n, times)
+
+    def integrals(nudge):
+        rates = _rates(np, stepper, times, x, nudge).reshape(len(x), len(widths), -1)
+        return (rates * weights).sum(axis=2) * widths[:, 0], np.ptp(rates.reshape(len(x), -1), axis=1)
+
+    made, jumps = integrals(0.0)
     apart = np.nan_to_num(made - np.diff(stepper.interpolate(n, edges), axis=1))
     scales = np.array([s or 1.0 for s in stepper.scales])
     limits = stepper.tolerance * (LIMIT if stepper.resumable else 1.0) * scales + ROUND_OFF * scales
-    limits += stepper.noise
+    # the round-off of the time, and jumps that were passed over
+    limits += AROUND * ulp(b) * jumps + np.add(stepper.noise, stepper.jumped or 0.0)
     sizes = abs(apart.cumsum(axis=1)).max(axis=1)
     if not (sizes > limits).any():
-        return a, 0.0
+        return None
+    off = sum(abs(np.nan_to_num(integrals(x)[0] - made)).sum(axis=1) for x in (NUDGE, -NUDGE))
+    if not (sizes > limits + off).any():  # no better by floats
+        stepper.jumped = tuple(np.maximum(stepper.jumped or 0.0, off).tolist())
+        return None
     worst = int((abs(apart) / scales[:, None]).max(axis=0).argmax())
-    return float(edges[worst : worst + 2].mean()), float((sizes / scales).max())
+    when, changes = float(edges[worst : worst + 2].mean()), tuple(sizes.tolist())
+    return Passage(n, when, changes, float((sizes / scales).max()))
 
 
 @cache

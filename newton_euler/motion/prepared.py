@@ -14,7 +14,7 @@ from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .analytic import clocked, hazards, kinks, surprises
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
-from .narrow import narrow_arguments
+from .narrow_arguments import narrow_arguments
 from .verified import Verified
 
 _TRACED: dict = {}

@@ -19,7 +19,7 @@ from .error_estimates import (
 )
 from .events import EventError
 from .knots import knots
-from .methods.base import LengthError
+from .methods.base import LengthError, StallError, StepError
 from .methods.exact import estimated_error, within
 from .methods.table import METHODS, Method
 from .model import ModelError
@@ -43,6 +43,7 @@ from .trajectory import Trajectory
 HEYOKA_BREAK_EVEN = 0.5
 FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate enough
 MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
+ROUGH_TOLERANCE = 1e-6  # at which the sizes of states are found
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
 # tolerances of more runs across kinks, as multiples of that of the first: different steps
@@ -248,6 +249,8 @@ class Run:
         comparison = method, coarse, tolerance, None, scaled
         run = self.briefly if heyoka else lambda f, *arguments: f(*arguments)
         before = run(self.compared, *comparison)
+        if method.adaptive and type(before.failed) in (StepError, StallError):
+            before = self.from_nothing(before, *comparison)
         if heyoka and self.long:
             try:
                 return self.by(METHODS["taylor"])
@@ -291,6 +294,15 @@ class Run:
                 raise self.far_error(method, motion, known)
             raise AccuracyError(self.refusal(motion), motion)
         return motion
+
+    def from_nothing(self, failed, method, coarse, tolerance, *more):
+        """The trajectory that ``failed`` once more, with the sizes that states have at a coarse
+        tolerance: of one that is zero at first nothing is known.
+        """
+        rough = self.compared(method, max(ROUGH_TOLERANCE, coarse), tolerance)
+        if rough.failed:
+            return failed
+        return self.compared(method, coarse, tolerance, rough.sizes())
 
     def irregular(self, method):
         """True if steps across a kink may be off by far, whatever the tolerance is."""

@@ -21,6 +21,7 @@ from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 FIRST_STEPS, MAX_STEPS = 8, 128
 MAX_SEGMENTS = 20_000
 MAX_REPEATS = 100  # of the steps between two searches
+TRIES = 4  # to see more of what one step passes over
 # fraction of the whole time: events in faster succession accumulate (Zeno), as the impacts of a
 # ball that comes to rest
 MIN_SEGMENT = 1e-9
@@ -184,11 +185,18 @@ class Trajectory:
 
     def _see(self, stepper, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""
+        last, tries = 0.0, TRIES
         for _ in range(MAX_REPEATS):
             passed = passage(stepper, first)
             if not passed:
                 return
-            first, self.repeated = passed.number, True
+            tries = tries - 1 if passed.number == first and passed.size > last / 2 else TRIES
+            if not tries:
+                break
+            first, last, self.repeated = passed.number, passed.size, True
+            # the sizes that states will have that are zero so far
+            made = [KINKED_PART * x for x in passed.changes]
+            stepper.floors = tuple(map(max, stepper.floors, made))
             stepper.back_to(first, passed.time)
             stepper.step(limit)
         self.missed += passed.size
@@ -196,6 +204,9 @@ class Trajectory:
     def unseen(self):
         """How much the steps did not see of the rates, relative to the scales of the states."""
         total = self.missed
+        for part in self.segments:
+            rows = zip(part.stepper.jumped, part.stepper.scales, strict=False)
+            total += max([jump / (s or 1.0) for jump, s in rows], default=0.0)
         for system, stepper, *_ in self.segments if self.watched else ():
             passed = system.traced.narrow and not stepper.resumable and passage(stepper, 0)
             while passed:

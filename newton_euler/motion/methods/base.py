@@ -38,6 +38,10 @@ class LengthError(StepError):
     """Raised where a method would need more steps than are feasible."""
 
 
+class StallError(StepError):
+    """Raised where steps have become so short that they make no progress."""
+
+
 class Stepper:
     """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which has
     the ``tolerance``, the fixed ``step`` or None, and the ``samples``.
@@ -54,6 +58,7 @@ class Stepper:
     resumable : True if the method can go back to one of its steps
     repeated : True if it has gone back
     taken : the number of steps where not all of them are kept
+    jumped : by how much each state may be wrong since jumps of the rates were passed over
 
     A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
     at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of
@@ -62,7 +67,7 @@ class Stepper:
 
     most_steps = MAX_STEPS
 
-    resumable, repeated, taken = False, False, 0
+    resumable, repeated, taken, jumped = False, False, 0, ()
 
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
@@ -151,7 +156,7 @@ class Stepper:
         return out
 
     def check_progress(self):
-        """Raise :class:`StepError` if the last steps have stalled, as where the rates jump between
+        """Raise :class:`StallError` if the last steps have stalled, as where the rates jump between
         plus and minus infinity.
         """
         count = len(self.step_times) - 1 - self.checked
@@ -159,7 +164,7 @@ class Stepper:
             last = self.step_times[self.checked :]
             self.longest = max(self.longest, *(b - a for a, b in pairwise(last)))
             if self.t - last[0] < STALLED_RATIO * count * self.longest:
-                raise StepError(f"{count} steps took only {self.t - last[0]:.1g} of time")
+                raise StallError(f"{count} steps took only {self.t - last[0]:.1g} of time")
             self.checked += count
             self.check_length(self.checked)
 

@@ -8,16 +8,23 @@ Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993
 II.6 and II.10.
 """
 
+from contextlib import suppress
 from functools import lru_cache
-from math import inf, isfinite, sqrt
+from math import inf, isfinite, sqrt, ulp
 from textwrap import indent
 
-from .base import MAX_STALLED_STEPS, StepError, Stepper
+from .base import MAX_STALLED_STEPS, StallError, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 # The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in
 # h, and between these bounds (II.4).
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
+# Rates that jump are steady for so many times as long as it takes to pass the jump, else they are
+# singular there or the motion sticks; and how often that time is doubled.
+STEADY, ROOMS = 100.0, 16
+AGAIN = 1e4  # such times: two jumps that are closer are one
+RECENT = 16  # steps that show how rates jump to and fro
+KEPT = 64  # steps whose polynomials are kept
 
 # A step is what the time changes by: were it the h before rounding, the clock would drift from the
 # states, by 1e-16 of the time at each step.
@@ -132,22 +139,25 @@ class Dop853(Stepper):
         self.f = system.folded_rates, system.constants
         self.rates, self.calls = system.rates(self.t, self.x), 1
         self.code = generated(len(self.x), len(system.constants))
-        self._kept = None, None
+        self._kept = {}
         if step:
             self.tolerance = 1e300  # any step is accepted
-        # else a first step in which the fastest state changes by half of its scale times
-        # tol**(1/8); states that start from nothing, with a huge rate to scale, do not count
-        else:
-            pairs = zip(self.rates, self.scales, strict=True)
-            fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
-            self.h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * span
         # at the least what changes the time
         self.hmax = step or max(trajectory.longest_part * span, 1e-13 * abs(self.goal))
-        self.h = min(step or self.h, self.hmax)
+        self.h = step or self._first_step(span)
+        self.jumped, self._passed = (0.0,) * len(self.x), (-inf, 0.0, ())
+
+    def _first_step(self, span):
+        """The length of a step in which the fastest state changes by half of its scale times
+        tol**(1/8); states that start from nothing, with a huge rate to scale, do not count.
+        """
+        pairs = zip(self.rates, self.scales, strict=True)
+        fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
+        return min(0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * span, self.hmax)
 
     def resume(self):
         """Continue from the present state, see ``back_to``."""
-        self.rates, self._kept = self.system.rates(self.t, self.x), (None, None)
+        self.rates, self._kept = self.system.rates(self.t, self.x), {}
         self.calls += 1
 
     def step(self, limit=inf):
@@ -168,9 +178,59 @@ class Dop853(Stepper):
                 self.rates, self.calls = self.system.rates(self.t, self.x), self.calls + 1
             self.step_times[-1] = self.t
             if self.h == 0.0:
-                raise StepError("the step became too small to go on")
+                self._pass_jump()
             limit -= len(self.steps) - done
-            self.check_progress()
+            try:
+                self.check_progress()
+            except StallError:
+                self._passed = self._stalled()
+                self._pass_jump()
+
+    def _stalled(self):
+        """The time, how long the last steps took, and by how much the rates changed in them."""
+        few = [self.system.rates(t, x) for t, _, *x in self.steps[-RECENT:]]
+        jumps = tuple([max(row) - min(row) for row in zip(*few, strict=True)])
+        return self.t, self.t - self.step_times[-MAX_STALLED_STEPS], jumps
+
+    def _pass_jump(self):
+        """Go on beyond a time at which rates jump that are steady on both sides; where they are not,
+        :class:`~.base.StepError`. The argument of a choice may be round-off for longer than the
+        last digits of the time: then over more and more of it.
+        """
+        t, x, before, (last, room, known) = self.t, self.x, self.rates, self._passed
+        if t - last > AGAIN * room:
+            room, known = ulp(self.goal), (0.0,) * len(x)
+        for _ in range(ROOMS):
+            room *= 2
+            with suppress(ArithmeticError, ValueError):
+                after, there = self._moved(t, x, before, room)
+                rates = self.system.rates(after, there)
+                later = self.system.rates(*self._moved(after, there, rates, STEADY * room))
+                if after < self.goal and self._steady(before, rates, later, room):
+                    break
+        else:
+            raise StepError("the step became too small to go on")
+        jumps = tuple(max(abs(b - a), c) for a, b, c in zip(before, rates, known, strict=True))
+        self.jumped = tuple([a + room * b for a, b in zip(self.jumped, jumps, strict=True)])
+        self.steps.append((t, room, *x))
+        self.step_times.append(after)
+        self.t, self.x, self.rates, self._passed = after, there, rates, (after, room, jumps)
+        self.h, self.checked = self._first_step(self.goal - after), len(self.steps)
+        self.update_scales()
+
+    def _moved(self, t, x, rates, step):
+        self.calls += 1
+        return t + step, tuple([v + step * k for v, k in zip(x, rates, strict=True)])
+
+    def _steady(self, before, rates, later, room):
+        """True if rates change between the second and the third instant by little, relative to how
+        they jump between the first and the second one.
+        """
+        rows = zip(before, rates, later, self.scales, strict=True)
+        return all(
+            abs(c - b) <= max(0.01 * abs(b - a), self.tolerance * s / (STEADY * room))
+            for a, b, c, s in rows
+        )
 
     def state_at(self, t):
         """The state at ``t`` by a step of the method from the last step before, more accurate than
@@ -185,11 +245,12 @@ class Dop853(Stepper):
         import numpy as np
 
         start, h, *x = self.steps[n]
-        # read once: another thread may ask the same motion for another step meanwhile
-        known, rows = self._kept
-        if known != n:
+        rows = self._kept.get(n)
+        if rows is None:
+            if len(self._kept) >= KEPT:  # another thread may use the old ones
+                self._kept = {}
             rows = np.array(self.code["polynomial"](*self.f, start, h, x)).T[::-1, :, None]
-            self._kept = n, rows
+            self._kept[n] = rows
             self.calls += 16
         u = (times - start) / h
         out = 0.0

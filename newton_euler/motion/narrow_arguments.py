@@ -1,0 +1,136 @@
+"""The arguments of those operations of a formula that have a scale of their own: ``where``, ``abs``,
+``exp``, ``tanh``, and a quotient whose denominator comes close to zero. Far from one place of its
+argument each of them is as good as constant.
+"""
+
+from functools import cached_property
+
+from ..algebra.compile import Compiled
+from ..algebra.trace import COMPARISONS, Step
+from .analytic import factors, varying
+
+GROWING, STEEP, PERIODIC = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}, {"sin", "cos", "tan"}
+# What an argument changes by in a step before a structure can lie between the stages of a method,
+# or the ratio of its values; and the same in a part of a step
+CHANGE, RATIO = (4.0, 0.5), (0.1, 0.5)
+TURNED = 1.0  # radians in a step from which a sine is not known by its ends
+
+
+class Arguments:
+    """The ``kinds`` of operations with scales of their own, "largest", "jump", "steep" or "ratio",
+    and the ``formula`` of their arguments, each as two numbers to be subtracted; also "phase", for
+    that of a sine in one of them.
+    """
+
+    def __init__(self, kinds, formula):
+        self.kinds, self.formula = kinds, formula
+
+    @cached_property
+    def names(self):
+        """The kinds as an array."""
+        import numpy as np
+
+        return np.array(self.kinds)
+
+    def of(self, *chosen):
+        """For each argument whether it is of one of these kinds, a column."""
+        import numpy as np
+
+        return np.isin(self.names, chosen)[:, None]
+
+    @cached_property
+    def jumps(self):
+        """For each argument whether the rates jump where it changes its sign, a column."""
+        return self.of("jump")
+
+    @cached_property
+    def phases(self):
+        """For each argument whether it is that of a sine, a column."""
+        return self.of("phase")
+
+    @cached_property
+    def limits(self):
+        """By what each may change in a step, and in a part of one, without being narrow there; nan
+        where it counts by its ratio.
+        """
+        import numpy as np
+
+        limits = np.where(self.phases, TURNED, 2 * np.array(CHANGE))
+        return np.where(self.of("jump", "ratio"), np.nan, limits)
+
+
+def narrow_arguments(traced):
+    """The :class:`Arguments` in the rates; None if there are none."""
+    steps, depends = varying(traced), {}
+    for s in steps:
+        below = [depends.get(a.number, set()) for a in s.args if isinstance(a, Step)]
+        depends[s.number] = {s.args[0]} if s.op == "argument" else set().union(*below)
+    found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, depends)))
+    if not found:
+        return None
+    inside = _below(x for _, pair in found for x in pair)
+    found += [("phase", (s.args[0], 0.0)) for s in steps if s.op in PERIODIC and s in inside]
+    rhs, leaves = traced.rhs, [x for _, pair in found for x in pair]
+    formula = Compiled("arguments", rhs.parameters, rhs.trace, leaves)
+    return Arguments(tuple(kind for kind, _ in found), formula)
+
+
+def _scaled(s, depends):
+    """The arguments of one step, pairs (kind, (a, b)) for the argument a - b."""
+    if s.op in COMPARISONS or s.op == "abs":
+        a, b = s.args if s.op in COMPARISONS else (s.args[0], 0.0)
+        yield "jump", (a, b)
+        for factor in _places_of_sign(a, b):
+            if depends.get(factor.number):
+                yield "jump", (factor, 0.0)
+    elif s.op in STEEP:
+        yield "steep", (s.args[0], 0.0)
+    elif s.op in GROWING:
+        yield "largest", (s.args[-1], 0.0)
+    elif s.op in ("/", "sqrt", "**"):
+        for factor in factors(s.args[s.op == "/"]):
+            if depends.get(factor.number) and _with_squares(factor, depends):
+                yield "ratio", (factor, 0.0)
+
+
+def _places_of_sign(a, b):
+    """The steps at whose zeros a - b changes its sign, as far as they are known: the factors of a
+    product, and denominators.
+    """
+    below = [x for x in _below((a, b)) if x.op == "/"]
+    found = set().union(*(factors(x.args[1]) for x in below))
+    for one, other in ((a, b), (b, a)):
+        if not isinstance(other, Step) and other == 0:
+            found |= factors(one.args[0] if isinstance(one, Step) and one.op == "/" else one)
+    return sorted(found - {a, b}, key=lambda x: x.number)
+
+
+def _below(leaves):
+    """All steps that these need."""
+    todo, found = [x for x in leaves if isinstance(x, Step)], set()
+    while todo:
+        s = todo.pop()
+        if s not in found:
+            found.add(s)
+            todo += [a for a in s.args if isinstance(a, Step)]
+    return found
+
+
+def _with_squares(s, depends):
+    """True for a sum with a constant that may be about zero without being zero, as 1 + x*x."""
+
+    def varies(x):
+        return isinstance(x, Step) and bool(depends.get(x.number))
+
+    def below(x):
+        return [x, *(y for a in x.args for y in below(a))] if varies(x) else []
+
+    def constant(x):
+        return not varies(x) or (x.op in ("+", "-") and any(map(constant, x.args)))
+
+    def square(x):
+        return x.op in ("**", "exp", "pow") or (x.op == "*" and all(map(varies, x.args)))
+
+    steps = below(s)
+    periodic = any(x.op in ("sin", "cos") for x in steps)
+    return s.op in ("+", "-") and constant(s) and any(map(square, steps)) and not periodic
