@@ -22,7 +22,7 @@ def why(error, system, t, x, span):
     try:
         return (
             _without_value(system, t, x, TINY * span)
-            or _sticking(system, t, x, span)
+            or sticking(system, t, x, span)
             or "; the coordinates may be singular there, or the motion leaves the model"
         )
     except ArithmeticError:
@@ -43,7 +43,7 @@ def _without_value(system, t, x, step):
     return ""
 
 
-def _sticking(system, t, x, span):
+def sticking(system, t, x, span):
     """Where the motion sticks, and what to write."""
     for a, b in _switches(system.traced):
         rhs = system.traced.rhs

@@ -13,6 +13,7 @@ from ..algebra.portable import Portable
 from .chebyshev import EPS, root
 from .methods.base import Stepper
 from .model import ModelError, expect
+from .narrow import narrow_times
 from .zeros import UnresolvedError, ZeroSearch
 
 # relative change of the time and of each state by which the round-off of a function is measured
@@ -127,6 +128,15 @@ class EventLocator:
                 raise
             raise EventError(f"{self._name} fails when it is tried: {error}") from error
         self.sign = int(self.first > 0) - int(self.first < 0)
+        self.arguments, self.cuts = stepper.system.narrow_of(event.function), []
+
+    def look(self, first):
+        """Find the times in the steps from number ``first`` on at which the function may be narrow:
+        the search begins with pieces between these.
+        """
+        if self.arguments:
+            times, knots = narrow_times(self.stepper, self.arguments, first)
+            self.cuts = sorted([*times.tolist(), *knots.tolist()])
 
     @property
     def _name(self):
@@ -148,6 +158,7 @@ class EventLocator:
         if not a < b:
             return  # a step shorter than the last digit of the time
         search = ZeroSearch(values, noise, a, b, self.sign, self.event.direction)
+        search.cuts = [t for t in self.cuts if a < t < b]
         search.closed = b == stepper.goal
         if a == stepper.start[0]:
             search.start = self.first, self.at_start

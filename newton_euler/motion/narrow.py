@@ -10,21 +10,23 @@ compared with the change of the states.
 """
 
 from functools import cache
+from itertools import pairwise
 from math import ulp
 from typing import NamedTuple
 
 from .chebyshev import DEGREE, extrema, values_at
 from .methods.base import AROUND
-from .narrow_arguments import CHANGE, RATIO
+from .narrow_arguments import CHANGE, LIMITS, RATIO
 from .zeros import sampling
 
 # part of its change by which an argument may differ from a polynomial, and how many times that its
 # extremum is from zero if it certainly does not reach it
 ROUGH, CLEAR = 0.2, 2.0
 NOISE = 1e-14  # of an argument, relative to its largest value on the way
-FEW = 4  # steps: more show by their ends how fast arguments change
+FEW, MANY = 4, 100  # steps: more show by their ends how fast arguments change; are left to NumPy
 RESOLVED = 6.0  # radians, in a part, of a sine that a polynomial represents
 DEPTH, DIVIDED, MOST = 8, 4, 2000  # of the division of steps: how often, into how many, in all
+SAMPLES, NEWTON_STEPS = 32, 3  # of a step, for the times at which it passes the places of a table
 ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
 HALVINGS = 44  # of a step towards it
 LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
@@ -32,52 +34,115 @@ NUDGE = 2.0**-51  # of states and constants, relative: what rates change by is r
 
 
 class Passage(NamedTuple):
-    """The ``number`` of a step that does not see all of the rates, the ``time`` at which it differs
-    most from their integral, by how much each state, and the largest ``size`` of these relative to
-    the scales of the states.
+    """The ``number`` of a step that does not see all of the rates, the times to stop at when it is
+    repeated, by how much each state differs from the integral of its rate, how much of that may be
+    ``noise`` of the rates, and the largest ``size`` of these relative to the scales of the states.
     """
 
     number: int
-    time: float
+    stops: tuple
     changes: tuple
+    noise: tuple
     size: float
 
 
 def passage(stepper, first):
     """The first :class:`Passage` in the steps from number ``first`` on, or None."""
-    import numpy as np
-
     # the same steps again, as of the same call
     clear = vars(stepper.system).setdefault("_clear", {})
     key, steps = stepper.tolerance, (first, stepper.start, stepper.t, stepper.x)
     if clear.get(key) == steps:
         return None
+    arguments = stepper.system.traced.narrow
+    if FEW <= len(stepper.steps) - first < MANY and not stepper.repeated and not arguments.tables:
+        if _calm(stepper, arguments, first):
+            return None
+    import numpy as np
+
     with np.errstate(all="ignore"):
-        times = narrow_times(stepper, stepper.system.traced.narrow, first)
-        if not len(times):
+        times, knots = narrow_times(stepper, arguments, first)
+        if not len(times) and not len(knots):
             if not first:
                 clear[key] = steps
             return None
         stepper = stepper.dense
         ends = np.array(stepper.step_times)
-        numbers = np.clip(np.searchsorted(ends, times, side="right") - 1, first, len(ends) - 2)
-        for n in np.unique(numbers).tolist():
-            found = _difference(stepper, n, times[numbers == n].tolist())
+        of = [np.clip(np.searchsorted(ends, t, "right") - 1, first, len(ends) - 2) for t in (times, knots)]
+        for n in np.unique(np.concatenate(of)).tolist():
+            found = _difference(stepper, n, times[of[0] == n], knots[of[1] == n])
             if found:
                 return found
     return None
 
 
+def _calm(stepper, arguments, first):
+    """True if certainly no step is suspect, see :meth:`_Path.suspects`; without NumPy, which takes
+    longer for few steps.
+    """
+    f, p, size = arguments.formula.on_floats, stepper.system.p, len(stepper.x)
+    times = stepper.step_times[first:]
+    ends = [s[-size:] for s in stepper.steps[first:]]
+    try:
+        values = [f(t, *x, *p) for t, x in zip(times, [*ends, stepper.x], strict=True)]
+    except (ArithmeticError, ValueError):
+        return False
+    lengths = [b - a for a, b in pairwise(times)]
+    ratios = [y / x for x, y in pairwise(lengths)]
+    columns, crossed = zip(*values, strict=True), 0
+    for kind, a, b in zip(arguments.kinds, columns, columns, strict=False):
+        row = [x - y for x, y in zip(a, b, strict=True)]
+        d = [y - x for x, y in pairwise(row)]
+        before = [d[0], *(x * r for x, r in zip(d, ratios, strict=False))]
+        after = [*(x / r for x, r in zip(d[1:], ratios, strict=True)), d[-1]]
+        limit = LIMITS[kind][0]
+        crossed += kind == "jump" and min(row) <= 0 <= max(row)
+        for x, y, k, change, m in zip(row, row[1:], before, d, after, strict=False):
+            if not abs(k) + abs(change) + abs(m) <= (limit or 2 * min(abs(x), abs(y))):
+                if kind != "jump" or k * m <= 0 or crossed > 1:
+                    return False
+    return True
+
+
 def narrow_times(stepper, arguments, first):
-    """The times, an array, at which one of the :class:`~.narrow_arguments.Arguments` passes its
-    narrow place within a step, from number ``first`` on.
+    """The times at which one of the :class:`~.narrow_arguments.Arguments` passes its narrow place
+    within a step, from number ``first`` on, and those at which it passes several places of a table
+    in one step: two arrays.
     """
     import numpy as np
 
-    path = _Path(np, stepper, arguments, first)
-    suspects = path.suspects()
-    brackets = _brackets(np, path, suspects) if suspects.any() else []
-    return _located(np, stepper.dense, arguments, brackets) if brackets else np.array([])
+    with np.errstate(all="ignore"):
+        path = _Path(np, stepper, arguments, first)
+        suspects = path.suspects()
+        brackets = _brackets(np, path, suspects) if suspects.any() else []
+        times = _located(np, stepper.dense, arguments, brackets) if brackets else np.array([])
+        knots = [_knots(np, path, j, table.places) for j, table in arguments.tables.items()]
+        return times, np.concatenate([*knots, times[:0]])
+
+
+def _knots(np, path, j, places):
+    """The times at which an argument passes these places, in the steps that pass more than one."""
+    places, row = np.array(places, dtype=float), path.rows[j]
+    rises = np.diff(row)
+    turns = np.zeros(len(rises), bool)
+    turns[:-1] |= rises[:-1] * rises[1:] < 0
+    turns[1:] |= turns[:-1]
+    n = np.flatnonzero((abs(np.diff(np.searchsorted(places, row))) > 1) | turns)
+    if not len(n):
+        return np.array([])
+    times = path.ends[n, None] + path.lengths[n, None] * np.linspace(0, 1, SAMPLES + 1)
+    values = path.arguments(times)[j]
+    index = np.searchsorted(places, values)
+    found = []
+    for i, k in zip(*np.nonzero(np.diff(index, axis=1)), strict=True):
+        (x, y), (t, u) = values[i, k : k + 2], times[i, k : k + 2]
+        between = places[min(index[i, k : k + 2]) : max(index[i, k : k + 2])]
+        found += [(place, t + (place - x) * (u - t) / (y - x), (y - x) / (u - t)) for place in between]
+    if not found:
+        return np.array([])
+    place, t, slope = np.array(found).T
+    for _ in range(NEWTON_STEPS):
+        t = t - (path.arguments(t)[j] - place) / slope
+    return t
 
 
 class _Path:
@@ -90,7 +155,9 @@ class _Path:
         ends, size, kept = stepper.step_times[first:], len(stepper.x), bool(stepper.steps)
         if kept:
             self.ends = np.array(ends)
-            self.x = np.array([*(s[-size:] for s in stepper.steps[first:]), stepper.x]).T
+            self.x = np.empty((size, len(ends)))
+            self.x[:, :-1] = np.array(stepper.steps[first:])[:, -size:].T
+            self.x[:, -1] = stepper.x
         else:
             count = len(ends) - 1
             places = np.linspace(0, count, 2 * max(count, stepper.taken) + 1)
@@ -115,7 +182,7 @@ class _Path:
         sizes = abs(a), abs(b)
         known = RATIO[1] * np.maximum(*sizes) if self.closely else 2 * np.minimum(*sizes)
         limits = of.limits[:, int(self.closely), None]
-        limits = np.where(np.isnan(limits), known, limits)
+        limits = np.where(limits == 0, known, limits)
         much = ~((abs(k) + abs(m)) * self.lengths + abs(change) <= limits)
         if not self.closely and much.any():
             # where the rates jump once in a step, its end shows it
@@ -256,7 +323,7 @@ def _located(np, stepper, arguments, brackets):
     return times[rows, k]
 
 
-def _difference(stepper, n, centres):
+def _difference(stepper, n, centres, knots):
     """The :class:`Passage` by which step ``n`` differs from the integral of the rates along it; None
     if that is as small as the tolerance allows.
     """
@@ -264,7 +331,7 @@ def _difference(stepper, n, centres):
 
     a, b = stepper.step_times[n : n + 2]
     reach = (b - a) * 0.5 ** np.arange(1, HALVINGS)
-    edges = np.concatenate([[a, b], *([t, *(t - reach), *(t + reach)] for t in centres)])
+    edges = np.concatenate([[a, b], knots, *([t, *(t - reach), *(t + reach)] for t in centres)])
     edges = np.unique(edges[(edges >= a) & (edges <= b)])
     nodes, weights = _gauss()
     widths = np.diff(edges)[:, None]
@@ -278,7 +345,8 @@ def _difference(stepper, n, centres):
     made, jumps = integrals(0.0)
     apart = np.nan_to_num(made - np.diff(stepper.interpolate(n, edges), axis=1))
     scales = np.array([s or 1.0 for s in stepper.scales])
-    limits = stepper.tolerance * (LIMIT if stepper.resumable else 1.0) * scales + ROUND_OFF * scales
+    factor = LIMIT * (1.0 if len(centres) else LIMIT) if stepper.resumable else 1.0
+    limits = (stepper.tolerance * factor + ROUND_OFF) * scales
     # the round-off of the time, and jumps that were passed over
     limits += AROUND * ulp(b) * jumps + np.add(stepper.noise, stepper.jumped or 0.0)
     sizes = abs(apart.cumsum(axis=1)).max(axis=1)
@@ -289,8 +357,9 @@ def _difference(stepper, n, centres):
         stepper.jumped = tuple(np.maximum(stepper.jumped or 0.0, off).tolist())
         return None
     worst = int((abs(apart) / scales[:, None]).max(axis=0).argmax())
-    when, changes = float(edges[worst : worst + 2].mean()), tuple(sizes.tolist())
-    return Passage(n, when, changes, float((sizes / scales).max()))
+    stops = [*knots.tolist(), float(edges[worst : worst + 2].mean())]
+    noise = tuple(np.maximum(stepper.noise, off).tolist())
+    return Passage(n, tuple(stops), tuple(sizes.tolist()), noise, float((sizes / scales).max()))
 
 
 @cache

@@ -4,26 +4,31 @@ argument each of them is as good as constant.
 """
 
 from functools import cached_property
+from math import inf
 
 from ..algebra.compile import Compiled
 from ..algebra.trace import COMPARISONS, Step
-from .analytic import factors, varying
+from .analytic import clocked, factors, varying
 
 GROWING, STEEP, PERIODIC = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}, {"sin", "cos", "tan"}
 # What an argument changes by in a step before a structure can lie between the stages of a method,
 # or the ratio of its values; and the same in a part of a step
 CHANGE, RATIO = (4.0, 0.5), (0.1, 0.5)
 TURNED = 1.0  # radians in a step from which a sine is not known by its ends
+LIMITS = {kind: (2 * CHANGE[0], 2 * CHANGE[1]) for kind in ("largest", "steep")}
+LIMITS |= {"phase": (TURNED, TURNED), "table": (inf, inf), "jump": (0, 0), "ratio": (0, 0)}
 
 
 class Arguments:
-    """The ``kinds`` of operations with scales of their own, "largest", "jump", "steep" or "ratio",
-    and the ``formula`` of their arguments, each as two numbers to be subtracted; also "phase", for
-    that of a sine in one of them.
+    """The ``kinds`` of operations with scales of their own, "largest", "jump", "steep", "ratio" or
+    "table", and the ``formula`` of their arguments, each as two numbers to be subtracted; also
+    "phase", for that of a sine in one of them.
+
+    tables : the places of each table, by the number of its argument
     """
 
-    def __init__(self, kinds, formula):
-        self.kinds, self.formula = kinds, formula
+    def __init__(self, kinds, formula, tables):
+        self.kinds, self.formula, self.tables = kinds, formula, tables
 
     @cached_property
     def names(self):
@@ -50,29 +55,37 @@ class Arguments:
 
     @cached_property
     def limits(self):
-        """By what each may change in a step, and in a part of one, without being narrow there; nan
+        """By what each may change in a step, and in a part of one, without being narrow there; 0
         where it counts by its ratio.
         """
         import numpy as np
 
-        limits = np.where(self.phases, TURNED, 2 * np.array(CHANGE))
-        return np.where(self.of("jump", "ratio"), np.nan, limits)
+        return np.array([LIMITS[kind] for kind in self.kinds])
 
 
-def narrow_arguments(traced):
-    """The :class:`Arguments` in the rates; None if there are none."""
+def narrow_arguments(traced, of_event=False):
+    """The :class:`Arguments` in the rates, or in the function of an event, whose own factors count
+    too; None if there are none.
+    """
     steps, depends = varying(traced), {}
     for s in steps:
         below = [depends.get(a.number, set()) for a in s.args if isinstance(a, Step)]
         depends[s.number] = {s.args[0]} if s.op == "argument" else set().union(*below)
     found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, depends)))
+    known = clocked(traced)
+    found += [("table", tuple(s.args)) for s in steps if s.op == "table" and s not in known]
+    for leaf in traced.rhs.leaves if of_event else ():
+        factors_of = [x for x in _places_of_sign(leaf, 0.0) if depends.get(x.number)]
+        found += [("jump", (x, 0.0)) for x in factors_of]
     if not found:
         return None
     inside = _below(x for _, pair in found for x in pair)
     found += [("phase", (s.args[0], 0.0)) for s in steps if s.op in PERIODIC and s in inside]
-    rhs, leaves = traced.rhs, [x for _, pair in found for x in pair]
+    inner = ((a, 0.0 if kind == "table" else b) for kind, (a, b) in found)
+    rhs, leaves = traced.rhs, [x for pair in inner for x in pair]
     formula = Compiled("arguments", rhs.parameters, rhs.trace, leaves)
-    return Arguments(tuple(kind for kind, _ in found), formula)
+    tables = {n: pair[1] for n, (kind, pair) in enumerate(found) if kind == "table"}
+    return Arguments(tuple(kind for kind, _ in found), formula, tables)
 
 
 def _scaled(s, depends):

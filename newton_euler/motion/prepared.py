@@ -34,6 +34,7 @@ class Traced:
     def __init__(self, rhs, arguments):
         self.rhs, self.arguments = rhs, arguments
         self.functions, self.texts, self.integrators, self.seconds = {}, {}, {}, 0.0
+        self._narrow = {}
 
     @cached_property
     def folded(self):
@@ -66,6 +67,11 @@ class Traced:
     def narrow(self):
         """See :func:`newton_euler.motion.narrow.narrow_arguments`."""
         return narrow_arguments(self)
+
+    def narrow_of(self, text):
+        """The same for the text of an event."""
+        traced = Traced(text, self.arguments)
+        return cached(self._narrow, text, lambda: narrow_arguments(traced, of_event=True))
 
 
 class FunctionText:
@@ -179,6 +185,11 @@ class PreparedModel:
     def untraced(self, f):
         """A function ``f(s, p, t)`` as one of ``(t, *states)``, without tracing."""
         return lambda t, *x: self.model._value(f, x, t)
+
+    def narrow_of(self, f):
+        """The narrow arguments in a function of an event; None if it has none, or is not traced."""
+        text = self._text(f)
+        return text and self.traced.narrow_of(text)
 
     def _text(self, f):
         """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event

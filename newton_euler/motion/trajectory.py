@@ -169,6 +169,8 @@ class Trajectory:
             stepper.step(limit)
             if watched:
                 self._see(stepper, done, min(limit, MAX_STEPS))
+            for locator in locators:
+                locator.look(done)
             for n in range(done, len(stepper.step_times) - 1) if events else ():
                 for found in events_in_step(locators, n):
                     ending = [k for _, k in found if events[k].ends]
@@ -196,8 +198,9 @@ class Trajectory:
             first, last, self.repeated = passed.number, passed.size, True
             # the sizes that states will have that are zero so far
             made = [KINKED_PART * x for x in passed.changes]
-            stepper.floors = tuple(map(max, stepper.floors, made))
-            stepper.back_to(first, passed.time)
+            stepper.floors, stepper.noise = tuple(map(max, stepper.floors, made)), passed.noise
+            stepper.jumped = tuple(map(max, stepper.jumped or passed.noise, passed.noise))
+            stepper.back_to(first, passed.stops)
             stepper.step(limit)
         self.missed += passed.size
 

@@ -11,6 +11,7 @@ on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM 
 """
 
 from functools import cache
+from itertools import pairwise
 from typing import NamedTuple
 
 from ..algebra.scalars import NewtonEulerError
@@ -99,6 +100,7 @@ class ZeroSearch:
     start : None, or where the motion begins at a the value there, which is a zero that does not
         count if it is round-off; and True if it is known to be a zero
     closed : True if a zero at b counts, as where the motion ends
+    cuts : times in between, in order, at which the function may have something narrow
 
     Raises :class:`UnresolvedError` where it cannot continue.
     """
@@ -106,10 +108,12 @@ class ZeroSearch:
     def __init__(self, values, noise, a, b, sign, direction=0, start=None, closed=False):
         self.values, self.noise, self.a, self.b = values, noise, a, b
         self.sign, self.direction, self.start, self.closed = sign, direction, start, closed
+        self.cuts = []
 
     def __iter__(self):
         """Lists of zeros, in order, each with the time up to which all have been found."""
-        todo, count = [Piece(self.a, self.b)], 0
+        edges = pairwise([self.a, *self.cuts, self.b])
+        todo, count = [Piece(*ends) for ends in edges][::-1], 0
         while todo:
             pieces, new = [], []
             while todo and len(new) < BATCH:

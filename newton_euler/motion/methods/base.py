@@ -94,15 +94,15 @@ class Stepper:
         """The same run with all of its steps."""
         return self
 
-    def back_to(self, n, stop):
-        """Go back to the beginning of step ``n``, and stop at this time."""
+    def back_to(self, n, stops):
+        """Go back to the beginning of step ``n``, and stop at these times."""
         size = len(self.x)
         self.t, self.x, self.repeated = self.step_times[n], tuple(self.steps[n][-size:]), True
         seen = [self.floors, *(map(abs, s[-size:]) for s in self.steps[: n + 1])]
         self.scales = tuple(map(max, *seen))
         del self.steps[n:], self.step_times[n + 1 :]
         self.checked = min(self.checked, n)
-        self.stops = tuple(sorted({stop, *(t for t in self.stops if t > self.t)}))
+        self.stops = tuple(sorted({t for t in (*stops, *self.stops) if t > self.t}))
         self.resume()
 
     def next_stop(self):

@@ -8,11 +8,13 @@ Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993
 II.6 and II.10.
 """
 
+from bisect import bisect_right
 from contextlib import suppress
 from functools import lru_cache
 from math import inf, isfinite, sqrt, ulp
 from textwrap import indent
 
+from ..endings import sticking
 from .base import MAX_STALLED_STEPS, StallError, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
@@ -23,6 +25,8 @@ SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
 # singular there or the motion sticks; and how often that time is doubled.
 STEADY, ROOMS = 100.0, 16
 AGAIN = 1e4  # such times: two jumps that are closer are one
+# how many jumps may follow each other within this part of the whole time: where more do, it sticks
+OFTEN, NEAR = 16, 1e-6
 RECENT = 16  # steps that show how rates jump to and fro
 KEPT = 64  # steps whose polynomials are kept
 
@@ -145,7 +149,7 @@ class Dop853(Stepper):
         # at the least what changes the time
         self.hmax = step or max(trajectory.longest_part * span, 1e-13 * abs(self.goal))
         self.h = step or self._first_step(span)
-        self.jumped, self._passed = (0.0,) * len(self.x), (-inf, 0.0, ())
+        self.jumped, self._passed, self._often = (0.0,) * len(self.x), (-inf, 0.0, ()), 0
 
     def _first_step(self, span):
         """The length of a step in which the fastest state changes by half of its scale times
@@ -182,9 +186,12 @@ class Dop853(Stepper):
             limit -= len(self.steps) - done
             try:
                 self.check_progress()
-            except StallError:
+            except StallError as stall:
                 self._passed = self._stalled()
-                self._pass_jump()
+                try:
+                    self._pass_jump()
+                except StepError:
+                    raise stall from None
 
     def _stalled(self):
         """The time, how long the last steps took, and by how much the rates changed in them."""
@@ -200,17 +207,22 @@ class Dop853(Stepper):
         t, x, before, (last, room, known) = self.t, self.x, self.rates, self._passed
         if t - last > AGAIN * room:
             room, known = ulp(self.goal), (0.0,) * len(x)
-        for _ in range(ROOMS):
+        near = t - last < NEAR * (self.goal - self.start[0])
+        self._often = self._often + 1 if near else 0
+        span = self.goal - self.start[0]
+        sticks = self._often > OFTEN or (self._often and sticking(self.system, t, x, span))
+        for _ in range(ROOMS if self.system.traced.surprises and not sticks else 0):
             room *= 2
             with suppress(ArithmeticError, ValueError):
                 after, there = self._moved(t, x, before, room)
-                rates = self.system.rates(after, there)
-                later = self.system.rates(*self._moved(after, there, rates, STEADY * room))
-                if after < self.goal and self._steady(before, rates, later, room):
+                rates = self._earlier(t - STEADY * room), before, self.system.rates(after, there)
+                later = self._moved(after, there, rates[-1], STEADY * room)
+                if after < self.goal and self._steady(*rates, self.system.rates(*later), room):
                     break
         else:
             raise StepError("the step became too small to go on")
-        jumps = tuple(max(abs(b - a), c) for a, b, c in zip(before, rates, known, strict=True))
+        earlier, _, rates = rates
+        jumps = tuple(max(abs(b - a), c) for a, b, c in zip(earlier, rates, known, strict=True))
         self.jumped = tuple([a + room * b for a, b in zip(self.jumped, jumps, strict=True)])
         self.steps.append((t, room, *x))
         self.step_times.append(after)
@@ -222,15 +234,22 @@ class Dop853(Stepper):
         self.calls += 1
         return t + step, tuple([v + step * k for v, k in zip(x, rates, strict=True)])
 
-    def _steady(self, before, rates, later, room):
-        """True if rates change between the second and the third instant by little, relative to how
-        they jump between the first and the second one.
+    def _earlier(self, t):
+        """The rates at the last step before ``t``."""
+        begin, _, *x = self.steps[max(bisect_right(self.step_times, t) - 1, 0)]
+        self.calls += 1
+        return self.system.rates(begin, x)
+
+    def _steady(self, earlier, before, rates, later, room):
+        """True if rates are nearly those of an earlier instant before they jump, and nearly those of
+        a later one after it.
         """
-        rows = zip(before, rates, later, self.scales, strict=True)
-        return all(
-            abs(c - b) <= max(0.01 * abs(b - a), self.tolerance * s / (STEADY * room))
-            for a, b, c, s in rows
-        )
+        rows = zip(earlier, before, rates, later, self.scales, strict=True)
+        for a, b, c, d, s in rows:
+            little = max(0.01 * abs(c - a), self.tolerance * s / (STEADY * room))
+            if not (min(abs(b - a), abs(b - c)) <= little and abs(d - c) <= little):
+                return False
+        return True
 
     def state_at(self, t):
         """The state at ``t`` by a step of the method from the last step before, more accurate than
