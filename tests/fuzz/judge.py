@@ -8,7 +8,6 @@ import inspect
 import io
 import linecache
 import multiprocessing
-import os
 import resource
 import signal
 import tempfile
