@@ -62,7 +62,8 @@ def page(
         "Problems": [f"{_short(name)} <problems/{name}>" for name in problem_names],
         "Reference": [f"reference/{name}" for name in reference],
     }
-    return "\n".join([*lines, RUN.replace("VERSION", __version__), *(_tree(c, p) for c, p in trees.items())])
+    run = RUN.replace("VERSION", __version__)
+    return "\n".join([*lines, run, *(_tree(c, p) for c, p in trees.items())])
 
 
 def _chapter(c):

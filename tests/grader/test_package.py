@@ -12,7 +12,6 @@ from exercises.catalogue import problem
 from grader.practice import write_practice
 from tests.grader.courses import REPOSITORY, ran, run
 
-
 README = (REPOSITORY / "README.md").read_text(encoding="utf-8")
 STUDENTS, CHARTS = (
     re.findall(r"(?m)^    (.*)$", README.partition(f"## For {who}")[2].partition("\n## ")[0])
@@ -82,8 +81,8 @@ def test_the_engine_in_a_repository_of_its_own_is_installed_by_its_address(shell
     shell("git init -q engine && cd engine && git add . && git commit -qm engine")
     found = ran(run("git", "-C", str(tmp_path / "engine"), "ls-files"))
     assert not re.search(r"(?m)^(exercises|grader|tests)|\.yaml$", found)
-    (address,) = re.findall(r"'(newton-euler\[student\] @)\s[^']*", README)
-    shell(f"pip install -q --no-deps '{address} git+file://{tmp_path}/engine'")
+    (line,) = re.findall(r"(?m)^    (pip install .* @ git\+)https", README)
+    shell(f"{line}file://localhost{tmp_path}/engine'")
     assert shell("pip show newton-euler").startswith("Name: newton-euler")
 
 
