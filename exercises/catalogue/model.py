@@ -198,7 +198,9 @@ class Problem:
         except ModuleNotFoundError as error:
             if error.name not in (name, name.rpartition(".")[0]):
                 raise
-            raise CatalogueError(f"problem {self.id} has a text but no code: write {file}") from None
+            raise CatalogueError(
+                f"problem {self.id} has a text but no code: write {file}"
+            ) from None
         needed = ("solve", "prove", "mistakes", *(("draw",) if self.figure else ()))
         missing = [f for f in needed if not callable(getattr(module, f, None))]
         if missing:

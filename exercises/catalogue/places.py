@@ -60,8 +60,8 @@ def homes() -> dict[str, Path]:
     for home in sorted(own, key=lambda home: _natural(home.name)):
         if (EXERCISES / home.name).exists() or re.fullmatch(r"ch\d+|app[A-Za-z]|all", home.name):
             raise CatalogueError(
-                f"{home}: the name {home.name} is taken by the book; give your chapter another, as in "
-                "bridge/p01.yaml for the problem bridge/1"
+                f"{home}: the name {home.name} is taken by the book; give your chapter another, "
+                "as in bridge/p01.yaml for the problem bridge/1"
             )
         if home.name in found:
             raise CatalogueError(

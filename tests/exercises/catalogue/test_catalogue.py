@@ -10,7 +10,14 @@ import sympy
 
 from exercises import problem
 from exercises.catalogue import (
-    CatalogueError, chapter, chapters, model, places, problems, reading, select,
+    CatalogueError,
+    chapter,
+    chapters,
+    model,
+    places,
+    problems,
+    reading,
+    select,
 )  # fmt: skip
 from newton_euler import Dimension, Frame
 
