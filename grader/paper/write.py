@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from exercises.catalogue.variants import draw, seed
 
@@ -87,7 +88,8 @@ def pdf(files: Files) -> bytes:
     """What Typst makes of these files."""
     import typst
 
-    return typst.compile(files, format="pdf", timestamp=0)
+    inputs: Any = files  # its annotations do not know that it takes files by name
+    return typst.compile(inputs, format="pdf", timestamp=0)
 
 
 def _all(function, jobs, workers):
