@@ -2,6 +2,7 @@
 
 import csv
 import hashlib
+import importlib.util
 import re
 from dataclasses import replace
 
@@ -13,14 +14,12 @@ from grader.assignment.spec import spec_of
 from grader.paper import PaperError, write_papers
 from grader.paper.markup import formula, typst
 from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
-from grader.paper.write import pdf, require_typst
+from grader.paper.write import NEEDED, pdf
 from tests.grader.courses import grader
 
-try:
-    require_typst()
-except PaperError:
-    pytest.skip("typst is not installed", allow_module_level=True)
-
+pytestmark = pytest.mark.skipif(
+    not all(map(importlib.util.find_spec, NEEDED)), reason="typst is not installed"
+)
 FEW = "4/3", "3/27", "A/19", "5/26", "11/13"  # vectors, matrices, a direction, words, formulas
 
 
