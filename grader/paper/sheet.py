@@ -13,7 +13,7 @@ from newton_euler.answers.notation import is_word, list_symbol, number_symbol, u
 from ..assignment.cells import SheetValues, Values
 from ..assignment.figures import figure_svg
 from ..assignment.lines import lines
-from ..assignment.notebook import slug, statement, typeset
+from ..assignment.notebook import slug, statement, statement_with, typeset
 from ..assignment.solution import worked_solution
 from ..practice.plain import plain
 from ..scoring.margins import margins
@@ -52,7 +52,8 @@ def sheet(title: str, entries: Iterable[Entry], student: Student) -> Files:
             out.append(typst(e.text))
             continue
         p, values = problem(e.problem), student.values[e.problem]
-        text = e.text or statement(p, values, figure=False, code=False)
+        text = statement(p, values, figure=False, code=False)
+        text = statement_with(p, e.text, values) if e.text else text
         parts = [_points(e.points), f"[{typst(text)}]"]
         if svg := figure_svg(p, values):
             files[name := f"{slug(p.id)}.svg"] = svg
