@@ -25,8 +25,8 @@ FIFTHS = (5.0, 6.5, 8.0, 9.5)
 class Entry:
     """A problem in the catalogue.
 
-    kinds : of its answers. equations : of the book, cited by its steps. steps : on the
-        way to its answers; terms : of sums among them. operations : of the whole computation.
+    kinds : of its answers. equations : of the book, cited by its steps. steps : on the way to its
+    answers, without the terms of sums. operations : of the whole computation.
     sheets : how many sets of numbers can be drawn. words : all its texts, in lower case
     """
 
@@ -69,19 +69,13 @@ def entry(p: Problem) -> Entry:
     terms = [s for s in found.steps if s.term]
     needed = uses(found.trace, [x for numbers in found.components.values() for x in numbers])
     operations = sum(s.op != "argument" for s in found.trace.steps if s.number in needed)
-    texts = (
-        p.title,
-        p.text,
-        p.figure,
-        *(a.means for a in p.answers),
-        *(s.means for s in found.steps),
-    )
+    means = [*(a.means for a in p.answers), *(s.means for s in found.steps)]
     return Entry(
         p.id, p.chapter, p.section, p.title,
         tuple(dict.fromkeys(a.kind.name for a in p.answers)),
         tuple(sorted({s.equation for s in found.steps if s.equation}, key=_natural)),
         len(found.steps) - len(terms), len(terms), operations, len(p.answers), sheets(p),
-        bool(p.figure), " ".join(" ".join(texts).lower().split()),
+        bool(p.figure), " ".join(" ".join((p.title, p.text, p.figure, *means)).lower().split()),
     )  # fmt: skip
 
 

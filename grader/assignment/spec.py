@@ -127,20 +127,19 @@ def spec_of(
     return Spec(name, title or (chapter(name).title if whole else name), items)
 
 
-def named(names: Iterable[str]) -> list[Item]:
+def named(names: Iterable[str]) -> dict[Problem, Mapping[str, Any]]:
     """The problems that names stand for, as for :func:`in_range`, "all", or the files of
-    assignments.
+    assignments, with their options.
     """
-    found: dict[Problem, Item] = {}
+    found: dict[Problem, Mapping[str, Any]] = {}
     for name in names:
         if Path(name).suffix in (".yaml", ".yml"):
-            items = [i for i in read_spec(Path(name)).items if i.problem]
+            chosen = {i.problem: i.options for i in read_spec(Path(name)).items if i.problem}
         else:
-            chosen = select([name]) if name == "all" else in_range(name)
-            items = [Item(p) for p in chosen]
-        for item in items:
-            found.setdefault(item.problem, item)
-    return list(found.values())
+            chosen = {p: {} for p in (select([name]) if name == "all" else in_range(name))}
+        for p, options in chosen.items():
+            found.setdefault(p, options)
+    return found
 
 
 def in_range(text: str) -> list[Problem]:
@@ -174,8 +173,12 @@ class _Loader(yaml.SafeLoader):
     """The safe loader, with the lines of keys and entries."""
 
 
-class _Map(dict):
+class _Map(dict[Any, Any]):
     """A mapping with the line of each key."""
+
+    def __init__(self, **entries: Any) -> None:
+        super().__init__(entries)
+        self.lines: dict[Any, int] = {}
 
 
 class _List(list):
@@ -184,7 +187,6 @@ class _List(list):
 
 def _mapping(loader, node):
     found = _Map()
-    found.lines = {}
     for key, value in node.value:
         name = loader.construct_object(key, deep=True)
         if not isinstance(name, str | int | float):
@@ -211,10 +213,10 @@ HEAD = {"title", "due", "mode", "opens", "closes", "late", "problems", *BY_SHEET
 def read_spec(path: Path) -> Spec:
     """The assignment that a file describes; its name is that of the file."""
     try:
-        content = yaml.load(path.read_text(encoding="utf-8"), _Loader)
+        content: Any = yaml.load(path.read_text(encoding="utf-8"), _Loader)
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise CourseError(f"{path} cannot be read: {error}") from error
-    if not isinstance(content, dict) or not isinstance(content.get("problems"), list):
+    if not isinstance(content, _Map) or not isinstance(content.get("problems"), list):
         raise CourseError(
             f"{path}: expected title, due and a list of problems, as python -m grader build --help "
             "shows"

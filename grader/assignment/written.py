@@ -22,8 +22,7 @@ def spec_of_course(course: Course, name: str) -> tuple[Spec, list[str]]:
     notebook = read_json(path)
     items, left = _items(notebook)
     with course.gradebook() as book:
-        known = {a.name: a for a in book.assignments}
-        due = known[name].duedate if name in known else None
+        due = next((a.duedate for a in book.assignments if a.name == name), None)
     exam = course.settings.get("exams", {}).get(name, {})
     opens = datetime.fromisoformat(exam["opens"]) if exam.get("opens") else None
     late = exam.get("late", "")

@@ -90,7 +90,7 @@ def problems(
         raise click.UsageError(f"--kind {unknown(wrong[0], KINDS)}")
     if right and not course_path:
         raise click.UsageError("--right is what students earned: name a --course")
-    asked = [i.problem for i in named(names or ("all",))]
+    asked = list(named(names or ("all",)))
     limits = {name: span for name, span in spans.items() if span}
     wanted = Wanted(
         sections, tuple(k.replace(" ", "_") for k in kinds), equations,
@@ -101,9 +101,8 @@ def problems(
         found = [e for p in asked for e in (*chosen([p], wanted), *_advance(bar, task))]
     earned = measured(Course(course_path)) if course_path else {}
     if right:
-        found = [
-            e for e in found if e.id in earned and right[0] <= 100 * earned[e.id][0] <= right[1]
-        ]
+        low, high = right
+        found = [e for e in found if e.id in earned and low <= 100 * earned[e.id][0] <= high]
     if sort and sort != "id":
         key = (lambda e: earned.get(e.id, (2, 0))[0]) if sort == "right" else _by(sort)
         found = sorted(found, key=key)
@@ -123,13 +122,10 @@ def _advance(bar, task):
 
 
 def _by(name):
-    def key(e):
-        value = getattr(e, name)
-        return (
-            [int(x) if x.isdigit() else 0 for x in value.split(".")] if name == "section" else value
-        )
-
-    return key
+    """The key that sorts by a column; sections by their numbers, appendices first."""
+    if name != "section":
+        return lambda e: getattr(e, name)
+    return lambda e: [int(x) if x.isdigit() else 0 for x in e.section.split(".")]
 
 
 def _as_json(e, earned):

@@ -140,7 +140,7 @@ def build(
     if (exam and not due) or (opens and not exam):
         raise click.UsageError("an exam says when it closes: --exam --opens … --closes …")
     if exam and isinstance(what, Spec):
-        what = replace(what, due=due, opens=opens or "", late=LATE[0])
+        what = replace(what, due=due or "", opens=opens or "", late=LATE[0])
     when = due_date(due) if due else None
     with progress_bar() as bar:
         built = build_assignment(

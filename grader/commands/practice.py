@@ -49,9 +49,8 @@ def practice(
     from ..assignment.spec import named
     from ..practice import graded_numbers, rules_of, write_practice
 
-    items = named(names)
-    problems = [i.problem for i in items]
-    rules = {i.problem.id: dict(i.options) for i in items}
+    chosen = named(names)
+    problems, rules = list(chosen), {p.id: dict(own) for p, own in chosen.items()}
     with progress_bar() as bar:
         graded = {}
         if course_path:

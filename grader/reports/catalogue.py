@@ -6,7 +6,7 @@ from rich.table import Table
 
 from exercises.catalogue.survey import Entry
 
-from .tables import plain_table, shown
+from .tables import shown
 
 SHORT = {
     "vector_expression": "vector formula", "matrix_expression": "matrix formula",
@@ -18,15 +18,17 @@ def problems_table(
     found: Sequence[Entry], earned: Mapping[str, tuple[float, int]] | None = None
 ) -> Table:
     """A row for each problem; ``earned``: the share of points and number of sheets of a course."""
-    columns = ("problem", "title", "section", "asks for", ">steps", ">diff.", ">min", ">sheets")
-    more = () if earned is None else (">right",)
-    table = plain_table(f"{len(found)} problems  (diff.: 1 to 5)", *columns, *more)
+    table = Table(title=f"{len(found)} problems", title_justify="left", box=None, pad_edge=False)
+    for name, least in (("problem", 7), ("section", 7), ("title", 28), ("asks for", 8)):
+        table.add_column(name, min_width=least)
+    for name in ("steps", "hard", "min", "sheets", *(() if earned is None else ("right",))):
+        table.add_column(name, justify="right", no_wrap=True)
     for e in found:
         kinds = ", ".join(SHORT.get(k, k) for k in e.kinds)
-        numbers = (str(e.steps + e.terms), str(e.difficulty), str(e.minutes), f"{e.sheets:.3g}")
+        numbers = (str(e.steps + e.terms), str(e.difficulty), str(e.minutes), f"{e.sheets:.2g}")
         right = []
         if earned is not None:
             share, sheets = earned.get(e.id, (0.0, 0))
             right = [f"{share:.0%} of {sheets}" if sheets else "–"]
-        table.add_row(e.id, shown(e.title), e.section, kinds, *numbers, *right)
+        table.add_row(e.id, e.section, shown(e.title), kinds, *numbers, *right)
     return table

@@ -17,6 +17,4 @@ def measured(course: Course) -> dict[str, tuple[float, int]]:
         number: [points / most for points, most in sheets.values() if most]
         for number, sheets in earned.items()
     }
-    return {
-        number: (sum(found) / len(found), len(found)) for number, found in shares.items() if found
-    }
+    return {n: (sum(found) / len(found), len(found)) for n, found in shares.items() if found}
