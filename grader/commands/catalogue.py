@@ -2,11 +2,12 @@
 
 import json
 import math
+import tempfile
 from pathlib import Path
 
 import click
 
-from .shared import FOLDER, console, progress_bar
+from .shared import FILE, FOLDER, console, progress_bar
 
 COLUMNS = ("id", "section", "steps", "difficulty", "minutes", "sheets", "right")
 
@@ -133,3 +134,38 @@ def _as_json(e, earned):
     listed |= {"difficulty": e.difficulty, "minutes": e.minutes}
     share, sheets = earned.get(e.id, (None, 0))
     return listed | ({"share_of_points": share, "graded_sheets": sheets} if sheets else {})
+
+
+@click.command()
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | hw3.yaml …")
+@click.option("--text", is_flag=True, help="Print it in the terminal instead.")
+@click.option("--to", "path", type=FILE, help="The page to write; default: a private new folder.")
+@click.option("--no-open", is_flag=True, help="Do not open a browser.")
+def preview(names: tuple[str, ...], text: bool, path: Path | None, no_open: bool) -> None:
+    """Show problems before they are on a sheet, as a page in the browser.
+
+    Of each: text, figure, key, the numbers and keys of three students, steps, tolerance, how many
+    sheets there are, difficulty, and every listed mistake with its answer and what a student reads
+    of it. The page holds keys: only you can read the file.
+    """
+    from ..assignment.spec import named
+    from ..course.files import write_text
+    from ..reports import preview as previewed
+    from ..reports import preview_page, preview_text
+
+    chosen = named(names)
+    found = []
+    with progress_bar() as bar:
+        task = bar.add_task("solving and drawing", total=len(chosen))
+        for p, options in chosen.items():
+            found.append(previewed(p, options))
+            bar.advance(task)
+    if text:
+        for each in found:
+            console.print(preview_text(each), soft_wrap=True)
+        return
+    path = path or Path(tempfile.mkdtemp(prefix="preview-")) / "preview.html"
+    write_text(path, preview_page(found))
+    click.echo(path)
+    if not no_open:
+        click.launch(str(path))

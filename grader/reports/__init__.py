@@ -2,6 +2,7 @@
 
 answers      the answers of problems
 catalogue    the problems to choose from; measured: what students earned in them
+preview      one problem as an instructor sees it, as a page or text
 tables       the results of a run of the grader, for the terminal
 records      the scores that the grader has kept, part by part
 statistics   difficulty, discrimination and mistakes of each part
@@ -15,6 +16,7 @@ from .catalogue import problems_table
 from .diagnoses import diagnosis_shares, shares_table
 from .export import FORMATS, export
 from .measured import measured
+from .preview import preview, preview_page, preview_text
 from .statistics import part_statistics, statistics_csv, statistics_figure, statistics_table
 from .tables import diagnosis_table, gradebook_table, shown, taken_in_table
 from .unlisted import RANDOM, SLIP_OUTCOMES, slip_shares

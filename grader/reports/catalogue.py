@@ -18,14 +18,17 @@ def problems_table(
     found: Sequence[Entry], earned: Mapping[str, tuple[float, int]] | None = None
 ) -> Table:
     """A row for each problem; ``earned``: the share of points and number of sheets of a course."""
-    table = Table(title=f"{len(found)} problems", title_justify="left", box=None, pad_edge=False)
-    for name, least in (("problem", 7), ("section", 7), ("title", 28), ("asks for", 8)):
-        table.add_column(name, min_width=least)
+    table = Table(
+        title=f"{len(found)} problems", title_justify="left", box=None, padding=(0, 1, 0, 0)
+    )
+    for name in ("problem", "section", "title", "asks for"):
+        most = 14 if name == "asks for" else None
+        table.add_column(name, no_wrap=name in ("problem", "section"), max_width=most)
     for name in ("steps", "hard", "min", "sheets", *(() if earned is None else ("right",))):
         table.add_column(name, justify="right", no_wrap=True)
     for e in found:
         kinds = ", ".join(SHORT.get(k, k) for k in e.kinds)
-        numbers = (str(e.steps + e.terms), str(e.difficulty), str(e.minutes), f"{e.sheets:.2g}")
+        numbers = (str(e.steps + e.terms), str(e.difficulty), str(e.minutes), f"{e.sheets:.3g}")
         right = []
         if earned is not None:
             share, sheets = earned.get(e.id, (0.0, 0))
