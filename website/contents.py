@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from exercises.catalogue import chapter, problems
+from newton_euler import __version__
 
 from .notebooks import Chapter
 from .problem_pages import heading
@@ -18,10 +19,10 @@ print and draw. They need no network; films play here, sliders want the notebook
 RUN = """
 ## Run the notebooks
 
-With Python 3.11 or newer:
+With Python 3.11 or newer, and the wheel that your instructor gives you:
 
 ```
-pip install newton-euler jupyterlab ipywidgets
+pip install './newton_euler-VERSION-py3-none-any.whl[student]'
 python -m newton_euler chapters DIR
 jupyter lab DIR
 ```
@@ -65,7 +66,8 @@ def page(
         ],
         "Reference": [f"reference/{name}" for name in reference],
     }
-    return "\n".join([*lines, RUN, *(_tree(c, p) for c, p in trees.items())])
+    run = RUN.replace("VERSION", __version__)
+    return "\n".join([*lines, run, *(_tree(c, p) for c, p in trees.items())])
 
 
 def _chapter(c):

@@ -89,10 +89,13 @@ def number(x: float) -> str:
     return f"{x:.6g}" if isinstance(x, float) else str(x)
 
 
-def statement(p: Problem, values: Values, figure: bool = True, chapters: str = "") -> str:
+def statement(
+    p: Problem, values: Values, figure: bool = True, chapters: str = "", code: bool = True
+) -> str:
     """The text of a problem with the student's numbers, as Markdown with formulas of LaTeX between
     dollar signs; the figure is the attachment ``figure.png``. For ``chapters`` see
-    :func:`~exercises.catalogue.sections.section_line`.
+    :func:`~exercises.catalogue.sections.section_line`. ``code=False`` leaves out what only a
+    program needs: names in code, and the list of those that are asked for.
     """
     mentioned = set()
 
@@ -103,20 +106,22 @@ def statement(p: Problem, values: Values, figure: bool = True, chapters: str = "
         if name in mentioned:
             return f"${p.notation[name]}$"
         mentioned.add(name)
-        return _quantity(p, name, values)
+        return _quantity(p, name, values, code)
 
     lines = [f"## {p.id} {p.title}", "", typeset(p.text, p, quantity_or_symbol)]
     others = [n for n in p.givens if n not in mentioned]
     if others:
-        listed = (f"{_quantity(p, n, values)}, {typeset(p.givens[n].means, p)}" for n in others)
+        listed = (
+            f"{_quantity(p, n, values, code)}, {typeset(p.givens[n].means, p)}" for n in others
+        )
         lines += ["", f"Given: {'; '.join(listed)}."]
     if figure:
         words = re.sub(r"[\[\]]", r"\\\g<0>", " ".join(p.figure.split()))
         lines += ["", f"![Figure: {words}](attachment:figure.png)"]
     if p.frame:
         lines += ["", f"*{frame_heading(p)}:* {typeset(p.frame, p)}"]
-    lines += ["", "*Find*", ""]
-    lines += [_asked(p, a) for a in p.answers]
+    if code:
+        lines += ["", "*Find*", "", *(_asked(p, a) for a in p.answers)]
     lines += ["", section_line(p, chapters)] if p.section else []
     return "\n".join(lines)
 
@@ -372,9 +377,9 @@ def _earlier_markup(name):
     return f"<i>{GREEK.get(base, base)}{mark}</i>" + (f"<sub>{index}</sub>" if index else "")
 
 
-def _quantity(p, name, values):
+def _quantity(p, name, values, code):
     """A given with its number, and its name in the code where that differs from the symbol."""
-    in_code = f" (`{name}`)" if (p.givens | p.symbols)[name].latex else ""
+    in_code = f" (`{name}`)" if code and p.quantities[name].latex else ""
     if name in p.symbols:
         return f"${p.notation[name]}${in_code}"
     stated = number_symbol(values[name]) + unit_symbol(p.givens[name].unit)

@@ -219,6 +219,13 @@ class Course:
                 )
         return ids
 
+    def students(self) -> list[dict[str, str]]:
+        """The roster with names, as of :func:`~grader.course.roster.read_roster`."""
+        asked, named = self.roster(), ("first_name", "last_name")
+        with self.gradebook() as book:
+            found = {s.id: {n: getattr(s, n) or "" for n in named} for s in book.students}
+        return [{"id": i, **found[i]} for i in asked]
+
     def enrol(self, students: Iterable[str | Mapping[str, str]]) -> int:
         """Add students to the roster: ids, or dicts with id, first_name, last_name, email,
         lms_user_id; returns how many are new.
