@@ -19,7 +19,10 @@ def problems_table(
 ) -> Table:
     """A row for each problem; ``earned``: the share of points and number of sheets of a course."""
     table = Table(
-        title=f"{len(found)} problems", title_justify="left", box=None, padding=(0, 1, 0, 0)
+        title=f"{len(found)} problem{'s' * (len(found) != 1)}",
+        title_justify="left",
+        box=None,
+        padding=(0, 1, 0, 0),
     )
     for name in ("problem", "section", "title", "asks for"):
         most = 14 if name == "asks for" else None
