@@ -1,13 +1,16 @@
 """The assignment that a command names: of a course, of a file, or of chosen problems."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
+
+from exercises.catalogue import Problem
 
 from ..course import Course, load_json, read_json
 from .cells import own_metadata
-from .sheet import tasks
+from .sheet import tasks, with_tolerance
 from .spec import Item, Spec, read_spec, spec_of
 
 
@@ -31,6 +34,13 @@ def chosen(
     return spec_of(Path(assignment).stem, only, points)
 
 
+def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
+    """The problem with the tolerance and the weights of its sheet."""
+    p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
+    answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
+    return replace(p, answers=tuple(answers)) if weights else p
+
+
 _FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
 
 
@@ -44,7 +54,8 @@ def _of_course(course, name):
         if role == "statement" and number in worth:
             task = worth[number]
             changed = "" if text == built.get(cell.get("id")) else _FIGURE.sub("", text)
-            items.append(Item(task.exercise, changed, {"points": task.points}))
+            options = {n: getattr(task, n) for n in ("points", "weights", "tolerance")}
+            items.append(Item(task.exercise, changed, options))
         elif cell["cell_type"] == "markdown" and role not in ("statement", "introduction"):
             items.append(Item(text=text))
     kept = base.with_suffix(".yaml")

@@ -137,7 +137,11 @@ def _part(p, a, right, wrong):
         whole = tuple(replace(w, point=(float(w.point),), off=(0.0,)) for w in part.wrong)
         return replace(part, key=(float(right),), off=(0.0,), wrong=whole)
     key = tuple(right)
-    numbers = (replace(w, point=tuple(w.point), off=_off(a, w.point, key)) for w in part.wrong)
+    numbers = (
+        replace(w, point=tuple(w.point), off=_off(a, w.point, key))
+        for w in part.wrong
+        if not a.kind.is_right((tuple(w.point),), (key,), a.atol, a.rtol)
+    )
     return replace(part, key=key, off=margins(a, key), wrong=tuple(numbers))
 
 
