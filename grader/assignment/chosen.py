@@ -1,12 +1,16 @@
 """The assignment that a command names: of a course, of a file, or of chosen problems."""
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
+
+from exercises.catalogue import Problem
 
 from ..course import Course, load_json, read_json
 from .cells import own_metadata
-from .sheet import tasks
+from .sheet import tasks, with_tolerance
 from .spec import Item, Spec, read_spec, spec_of
 
 
@@ -18,7 +22,7 @@ def chosen(
 ) -> Spec:
     """The assignment of this name: as the ``course`` has it, as ``hw3.yaml`` says, of the problems
     ``only``, or of the chapter of that name. An item that is a problem has a text where the
-    instructor has changed the problem's.
+    instructor has changed the problem's: with the book's numbers, and without the figure.
     """
     only, points, path = tuple(only), tuple(points), Path(assignment)
     if course and not only and course.source(path.stem).exists():
@@ -30,6 +34,16 @@ def chosen(
     return spec_of(Path(assignment).stem, only, points)
 
 
+def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
+    """The problem with the tolerance and the weights of its sheet."""
+    p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
+    answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
+    return replace(p, answers=tuple(answers)) if weights else p
+
+
+_FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
+
+
 def _of_course(course, name):
     notebook, base = read_json(course.source(name)), course.built(name)
     built = {c.get("id"): "".join(c["source"]) for c in load_json(base.read_bytes())["cells"]}
@@ -39,8 +53,9 @@ def _of_course(course, name):
         role, number = own.get("role", ""), own.get("problem", "")
         if role == "statement" and number in worth:
             task = worth[number]
-            changed = "" if text == built.get(cell.get("id")) else text
-            items.append(Item(task.exercise, changed, {"points": task.points}))
+            changed = "" if text == built.get(cell.get("id")) else _FIGURE.sub("", text)
+            options = {n: getattr(task, n) for n in ("points", "weights", "tolerance")}
+            items.append(Item(task.exercise, changed, options))
         elif cell["cell_type"] == "markdown" and role not in ("statement", "introduction"):
             items.append(Item(text=text))
     kept = base.with_suffix(".yaml")

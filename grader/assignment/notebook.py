@@ -317,7 +317,7 @@ def personal_notebook(
         role, number_of = own.get("role"), own.get("problem")
         if role in ("statement", "givens") and number_of in values:
             p = find_problem(number_of)
-            change = _statement_with if role == "statement" else _givens_with
+            change = statement_with if role == "statement" else _givens_with
             cell = {**cell, "source": change(p, cell["source"], values[number_of])}
             if "figure.png" in cell.get("attachments", {}) and figures.get(number_of):
                 cell["attachments"] = {**cell["attachments"], **_attached(figures[number_of])}
@@ -328,7 +328,7 @@ def personal_notebook(
     return {**released, "cells": cells}
 
 
-def _statement_with(p, text, values):
+def statement_with(p, text, values):
     """The text of a problem with a student's numbers, wherever it gives one."""
     pieces, numbers = _around_numbers(p, text)
     own = [written(values[name]) for name, written in numbers]
