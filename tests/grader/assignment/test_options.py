@@ -73,12 +73,16 @@ problems:
 """
 
 
+def scaled(x, factor):
+    """An answer, or answers, with each number multiplied."""
+    if isinstance(x, dict):
+        return {key: scaled(part, factor) for key, part in x.items()}
+    return [scaled(part, factor) for part in x] if isinstance(x, list | tuple) else factor * x
+
+
 def off(p, values, share):
     """Right answers, each component off by this share."""
-    right = sample.right_answers(p, values)
-    moved = {k: [(1 + share) * x for x in v] if isinstance(v, list) else (1 + share) * v
-             for k, v in right.items()}  # fmt: skip
-    return sample.cell_text(p, moved)
+    return sample.cell_text(p, scaled(sample.right_answers(p, values), 1 + share))
 
 
 @pytest.mark.integration
@@ -131,8 +135,7 @@ def test_a_sheet_follows_its_file_all_the_way(tmp_path, monkeypatch):
     assert "4/1 left out: its sheet gives no help" in out
     own = practice("own.practice")["4/2"]
     assert (own.help, "no hints" in str(own.next_step())) == ("check", True)
-    right = {q: [1.02 * x for x in v] if isinstance(v, list) else 1.02 * v
-             for q, v in sample.right_answers(asked[1], own.givens).items()}  # fmt: skip
+    right = scaled(sample.right_answers(asked[1], own.givens), 1.02)
     assert set(own.check(**right).verdicts.values()) == {"wrong"}
     out = ran(command("spec", "hw3", "--course", place))
     file.write_text(out)
