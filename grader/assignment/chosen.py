@@ -6,9 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from exercises.catalogue import Problem, select
+from exercises.catalogue import Problem, chapters, select
 
-from ..course import Course, load_json, read_json
+from ..course import Course, CourseError, load_json, read_json
 from .cells import own_metadata
 from .sheet import tasks, with_tolerance
 from .spec import Item, Spec, in_range, read_spec, spec_of
@@ -30,8 +30,13 @@ def chosen(
         return _of_course(course, path.stem)
     if path.suffix not in (".yaml", ".yml"):
         path = Path(f"{assignment}.yaml")
-    if not only and path.exists():
+    if not only and (path.exists() or path.name == assignment):
         return read_spec(path)
+    if course and not only and path.stem not in chapters():
+        raise CourseError(
+            f"there is no {path.stem} in {course.path}: it has {_listed(course)}. Build it there "
+            f"first, or name a chapter or problems (--problems 4/3 4/16)"
+        )
     return spec_of(Path(assignment).stem, only, points)
 
 
@@ -59,6 +64,11 @@ def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
     p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
     answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
     return replace(p, answers=tuple(answers)) if weights else p
+
+
+def _listed(course):
+    found = sorted(f.name for f in (course.path / "source").glob("*") if f.is_dir())
+    return ", ".join(found) or "no assignments"
 
 
 _FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
