@@ -6,12 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from exercises.catalogue import Problem
+from exercises.catalogue import Problem, chapters, select
 
-from ..course import Course, load_json, read_json
+from ..course import Course, CourseError, load_json, read_json
 from .cells import own_metadata
 from .sheet import tasks, with_tolerance
-from .spec import Item, Spec, read_spec, spec_of
+from .spec import Item, Spec, in_range, read_spec, spec_of
+from .written import spec_of_course
 
 
 def chosen(
@@ -29,9 +30,33 @@ def chosen(
         return _of_course(course, path.stem)
     if path.suffix not in (".yaml", ".yml"):
         path = Path(f"{assignment}.yaml")
-    if not only and path.exists():
+    if not only and (path.exists() or path.name == assignment):
         return read_spec(path)
+    if course and not only and path.stem not in chapters():
+        raise CourseError(
+            f"there is no {path.stem} in {course.path}: it has {_listed(course)}. Build it there "
+            f"first, or name a chapter or problems (--problems 4/3 4/16)"
+        )
     return spec_of(Path(assignment).stem, only, points)
+
+
+def named(names: Iterable[str], course: Course | None = None) -> dict[Problem, Mapping[str, Any]]:
+    """The problems that names stand for, with the options that a sheet gives them: numbers, ranges,
+    chapters, "all", files of assignments, and assignments of the ``course``.
+    """
+    found: dict[Problem, Mapping[str, Any]] = {}
+    for name in names:
+        file = Path(name if Path(name).suffix in (".yaml", ".yml") else f"{name}.yaml")
+        if course and "/" not in name and course.source(name).exists():
+            items = spec_of_course(course, name)[0].items
+        elif file.exists() or file.name == name:
+            items = read_spec(file).items
+        else:
+            items = tuple(map(Item, select([name]) if name == "all" else in_range(name)))
+        for item in items:
+            if item.problem:
+                found.setdefault(item.problem, item.options)
+    return found
 
 
 def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
@@ -39,6 +64,11 @@ def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
     p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
     answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
     return replace(p, answers=tuple(answers)) if weights else p
+
+
+def _listed(course):
+    found = sorted(f.name for f in (course.path / "source").glob("*") if f.is_dir())
+    return ", ".join(found) or "no assignments"
 
 
 _FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")

@@ -2,11 +2,11 @@
 choices.
 """
 
-import math
 from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
+from exercises.catalogue.model import Answer
 from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import bare_unit, is_word
 
@@ -31,56 +31,59 @@ class Wrong:
 
 @dataclass(frozen=True)
 class Part:
-    """An answer of a question; ``options`` are the words to choose from, () for numbers.
-
-    key : the right numbers, or the word. off : the margin of each number
+    """An answer of a question: what it means and its unit, in Markdown and LaTeX; its right numbers
+    with their margins, or the right word.
     """
 
-    name: str
-    kind: Kind
+    asked: Answer
     means: str
     symbol: str
     unit: str
-    weight: float
     key: Any
     off: Point
-    options: tuple[str, ...]
     wrong: tuple[Wrong, ...]
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """The words to choose from, () where numbers are asked for."""
+        return self.asked.of
+
+    @property
+    def weight(self) -> float:
+        """Its share of the points, beside those of the other parts."""
+        return self.asked.weight
+
+    @property
+    def kind(self) -> Kind:
+        """The kind of answer."""
+        return self.asked.kind
 
     @property
     def blanks(self) -> list["Blank"]:
         """Its numbers one by one, for platforms that judge them so."""
         return [
-            Blank(x, off, _merged((w.point[n], w.off[n], w.text) for w in self.wrong
-                  if abs(w.point[n] - x) > off))
+            Blank(x, off, _merged(Wrong((w.point[n],), (w.off[n],), w.text) for w in self.wrong
+                                  if abs(w.point[n] - x) > off))
             for n, (x, off) in enumerate(zip(self.key, self.off, strict=True))
         ]  # fmt: skip
 
     @property
-    def wrong_points(self) -> list[Wrong]:
-        """The wrong answers as a whole; two that give the same have both diagnoses."""
-        found: dict[Any, list[Wrong]] = {}
-        for w in self.wrong:
-            found.setdefault(w.point, []).append(w)
-        return [replace(same[0], text=_fits([w.text for w in same])) for same in found.values()]
+    def wholes(self) -> list[Wrong]:
+        """Its wrong answers as a whole, for platforms that judge all numbers together."""
+        return _merged(self.wrong)
 
     def says(self, word: str) -> str:
         """The diagnosis of a wrong word, "" where there is none."""
-        return _fits([w.text for w in self.wrong if w.point == word])
-
-    @property
-    def words(self) -> str:
-        """What is asked for, in Markdown."""
-        return f"{self.means[:1].upper()}{self.means[1:]}"
+        return next((w.text for w in self.wholes if w.point == word), "")
 
 
 @dataclass(frozen=True)
 class Blank:
-    """One number: the right one, its margin, and [(wrong one, margin, diagnosis)]."""
+    """One number: the right one, its margin, and the wrong ones."""
 
     key: float
     off: float
-    wrong: list[tuple[float, float, str]]
+    wrong: list[Wrong]
 
 
 @dataclass(frozen=True)
@@ -113,7 +116,7 @@ def question(p: Problem, values: Values, number: int, points: float, text: str =
     )
 
 
-def left_out(a: Any) -> str:
+def left_out(a: Answer) -> str:
     """Why an answer is not asked for, "" if it is."""
     if a.kind.is_formula:
         return "a formula"
@@ -123,14 +126,15 @@ def left_out(a: Any) -> str:
 
 
 def _part(p, a, right, wrong):
-    found = [(x, cause.text) for key, cause, x in wrong if key == a.key]
-    found = [(x, text) for x, text in found if not a.of or x in a.of]
     symbol = "" if is_word(a.key) and not a.latex else p.notation[a.key]
     unit = "" if a.unit == "1" else bare_unit(a.unit)
-    part = Part(
-        a.key, a.kind, typeset(a.means, p), symbol, unit, a.weight, right, (),
-        a.of, tuple(Wrong(x, (), _said(p, text)) for x, text in found),
-    )  # fmt: skip
+    means = typeset(a.means, p)
+    found = tuple(
+        Wrong(x, (), " ".join(plain(cause.text, p.units).split()))
+        for key, cause, x in wrong
+        if key == a.key and (not a.of or x in a.of)
+    )
+    part = Part(a, means[:1].upper() + means[1:], symbol, unit, right, (), found)
     if a.of:
         return part
     if a.kind.is_word:  # a count
@@ -150,21 +154,21 @@ def _off(a, point, key):
     return tuple(m or k for m, k in zip(margins(a, tuple(point)), margins(a, key), strict=True))
 
 
-def _said(p, text):
-    return " ".join(plain(text, p.units).split())
-
-
-def _fits(texts):
-    return f"It fits a solution that {'; or one that '.join(texts)}." if texts else ""
-
-
 def _merged(wrong):
-    """Wrong numbers that no platform can tell apart as one, with both diagnoses."""
-    found = []
-    for x, off, text in wrong:
-        near = next((f for f in found if abs(f[0] - x) <= max(off, f[1])), None)
-        if near is None:
-            found.append((x, off, [text]))
-        elif text not in near[2]:
-            near[2].append(text)
-    return [(x, off, _fits(texts)) for x, off, texts in found if math.isfinite(x)]
+    """Wrong answers that cannot be told apart as one, with both diagnoses."""
+    found: list[tuple[Wrong, list[str]]] = []
+    for w in wrong:
+        texts = next((texts for other, texts in found if _alike(w, other)), None)
+        if texts is None:
+            found.append((w, [w.text]))
+        elif w.text not in texts:
+            texts.append(w.text)
+    said = "It fits a solution that {}.".format
+    return [replace(w, text=said("; or one that ".join(texts))) for w, texts in found]
+
+
+def _alike(a, b):
+    if not a.off:
+        return a.point == b.point
+    rows = zip(a.point, b.point, a.off, b.off, strict=True)
+    return all(abs(x - y) <= max(p, q) for x, y, p, q in rows)

@@ -144,7 +144,7 @@ def test_no_answer_is_near_one_that_a_course_grades(tmp_path):
     graded = {"4/16": sets}
     found, _ = variants_of(("4/16", "", {}, graded["4/16"]), 3, SEED)
     keys = [tuple(flat(p.solve(v)["v_D"])) for v in sets]
-    practised = [part.key for q in found for part in q.parts if part.name == "v_D"]
+    practised = [part.key for q in found for part in q.parts if part.asked.key == "v_D"]
     assert len(practised) == 3
     assert not set(practised) & set(keys)
     assert variants_of(("5/26", "", {}, [{}]), 2, SEED)[0] == []  # the same for everybody: graded
