@@ -181,7 +181,7 @@ def pendulum_clock(rng):
     switches = (lambda s, p, t: s.theta - p.d, lambda s, p, t: s.theta + p.d,
                 lambda s, p, t: s.dtheta)  # fmt: skip
     model = second_order("pendulum clock", parameters, ("theta",), accelerations)
-    T, theta = rng.values((10.0, 60.0), (0.3, 0.8))
+    T, theta = rng.values((3.0, 8.0), (0.3, 0.8))
     branches = Branches(switches, pieces)
     return Case(model, T * 2 * math.pi / n, (theta, 0.0), branches=branches)
 
