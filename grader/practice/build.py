@@ -7,7 +7,6 @@ import math
 import os
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
@@ -24,6 +23,7 @@ from ..assignment.figures import figure_png
 from ..assignment.notebook import frame_heading, number, slug, statement, typeset
 from ..assignment.solution import worked_solution
 from ..course import CourseError
+from ..course.processes import process_pool
 from .plain import plain
 from .quantities import KEPT, quantities, wrong_numbers
 from .relations import relations
@@ -68,7 +68,7 @@ def write_practice(
     graded, left, pages = graded or {}, [], []
     names = [p.id for p in problems]
     given = repeat(count), repeat(help), [graded.get(name) for name in names]
-    with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
+    with process_pool(workers) as pool:
         for found in pool.map(page_of, names, *given):
             if isinstance(found, LeftOut):
                 left.append(found)
