@@ -16,7 +16,7 @@ from rich.progress import (
 )
 
 STOPPED = 130  # exit code after Ctrl-C, as of a shell
-BEGINS_ANEW = "Nothing half done is left; the same command begins anew."
+BEGINS_ANEW = "The same command begins anew."
 
 console = Console(highlight=False)
 FOLDER = click.Path(path_type=Path, file_okay=False)
