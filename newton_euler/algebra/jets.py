@@ -255,8 +255,12 @@ def moving(
     >>> moving(2.0, rate=3.0)**2
     moving(4.0, rate=12.0, acceleration=18.0)
     """
-    if type(value) is float and rate is acceleration is DERIVED and value == value and not other:
-        return Moving(value)
+    if type(value) is float and value == value and not other:  # nan is not equal to itself
+        if rate is DERIVED:
+            if acceleration is DERIVED:
+                return Moving(value)
+        elif type(rate) is float and rate == rate and acceleration is DERIVED:
+            return Moving(value, rate)
     if other:
         raise ArgumentError(misfit(_moving, (value,), other))
     if isinstance(value, Moving):

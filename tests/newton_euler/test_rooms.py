@@ -187,7 +187,7 @@ def test_the_stub_names_what_the_top_gives_and_from_where():
 
 def test_a_name_that_is_not_at_the_top_is_looked_for_in_the_rooms():
     with pytest.raises(
-        AttributeError, match="no 'frenet_along': write from newton_euler.kinematics import"
+        AttributeError, match=r"no 'frenet_along': write from newton_euler\.kinematics import"
     ):
         _ = newton_euler.frenet_along
     assert newton_euler.kinematics.frenet_along.__name__ == "frenet_along"

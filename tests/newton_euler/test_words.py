@@ -86,7 +86,7 @@ def test_a_slip_is_answered_with_what_to_write(f, words):
     "from newton_euler.dynamics import dsk",
 ])  # fmt: skip
 def test_an_import_says_where_the_name_lives(line):
-    with pytest.raises(ImportError, match="from newton_euler.bodies import disk"):
+    with pytest.raises(ImportError, match=r"from newton_euler\.bodies import disk"):
         exec(line, {"__name__": "notebook"})
     assert not hasattr(newton_euler, "disk")
 
