@@ -131,7 +131,9 @@ def _problems(notebook: Any) -> Iterator[tuple[str, str, str]]:
         if number and cell.cell_type == "code":
             cells.setdefault(number, {})[_own(cell).get("role", "")] = cell
     for number, by_role in cells.items():
-        yield number, *_state(by_role.get("answer"), by_role.get("receipt"))
+        state, text = _state(by_role.get("answer"), by_role.get("receipt"))
+        lines = (line.removeprefix(number).lstrip(",: ") for line in text.splitlines())
+        yield number, state, _line("; ".join(lines))
 
 
 def _state(answer, receipt):
@@ -141,7 +143,7 @@ def _state(answer, receipt):
             "it: fetch the sheet again, and paste your answer into its cell"
         )
     if error := _error(answer):
-        return "mend", f"your cell ends in an error, {error.ename}: {_line(error.evalue)}"
+        return "mend", f"your cell ends in an error, {error.ename}: {error.evalue}"
     if (seconds := _seconds(answer)) > CELL_SECONDS:
         return (
             "mend",
@@ -150,10 +152,8 @@ def _state(answer, receipt):
     if receipt is None:
         return "open", "not checked: the cell with its receipt is gone. It is graded all the same"
     if error := _error(receipt):
-        state = "open" if error.ename == OPEN else "mend"
-        return state, _line(error.evalue).split(": ", 1)[-1]
-    shown = [o.data.get("text/plain", "") for o in receipt.outputs if "data" in o]
-    return "read", _line(" ".join(shown)).split(": ", 1)[-1]
+        return "open" if error.ename == OPEN else "mend", error.evalue
+    return "read", "\n".join(o.data.get("text/plain", "") for o in receipt.outputs if "data" in o)
 
 
 def _questions(notebook: Any, validator: Any) -> Iterator[tuple[str, str, str]]:

@@ -84,25 +84,24 @@ def sheet(answers, *more):
     return {**notebook(""), "cells": [*cells, *more]}
 
 
+SOME = sheet(
+    [RIGHT, UNTOUCHED, "v_D = 1 / 0", "v_D = 'text'\na_D = None", "v_D = [1, 2, 3]", "v_D = [",
+     RIGHT],
+    code_cell("q", "assert v_D == 7", {}, {"grade_id": "q", **QUESTION}),
+)  # fmt: skip
+SOME["cells"] = [c for c in SOME["cells"] if c["id"] != "answer-6"]
 SHEETS = {
     "untouched": (sheet([UNTOUCHED] * 3), ["Nothing is answered yet (3 open); what stays open cos"]),
     "some": (
-        sheet([RIGHT, UNTOUCHED, "v_D = 1 / 0", "v_D = 'text'\na_D = None", "v_D = [1, 2, 3]",
-               "v_D = ["]),
-        ["Of 6: 1 answered, 2 open, 3 to mend", "0/0: v_D = [1, 2, 0.6] mm/s; a_D = [1, 2, 3]",
+        SOME,
+        ["Of 8: 1 answered, 2 open, 5 to mend", "0/0: v_D = [1, 2, 0.6] mm/s; a_D = [1, 2, 3]",
          "0/1: no answer yet for v_D, a_D", "0/2: your cell ends in an error, ZeroDivisionError",
-         "0/3, v_D: expected a vector", "0/4: no answer yet for a_D",
-         "0/5: your cell ends in an error, SyntaxError", "Whether an answer is right is not checked"],
+         "0/3: v_D: expected a vector", "0/4: no answer yet for a_D",
+         "0/5: your cell ends in an error, SyntaxError",
+         "0/6: the cell for its answer is gone, or pasted as a copy", "q: its test fails.",
+         "Whether an answer is right is not checked"],
     ),
     "all": (sheet([RIGHT, RIGHT]), ["Success! All is answered, and can be read (2 of 2)."]),
-    "a lost answer": (
-        sheet([RIGHT]) | {"cells": [c for c in sheet([RIGHT])["cells"] if c["id"] != "answer-0"]},
-        ["Of 1: 1 to mend", "0/0: the cell for its answer is gone, or pasted as a copy"],
-    ),
-    "a question": (
-        sheet([RIGHT], code_cell("q", "assert v_D == 7", {}, {"grade_id": "q", **QUESTION})),
-        ["Of 2: 1 answered, 1 to mend", "q: its test fails."],
-    ),
     "marks lost": (
         {**notebook(""), "cells": [{**c, "metadata": {}} for c in notebook(RIGHT)["cells"]]},
         ["Nothing was checked: this notebook has no cell that is graded."],
