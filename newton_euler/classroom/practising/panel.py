@@ -6,19 +6,12 @@ from html import escape
 from typing import Any
 
 from ...answers.forms import AnswerError, Form
-from .problems import Ways
 from .typed import typed
+from .ways import PRESSED
 
 INSTALL = (
     "p.form() needs ipywidgets: pip install ipywidgets; without it, p.check(...), "
     "p.check_step(...), p.next_step() and p.solution() do the same"
-)
-
-
-PRESSED = Ways(
-    "in the field {} above, by Check",
-    "in the field of steps, as {} with its value, by Check step",
-    "New numbers",
 )
 
 

@@ -22,6 +22,7 @@ from ...answers.verdicts import explain, judge, value_line
 from .files import HELP, PracticeFile
 from .numbers import KeptNumbers, Quantity
 from .progress import Progress
+from .ways import Ways
 
 WIDTH = 80  # of lines in a terminal
 
@@ -53,15 +54,6 @@ class Checked(Message):
     def causes(self) -> dict[str, str | None]:
         """{key: the mistake that explains a wrong one in words, or None}."""
         return {key: sentence(causes) for key, causes in self.explained.items()}
-
-
-@dataclass(frozen=True)
-class Ways:
-    """How a reader checks an answer and a step, and takes other numbers, in words."""
-
-    answer: str = "by p.check({}=...)"
-    step: str = "by p.check_step({}=...)"
-    new: str = "p.new()"
 
 
 class PracticeProblem:
