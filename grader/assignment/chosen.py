@@ -1,13 +1,16 @@
 """The assignment that a command names: of a course, of a file, or of chosen problems."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from ..course import Course, load_json, read_json
+from exercises.catalogue import Problem, chapters
+
+from ..course import Course, CourseError, load_json, read_json
 from .cells import own_metadata
-from .sheet import tasks
+from .sheet import tasks, with_tolerance
 from .spec import Item, Spec, read_spec, spec_of
 
 
@@ -26,9 +29,26 @@ def chosen(
         return _of_course(course, path.stem)
     if path.suffix not in (".yaml", ".yml"):
         path = Path(f"{assignment}.yaml")
-    if not only and path.exists():
+    if not only and (path.exists() or path.name == assignment):
         return read_spec(path)
+    if course and not only and path.stem not in chapters():
+        raise CourseError(
+            f"there is no {path.stem} in {course.path}: it has {_listed(course)}. Build it there "
+            f"first, or name a chapter or problems (--problems 4/3 4/16)"
+        )
     return spec_of(Path(assignment).stem, only, points)
+
+
+def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
+    """The problem with the tolerance and the weights of its sheet."""
+    p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
+    answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
+    return replace(p, answers=tuple(answers)) if weights else p
+
+
+def _listed(course):
+    found = sorted(f.name for f in (course.path / "source").glob("*") if f.is_dir())
+    return ", ".join(found) or "no assignments"
 
 
 _FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
@@ -44,7 +64,8 @@ def _of_course(course, name):
         if role == "statement" and number in worth:
             task = worth[number]
             changed = "" if text == built.get(cell.get("id")) else _FIGURE.sub("", text)
-            items.append(Item(task.exercise, changed, {"points": task.points}))
+            options = {n: getattr(task, n) for n in ("points", "weights", "tolerance")}
+            items.append(Item(task.exercise, changed, options))
         elif cell["cell_type"] == "markdown" and role not in ("statement", "introduction"):
             items.append(Item(text=text))
     kept = base.with_suffix(".yaml")

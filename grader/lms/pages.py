@@ -35,12 +35,17 @@ def asked(part: Part, places: list[str] | None = None) -> str:
     with its unit behind them.
     """
     words, name, unit = (
-        inline(x) for x in (part.words, _formula(part.symbol), _formula(part.unit))
+        inline(x) for x in (part.means, _formula(part.symbol), _formula(part.unit))
     )
     if places is None:
         return f"<p>{words}{f', {name}' * bool(name)}{f', in {unit}' * bool(unit)}</p>"
-    inside = f"({', '.join(places)})" if len(places) > 1 else places[0]
+    inside = _rows(part.kind.nested(places))
     return f"<p>{words}: {f'{name} = ' * bool(name)}{inside} {unit}</p>"
+
+
+def _rows(places):
+    """Places in parentheses; those of a matrix row by row."""
+    return f"({', '.join(map(_rows, places))})" if isinstance(places, list) else places
 
 
 def _formula(latex):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
+from exercises.catalogue.model import Answer
 from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import bare_unit, is_word
 
@@ -31,21 +32,32 @@ class Wrong:
 
 @dataclass(frozen=True)
 class Part:
-    """An answer of a question; ``options`` are the words to choose from, () for numbers.
-
-    key : the right numbers, or the word. off : the margin of each number
+    """An answer of a question: what it means and its unit, in Markdown and LaTeX; its right numbers
+    with their margins, or the right word.
     """
 
-    name: str
-    kind: Kind
+    asked: Answer
     means: str
     symbol: str
     unit: str
-    weight: float
     key: Any
     off: Point
-    options: tuple[str, ...]
     wrong: tuple[Wrong, ...]
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """The words to choose from, () where numbers are asked for."""
+        return self.asked.of
+
+    @property
+    def weight(self) -> float:
+        """Its share of the points, beside those of the other parts."""
+        return self.asked.weight
+
+    @property
+    def kind(self) -> Kind:
+        """The kind of answer."""
+        return self.asked.kind
 
     @property
     def blanks(self) -> list["Blank"]:
@@ -67,11 +79,6 @@ class Part:
     def says(self, word: str) -> str:
         """The diagnosis of a wrong word, "" where there is none."""
         return _fits([w.text for w in self.wrong if w.point == word])
-
-    @property
-    def words(self) -> str:
-        """What is asked for, in Markdown."""
-        return f"{self.means[:1].upper()}{self.means[1:]}"
 
 
 @dataclass(frozen=True)
@@ -113,7 +120,7 @@ def question(p: Problem, values: Values, number: int, points: float, text: str =
     )
 
 
-def left_out(a: Any) -> str:
+def left_out(a: Answer) -> str:
     """Why an answer is not asked for, "" if it is."""
     if a.kind.is_formula:
         return "a formula"
@@ -123,31 +130,32 @@ def left_out(a: Any) -> str:
 
 
 def _part(p, a, right, wrong):
-    found = [(x, cause.text) for key, cause, x in wrong if key == a.key]
-    found = [(x, text) for x, text in found if not a.of or x in a.of]
     symbol = "" if is_word(a.key) and not a.latex else p.notation[a.key]
     unit = "" if a.unit == "1" else bare_unit(a.unit)
-    part = Part(
-        a.key, a.kind, typeset(a.means, p), symbol, unit, a.weight, right, (),
-        a.of, tuple(Wrong(x, (), _said(p, text)) for x, text in found),
-    )  # fmt: skip
+    means = typeset(a.means, p)
+    found = tuple(
+        Wrong(x, (), " ".join(plain(cause.text, p.units).split()))
+        for key, cause, x in wrong
+        if key == a.key and (not a.of or x in a.of)
+    )
+    part = Part(a, means[:1].upper() + means[1:], symbol, unit, right, (), found)
     if a.of:
         return part
     if a.kind.is_word:  # a count
         whole = tuple(replace(w, point=(float(w.point),), off=(0.0,)) for w in part.wrong)
         return replace(part, key=(float(right),), off=(0.0,), wrong=whole)
     key = tuple(right)
-    numbers = (replace(w, point=tuple(w.point), off=_off(a, w.point, key)) for w in part.wrong)
+    numbers = (
+        replace(w, point=tuple(w.point), off=_off(a, w.point, key))
+        for w in part.wrong
+        if not a.kind.is_right((tuple(w.point),), (key,), a.atol, a.rtol)
+    )
     return replace(part, key=key, off=margins(a, key), wrong=tuple(numbers))
 
 
 def _off(a, point, key):
     """The margins of a wrong answer; of a zero those of the key."""
     return tuple(m or k for m, k in zip(margins(a, tuple(point)), margins(a, key), strict=True))
-
-
-def _said(p, text):
-    return " ".join(plain(text, p.units).split())
 
 
 def _fits(texts):

@@ -4,10 +4,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
+from typing import Any
 
 from exercises.catalogue import problem
 
 from ..assignment.cells import Values
+from ..assignment.chosen import as_asked
 from ..assignment.spec import Spec
 from ..course import CourseError
 from ..course.files import write_bytes
@@ -54,9 +56,7 @@ def write_bank(
     """
     write, _ = FORMATS[form]
     jobs = [
-        (p.id, i.text, i.options.get("points", len(p.answers)), (graded or {}).get(p.id))
-        for i in spec.items
-        if (p := i.problem)
+        (p.id, i.text, i.options, (graded or {}).get(p.id)) for i in spec.items if (p := i.problem)
     ]
     notes: list[str] = []
     questions: list[Question] = []
@@ -77,15 +77,16 @@ def write_bank(
 
 
 def variants_of(
-    job: tuple[str, str, float, Sequence[Values] | None], count: int, seed: str
+    job: tuple[str, str, Mapping[str, Any], Sequence[Values] | None], count: int, seed: str
 ) -> tuple[list[Question], list[str]]:
     """(the questions of one problem, sentences on what is left out)."""
-    name, text, points, graded = job
-    p = twin(problem(name))
+    name, text, options, graded = job
+    asked = as_asked(problem(name), options)
+    p, points = twin(asked), options.get("points", len(asked.answers))
     notes = [f"{name} {a.key} left out: {why}" for a in p.answers if (why := left_out(a))]
     if len(notes) == len(p.answers):
         return [], [*notes, f"{name} left out: no answer is left"]
-    changed = p is not problem(name)
+    changed = p is not asked
     if changed:
         notes.append(f"{name} asks for formulas on a sheet: asked with numbers for its symbols")
     sets = sets_of_numbers(

@@ -10,7 +10,7 @@ import pytest
 
 from exercises.catalogue import problem, select
 from exercises.catalogue.variants import flat
-from grader.assignment.spec import spec_of
+from grader.assignment.spec import Item, Spec, spec_of
 from grader.commands import bank
 from grader.course import CourseError
 from grader.lms import FORMATS, write_bank
@@ -142,12 +142,12 @@ def test_what_is_left_out_is_said(tmp_path):
 def test_no_answer_is_near_one_that_a_course_grades(tmp_path):
     p, sets = numbers_of("4/16", 3)
     graded = {"4/16": sets}
-    found, _ = variants_of(("4/16", "", 3, graded["4/16"]), 3, SEED)
+    found, _ = variants_of(("4/16", "", {}, graded["4/16"]), 3, SEED)
     keys = [tuple(flat(p.solve(v)["v_D"])) for v in sets]
-    practised = [part.key for q in found for part in q.parts if part.name == "v_D"]
+    practised = [part.key for q in found for part in q.parts if part.asked.key == "v_D"]
     assert len(practised) == 3
     assert not set(practised) & set(keys)
-    assert variants_of(("5/26", "", 2, [{}]), 2, SEED)[0] == []  # the same for everybody: graded
+    assert variants_of(("5/26", "", {}, [{}]), 2, SEED)[0] == []  # the same for everybody: graded
     with pytest.raises(
         CourseError, match=r"no question is left: .*would give away a graded answer"
     ):
@@ -163,17 +163,31 @@ def test_the_numbers_of_the_book_and_of_practice_are_not_in_a_bank():
 def test_texts_are_html_whose_formulas_mathjax_finds():
     assert html("A $a < b$ & **c**") == r"<p>A \(a &lt; b\) &amp; <strong>c</strong></p>"
     for name in ("4/16", "7/1", "11/13"):
-        (q,), _ = variants_of((name, "", 1, None), 1, SEED)
+        (q,), _ = variants_of((name, "", {}, None), 1, SEED)
         shown = html(q.text)
         assert "$" not in shown
         assert shown.count(r"\(") == shown.count(r"\)") > 0
         ET.fromstring(f"<div>{shown}</div>")
 
 
+@pytest.mark.parametrize("form", FORMATS)
+def test_tolerance_points_and_weights_are_those_of_the_sheet(form, tmp_path):
+    options = {"points": 12, "tolerance": 0.04, "weights": {"a_D": 4}}
+    made = Spec("hw", "Homework", (Item(problem("4/16"), options=options),))
+    write_bank(tmp_path / "b", made, form, 1, SEED, workers=1)
+    (judge,) = PLATFORMS[form]((tmp_path / "b").read_bytes()).values()
+    p, (values,) = numbers_of("4/16", 1)
+    right = [as_read(a, p.solve(values)[a.key]) for a in p.answers]
+    assert judge([*right[:2], [1e6] * 3])[0] == pytest.approx(2 / 6)
+    off = [[1.03 * x for x in part] for part in right]
+    assert judge(off)[0] == pytest.approx(1)
+    assert judge([[1.05 * x for x in part] for part in right])[0] < 0.9
+
+
 def test_a_changed_text_has_the_numbers_of_each_variant(tmp_path):
     p = problem("4/16")
     text = f"## Mine\n\nOurs turns at ${p.notation['omega']} = 0.6$."
-    (q, r), _ = variants_of(("4/16", text, 7, None), 2, SEED)
+    (q, r), _ = variants_of(("4/16", text, {"points": 7}, None), 2, SEED)
     assert q.text != r.text
     assert "Ours turns" in q.text
     assert "= 0.6$" not in q.text
@@ -186,7 +200,7 @@ def test_signs_of_the_formats_in_a_text_do_no_harm(tmp_path):
     from grader.lms.questions import Wrong
 
     evil = 'uses a#b ~ {1:SA:=x} \\} <b> & "quotes" 50%'
-    (q,), _ = variants_of(("4/16", "", 1, None), 1, SEED)
+    (q,), _ = variants_of(("4/16", "", {}, None), 1, SEED)
     part = replace(q.parts[1], wrong=(Wrong((1.0, 2.0, 3.0), (0.1, 0.1, 0.1), evil),))
     q = replace(q, parts=(part, q.parts[2]))
     judge = PLATFORMS["moodle"](moodle.write("hw", [q]))[q.ident]
