@@ -199,22 +199,22 @@ class Moving(_Own):
             raise DivisionError(f"no rate of {name}({shown(self.value)}): {error}") from None
 
 
-def _refusal(numpys, ours):
-    """The method that NumPy's function of this name calls."""
+class _Refusal:
+    """In place of the method that a function of NumPy calls: what to write instead of np.sin."""
 
-    def refuse(self, *_):
+    def __init__(self, numpys, ours):
+        self.numpys, self.ours = numpys, ours
+
+    def __call__(self, *_):
         raise ScalarError(
-            f"np.{numpys} does not take {self!r}: write {ours}(...), "
-            f"from newton_euler import {ours}"
+            f"np.{self.numpys} does not take a moving number: write {self.ours}(...), "
+            f"from newton_euler import {self.ours}"
         )
-
-    return refuse
 
 
 _NUMPYS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2"}
 for _ours in (*FUNCTIONS, "radians", "atan2"):
-    setattr(Moving, _NUMPYS.get(_ours, _ours), _refusal(_NUMPYS.get(_ours, _ours), _ours))
-Moving.deg2rad = _refusal("deg2rad", "radians")  # type: ignore[attr-defined]
+    setattr(Moving, _NUMPYS.get(_ours, _ours), _Refusal(_NUMPYS.get(_ours, _ours), _ours))
 
 
 def _reciprocal(f, df_inverse, ddf_factor):

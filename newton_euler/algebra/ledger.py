@@ -207,10 +207,12 @@ class Ledger:
             self._terms = made if isinstance(made, Terms) else Terms(made)
         return self._terms
 
-    def mapped(self, change: Callable, scaled: bool = False) -> "Ledger":
-        """The ledger with ``change`` applied to every term."""
+    def mapped(self, change: Callable, scaled: bool = False) -> "Ledger | None":
+        """The ledger with ``change`` applied to every term; None where nothing is known then."""
+        if self._make is None:
+            return None if scaled else self
         made = lambda: self.terms.mapped(change)  # noqa: E731
-        return Ledger(self.kind, self.subject, made, self.scaled or scaled)
+        return Ledger(self.kind, self.subject, made, scaled or self.scaled)
 
     @property
     def unit(self) -> str:

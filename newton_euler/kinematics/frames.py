@@ -439,7 +439,6 @@ class Point:
             c, f = add3(f._origin._c if f._origin else ZERO3, f._turn(c, 1)), f.parent
         return c
 
-    @guided
     def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
         """v of the point seen from ``observer`` (4.17), (4.28), in components of the frame ``via``.
 
@@ -472,7 +471,6 @@ class Point:
 
         return Vector(total, via, own_rate, self._ledger("velocity", observer, via, terms))
 
-    @guided
     def acceleration(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
         """a of the point seen from ``observer`` (4.18), (4.29), in components of the frame ``via``.
 
