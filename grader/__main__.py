@@ -3,13 +3,16 @@
 import click
 
 from .commands import COMMANDS
+from .commands.shared import STOPPED
 
 
 class _Commands(click.Group):
-    """Prints an error that the user can correct as a sentence, with exit code 2."""
+    """Prints an error that the user can correct as a sentence, with exit code 2; after Ctrl-C how
+    far it came, with 130.
+    """
 
     def list_commands(self, context):
-        return list(self.commands)
+        return [name for name in self.commands if name != "list"]
 
     def invoke(self, context):
         from exercises.catalogue import CatalogueError
@@ -22,6 +25,9 @@ class _Commands(click.Group):
             return super().invoke(context)
         except (CatalogueError, CourseError, HarvestError, UnitError) as error:
             raise click.UsageError(str(error)) from error
+        except KeyboardInterrupt as stopped:
+            click.echo(f"Stopped by Ctrl-C. {stopped}".rstrip(), err=True)
+            context.exit(STOPPED)
         except OSError as error:  # no permission, no room, a file where a folder should be
             raise click.UsageError(
                 f"{error.filename or 'the system'}: {error.strerror or error}"
@@ -49,6 +55,7 @@ def main() -> None:
 
 for command in COMMANDS:
     main.add_command(command)
+main.add_command(COMMANDS[0], "list")  # an earlier name
 
 if __name__ == "__main__":
     main(prog_name="python -m grader")

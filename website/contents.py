@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from exercises.catalogue import chapter, problems
+from newton_euler import __version__
 
 from .notebooks import Chapter
 from .problem_pages import heading
@@ -18,10 +19,10 @@ print and draw. They need no network; films play here, sliders want the notebook
 RUN = """
 ## Run the notebooks
 
-With Python 3.11 or newer:
+With Python 3.11 or newer, and the wheel that your instructor gives you:
 
 ```
-pip install newton-euler jupyterlab ipywidgets
+pip install './newton_euler-VERSION-py3-none-any.whl[student]'
 python -m newton_euler chapters DIR
 jupyter lab DIR
 ```
@@ -54,14 +55,19 @@ def page(
 ) -> str:
     """The text of the first page."""
     lines = [WHAT, "## Chapters", "", *map(_chapter, chapters), "", "## Problems", ""]
-    lines += [*map(_problems, problem_names), "", "## Reference", ""]
+    lines += ["- **[Choose a problem](problems/index.md)**", *map(_problems, problem_names), ""]
+    lines += ["## Reference", ""]
     lines += [f"- [{title}](reference/{name}.rst)" for name, title in reference.items()]
     trees = {
         "Chapters": [f"chapters/{c.stem}" for c in chapters],
-        "Problems": [f"{_short(name)} <problems/{name}>" for name in problem_names],
+        "Problems": [
+            "Choose a problem <problems/index>",
+            *(f"{_short(name)} <problems/{name}>" for name in problem_names),
+        ],
         "Reference": [f"reference/{name}" for name in reference],
     }
-    return "\n".join([*lines, RUN, *(_tree(c, p) for c, p in trees.items())])
+    run = RUN.replace("VERSION", __version__)
+    return "\n".join([*lines, run, *(_tree(c, p) for c, p in trees.items())])
 
 
 def _chapter(c):

@@ -57,4 +57,4 @@ def _place(chapter):
 
 def place(name: str) -> tuple[int, str]:
     """For sorting: chapters, other notebooks, appendices."""
-    return {"ch": 0, "ap": 2}.get(name[:2], 1), name
+    return 0 if re.match(r"ch\d", name) else 2 if re.match(r"app[A-Z]", name) else 1, name

@@ -9,11 +9,12 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from exercises.catalogue import chapter, chapters, problem, problems
+from exercises.catalogue.places import files_of
 from exercises.catalogue.sections import section_anchor
 from grader.assignment.figures import figure_png
 from grader.assignment.notebook import definitions, slug, statement, typeset
 
-from .kept import ROOT, fingerprint, kept_name, store
+from .kept import fingerprint, kept_name, store
 from .notebooks import place
 
 NUMBERS = """\
@@ -30,7 +31,8 @@ NUMBERS = """\
 
 def names(wanted: Collection[str] = ()) -> list[str]:
     """The chapters that have problems, in the order of the book."""
-    return sorted((c for c in chapters() if not wanted or c in wanted), key=place)
+    found = [c for c in chapters() if not wanted or c in wanted]
+    return sorted(found, key=lambda c: place(c)[0])
 
 
 def anchor(number: str) -> str:
@@ -50,8 +52,9 @@ def page(name: str, notebook: str = "") -> str:
 
 def heading(title: str) -> str:
     """ "Chapter 4: relative motion" as the title of its problems."""
-    what, _, words = title.partition(": ")
-    return f"Problems of {what[:1].lower()}{what[1:]}: {words}"
+    if not re.match(r"(Chapter|Appendix) ", title):
+        return title  # of a course's own problems
+    return f"Problems of {title[:1].lower()}{title[1:]}"
 
 
 def _text(p):
@@ -76,8 +79,7 @@ def figures(wanted: Iterable[str], cache: Path, done: Callable[[int], object]) -
 
 
 def _kept(p):
-    stem = ROOT / "exercises" / p.chapter / p.name
-    texts = (stem.with_suffix(s).read_text("utf-8") for s in (".py", ".yaml"))
+    texts = [f.read_text("utf-8") for f in files_of(p.id)]
     return kept_name(slug(p.id), ".png", *texts, fingerprint("exercises/devices"))
 
 

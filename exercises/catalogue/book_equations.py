@@ -19,6 +19,8 @@ def own_number(number: str, p: Problem) -> str:
     """An equation of the engine as the chapter of ``p`` numbers it, "" if it comes later."""
     order = ("A", *map(str, range(2, 12)))
     chapter = p.id.partition("/")[0]
+    if chapter not in order:  # a course's own
+        return number
     if order.index(number.partition(".")[0]) <= order.index(chapter):
         return number
     return book_equations()["own"].get(chapter, {}).get(number, "")

@@ -5,7 +5,6 @@ rad.
 """
 
 import importlib
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -16,26 +15,11 @@ from newton_euler.algebra.units import SI, System, unit
 from newton_euler.answers.forms import Form, kind_named
 from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import symbol
+from newton_euler.answers.tolerance import RTOL
 
+from .places import CatalogueError, home, place
 from .units import in_unit, system_of
 from .words import word, words_at
-
-
-class CatalogueError(ValueError):
-    """A problem that does not exist, or whose text, data and code do not fit together."""
-
-
-def place(problem_id: str) -> tuple[str, str]:
-    """The folder of a problem number and the name of its files there: "4/16" is ("ch04", "p16"),
-    "A/3" is ("appA", "p03").
-    """
-    found = re.fullmatch(r"([1-9][0-9]*|[AB])/([1-9][0-9]*)", str(problem_id))
-    if not found:
-        raise CatalogueError(
-            f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16"
-        )
-    chapter, number = found.groups()
-    return f"app{chapter}" if chapter.isalpha() else f"ch{int(chapter):02d}", f"p{int(number):02d}"
 
 
 @dataclass(frozen=True)
@@ -81,7 +65,8 @@ class Answer:
     kind : may be given by its name. atol : the absolute tolerance, in ``unit``, for a key that is
     zero. weight : its share of the problem's points, beside those of the other answers.
     follow_through : the part of them that it earns where it is wrong, but follows from a student's
-    own earlier answers. latex : how it is printed, where its key does not say it.
+    own earlier answers. latex : how it is printed, where its key does not say it. rtol : the
+    relative tolerance of its numbers, which a sheet may change.
     """
 
     key: str
@@ -93,6 +78,7 @@ class Answer:
     weight: float = 1.0
     follow_through: float = 0.0
     latex: str = ""
+    rtol: float = RTOL
 
     def __post_init__(self) -> None:
         if isinstance(self.kind, str):
@@ -209,20 +195,19 @@ class Problem:
     def code(self) -> Code:
         """The module ``pNN``: ``solve``, ``prove``, ``mistakes``, and ``draw`` for a figure."""
         name = f"exercises.{self.chapter}.{self.name}"
+        file = "/".join((home(self.chapter) / f"{self.name}.py").parts[-3:])
         try:
             module = importlib.import_module(name)
         except ModuleNotFoundError as error:
             if error.name not in (name, name.rpartition(".")[0]):
                 raise
             raise CatalogueError(
-                f"problem {self.id} has a text but no code: write {name.replace('.', '/')}.py"
+                f"problem {self.id} has a text but no code: write {file}"
             ) from None
         needed = ("solve", "prove", "mistakes", *(("draw",) if self.figure else ()))
         missing = [f for f in needed if not callable(getattr(module, f, None))]
         if missing:
-            raise CatalogueError(
-                f"{name.replace('.', '/')}.py does not define {', '.join(missing)}"
-            )
+            raise CatalogueError(f"{file} does not define {', '.join(missing)}")
         return cast(Code, module)
 
     @property

@@ -9,22 +9,18 @@ import yaml
 
 from .format import read_chapter, read_problem
 from .model import CatalogueError, Chapter, Problem, place
+from .places import home, homes
 
-EXERCISES = Path(__file__).parents[1]
 
-
-@cache
 def chapters() -> tuple[str, ...]:
-    """The names of the chapters that have problems here."""
-    return tuple(
-        sorted(folder.name for folder in EXERCISES.iterdir() if any(folder.glob("p*.yaml")))
-    )
+    """The names of the chapters that have problems, those of the book first."""
+    return tuple(homes())
 
 
 @cache
 def chapter(name: str) -> Chapter:
     """The chapter of this name: ``chapter("ch04").title``."""
-    path = EXERCISES / name / "chapter.yaml"
+    path = home(name) / "chapter.yaml"
     if not path.exists():
         raise CatalogueError(
             f"{name}/chapter.yaml is missing; write it with the title of the chapter, as in "
@@ -38,7 +34,7 @@ def problems(name: str) -> tuple[Problem, ...]:
     """All problems of the chapter of this name, in the order of the book: ``problems("ch04")``."""
     if name not in chapters():
         raise CatalogueError(f"there is no chapter {name!r}; there are {', '.join(chapters())}")
-    paths = [path for path in (EXERCISES / name).glob("[!.]*.y*ml") if path.name != "chapter.yaml"]
+    paths = [path for path in home(name).glob("[!.]*.y*ml") if path.name != "chapter.yaml"]
     for path in paths:
         if not re.fullmatch(r"p\d+\.yaml", path.name):
             raise CatalogueError(
@@ -52,7 +48,7 @@ def problems(name: str) -> tuple[Problem, ...]:
 def problem(problem_id: str) -> Problem:
     """The problem with this number: ``problem("4/16")``. Only its own file is read."""
     name, stem = place(problem_id)
-    path = EXERCISES / name / f"{stem}.yaml"
+    path = home(name) / f"{stem}.yaml"
     if path.exists():
         return _problem_at(path)
     if name in chapters():

@@ -12,7 +12,7 @@ import yaml
 
 from .format import read_problem
 from .model import CatalogueError, place
-from .reading import EXERCISES
+from .places import EXERCISES
 
 WIDTH = 160  # of a line of text
 TEXTS = ("text", "figure", "frame")

@@ -102,14 +102,14 @@ def prove(names: tuple[str, ...], seeds: int, workers: int | None) -> None:
     mistake must differ from the key; exit code 1 if a check fails. Two mistakes that give the same
     wrong answer are a warning.
     """
-    from concurrent.futures import ProcessPoolExecutor
-
     from exercises.catalogue import select
     from exercises.catalogue.checks import AGREEMENT
 
+    from ..course.processes import process_pool
+
     problems, failed, steps, proved = select(names or ("all",)), 0, 0, 0
     numbers = [p.id for p in problems]
-    with progress_bar() as bar, ProcessPoolExecutor(workers) as pool:
+    with progress_bar() as bar, process_pool(workers) as pool:
         task = bar.add_task("proving", total=len(problems))
         for p, found in zip(
             problems, pool.map(_proved, numbers, [seeds] * len(numbers)), strict=True
@@ -184,25 +184,6 @@ def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) 
         click.echo(path)
         for fault in figure_faults(p, values_of(p)):
             console.print(f"[yellow]{p.id}[/]: {escape(fault)}")
-
-
-@click.command("list")
-@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
-def list_problems(names: tuple[str, ...]) -> None:
-    """Print the problems, with the number of their sheets.
-
-    So many sets of numbers can be drawn for students; where it is 1, all have the same problem.
-    """
-    from rich.table import Table
-
-    from exercises.catalogue import select
-    from exercises.catalogue.variants import sheets
-
-    table = Table("problem", "title", "section", "asks for", "sheets", box=None)
-    for p in select(names or ("all",)):
-        asked = ", ".join(dict.fromkeys(a.kind.name.replace("_", " ") for a in p.answers))
-        table.add_row(p.id, escape(p.title), p.section, asked, f"{sheets(p):.3g}")
-    console.print(table)
 
 
 @click.command()

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict
 
-from exercises.catalogue.model import place
+from exercises.catalogue.places import files_of
 
 from ..course import write_json
 from ..sandbox import CAGED
@@ -57,10 +57,8 @@ def score_state() -> str:
 
 @cache
 def problem_state(problem_id: str) -> str:
-    """A hash of the two files of a problem, on which only its scores depend."""
-    chapter, name = place(problem_id)
-    files = [ROOT / "exercises" / chapter / f"{name}.{kind}" for kind in ("py", "yaml")]
-    return fingerprint(*(f.read_bytes() for f in files))
+    """A hash of the files of a problem, on which only its scores depend."""
+    return fingerprint(*(f.read_bytes() for f in files_of(problem_id)))
 
 
 def _hash_of(*folders, but=None):

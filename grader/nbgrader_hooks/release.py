@@ -11,10 +11,13 @@ from nbgrader.utils import notebook_hash
 
 from ..assignment import copy_to_exchange, make_personal_copies
 from ..assignment.personal import warning
-from ..course import Course
+from ..course import Course, CourseError
+from ..course.exam import refuse_before_opening, refuse_feedback
 from ..course.files import NotTaken, read_regular
+from .shared import ending_at_ctrl_c
 
 MAX_PAGE = 256 * 2**20
+UNRELEASED = "nothing is released; the same command begins anew"
 
 
 def _submission_secret(*folders: Path) -> str | None:
@@ -25,24 +28,37 @@ def _submission_secret(*folders: Path) -> str | None:
     return None
 
 
+def _refused(exchange, rule, *place):
+    """End a step of the exchange, in words, where a rule of exams refuses it."""
+    try:
+        rule(*place)
+    except CourseError as error:
+        exchange.fail(str(error))
+
+
 class ReleaseWithPersonal(ExchangeReleaseAssignment):
-    """Releases the assignment, then makes each student's own copy and puts it into the exchange."""
+    """Makes each student's own copy, then releases the assignment and puts them beside it."""
 
     def copy_files(self) -> None:
-        super().copy_files()
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
+        _refused(self, refuse_before_opening, course, assignment)
+        super().copy_files()
         students = course.roster()
         if not students:
+            super().copy_files()
             self.log.warning(
                 "Nobody is on the roster: no personal copies. Add students, then: python "
                 "-m grader personal %s --course . --exchange",
                 assignment,
             )
             return
-        paths = make_personal_copies(course, assignment, students)
+        if self.force or not Path(self.dest_path).is_dir():  # else it is refused, at once
+            with ending_at_ctrl_c(self.log, lambda: UNRELEASED):
+                self.log.info("Making %d personal copies", len(students))
+                paths = make_personal_copies(course, assignment, students)
+        super().copy_files()
         if words := warning(copy_to_exchange(course, assignment, self.dest_path, paths)):
             self.log.warning(words)
-        self.log.info("Made %d personal copies", len(paths))
 
 
 class ReleaseOwnPages(ExchangeReleaseFeedback):
@@ -52,6 +68,7 @@ class ReleaseOwnPages(ExchangeReleaseFeedback):
 
     def copy_files(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
+        _refused(self, refuse_feedback, course, assignment)
         notebooks = [p.stem for p in course.released_path(assignment).parent.glob("*.ipynb")]
         excluded = set(filter(None, self.coursedir.student_id_exclude.split(",")))
         students = self.coursedir.student_id or "*"

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cache
 
 from exercises.catalogue import Given, Problem
-from exercises.catalogue.variants import draw, drawn_value
+from exercises.catalogue.variants import draw, drawn_value, practice_seed
 
 from ..assignment.cells import Values
 from .graded import GradedAnswers
@@ -41,17 +41,21 @@ class _Middle:
 
 
 def sets_of_numbers(
-    p: Problem, count: int, graded: Sequence[Values] = (), seed: str = "practice"
+    p: Problem,
+    count: int,
+    graded: Sequence[Values] = (),
+    seed: str = "practice",
+    book: bool = True,
 ) -> list[Values]:
-    """The numbers of the book, or near the middle for symbols, and drawn ones, ``count`` in all or
-    as many as differ; none with an answer near one of the ``graded`` sheets.
+    """The numbers of the ``book``, or near the middle for symbols, and drawn ones, ``count`` in all
+    or as many as differ; none with an answer near one of the ``graded`` sheets.
     """
     near = GradedAnswers(p, graded)
-    found = [] if near(p.book_values) else [p.book_values]
+    found = [p.book_values] if book and not near(p.book_values) else []
     for n in range((TRIES if graded else 10) * count):
         if len(found) >= count:
             break
-        values = draw(p, f"{seed} {p.id} {n}".encode())
+        values = draw(p, practice_seed(p, n, seed))
         if values not in found and not near(values):
             found.append(values)
     return found

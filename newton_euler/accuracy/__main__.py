@@ -7,8 +7,7 @@ except ModuleNotFoundError as error:
     if missing not in ("click", "rich"):
         raise
     raise SystemExit(
-        f"python -m newton_euler.accuracy needs the package {missing}: pip install "
-        "'newton-euler[course]'"
+        f"python -m newton_euler.accuracy needs the package {missing}: pip install click rich"
     ) from None
 
 main(prog_name="python -m newton_euler.accuracy")

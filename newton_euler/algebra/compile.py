@@ -265,8 +265,7 @@ class Compiled:
             if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
                     raise ImportError(
-                        "backend='heyoka' needs heyoka: pip install 'newton-euler[fast]', or "
-                        "use backend='auto'"
+                        "backend='heyoka' needs heyoka: pip install heyoka, or use backend='auto'"
                     )
                 self.backend = "numpy"
                 return False

@@ -15,7 +15,6 @@ from math import ulp
 from typing import NamedTuple
 
 from .chebyshev import DEGREE, extrema, values_at
-from .methods.base import AROUND
 from .narrow_arguments import CHANGE, LIMITS, RATIO
 from .zeros import sampling
 
@@ -67,7 +66,10 @@ def passage(stepper, first):
             return None
         stepper = stepper.dense
         ends = np.array(stepper.step_times)
-        of = [np.clip(np.searchsorted(ends, t, "right") - 1, first, len(ends) - 2) for t in (times, knots)]
+        of = [
+            np.clip(np.searchsorted(ends, t, "right") - 1, first, len(ends) - 2)
+            for t in (times, knots)
+        ]
         for n in np.unique(np.concatenate(of)).tolist():
             found = _difference(stepper, n, times[of[0] == n], knots[of[1] == n])
             if found:
@@ -136,7 +138,9 @@ def _knots(np, path, j, places):
     for i, k in zip(*np.nonzero(np.diff(index, axis=1)), strict=True):
         (x, y), (t, u) = values[i, k : k + 2], times[i, k : k + 2]
         between = places[min(index[i, k : k + 2]) : max(index[i, k : k + 2])]
-        found += [(place, t + (place - x) * (u - t) / (y - x), (y - x) / (u - t)) for place in between]
+        found += [
+            (place, t + (place - x) * (u - t) / (y - x), (y - x) / (u - t)) for place in between
+        ]
     if not found:
         return np.array([])
     place, t, slope = np.array(found).T
@@ -219,7 +223,9 @@ def _brackets(np, path, suspects):
         narrow, rough = _judged(np, kinds, u, v, off, n[c], closely)
         rough &= np.ptp(v, axis=1) > CLEAR * noise[j]
         last = depth == DEPTH or DIVIDED * rough.sum() > MOST
-        for row in np.flatnonzero((narrow | rough) & (kinds != "phase") if last else narrow & ~rough).tolist():
+        for row in np.flatnonzero(
+            (narrow | rough) & (kinds != "phase") if last else narrow & ~rough
+        ).tolist():
             for edges in [(0.0, 1.0)] if rough[row] else _about(np, kinds[row], u[row], v[row]):
                 times = begin[c[row]] + length[c[row]] * np.array(edges)
                 found.append((int(j[row]), *times.tolist()))
@@ -329,7 +335,7 @@ def _difference(stepper, n, centres, knots):
     """
     import numpy as np
 
-    a, b = stepper.step_times[n : n + 2]
+    a, b = stepper.step_times[n], stepper.step_end(n)
     reach = (b - a) * 0.5 ** np.arange(1, HALVINGS)
     edges = np.concatenate([[a, b], knots, *([t, *(t - reach), *(t + reach)] for t in centres)])
     edges = np.unique(edges[(edges >= a) & (edges <= b)])
@@ -340,21 +346,22 @@ def _difference(stepper, n, centres, knots):
 
     def integrals(nudge):
         rates = _rates(np, stepper, times, x, nudge).reshape(len(x), len(widths), -1)
-        return (rates * weights).sum(axis=2) * widths[:, 0], np.ptp(rates.reshape(len(x), -1), axis=1)
+        return (rates * weights).sum(axis=2) * widths[:, 0], np.ptp(
+            rates.reshape(len(x), -1), axis=1
+        )
 
     made, jumps = integrals(0.0)
     apart = np.nan_to_num(made - np.diff(stepper.interpolate(n, edges), axis=1))
     scales = np.array([s or 1.0 for s in stepper.scales])
     factor = LIMIT * (1.0 if len(centres) else LIMIT) if stepper.resumable else 1.0
     limits = (stepper.tolerance * factor + ROUND_OFF) * scales
-    # the round-off of the time, and jumps that were passed over
-    limits += AROUND * ulp(b) * jumps + np.add(stepper.noise, stepper.jumped or 0.0)
+    # the round-off of the time too
+    limits += stepper.around * ulp(b) * jumps + stepper.noise
     sizes = abs(apart.cumsum(axis=1)).max(axis=1)
     if not (sizes > limits).any():
         return None
     off = sum(abs(np.nan_to_num(integrals(x)[0] - made)).sum(axis=1) for x in (NUDGE, -NUDGE))
     if not (sizes > limits + off).any():  # no better by floats
-        stepper.jumped = tuple(np.maximum(stepper.jumped or 0.0, off).tolist())
         return None
     worst = int((abs(apart) / scales[:, None]).max(axis=0).argmax())
     stops = [*knots.tolist(), float(edges[worst : worst + 2].mean())]

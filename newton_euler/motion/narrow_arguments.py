@@ -15,7 +15,7 @@ GROWING, STEEP, PERIODIC = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}, {"s
 # or the ratio of its values; and the same in a part of a step
 CHANGE, RATIO = (4.0, 0.5), (0.1, 0.5)
 TURNED = 1.0  # radians in a step from which a sine is not known by its ends
-LIMITS = {kind: (2 * CHANGE[0], 2 * CHANGE[1]) for kind in ("largest", "steep")}
+LIMITS = dict.fromkeys(("largest", "steep"), (2 * CHANGE[0], 2 * CHANGE[1]))
 LIMITS |= {"phase": (TURNED, TURNED), "table": (inf, inf), "jump": (0, 0), "ratio": (0, 0)}
 
 

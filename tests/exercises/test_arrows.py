@@ -2,7 +2,7 @@
 other.
 """
 
-from exercises.catalogue.reading import EXERCISES
+from exercises.catalogue.places import EXERCISES
 from tests.imports import circle, imports, modules
 
 FILES = modules(EXERCISES)

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 import sympy
 
-from exercises.catalogue import chapters, problem, problems, reading, select
+from exercises.catalogue import chapters, problem, problems, select
 from exercises.catalogue.checks import check, values
+from exercises.catalogue.places import home
 from exercises.catalogue.variants import flat, symbol_values
 from newton_euler import Frame, Vector
 
@@ -28,9 +29,7 @@ by_id = pytest.mark.parametrize("p", PROBLEMS, ids=named)
 
 @pytest.mark.parametrize("name", chapters())
 def test_every_code_has_its_text_and_every_text_its_code(name):
-    assert {p.name for p in problems(name)} == {
-        code.stem for code in (reading.EXERCISES / name).glob("p*.py")
-    }
+    assert {p.name for p in problems(name)} == {code.stem for code in home(name).glob("p*.py")}
 
 
 def without_the_engine(prove):

@@ -8,7 +8,6 @@ import inspect
 import io
 import linecache
 import multiprocessing
-import os
 import resource
 import signal
 import tempfile
@@ -149,8 +148,9 @@ def raising_lines(file):
 def judge_in_child(f, call, every, seconds, pipe):
     """Send what :func:`judged` finds; in a process that may be ended."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    os.chdir(tempfile.mkdtemp())
-    pipe.send(judged(f, call, every, seconds))
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        found = judged(f, call, every, seconds)
+    pipe.send(found)
 
 
 def table(functions, calls, every=None, report=lambda *_: None, seconds=SECONDS):

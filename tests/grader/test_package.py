@@ -1,6 +1,8 @@
 """What is distributed to students."""
 
 import io
+import os
+import re
 import sys
 import zipfile
 
@@ -9,6 +11,12 @@ import pytest
 from exercises.catalogue import problem
 from grader.practice import write_practice
 from tests.grader.courses import REPOSITORY, ran, run
+
+README = (REPOSITORY / "README.md").read_text(encoding="utf-8")
+STUDENTS, CHARTS = (
+    re.findall(r"(?m)^    (.*)$", README.partition(f"## For {who}")[2].partition("\n## ")[0])
+    for who in ("students", "developers")
+)
 
 
 def built(folder):
@@ -24,7 +32,7 @@ def built(folder):
 
 PRACTICE = """
 import importlib.util, sys
-for name in ("exercises", "grader", "IPython", "ipywidgets"):
+for name in ("exercises", "grader", *sys.argv[2:]):
     assert importlib.util.find_spec(name) is None, name
 from newton_euler.classroom import practice
 p = practice(sys.argv[1])["4/16"]
@@ -37,20 +45,55 @@ except ImportError as error:
 """
 
 
+@pytest.fixture
+def shell(tmp_path):
+    """A function that runs a line of the shell in an empty environment, in a folder of its own."""
+    assert run(sys.executable, "-m", "venv", str(tmp_path / "venv"))[0] == 0
+
+    def typed(line, cwd=tmp_path):
+        own = f"{tmp_path / 'venv/bin'}{os.pathsep}{os.environ['PATH']}"
+        done = run("bash", "-c", line, cwd=cwd, timeout=900, PATH=own, PYTHONPATH="")
+        if "No matching distribution found for numpy" in done[1]:
+            pytest.skip("the dependencies of the wheel cannot be fetched")
+        return ran(done)
+
+    return typed
+
+
 @pytest.mark.slow
 @pytest.mark.integration
-def test_practice_needs_the_wheel_alone(tmp_path):
+def test_what_the_readme_says_to_students_works_in_an_empty_environment(shell, tmp_path):
+    built(tmp_path)
+    install, chapters, jupyter = STUDENTS
+    shell(install)
+    assert "ch04" in shell(chapters)
+    shell(jupyter.replace("DIR", "--version"))
+    assert "top" in shell(CHARTS[0])
+    assert "written: charts/top.png" in shell(f"{CHARTS[1]} --quick")
+
+
+@pytest.mark.slow
+@pytest.mark.integration
+def test_the_engine_in_a_repository_of_its_own_is_installed_by_its_address(shell, tmp_path):
+    (archive,) = re.findall(r"(git archive .*)$", README, re.M)
+    (tmp_path / "engine").mkdir()
+    shell(archive.replace("~", str(tmp_path)), REPOSITORY)
+    shell("git init -q engine && cd engine && git add . && git commit -qm engine")
+    found = ran(run("git", "-C", str(tmp_path / "engine"), "ls-files"))
+    assert not re.search(r"(?m)^(exercises|grader|tests)|\.yaml$", found)
+    (line,) = re.findall(r"(?m)^    (pip install .* @ git\+)https", README)
+    shell(f"{line}file://localhost{tmp_path}/engine'")
+    assert shell("pip show newton-euler").startswith("Name: newton-euler")
+
+
+@pytest.mark.slow
+@pytest.mark.integration
+def test_practice_needs_the_wheel_alone(shell, tmp_path):
     """In a new environment, with what the wheel asks for and nothing else."""
     write_practice(tmp_path / "one.practice", [problem("4/16")], count=2, workers=1)
-    wheel, python = built(tmp_path), tmp_path / "venv" / "bin" / "python"
-    assert run(sys.executable, "-m", "venv", str(tmp_path / "venv"))[0] == 0
-    install = str(python), "-m", "pip", "install", "-q", str(wheel)
-    code, out = run(*install, timeout=600, PYTHONPATH="")
-    if code and ("No matching distribution" in out or "connection" in out.lower()):
-        pytest.skip("the dependencies of the wheel cannot be fetched")
-    assert code == 0, out
-    script = str(python), "-c", PRACTICE, str(tmp_path / "one.practice")
-    out = ran(run(*script, cwd=tmp_path, PYTHONPATH=""))
+    (tmp_path / "practice.py").write_text(PRACTICE)
+    shell(f"pip install -q {built(tmp_path)}")
+    out = shell("python practice.py one.practice IPython ipywidgets")
     assert "leaves out the Coriolis term" in out
     assert "omega_CD: right" in out
     assert "p.form() needs ipywidgets: pip install ipywidgets" in out

@@ -8,26 +8,16 @@ Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993
 II.6 and II.10.
 """
 
-from bisect import bisect_right
-from contextlib import suppress
 from functools import lru_cache
-from math import inf, isfinite, sqrt, ulp
+from math import inf, isfinite, sqrt
 from textwrap import indent
 
-from ..endings import sticking
-from .base import MAX_STALLED_STEPS, StallError, StepError, Stepper
+from .base import MAX_STALLED_STEPS, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 # The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in
 # h, and between these bounds (II.4).
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
-# Rates that jump are steady for so many times as long as it takes to pass the jump, else they are
-# singular there or the motion sticks; and how often that time is doubled.
-STEADY, ROOMS = 100.0, 16
-AGAIN = 1e4  # such times: two jumps that are closer are one
-# how many jumps may follow each other within this part of the whole time: where more do, it sticks
-OFTEN, NEAR = 16, 1e-6
-RECENT = 16  # steps that show how rates jump to and fro
 KEPT = 64  # steps whose polynomials are kept
 
 # A step is what the time changes by: were it the h before rounding, the clock would drift from the
@@ -148,21 +138,21 @@ class Dop853(Stepper):
             self.tolerance = 1e300  # any step is accepted
         # at the least what changes the time
         self.hmax = step or max(trajectory.longest_part * span, 1e-13 * abs(self.goal))
-        self.h = step or self._first_step(span)
-        self.jumped, self._passed, self._often = (0.0,) * len(self.x), (-inf, 0.0, ()), 0
+        self.h = step or self._first_step()
 
-    def _first_step(self, span):
-        """The length of a step in which the fastest state changes by half of its scale times
-        tol**(1/8); states that start from nothing, with a huge rate to scale, do not count.
+    def _first_step(self):
+        """A step in which the fastest state changes by half of its scale times tol**(1/8); states
+        that start from nothing, with a huge rate to scale, do not count.
         """
         pairs = zip(self.rates, self.scales, strict=True)
         fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
-        return min(0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * span, self.hmax)
+        h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * (self.goal - self.t)
+        return min(h, self.hmax)
 
     def resume(self):
         """Continue from the present state, see ``back_to``."""
         self.rates, self._kept = self.system.rates(self.t, self.x), {}
-        self.calls += 1
+        self.calls, self.h = self.calls + 1, self.h or self._first_step()
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
@@ -178,78 +168,17 @@ class Dop853(Stepper):
             self.calls += 12 * tried  # stages of a step; the first is the last of the step before
             self.step_times += [t + h for t, h, *_ in self.steps[done:]]
             if self.t == before < after:
-                self.pass_stop(after, self.rates)
-                self.rates, self.calls = self.system.rates(self.t, self.x), self.calls + 1
+                self.pass_stop(after)
+                self.rates, self.calls = self.system.rates(self.t, self.x), self.calls + 3
             self.step_times[-1] = self.t
             if self.h == 0.0:
-                self._pass_jump()
+                raise StepError("the step became too small to go on")
             limit -= len(self.steps) - done
-            try:
-                self.check_progress()
-            except StallError as stall:
-                self._passed = self._stalled()
-                try:
-                    self._pass_jump()
-                except StepError:
-                    raise stall from None
+            self.check_progress()
 
-    def _stalled(self):
-        """The time, how long the last steps took, and by how much the rates changed in them."""
-        few = [self.system.rates(t, x) for t, _, *x in self.steps[-RECENT:]]
-        jumps = tuple([max(row) - min(row) for row in zip(*few, strict=True)])
-        return self.t, self.t - self.step_times[-MAX_STALLED_STEPS], jumps
-
-    def _pass_jump(self):
-        """Go on beyond a time at which rates jump that are steady on both sides; where they are not,
-        :class:`~.base.StepError`. The argument of a choice may be round-off for longer than the
-        last digits of the time: then over more and more of it.
-        """
-        t, x, before, (last, room, known) = self.t, self.x, self.rates, self._passed
-        if t - last > AGAIN * room:
-            room, known = ulp(self.goal), (0.0,) * len(x)
-        near = t - last < NEAR * (self.goal - self.start[0])
-        self._often = self._often + 1 if near else 0
-        span = self.goal - self.start[0]
-        sticks = self._often > OFTEN or (self._often and sticking(self.system, t, x, span))
-        for _ in range(ROOMS if self.system.traced.surprises and not sticks else 0):
-            room *= 2
-            with suppress(ArithmeticError, ValueError):
-                after, there = self._moved(t, x, before, room)
-                rates = self._earlier(t - STEADY * room), before, self.system.rates(after, there)
-                later = self._moved(after, there, rates[-1], STEADY * room)
-                if after < self.goal and self._steady(*rates, self.system.rates(*later), room):
-                    break
-        else:
-            raise StepError("the step became too small to go on")
-        earlier, _, rates = rates
-        jumps = tuple(max(abs(b - a), c) for a, b, c in zip(earlier, rates, known, strict=True))
-        self.jumped = tuple([a + room * b for a, b in zip(self.jumped, jumps, strict=True)])
-        self.steps.append((t, room, *x))
-        self.step_times.append(after)
-        self.t, self.x, self.rates, self._passed = after, there, rates, (after, room, jumps)
-        self.h, self.checked = self._first_step(self.goal - after), len(self.steps)
-        self.update_scales()
-
-    def _moved(self, t, x, rates, step):
-        self.calls += 1
-        return t + step, tuple([v + step * k for v, k in zip(x, rates, strict=True)])
-
-    def _earlier(self, t):
-        """The rates at the last step before ``t``."""
-        begin, _, *x = self.steps[max(bisect_right(self.step_times, t) - 1, 0)]
-        self.calls += 1
-        return self.system.rates(begin, x)
-
-    def _steady(self, earlier, before, rates, later, room):
-        """True if rates are nearly those of an earlier instant before they jump, and nearly those of
-        a later one after it.
-        """
-        rows = zip(earlier, before, rates, later, self.scales, strict=True)
-        for a, b, c, d, s in rows:
-            little = max(0.01 * abs(c - a), self.tolerance * s / (STEADY * room))
-            if not (min(abs(b - a), abs(b - c)) <= little and abs(d - c) <= little):
-                return False
-        return True
+    def step_end(self, n):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        return sum(self.steps[n][:2])
 
     def state_at(self, t):
         """The state at ``t`` by a step of the method from the last step before, more accurate than

@@ -88,7 +88,7 @@ def _no_exact(system, t0=0.0):
 
 def _no_heyoka(system, t0=0.0):
     if not installed():
-        return "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
+        return "heyoka is not installed: pip install heyoka (Linux)"
     kinks = system.traced.kinks if system else ()
     if kinks:
         return (

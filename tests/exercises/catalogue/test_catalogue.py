@@ -9,7 +9,16 @@ import pytest
 import sympy
 
 from exercises import problem
-from exercises.catalogue import CatalogueError, chapter, chapters, model, problems, reading, select
+from exercises.catalogue import (
+    CatalogueError,
+    chapter,
+    chapters,
+    model,
+    places,
+    problems,
+    reading,
+    select,
+)  # fmt: skip
 from newton_euler import Dimension, Frame
 
 PROBLEMS = select(["all"])
@@ -34,16 +43,19 @@ checked: {v: 2*pi}
 def write(tmp_path, monkeypatch):
     """A function that puts a file into chapter 77, the only one of a catalogue of its own."""
 
+    home = tmp_path / "exercises"
+
     def forget():
-        for name in ("chapters", "chapter", "problems", "problem", "_problem_at"):
+        places.homes.cache_clear()
+        for name in ("chapter", "problems", "problem", "_problem_at"):
             getattr(reading, name).cache_clear()
 
     def put(name, text):
-        (tmp_path / "ch77").mkdir(exist_ok=True)
-        (tmp_path / "ch77" / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+        (home / "ch77").mkdir(parents=True, exist_ok=True)
+        (home / "ch77" / name).write_bytes(text if isinstance(text, bytes) else text.encode())
         forget()
 
-    monkeypatch.setattr(reading, "EXERCISES", tmp_path)
+    monkeypatch.setattr(places, "EXERCISES", home)
     yield put
     monkeypatch.undo()
     forget()

@@ -91,8 +91,7 @@ def test_without_click_or_rich_it_says_what_to_install(package):
     )
     assert output.returncode == 1
     assert output.stderr == (
-        f"python -m newton_euler.accuracy needs the package {package}: pip install "
-        "'newton-euler[course]'\n"
+        f"python -m newton_euler.accuracy needs the package {package}: pip install click rich\n"
     )
 
 

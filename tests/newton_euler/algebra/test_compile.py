@@ -495,7 +495,7 @@ def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypa
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
     monkeypatch.setattr("newton_euler.algebra.compile.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
     x = np.array([1.0, 2.0])
-    advice = r"pip install 'newton-euler\[fast\]', or use backend='auto'"
+    advice = "pip install heyoka, or use backend='auto'"
     with pytest.raises(ImportError, match=rf"backend='heyoka' needs heyoka: {advice}"):
         compiled(lambda x: x + 1, backend="heyoka")(x)
     assert compiled(lambda x: x + 1, backend="auto")(x).tolist() == [2.0, 3.0]

@@ -135,7 +135,7 @@ def test_a_pendulum_turns_where_it_should(method):
 
 def test_heyoka_that_is_missing_is_said(monkeypatch):
     monkeypatch.setattr("newton_euler.motion.methods.table.installed", lambda: False)
-    with pytest.raises(ModelError, match=r"not installed: pip install 'newton-euler\[fast\]'"):
+    with pytest.raises(ModelError, match=r"not installed: pip install heyoka"):
         swing(method="taylor")
     with pytest.raises(
         ModelError, match="needs heyoka, without which the least is 1e-13; heyoka is"

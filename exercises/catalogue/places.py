@@ -1,0 +1,135 @@
+"""Where problems are: those of the book here, and those of a course in folders of its own.
+
+Such a folder has chapters as this one: ``bridge/chapter.yaml``, and ``bridge/p03.yaml`` and
+``p03.py`` for the problem bridge/3. Known are the folders that :func:`use` adds, in this process
+and those that it starts, and the packages that name themselves under the entry point GROUP.
+"""
+
+import os
+import re
+from collections.abc import Iterable
+from functools import cache
+from importlib.metadata import entry_points
+from importlib.util import find_spec
+from pathlib import Path
+
+EXERCISES = Path(__file__).parents[1]
+GROUP = "newton_euler.problems"
+VARIABLE = "NEWTON_EULER_PROBLEMS"
+
+
+class CatalogueError(ValueError):
+    """A problem that does not exist, or whose text, data and code do not fit together."""
+
+
+def place(problem_id: str) -> tuple[str, str]:
+    """The folder of a problem number and the name of its files there: "4/16" is ("ch04", "p16"),
+    "A/3" is ("appA", "p03"), and "bridge/3", of a course, ("bridge", "p03").
+    """
+    found = re.fullmatch(r"([1-9]\d*|[AB]|[a-z][a-z0-9_]*)/([1-9]\d*)", str(problem_id), re.A)
+    if not found or re.match(r"(ch\d+|app[a-z])/", str(problem_id)):
+        raise CatalogueError(
+            f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16"
+        )
+    chapter, number = found.groups()
+    if chapter.isdigit():
+        chapter = f"ch{int(chapter):02d}"
+    return f"app{chapter}" if chapter.isupper() else chapter, f"p{int(number):02d}"
+
+
+def use(folder: str | Path) -> list[str]:
+    """Know the problems in a folder of a course from now on; returns the names of its chapters."""
+    path = Path(folder).resolve()
+    if path not in _used():
+        os.environ[VARIABLE] = os.pathsep.join(map(str, [*_used(), path]))
+        homes.cache_clear()
+    try:
+        homes()
+    except CatalogueError:
+        os.environ[VARIABLE] = os.pathsep.join(str(p) for p in _used() if p != path)
+        homes.cache_clear()
+        raise
+    return [name for name, home in homes().items() if home.parent == path]
+
+
+@cache
+def homes() -> dict[str, Path]:
+    """{chapter: its folder}: those of the book, then those of courses by name and number."""
+    found = {home.name: home for home in sorted(_with_problems(EXERCISES))}
+    own = [home for folder in [*_used(), *_of_packages()] for home in _of_a_course(folder)]
+    for home in sorted(own, key=lambda home: _natural(home.name)):
+        if (EXERCISES / home.name).exists() or re.fullmatch(r"ch\d+|app[A-Za-z]|all", home.name):
+            raise CatalogueError(
+                f"{home}: the name {home.name} is taken by the book; give your chapter another, "
+                "as in bridge/p01.yaml for the problem bridge/1"
+            )
+        if home.name in found:
+            raise CatalogueError(
+                f"there are two chapters {home.name}, {found[home.name]} and {home}; rename one, "
+                "and the numbers in it"
+            )
+        found[home.name] = home
+    _importable({home.parent for home in own})
+    return found
+
+
+def home(chapter: str) -> Path:
+    """The folder of a chapter, whether or not there is one; that of the book without a search."""
+    here = EXERCISES / chapter
+    return here if here.exists() else homes().get(chapter, here)
+
+
+def files_of(problem_id: str) -> list[Path]:
+    """The files on which a problem alone depends: its two, and what its chapter has besides where
+    it is a course's own.
+    """
+    chapter, name = place(problem_id)
+    folder = home(chapter)
+    shared = [] if folder.parent == EXERCISES else sorted(folder.rglob("*.py"))
+    others = [f for f in shared if not re.fullmatch(r"p\d+", f.stem)]
+    return [folder / f"{name}.py", folder / f"{name}.yaml", *others]
+
+
+def _used():
+    return [Path(p) for p in os.environ.get(VARIABLE, "").split(os.pathsep) if p]
+
+
+def _of_packages():
+    """The folders of the packages that the entry points name."""
+    for point in entry_points(group=GROUP):
+        spec = find_spec(point.value)
+        if not (spec and spec.submodule_search_locations):
+            raise CatalogueError(
+                f"the entry point {point.name} of {GROUP} names {point.value}, which is no package"
+            )
+        yield Path(next(iter(spec.submodule_search_locations))).resolve()
+
+
+def _of_a_course(folder):
+    found = _with_problems(folder) if folder.is_dir() else []
+    if not found:
+        raise CatalogueError(
+            f"{folder} has no problems: they are in chapters, as bridge/p01.yaml for bridge/1"
+        )
+    for home in found:
+        if not re.fullmatch(r"[a-z][a-z0-9_]*", home.name):
+            raise CatalogueError(
+                f"{home}: the name of a chapter has small letters, digits and _, as in bridge"
+            )
+    return found
+
+
+def _with_problems(folder: Path) -> list[Path]:
+    return [home for home in folder.iterdir() if any(home.glob("p*.yaml"))]
+
+
+def _natural(name):
+    """For sorting: week2 before week10."""
+    return [int(x) if x.isdigit() else x for x in re.split(r"(\d+)", name)]
+
+
+def _importable(folders: Iterable[Path]) -> None:
+    """Let ``exercises.bridge.p03`` be the code of bridge/3."""
+    import exercises
+
+    exercises.__path__ += [str(p) for p in folders if str(p) not in exercises.__path__]
