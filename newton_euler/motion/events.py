@@ -19,6 +19,7 @@ from .zeros import UnresolvedError, ZeroSearch
 
 # relative change of the time and of each state by which the round-off of a function is measured
 NUDGE = 2.0**-50
+MARGIN = 64  # units in the last place of a time, between pieces that are searched
 
 
 class EventError(ModelError):
@@ -130,14 +131,15 @@ class EventLocator:
                 raise
             raise EventError(f"{self._name} fails when it is tried: {error}") from error
         self.sign = int(self.first > 0) - int(self.first < 0)
-        self.arguments, self.cuts = stepper.system.narrow_of(event.function), []
+        self.cuts: list[float] = []
 
     def look(self, first):
         """Find the times in the steps from number ``first`` on at which the function may be narrow:
         the search begins with pieces between these.
         """
-        if self.arguments:
-            times, knots = narrow_times(self.stepper, self.arguments, first)
+        arguments = self.stepper.system.narrow_of(self.event.function)
+        if arguments:
+            times, knots = narrow_times(self.stepper, arguments, first)
             self.cuts = sorted([*times.tolist(), *knots.tolist()])
 
     @property
@@ -160,7 +162,10 @@ class EventLocator:
         if not a < b:
             return  # a step shorter than the last digit of the time
         search = ZeroSearch(values, noise, a, b, self.sign, self.event.direction)
-        search.cuts = [t for t in self.cuts if a < t < b]
+        room, search.cuts = MARGIN * EPS * max(abs(a), abs(b)), []
+        for t in self.cuts:
+            if t - max([a, *search.cuts[-1:]]) > room and b - t > room:
+                search.cuts.append(t)
         search.closed = b == stepper.goal
         if a == stepper.start[0]:
             search.start = self.first, self.at_start

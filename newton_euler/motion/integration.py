@@ -62,12 +62,16 @@ def integrate(
     be reached.
 
     What is narrow, as a brake of a millimetre on a way of kilometres, is seen where its rates are
-    written by ``where``, ``abs``, ``exp``, ``tanh``, ``atan`` or a quotient like 1/(1 + x**2): the
-    argument of these is followed along each step, and where it passes the place at which they
-    change the step is compared with the rates and repeated (a series is refused). Below a width of
-    1e-7 of the way the motion may be refused. Not seen is what has no such argument, as the sine of
-    a fast variable or a table of places, an argument that turns back within 1e-3 of a step, and
-    what is narrow in the function of an event.
+    written by ``where``, ``abs``, ``exp``, ``tanh``, ``atan``, a quotient like 1/(1 + x**2) or a
+    table of places, and likewise in the function of an event. The argument of these, and each
+    factor of one whose sign decides, is followed along the steps: where it passes its place, or
+    turns back so close to it that a polynomial cannot tell, the step is compared with the integral
+    of the rates and repeated (a series is refused). So a place is found from 1e-7 of the way on; an
+    expanded square, as x*x + y*y < R*R, or the top of a curve that rises by w above a level is
+    found if w is 1e-14 of the largest value of the argument or more. Below, the motion may be
+    refused. Not seen is what has no such argument, as the sine of a fast variable, an argument that
+    turns twice within a step whose ends do not show it, and a peak of a table that the argument
+    touches by less than two of its places without turning.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))

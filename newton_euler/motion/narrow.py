@@ -20,9 +20,10 @@ from .zeros import sampling
 
 # part of its change by which an argument may differ from a polynomial, and how many times that its
 # extremum is from zero if it certainly does not reach it
-ROUGH, CLEAR = 0.2, 2.0
+ROUGH, CLEAR, KNOWN = 0.2, 2.0, 1e-4
 NOISE = 1e-14  # of an argument, relative to its largest value on the way
 FEW, MANY = 4, 100  # steps: more show by their ends how fast arguments change; are left to NumPy
+FOLLOWED = 500  # suspect steps, the longest ones
 RESOLVED = 6.0  # radians, in a part, of a sine that a polynomial represents
 DEPTH, DIVIDED, MOST = 8, 4, 2000  # of the division of steps: how often, into how many, in all
 SAMPLES, NEWTON_STEPS = 32, 3  # of a step, for the times at which it passes the places of a table
@@ -53,9 +54,9 @@ def passage(stepper, first):
     if clear.get(key) == steps:
         return None
     arguments = stepper.system.traced.narrow
-    if FEW <= len(stepper.steps) - first < MANY and not stepper.repeated and not arguments.tables:
-        if _calm(stepper, arguments, first):
-            return None
+    few = FEW <= len(stepper.steps) - first < MANY and not (stepper.repeated or arguments.tables)
+    if few and _calm(stepper, arguments, first):
+        return None
     import numpy as np
 
     with np.errstate(all="ignore"):
@@ -94,14 +95,15 @@ def _calm(stepper, arguments, first):
     for kind, a, b in zip(arguments.kinds, columns, columns, strict=False):
         row = [x - y for x, y in zip(a, b, strict=True)]
         d = [y - x for x, y in pairwise(row)]
-        before = [d[0], *(x * r for x, r in zip(d, ratios, strict=False))]
-        after = [*(x / r for x, r in zip(d[1:], ratios, strict=True)), d[-1]]
+        # of the steps beside the first and the last one nothing is known
+        before = [-d[1], *(x * r for x, r in zip(d, ratios, strict=False))]
+        after = [*(x / r for x, r in zip(d[1:], ratios, strict=True)), -d[-2]]
         limit = LIMITS[kind][0]
         crossed += kind == "jump" and min(row) <= 0 <= max(row)
         for x, y, k, change, m in zip(row, row[1:], before, d, after, strict=False):
-            if not abs(k) + abs(change) + abs(m) <= (limit or 2 * min(abs(x), abs(y))):
-                if kind != "jump" or k * m <= 0 or crossed > 1:
-                    return False
+            much = not abs(k) + abs(change) + abs(m) <= (limit or 2 * min(abs(x), abs(y)))
+            if much and (kind != "jump" or k * m <= 0 or crossed > 1):
+                return False
     return True
 
 
@@ -191,7 +193,9 @@ class _Path:
         if not self.closely and much.any():
             # where the rates jump once in a step, its end shows it
             crossed = of.jumps & (a * b <= 0)
-            much &= ~of.jumps | (crossed.sum(axis=0) > 1) | (k * m <= 0)
+            turns = k * m <= 0
+            turns[:, [0, -1]] = True  # for all that is known
+            much &= ~of.jumps | (crossed.sum(axis=0) > 1) | turns
             much |= crossed & much.any(axis=0)
         return much | (much & of.phases).any(axis=0)
 
@@ -206,6 +210,7 @@ def _brackets(np, path, suspects):
     """Triples (number of an argument, times between which it is at its narrow place)."""
     points, transform = sampling()
     n = np.flatnonzero(suspects.any(axis=0))
+    n = np.sort(n[np.argsort(path.lengths[n])[-FOLLOWED:]])  # where a motion sticks, all are short
     suspects, low, width, found = suspects[:, n], np.zeros(len(n)), 1.0, []
     noise = NOISE * np.nan_to_num(abs(path.rows)).max(axis=1)
     for depth in range(DEPTH + 1):
@@ -267,16 +272,14 @@ def _judged(np, kinds, u, values, off, steps, divided):
     lower, upper = np.sort(level[:, [0, -1]]).T
     beside = upper if divided else lower
     least = np.where(crossed > 0, 0.0, np.minimum(turns, lower))
-    jumps = np.bincount(steps, crossed * (kinds == "jump"))[steps]
+    size = np.ptp(values, axis=1)
+    # at a kink the difference may be larger than where it is measured
+    touched = turns < np.where(off > KNOWN * size, ROUGH * size, CLEAR * off)
+    jumps = np.bincount(steps, (crossed + touched) * (kinds == "jump"))[steps]
     inside = (crossed > 0) | (turns < lower)
     of_kind = [kinds == "phase", kinds == "jump", kinds == "ratio"]
     narrow = [False, (jumps > 1 - divided) & (crossed > 0), inside & (least < ratio * beside)]
-    wild = off > ROUGH * np.ptp(values, axis=1)
-    rough = [
-        np.ptp(values, axis=1) > RESOLVED,
-        (turns < CLEAR * off) | (wild & (least < CLEAR * off)),
-        off > ROUGH * lower,
-    ]
+    rough = [size > RESOLVED, touched, off > ROUGH * lower]
     found = np.select(of_kind, narrow, inside & (beside - least > change))
     return found, np.select(of_kind, rough, off > ROUGH * np.maximum(lower - least, change))
 
@@ -330,8 +333,10 @@ def _located(np, stepper, arguments, brackets):
 
 
 def _difference(stepper, n, centres, knots):
-    """The :class:`Passage` by which step ``n`` differs from the integral of the rates along it; None
-    if that is as small as the tolerance allows.
+    """The :class:`Passage` by which step ``n`` differs from the integral of the rates along it, or
+    None.
+
+    centres, knots : times about which the pieces are shorter and shorter; where pieces end
     """
     import numpy as np
 
@@ -362,6 +367,7 @@ def _difference(stepper, n, centres, knots):
         return None
     off = sum(abs(np.nan_to_num(integrals(x)[0] - made)).sum(axis=1) for x in (NUDGE, -NUDGE))
     if not (sizes > limits + off).any():  # no better by floats
+        stepper.noise = tuple(np.maximum(stepper.noise, off).tolist())
         return None
     worst = int((abs(apart) / scales[:, None]).max(axis=0).argmax())
     stops = [*knots.tolist(), float(edges[worst : worst + 2].mean())]

@@ -1,6 +1,6 @@
-"""The arguments of those operations of a formula that have a scale of their own: ``where``, ``abs``,
-``exp``, ``tanh``, and a quotient whose denominator comes close to zero. Far from one place of its
-argument each of them is as good as constant.
+"""The arguments of those operations of a formula that have a scale of their own: ``where``,
+``abs``, ``exp``, ``tanh``, a quotient whose denominator comes close to zero, and a table. Far from
+one place of its argument each of them but a table is as good as constant.
 """
 
 from functools import cached_property

@@ -213,6 +213,9 @@ class Trajectory:
     def unseen(self):
         """How much the steps did not see of the rates, relative to the scales of the states."""
         total = self.missed
+        for part in self.segments if self.repeated else ():
+            rows = zip(part.stepper.noise, part.stepper.scales, strict=True)
+            total += max([noise / (scale or 1.0) for noise, scale in rows])
         for system, stepper, *_ in self.segments if self.watched else ():
             passed = system.traced.narrow and not stepper.resumable and passage(stepper, 0)
             while passed:

@@ -86,12 +86,9 @@ def test_a_sample_of_models_reaches_the_goals_without_raw_errors_or_needless_ref
 
 STRANGERS = [n for n, f in FAMILIES.items() if "strangers" in f.tags]
 REASONS = {kind.__name__ for kind in (StickingError, FarError)}  # of a refusal
-# families of strangers that the engine fails: a draw that shows it, and the reason
-TURNS_BACK = "the argument of where turns back within a step"
+# families of strangers that the engine fails, or failed: a draw that shows it, and the reason
 MISSED = {
-    "dose_by_a_clock": (0, "two runs are compared in the narrow window of a dose too, at 1e-12"),
-    "puck_through_a_round_puddle": (0, TURNS_BACK),
-    "lorry_in_a_bed_of_gravel": (1, TURNS_BACK),
+    "lorry_in_a_bed_of_gravel": (1, ""),
 }
 
 
@@ -111,6 +108,18 @@ def test_what_a_stranger_wrote_is_answered_as_asked_or_refused_with_a_reason(nam
         run = judge.judged(case, {0: truth}, "auto", "", rtol, seconds=LONG)
         assert run.outcome in ("met", "refused"), run.words
         assert not run.needless or run.taken in REASONS, run.words
+
+
+TURNING = [n for n, f in FAMILIES.items() if "turning" in f.tags]
+
+
+@pytest.mark.parametrize("name", TURNING)
+def test_what_an_argument_enters_and_leaves_again_is_seen(name, known):
+    """Where its edges are as narrow as the round-off of a place allows, it may be refused."""
+    case, truth = known(name)
+    for rtol in judge.TOLERANCES[:3]:
+        run = judge.judged(case, {0: truth}, "auto", "", rtol, seconds=LONG)
+        assert run.outcome == "met" or (rtol < 1e-6 and run.outcome == "refused"), run.words
 
 
 @pytest.fixture(scope="module")

@@ -35,7 +35,7 @@ def _during(mp, t, begin, end):
     return max(min(t, end) - begin, mp.mpf(0))
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def lamp_between_two_marks(rng):
     """Lit while the product of the distances from two marks is positive."""
     v, w, c = rng.values((0.5, 3.0), WIDTH, (3.0, 7.0))
@@ -45,7 +45,7 @@ def lamp_between_two_marks(rng):
     return _counted(rng, "lamp", inside, way, exact, (0.0,), 10.0 / v, v=v, w=w, c=c)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def lamp_by_an_expanded_product(rng):
     """The same with the product multiplied out, on a way with drag."""
     v, r, w, c = rng.values((1.0, 3.0), (0.05, 0.2), Log(1e-5, 1e-1), (0.5, 3.0))
@@ -62,7 +62,7 @@ def lamp_by_an_expanded_product(rng):
     return _counted(rng, "expanded", inside, way, exact, (0.0, v), 5.0, **known)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def ball_that_touches_a_beam(rng):
     """A ball thrown up, which breaks a beam of light at the top of its way only."""
     g, V, w = rng.values((5.0, 15.0), (20.0, 60.0), Log(1e-10, 1e-3))
@@ -77,7 +77,7 @@ def ball_that_touches_a_beam(rng):
     return _counted(rng, "beam", inside, way, exact, (0.0, V), 1.9 * V / g, **known)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def spring_at_its_widest(rng):
     """A contact at the turning point of an oscillation, touched once in each of a few periods."""
     n, w = rng.values((0.5, 4.0), Log(1e-7, 1e-2))
@@ -95,7 +95,7 @@ def spring_at_its_widest(rng):
     return _counted(rng, "contact", inside, way, exact, (0.0, n), T, **known)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def ships_in_hail(rng):
     """Two ships that are within hail, by the square of their distance along the quay."""
     u, v, w, T = rng.values((0.5, 3.0), (-3.0, -0.5), Log(1e-5, 1e-1), (3.0, 8.0))
@@ -111,7 +111,7 @@ def ships_in_hail(rng):
     return _counted(rng, "hail", inside, way, exact, (0.0, (u - v) * met), T, **known)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def product_of_two_currents(rng):
     """One current grows, the other fades; a fuse counts while their product is at its largest."""
     a, b, T, w = rng.values((0.5, 3.0), (0.5, 3.0), (3.0, 8.0), Log(1e-8, 1e-2))
@@ -127,7 +127,7 @@ def product_of_two_currents(rng):
     return _counted(rng, "currents", inside, way, exact, (0.0, y), T, **known)
 
 
-@family("narrow", "strangers", "kinked", "forced")
+@family("narrow", "turning", "kinked", "forced")
 def shutter_by_the_clock(rng):
     """A shutter that is open while a product of two times is positive."""
     w, T = rng.values(Log(1e-5, 1e-1), (5.0, 20.0))
@@ -140,7 +140,7 @@ def shutter_by_the_clock(rng):
     return _counted(rng, "shutter", inside, way, exact, (1.0,), T, w=w, b=b, r=0.2)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def corner_of_three_walls(rng):
     """A small triangle that a straight way cuts: three choices, one in the other."""
     u, w, c = rng.values((0.5, 3.0), Log(1e-6, 1e-1), (3.0, 7.0))
@@ -172,7 +172,7 @@ def _mound(rng, name, shape, area, **more):
     return Case(Model(name, parameters, ("x", "q"), rates), 10.0 / v, start, exact=exact)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def mound_by_an_absolute_value(rng):
     """A parabola cut off at zero by the absolute value of itself."""
     half = lambda mp, z: min(max(z, -1), 1)
@@ -181,7 +181,7 @@ def mound_by_an_absolute_value(rng):
     return _mound(rng, "mound", lambda z: (g(z) + abs(g(z))) / 2, area)
 
 
-@family("narrow", "strangers", "kinked")
+@family("narrow", "turning", "kinked")
 def dome_by_a_root(rng):
     """A half disc, whose height is a root of what is cut off at zero."""
 
@@ -193,7 +193,7 @@ def dome_by_a_root(rng):
     return _mound(rng, "dome", shape, area, width=Log(1e-5, 1e-1))
 
 
-@family("narrow", "strangers")
+@family("narrow", "turning")
 def hill_of_a_fourth_power(rng):
     """1/(1 + z**4), smooth, with flanks on both sides."""
 
@@ -214,7 +214,7 @@ def hill_of_a_fourth_power(rng):
     return Case(Model("hill", parameters, ("x", "q"), rates), 10.0 / v, start, exact=exact)
 
 
-@family("narrow", "strangers")
+@family("narrow", "turning")
 def flash_of_a_lighthouse(rng):
     """A boat is lit in each turn of the lamp for a short time."""
     n, w = rng.values((2.0, 10.0), Log(1e-4, 1e-1))
@@ -240,7 +240,7 @@ def flash_of_a_lighthouse(rng):
 # -- from nothing
 
 
-@family("kinked", "strangers")
+@family("kinked", "turning")
 def heater_that_is_switched_on(rng):
     """Nothing is warm before a switch: heat, then a second body, then an angle of a pointer."""
     v, c, a, k = rng.values((0.5, 3.0), (3.0, 7.0), Log(1e-6, 1e3), (0.1, 2.0))
@@ -256,7 +256,7 @@ def heater_that_is_switched_on(rng):
     return Case(model, 10.0 / v, (0.0, 0.0, 0.0, 0.0), exact=exact)
 
 
-@family("kinked", "strangers", "forced")
+@family("kinked", "turning", "forced")
 def push_from_rest(rng):
     """A mass at rest at the origin, pushed from a time on, by a force that jumps, or that grows."""
     T, f, r = rng.values((1.0, 1e4), Log(1e-8, 1e4), (0.1, 3.0))
@@ -290,14 +290,14 @@ def _passed(rng, name, function, times, width):
     return Case(model, 10.0 / v, (0.0,), exact=exact, events=events, event_times=at)
 
 
-@family("events", "strangers", "narrow")
+@family("events", "turning", "narrow")
 def marks_that_are_close(rng):
     """Two marks close together, as one function."""
     function = lambda s, p, t: (s.x - p.c) * (p.c + p.w - s.x)
     return _passed(rng, "two marks", function, lambda mp: (0, 1), Log(1e-5, 1e-1))
 
 
-@family("events", "strangers", "narrow")
+@family("events", "turning", "narrow")
 def level_of_a_peak(rng):
     """A smooth peak that rises above a level."""
     function = lambda s, p, t: exp(-(((s.x - p.c) / p.w) ** 2)) - 0.5
@@ -305,7 +305,7 @@ def level_of_a_peak(rng):
     return _passed(rng, "peak", function, times, Log(1e-4, 1e-1))
 
 
-@family("events", "strangers", "narrow")
+@family("events", "turning", "narrow")
 def level_of_a_resonance(rng):
     """The same for a quotient."""
     function = lambda s, p, t: 1 / (1 + ((s.x - p.c) / p.w) ** 2) - 0.25
@@ -313,7 +313,7 @@ def level_of_a_resonance(rng):
     return _passed(rng, "resonance", function, times, Log(1e-4, 1e-1))
 
 
-@family("tables", "strangers", "narrow")
+@family("tables", "turning", "narrow")
 def table_with_a_spike(rng):
     """A table of places: flat but for a spike, at close places or at one of many."""
     v, w, c = rng.values((0.5, 3.0), Log(1e-4, 1e-1), (3.0, 7.0))
