@@ -171,8 +171,9 @@ class _Path:
             self.x = stepper.states(self.ends)
         self.lengths = np.diff(self.ends)
         self.rows = _values(np, stepper, arguments, self.ends, self.x)
-        # True if the ends are not those of steps, or a step next to them has missed something
-        self.closely = not kept or stepper.repeated
+        # True if the ends are not those of steps, or one of them has missed something
+        near = any(self.ends[0] <= t <= self.ends[-1] for t in stepper.stops)
+        self.closely = not kept or (stepper.repeated and near)
 
     def suspects(self):
         """For each argument and part whether it may be narrow there, by its values at the ends."""
@@ -210,7 +211,9 @@ def _brackets(np, path, suspects):
     """Triples (number of an argument, times between which it is at its narrow place)."""
     points, transform = sampling()
     n = np.flatnonzero(suspects.any(axis=0))
-    n = np.sort(n[np.argsort(path.lengths[n])[-FOLLOWED:]])  # where a motion sticks, all are short
+    if len(n) > max(FOLLOWED, len(path.lengths) / 2):
+        return []  # it sticks, and turns to and fro in each step
+    n = np.sort(n[np.argsort(path.lengths[n])[-FOLLOWED:]])
     suspects, low, width, found = suspects[:, n], np.zeros(len(n)), 1.0, []
     noise = NOISE * np.nan_to_num(abs(path.rows)).max(axis=1)
     for depth in range(DEPTH + 1):
