@@ -109,7 +109,7 @@ def _mistakes(judge, p, values, asked, right):
 
 @pytest.mark.parametrize("form", FORMATS)
 def test_a_bank_judges_as_our_grading_does(form, tmp_path):
-    assert check(FEW, form, tmp_path) > 200
+    assert check(FEW, form, tmp_path, count=1) > 100
 
 
 @pytest.mark.slow
