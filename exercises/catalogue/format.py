@@ -8,6 +8,7 @@ from typing import Any
 from newton_euler.algebra.units import unit
 from newton_euler.answers.kinds import KINDS
 
+from .errors import meant
 from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
 
 # angles away from 0 and 90 degrees, where formulas that differ may agree
@@ -159,7 +160,8 @@ def _check_keys(entry, what, needed, optional):
     fault = f"{what} must be written as key: value, and is {short(entry)}; {keys}"
     _require(isinstance(entry, dict), fault)
     for key in entry:
-        _require(key in (*needed, *optional), f"{what} has the unknown key {key!r}; {keys}")
+        close = meant(key, (*needed, *optional))
+        _require(key in (*needed, *optional), f"{what} has the unknown key {key!r}; {keys}{close}")
     for key in needed:
         _require(key in entry, f"{what} lacks the key {key!r}; {keys}")
 

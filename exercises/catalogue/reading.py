@@ -74,6 +74,12 @@ def select(names: Iterable[str]) -> list[Problem]:
     return list(dict.fromkeys(chosen))
 
 
+def forget() -> None:
+    """Read all anew when it is asked for again."""
+    for kept in (homes, chapter, problems, problem, _problem_at):
+        kept.cache_clear()
+
+
 # -- files
 
 

@@ -45,20 +45,15 @@ def write(tmp_path, monkeypatch):
 
     home = tmp_path / "exercises"
 
-    def forget():
-        places.homes.cache_clear()
-        for name in ("chapter", "problems", "problem", "_problem_at"):
-            getattr(reading, name).cache_clear()
-
     def put(name, text):
         (home / "ch77").mkdir(parents=True, exist_ok=True)
         (home / "ch77" / name).write_bytes(text if isinstance(text, bytes) else text.encode())
-        forget()
+        reading.forget()
 
     monkeypatch.setattr(places, "EXERCISES", home)
     yield put
     monkeypatch.undo()
-    forget()
+    reading.forget()
 
 
 @pytest.mark.parametrize("name", chapters())
