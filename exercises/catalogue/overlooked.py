@@ -206,15 +206,14 @@ def missing_in_figure(p: Problem) -> list[str]:
     if not p.figure:
         return []
     shown = " ".join(labels)
-    bare = [_bare(x) for x in labels]
     found = [
         f"the figure has no label {p.notation[n]}, and its given {n} has figure: true"
         for n, g in p.givens.items()
-        if g.figure and _bare(p.notation[n]) not in bare
+        if g.figure and _letter(p.notation[n]) not in shown
     ]
     return found + [
         f"the figure has no label {point}, a point of its text"
-        for point in sorted(set(re.findall(r"(?<=[^.:]\s)([A-Z])\b", p.figure)))
+        for point in sorted(_points(p.figure) & _points(p.text))
         if point not in shown
     ]
 
@@ -232,5 +231,11 @@ def _labels(p):
     return [text.get_text() for text in ax.texts]
 
 
-def _bare(label):
-    return re.sub(r"[$\s{}]|\\mathrm|\\,", "", label)
+def _letter(symbol):
+    r"""The letter of a symbol without its index and accents: "v" of ``\dot v_x``."""
+    return re.sub(r"_.*|\\d?dot|\\mathrm|[{}\s]", "", symbol)
+
+
+def _points(text):
+    """The capital letters in a text that begin no sentence and name no shape, as an L-section."""
+    return set(re.findall(r"(?<=[^.:]\s)([A-Z])\b(?![-'])", text))
