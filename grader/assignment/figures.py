@@ -22,6 +22,19 @@ def figure_png(
     return _png(_drawn(problem, values, size).figure, dpi)
 
 
+def figure_svg(problem: Problem, values: Values) -> bytes | None:
+    """The same as SVG, without fonts: vectors for print."""
+    import matplotlib
+
+    if not problem.figure:
+        return None
+    out = io.BytesIO()
+    with matplotlib.rc_context({"svg.hashsalt": "", "svg.fonttype": "path"}):
+        drawn = _drawn(problem, values, SIZE).figure
+        drawn.savefig(out, format="svg", bbox_inches="tight", metadata={"Date": None})
+    return out.getvalue()
+
+
 def figure_faults(problem: Problem, values: Values) -> list[str]:
     """Sentences on what is hard to read in the figure of a problem."""
     from newton_euler.drawing.page.legibility import faults

@@ -21,14 +21,13 @@ def slip_numbers(
     slips = perturbed(p, values)
     found: dict[Any, tuple] = {}
     for q in described:
-        of_answer = None if q["step"] or KINDS[q["kind"]].is_word else slips.of_answer(q["key"])
-        if of_answer is None:
-            continue
-        ranked, rows = of_answer
-        for (rank, cause), row in zip(ranked.slips, rows[:, 0].tolist(), strict=True):
-            if rank <= RARER and _differs(row, right[q["key"]]):
-                same = q["key"], cause.text, *(f"{x:.6g}" for x in row)
-                found.setdefault(same, (q["key"], rank, cause, row))
+        key = q["key"]
+        ranked = None if q["step"] or KINDS[q["kind"]].is_word else slips.ranked(key)
+        rows = slips.at(key, 0).tolist() if ranked else []
+        for (rank, cause), row in zip(ranked.slips if ranked else (), rows, strict=True):
+            if rank <= RARER and _differs(row, right[key]):
+                same = key, cause.text, *(f"{x:.6g}" for x in row)
+                found.setdefault(same, (key, rank, cause, row))
     return list(found.values())
 
 

@@ -14,7 +14,6 @@ from exercises.catalogue.following import earlier_answers, follow_in_base
 from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, flat
 from newton_euler.algebra.trace import Trace
-from newton_euler.algebra.units import unit
 from newton_euler.answers.formulas import Formulas, Stage, Traced
 from newton_euler.answers.perturbed import Computation, Perturbed
 
@@ -23,8 +22,7 @@ def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
     """The slips in the computation of ``problem`` for a student's numbers, in the units of the
     text.
     """
-    values = {n: unit(u).to_base(sample[n], problem.system) for n, u in problem.units.items()}
-    return Perturbed(_computation(problem.id), values)
+    return Perturbed(_computation(problem.id), sample)
 
 
 def perturbed_sequel(
@@ -33,13 +31,12 @@ def perturbed_sequel(
     """The slips in computing the answer ``key`` from a student's ``earlier`` answers, {answer:
     points}.
     """
-    values = {n: unit(u).to_base(sample[n], problem.system) for n, u in problem.units.items()}
-    with np.errstate(all="ignore"):  # a student may write 1e300
-        for name, points in earlier.items():
-            stated = unit(problem.answer(name).unit)
-            for n, column in zip(_names(problem, name), np.array(points).T, strict=True):
-                values[n] = stated.to_base(column, problem.system)
-    return Perturbed(_sequel(problem.id, key), values)
+    columns = {
+        n: column
+        for name, points in earlier.items()
+        for n, column in zip(_names(problem, name), np.array(points, float).T, strict=True)
+    }
+    return Perturbed(_sequel(problem.id, key), {**sample, **columns})
 
 
 @cache

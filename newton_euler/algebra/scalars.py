@@ -15,6 +15,7 @@ that of a number is found by the number's type.
 """
 
 import math
+import sys
 import zlib
 from fractions import Fraction
 from functools import reduce
@@ -621,7 +622,7 @@ def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     if getattr(condition, "shape", ()):
         # words may be chosen too
         a, b = (x if isinstance(x, str) else to_plain(scalar(x)) for x in (a, b))
-        return import_module("numpy").where(condition, a, b)
+        return sys.modules["numpy"].where(condition, a, b)  # from which the condition is
     try:
         return a if condition else b
     except (TypeError, ValueError) as error:

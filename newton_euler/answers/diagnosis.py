@@ -113,6 +113,9 @@ def _best(stages, elsewhere):
     What fits within the digits that were written goes before what fits within the tolerance, and
     what the right parts contradict must fit within them: it was done in this part only.
     """
+    stages = [*filter(None, stages)]
+    if not stages:
+        return ()
     contradicted = {h.cause for hits in stages for h in hits if elsewhere.contradicts(h.cause)}
     possible = [[h for h in hits if h.cause not in contradicted] for hits in stages]
     here = [
@@ -133,6 +136,8 @@ def _simplest(fit, near, elsewhere):
     """Of the slips in a computation those that fit best, of these the simplest, in other words; a
     slip that is made in one part alone is less simple.
     """
+    if not near:
+        return []
     hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]

@@ -43,44 +43,46 @@ class Ranked:
 class Slips:
     """What slips make of the answers of a student; of this class itself, none."""
 
-    def of_answer(self, key: str) -> tuple[Ranked, Any] | None:
-        """The slips in an answer, and what it is with each: an array (slips, points, components);
-        None of an answer without slips.
-        """
+    def ranked(self, key: str) -> Ranked | None:
+        """The slips in an answer; None of an answer without slips."""
         return None
+
+    def points(self, key: str) -> int:
+        """The number of points at which an answer with slips is compared."""
+        return 1
+
+    def at(self, key: str, point: int) -> Any:
+        """What such an answer is with each slip at a point: an array (slips, components)."""
+        raise NotImplementedError
 
     def of(self, key: str, cause: Cause) -> list[Points]:
         """What the slips of this cause make of an answer; none if it is no slip of this kind."""
-        if (found := self.of_answer(key)) is None:
-            return []
-        ranked, rows = found
-        return [_points(rows[n]) for n in ranked.places.get(cause, ())]
+        ranked = self.ranked(key)
+        places = ranked.places.get(cause, ()) if ranked else ()
+        return [self._points(key, n) for n in places]
 
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
         """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
-        import numpy as np
-
-        found = self.of_answer(key)
-        if found is None or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
+        ranked = self.ranked(key)
+        if ranked is None or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
             return []
-        ranked, rows = found
-        with np.errstate(all="ignore"):
-            places = (
-                _formulas_near(rows, fit)
-                if kind.is_formula
-                else _numbers_near(rows, fit, kind, ranked.ranks)
-            )
+        places = (
+            _formulas_near(self.at(key, fit.index), fit)
+            if kind.is_formula
+            else _numbers_near(self.at(key, 0), fit, kind, ranked)
+        )
         return [
-            (ranked.slips[n][0] // 2, ranked.slips[n][1], kind.like(_points(rows[n]), fit.given))
+            (level // 2, cause, kind.like(self._points(key, n), fit.given))
             for n in places
+            for level, cause in (ranked.slips[n],)
         ]
+
+    def _points(self, key, place):
+        """The points of an answer with one slip."""
+        return tuple(tuple(self.at(key, n)[place].tolist()) for n in range(self.points(key)))
 
 
 NO_SLIPS = Slips()
-
-
-def _points(row):
-    return tuple(map(tuple, row.tolist()))
 
 
 def _formulas_near(rows, fit):
@@ -88,29 +90,37 @@ def _formulas_near(rows, fit):
     import numpy as np
 
     given = np.array(fit.given[fit.index])
-    gaps = np.linalg.norm(rows[:, fit.index] - given, axis=-1)
-    return np.flatnonzero(gaps <= fit.rtol * np.linalg.norm(given)).tolist()
+    gaps = _lengths(rows - given)
+    return np.flatnonzero(gaps <= fit.rtol * math.hypot(*given)).tolist()
 
 
-def _numbers_near(rows, fit, kind, ranks):
+def _numbers_near(rows, fit, kind, ranked):
     import numpy as np
 
     given, key = np.array(fit.given[0]), np.array(fit.key[0])
-    rows = rows[:, 0]
     if not kind.has_size:
         rows = np.array([kind.like((row,), fit.given)[0] for row in rows.tolist()])
-    size = np.linalg.norm(given)
-    gaps = np.linalg.norm(rows - given, axis=1)
-    around = (gaps <= AROUND * size) & (np.linalg.norm(rows - key, axis=1) > NOISE * size)
+    size = math.hypot(*given)
+    gaps = _lengths(rows - given)
+    if not (gaps <= fit.rtol * size).any():  # of most answers
+        return []
+    around = (gaps <= AROUND * size) & (_lengths(rows - key) > NOISE * size)
     nearest = max(fit.rounding, ROUND_OFF * size)
     there = int((abs(key) > NOISE * fit.sizes[0]).sum()) or 1
     wrong = int((abs(given - key) > max(nearest, NOISE * fit.sizes[0])).sum())
     found = []
     for n in np.flatnonzero(around & (gaps <= fit.rtol * size)):
-        others = rows[around & (ranks <= ranks[n])]
+        others = rows[around & (ranked.ranks <= ranked.ranks[n])]
         count = len(np.unique(np.round(others / size, 9), axis=0))
         share = max(gaps[n], nearest) / (AROUND * size)
         limit = CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
         if count * share**there <= limit and count * share**wrong <= CHANCE_BESIDE:
             found.append(int(n))
     return found
+
+
+def _lengths(rows):
+    """The length of each row."""
+    if rows.shape[1] == 1:
+        return abs(rows[:, 0])
+    return (rows * rows).sum(axis=1) ** 0.5

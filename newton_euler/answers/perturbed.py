@@ -1,7 +1,9 @@
-"""What a traced computation gives with one slip in it, for all slips at once."""
+"""What a traced computation gives with one slip in it, for all slips at once: each step has a row
+with its value by each slip, where one reaches it. Written once as text, as formulas are.
+"""
 
+import math
 from collections.abc import Mapping
-from functools import cached_property
 from typing import Any
 
 from ..algebra.compile import Compiled
@@ -13,148 +15,220 @@ from .edits import edits_of
 from .formulas import Edit, Formulas, needed, steps_in
 from .near import Ranked, Slips
 
+INFIX = {"+", "-", "*", "/", "**"}
+
 
 class Computation:
     """A traced computation: the steps that its answers need, and the slips in it."""
 
     def __init__(self, formulas: Formulas):
-        self.answers, self.system = formulas.answers, formulas.system
+        self.answers = formulas.answers
         self.steps = needed(x for a in self.answers.values() for x in a.parts)
         self.edits: list[Edit] = edits_of(formulas)
+        self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         stages = [x for stage in formulas.stages for x in stage.parts]
         self.every = needed([*self.steps, *stages])
-        self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
-        self.own: dict[int, tuple[list[int], list[Any]]] = {}  # of a step: edits, expressions
-        for n, edit in enumerate(self.edits):
-            for number, expression in edit.instead.items():
-                lanes, expressions = self.own.setdefault(number, ([], []))
-                lanes.append(n)
-                expressions.append(expression)
-        self.run = {
-            a: Compiled("the formula inside", a.parameters, a.trace, a.leaves)
-            for s in self.every
-            for a in s.args
-            if isinstance(a, Inner)
-        }
+        self.arguments = [s.args[0] for s in self.every if s.op == "argument"]
+        system = formulas.system
+        self.factors = {k: unit(a.unit).from_base(1.0, system) for k, a in self.answers.items()}
+        self.to_base = {n: unit(formulas.units[n]).to_base(1.0, system) for n in self.arguments}
+        self.names: dict[str, Any] = _functions()
+        self.names |= {"answer": self._answer, "within": self._within}
+        exec(compile(_Text(self).text, "the slips", "exec"), self.names)
+        self._run = self.names["slips"]
 
-
-class Perturbed(Slips):
-    """A computation with each slip, for the numbers of one student, arrays for symbols."""
-
-    def __init__(self, computation: Computation, values: Mapping[str, Any]):
-        self.computation, self.values = computation, values
-
-    def of_answer(self, key: str) -> tuple[Ranked, Any] | None:
-        """As for :class:`.near.Slips`."""
-        ranked = self.computation.ranked
-        return (ranked, self._rows[key]) if ranked.slips and key in self._rows else None
-
-    @cached_property
-    def _rows(self):
-        """{answer: array (slips, points, components)}."""
-        import numpy as np
-
-        with np.errstate(all="ignore"):
-            lanes = _Lanes(self.computation, self.values)
-            rows = {s.number: lanes.row(s) for s in self.computation.steps}
-            return {k: self._answer(a, rows) for k, a in self.computation.answers.items()}
-
-    def _answer(self, answer, rows):
-        import numpy as np
-
-        numbers = [rows[x.number] if isinstance(x, Step) else float(x) for x in answer.parts]
-        factor = unit(answer.unit).from_base(1.0, self.computation.system)
-        columns = [factor * x for x in numbers]
-        # a number has one point, beside formulas too
-        one = [c[..., : answer.points] if np.ndim(c) else c for c in columns]
-        shape = len(self.computation.edits), answer.points
-        return np.stack([np.broadcast_to(c, shape) for c in one], axis=-1)
-
-
-class _Lanes:
-    """The steps of a computation, computed with each edit: rows (slips, points), or (points,) of
-    what no edit reaches.
-    """
-
-    def __init__(self, computation, values):
-        import numpy as np
-
-        self.np, self.run, self.operations = np, computation.run, operations(np)
-        # a number is not an array of one, which costs more
-        self.values = {n: np.squeeze(x)[()] for n, x in values.items()}
-        self.points = max((np.size(x) for x in self.values.values()), default=1)
-        self.count, self.own = len(computation.edits), computation.own
-        self.base, self.rows = {}, {}
-        for s in computation.every:
-            self.base[s.number] = self._plain(s, self.base)
-
-    def row(self, s):
-        """The row of a step, of which the arguments have theirs."""
-        row = self.base[s.number]
-        if any(self.rows[a.number] is not self.base[a.number] for a in steps_in(s)):
-            row = self._within(s) if s.op in WITHIN else self._plain(s, self.rows)
-        if s.number in self.own:
-            lanes, expressions = self.own[s.number]
-            row = self.np.array(self.np.broadcast_to(row, (self.count, self.points)))
-            row[lanes] = self._columns([self._expression(x) for x in expressions])
-        self.rows[s.number] = row
-        return row
-
-    def _columns(self, numbers):
-        if self.points == 1:
-            return self.np.array(numbers, float).reshape(-1, 1)
-        return [self.np.broadcast_to(x, self.points) for x in numbers]
-
-    def _plain(self, s, rows):
-        if s.op == "argument":
-            return self.values[s.args[0]]
-        args = (rows[a.number] if isinstance(a, Step) else self._constant(a) for a in s.args)
-        found = self.operations[s.op](*args)
-        return tuple(map(to_plain, found)) if s.op in WITHIN else found
-
-    def _constant(self, a):
-        return self.run[a] if isinstance(a, Inner) else to_plain(a)
-
-    def _expression(self, x):
-        if isinstance(x, Step):
-            return self.base[x.number]
-        if not isinstance(x, tuple):
-            return self._constant(x)
-        return self.operations[x[0]](*map(self._expression, x[1:]))
-
-    def _within(self, s):
-        """The values of integrals and roots, computed where an edit reaches them; nan where there
-        are none.
+    def rows(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """{answer: array (slips, components)} for one value of each argument, in the unit of the
+        text.
         """
-        np, whole = self.np, (self.count, self.points)
-        moved = np.zeros(whole, bool)
-        for a in steps_in(s):
-            moved |= self.rows[a.number] != self.base[a.number]
-        found = [np.array(np.broadcast_to(x, whole)) for x in self.base[s.number]]
+        import numpy as np
+
+        base = (np.float64(values[n] * factor) for n, factor in self.to_base.items())
+        with np.errstate(all="ignore"):
+            return dict(zip(self.answers, self._run(*base), strict=True))
+
+    def _answer(self, key, *components):
+        import numpy as np
+
+        found = np.empty((len(self.edits), len(components)))
+        for n, x in enumerate(components):
+            found[:, n] = x
+        return self.factors[key] * found
+
+    def _within(self, op, base, before, args):
+        """The values of integrals and roots, computed where an edit reaches them, as the arguments
+        ``before`` it show; nan where there are none.
+        """
+        import numpy as np
+
+        count = len(self.edits)
+        moved = np.zeros(count, bool)
+        for a, b in zip(args, before, strict=True):
+            if a is not b:
+                moved |= a != b
+        found = [np.full(count, float(x)) for x in base]
         for row in found:
             row[moved] = np.nan
-        if s.op != "over_cube":
-            moved[moved] = self._has_value(s.op, *self._at(s, moved))
+        run = self.names[op]
+        # of one array of places a formula is asked often, by a root
+        inner = args[0].on(np) if op == "root" else args[0]
+
+        def at():
+            return [inner, *(np.broadcast_to(a, (count,))[moved] for a in args[1:])]
+
+        if op != "over_cube":
+            moved[moved] = _has_value(op, *at())
         try:
-            numbers = self.operations[s.op](*self._at(s, moved))
+            numbers = run(*at()) if moved.any() else []
         except (ArithmeticError, ValueError):
             return tuple(found)
-        for row, x in zip(found, numbers, strict=True):
+        for row, x in zip(found, numbers, strict=False):
             row[moved] = to_plain(x)
         return tuple(found)
 
-    def _at(self, s, places):
-        """The arguments of a step at these places of its row."""
-        whole = places.shape
-        return [
-            self.np.broadcast_to(self.rows[a.number], whole)[places]
-            if isinstance(a, Step)
-            else self._constant(a)
-            for a in s.args
-        ]
 
-    def _has_value(self, op, formula, low, high, *outer):
-        """True where an integrand has values, or a function opposite signs at both ends."""
-        if op == "root":
-            return formula(low, *outer)[0] * formula(high, *outer)[0] <= 0
-        return self.np.isfinite(sum(formula((low + high) / 2, *outer)))
+def _has_value(op, formula, low, high, *outer):
+    """True where an integrand has values, or a function opposite signs at both ends."""
+    import numpy as np
+
+    if op == "root":
+        return formula(low, *outer)[0] * formula(high, *outer)[0] <= 0
+    return np.isfinite(sum(formula((low + high) / 2, *outer)))
+
+
+def _functions():
+    import numpy as np
+
+    return operations(np)
+
+
+class _Text:
+    """The text of a :class:`Computation`: b7 is the value of the step 7, r7 its row."""
+
+    def __init__(self, computation):
+        self.names, self.lines, self.edits = computation.names, [], computation.edits
+        self.rows = {s.number: f"b{s.number}" for s in computation.every}
+        for s in computation.every:
+            if s.op != "argument":
+                self.lines.append(f"b{s.number} = {self._operation(s.op, s.args, 'b')}")
+        self._rows(computation)
+        arguments = [f"b{s.number}" for s in computation.every if s.op == "argument"]
+        results = "".join(f"{self._answer(key, a)}, " for key, a in computation.answers.items())
+        lines = "".join(f"    {line}\n" for line in self.lines)
+        self.text = f"def slips({', '.join(arguments)}):\n{lines}    return ({results})\n"
+
+    def _rows(self, computation):
+        own: dict[int, list[int]] = {}
+        for n, edit in enumerate(self.edits):
+            for number in edit.instead:
+                own.setdefault(number, []).append(n)
+        instead = [(number, n) for number, lanes in own.items() for n in lanes]
+        expressions = (self._expression(self.edits[n].instead[number]) for number, n in instead)
+        self.names |= {"full": _full, "array": _array, "count": len(self.edits)}
+        self.lines.append(f"instead = array(({''.join(f'{x}, ' for x in expressions)}))")
+        start = {number: sum(map(len, list(own.values())[:n])) for n, number in enumerate(own)}
+        for s in computation.steps:
+            lanes = own.get(s.number)
+            row = self._row(s) if lanes or self._is_reached(s) else None
+            if row is None:
+                continue
+            self.lines.append(f"r{s.number} = {row}")
+            self.rows[s.number] = f"r{s.number}"
+            if lanes:
+                self.names[f"i{s.number}"] = _places(lanes)
+                ends = f"{start[s.number]}:{start[s.number] + len(lanes)}"
+                self.lines.append(f"r{s.number}[i{s.number}] = instead[{ends}]")
+
+    def _is_reached(self, s):
+        return any(self.rows[a.number][0] == "r" for a in steps_in(s))
+
+    def _row(self, s):
+        if not self._is_reached(s):
+            return f"full(count, b{s.number})"
+        if s.op not in WITHIN:
+            return self._operation(s.op, s.args, "")
+        before, now = (", ".join(self._spelled(a, letter) for a in s.args) for letter in ("b", ""))
+        return f"within({s.op!r}, b{s.number}, ({before},), ({now},))"
+
+    def _operation(self, op, args, letter):
+        return _written(op, [self._spelled(a, letter) for a in args])
+
+    def _spelled(self, a, letter):
+        """A step as its value, or else its row if it has one; a number as it is."""
+        if isinstance(a, Step):
+            return f"b{a.number}" if letter else self.rows[a.number]
+        a = (
+            Compiled("inside", a.parameters, a.trace, a.leaves)
+            if isinstance(a, Inner)
+            else to_plain(a)
+        )
+        if type(a) in (int, float) and abs(a) < math.inf:
+            return f"({a!r})"
+        name = f"c{len(self.names)}"
+        self.names[name] = a
+        return name
+
+    def _expression(self, x):
+        if not isinstance(x, tuple):
+            return self._spelled(x, "b")
+        return f"({_written(x[0], [self._expression(a) for a in x[1:]])})"
+
+    def _answer(self, key, a):
+        return f"answer({key!r}, {', '.join(self._spelled(x, '') for x in a.parts)})"
+
+
+def _written(op, args):
+    if op in INFIX:
+        return f"{args[0]} {op} {args[1]}"
+    return f"{args[0]}[{args[1]}]" if op == "item" else f"{op}({', '.join(args)})"
+
+
+def _full(count, x):
+    import numpy as np
+
+    found = np.empty(count)
+    found.fill(x)  # np.full takes three times as long
+    return found
+
+
+def _array(numbers):
+    import numpy as np
+
+    return np.array(numbers, float)
+
+
+def _places(lanes):
+    import numpy as np
+
+    return np.array(lanes)
+
+
+class Perturbed(Slips):
+    """A computation with each slip, for the numbers of one student in the units of the text, arrays
+    for symbols.
+    """
+
+    def __init__(self, computation: Computation, values: Mapping[str, Any]):
+        self.computation, self.values = computation, values
+        self._found: dict[int, dict[str, Any]] = {}
+
+    def ranked(self, key: str) -> Ranked | None:
+        """As for :class:`.near.Slips`."""
+        has_slips = key in self.computation.answers and self.computation.edits
+        return self.computation.ranked if has_slips else None
+
+    def points(self, key: str) -> int:
+        """As for :class:`.near.Slips`."""
+        return self.computation.answers[key].points
+
+    def at(self, key: str, point: int) -> Any:
+        """As for :class:`.near.Slips`."""
+        if point not in self._found:
+            values = {n: _at(x, point) for n, x in self.values.items()}
+            self._found[point] = self.computation.rows(values)
+        return self._found[point][key]
+
+
+def _at(x, point):
+    """A value at one point: a number is the same at all."""
+    return x[point if len(x) > 1 else 0] if getattr(x, "shape", ()) else x

@@ -9,7 +9,7 @@ from ...answers.causes import Cause, computed
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
 from ...answers.near import NO_SLIPS, Ranked, Slips
-from ...answers.tolerance import Points
+from ...answers.tolerance import RTOL, Points
 from .programs import Program
 
 
@@ -29,6 +29,7 @@ class Quantity:
     of: tuple[str, ...]
     sum: str
     step: bool
+    rtol: float = RTOL
 
     @classmethod
     def read(cls, data: Mapping[str, Any]) -> "Quantity":
@@ -114,14 +115,15 @@ class KeptSlips(Slips):
             slip = rank, computed(name, text).at(where)
             self._found.setdefault(key, []).append((slip, numbers))
 
-    def of_answer(self, key: str) -> tuple[Ranked, Any] | None:
+    def ranked(self, key: str) -> Ranked | None:
+        """As for :class:`~newton_euler.answers.near.Slips`."""
+        return Ranked([slip for slip, _ in self._found[key]]) if key in self._found else None
+
+    def at(self, key: str, point: int) -> Any:
         """As for :class:`~newton_euler.answers.near.Slips`."""
         import numpy as np
 
-        if key not in self._found:
-            return None
-        slips, numbers = zip(*self._found[key], strict=True)
-        return Ranked(slips), np.array(numbers, float)[:, None]
+        return np.array([numbers for _, numbers in self._found[key]], float)
 
 
 def _points(right):

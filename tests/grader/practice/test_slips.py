@@ -17,8 +17,8 @@ def simple_slips(name, values):
     slips = perturbed(problem(name), values)
     for a in problem(name).answers:
         if a.kind.length == 1 and not a.kind.is_word:
-            ranked, rows = slips.of_answer(a.key)
-            for (rank, _), ((x,),) in zip(ranked.slips, rows.tolist(), strict=True):
+            ranked, rows = slips.ranked(a.key), slips.at(a.key, 0)
+            for (rank, _), (x,) in zip(ranked.slips, rows.tolist(), strict=True):
                 if rank == SIMPLE and abs(x) > 1e-6:
                     yield a.key, x
 

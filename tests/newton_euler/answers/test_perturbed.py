@@ -7,7 +7,7 @@ import pytest
 
 from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.trace import Trace
-from newton_euler.algebra.units import SI
+from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.formulas import Formulas, Traced
 from newton_euler.answers.kinds import KINDS
@@ -39,7 +39,8 @@ def perturbed():
     trace = Trace()
     given = {n: trace.new("argument", n) for n in UNITS}
     answers = {key: Traced([f(**given)], UNIT[key]) for key, f in FORMULAS.items()}
-    return Perturbed(Computation(Formulas(answers, UNITS, SI)), GIVEN)
+    stated = {n: unit(UNITS[n]).from_base(x, SI) for n, x in GIVEN.items()}
+    return Perturbed(Computation(Formulas(answers, UNITS, SI)), stated)
 
 
 def named(perturbed, key, given):

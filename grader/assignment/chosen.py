@@ -1,0 +1,73 @@
+"""The assignment that a command names: of a course, of a file, or of chosen problems."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from exercises.catalogue import Problem, chapters
+
+from ..course import Course, CourseError, load_json, read_json
+from .cells import own_metadata
+from .sheet import tasks, with_tolerance
+from .spec import Item, Spec, read_spec, spec_of
+
+
+def chosen(
+    assignment: str,
+    only: Iterable[str] = (),
+    points: Iterable[str] = (),
+    course: Course | None = None,
+) -> Spec:
+    """The assignment of this name: as the ``course`` has it, as ``hw3.yaml`` says, of the problems
+    ``only``, or of the chapter of that name. An item that is a problem has a text where the
+    instructor has changed the problem's: with the book's numbers, and without the figure.
+    """
+    only, points, path = tuple(only), tuple(points), Path(assignment)
+    if course and not only and course.source(path.stem).exists():
+        return _of_course(course, path.stem)
+    if path.suffix not in (".yaml", ".yml"):
+        path = Path(f"{assignment}.yaml")
+    if not only and (path.exists() or path.name == assignment):
+        return read_spec(path)
+    if course and not only and path.stem not in chapters():
+        raise CourseError(
+            f"there is no {path.stem} in {course.path}: it has {_listed(course)}. Build it there "
+            f"first, or name a chapter or problems (--problems 4/3 4/16)"
+        )
+    return spec_of(Path(assignment).stem, only, points)
+
+
+def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
+    """The problem with the tolerance and the weights of its sheet."""
+    p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
+    answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
+    return replace(p, answers=tuple(answers)) if weights else p
+
+
+def _listed(course):
+    found = sorted(f.name for f in (course.path / "source").glob("*") if f.is_dir())
+    return ", ".join(found) or "no assignments"
+
+
+_FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
+
+
+def _of_course(course, name):
+    notebook, base = read_json(course.source(name)), course.built(name)
+    built = {c.get("id"): "".join(c["source"]) for c in load_json(base.read_bytes())["cells"]}
+    worth, items = tasks(notebook), []
+    for cell in notebook["cells"]:
+        own, text = own_metadata(cell), cell["source"]
+        role, number = own.get("role", ""), own.get("problem", "")
+        if role == "statement" and number in worth:
+            task = worth[number]
+            changed = "" if text == built.get(cell.get("id")) else _FIGURE.sub("", text)
+            options = {n: getattr(task, n) for n in ("points", "weights", "tolerance")}
+            items.append(Item(task.exercise, changed, options))
+        elif cell["cell_type"] == "markdown" and role not in ("statement", "introduction"):
+            items.append(Item(text=text))
+    kept = base.with_suffix(".yaml")
+    spec = read_spec(kept) if kept.exists() else Spec(name, name, ())
+    return replace(spec, name=name, items=tuple(items))

@@ -1,0 +1,96 @@
+"""The command that prints."""
+
+from pathlib import Path
+
+import click
+
+from .courses import ID_COLUMN
+from .shared import FOLDER, progress_bar
+
+COURSE_OR_NONE = click.option(
+    "--course",
+    "course_path",
+    type=FOLDER,
+    help="The course: its assignment as it is now, its students, the numbers of their sheets.",
+)
+ONLY = click.option(
+    "--problems",
+    "--problem",
+    "only",
+    multiple=True,
+    metavar="4/3 4/16 11/1-11/6",
+    help="These problems, of any chapters.",
+)
+
+
+@click.command()
+@click.argument("assignment")
+@click.argument("more", nargs=-1, metavar="")
+@click.option(
+    "--students",
+    type=click.Path(exists=True, dir_okay=False),
+    help="The roster, as for build. Default: that of the course.",
+)
+@ID_COLUMN
+@COURSE_OR_NONE
+@ONLY
+@click.option(
+    "--points", multiple=True, metavar="4/3=10", help="The points of a problem; may be repeated."
+)
+@click.option(
+    "--key-for",
+    multiple=True,
+    metavar="LOGIN|all",
+    help="Write the keys of these students again, and no sheets.",
+)
+@click.option(
+    "-o", "--to", "folder", type=FOLDER, help="Default: COURSE/paper/NAME, or NAME-paper here."
+)
+def paper(
+    assignment: str,
+    more: tuple[str, ...],
+    students: str | None,
+    id_column: str | None,
+    course_path: Path | None,
+    only: tuple[str, ...],
+    points: tuple[str, ...],
+    key_for: tuple[str, ...],
+    folder: Path | None,
+) -> None:
+    """Write PDFs to be printed: a sheet for each student, with own numbers and figures, and keys.
+
+    A sheet has room to answer and a code that its key has, too. A key has the student's numbers,
+    the answers with their tolerance, and how they are found; keys/overview.pdf has the answers of
+    all. ASSIGNMENT is one of the course, a file as hw3.yaml, or a chapter.
+
+    \b
+    paper hw3 --course ~/mechanics                      the numbers of their notebooks
+    paper ch04 --students roster.csv                    numbers from a secret in ch04-paper/
+    paper hw3 --problems 4/3 4/16 --students roster.csv
+    paper hw3 --course ~/mechanics --key-for ada        one key again
+    """
+    from ..assignment.chosen import chosen
+    from ..course import Course, read_roster
+    from ..paper import PaperError, write_papers
+
+    course = Course(course_path) if course_path else None
+    spec = chosen(assignment, (*only, *more), points, course)
+    if students:
+        class_ = read_roster(students, id_column).students
+    else:
+        class_ = course.students() if course else []
+    if not class_:
+        raise PaperError(
+            "there are no students: name a roster (--students roster.csv), or a course that has "
+            "some (--course)"
+        )
+    home = course.path / "paper" / spec.name if course else Path(f"{spec.name}-paper")
+    folder = folder or home
+    with progress_bar() as bar:
+        task = bar.add_task("writing", total=len(set(key_for)) if key_for else len(class_))
+        written = write_papers(
+            folder, spec, class_, course, key_for, done=lambda: bar.advance(task)
+        )
+    if written.sheets:
+        click.echo(f"{len(written.sheets)} sheets in {folder / 'sheets'}")
+    click.echo(f"{len(written.keys)} keys in {folder / 'keys'}: not for students")

@@ -1,0 +1,136 @@
+"""Writes the PDFs of a class: a sheet for each student, keys, a table of all answers."""
+
+import importlib.util
+import multiprocessing
+import os
+import secrets
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from exercises.catalogue.variants import draw, seed
+
+from ..assignment.numbers import kept_numbers
+from ..assignment.spec import Spec
+from ..course import Course, CourseError, check_id
+from ..course.files import write_bytes, write_text
+from .sheet import Entry, Files, Student, key, overview, sheet, variant_code
+
+ALL = "all"
+NEEDED = "typst", "tex2typst"
+
+
+class PaperError(CourseError):
+    """PDFs that cannot be written; the message says what to do."""
+
+
+@dataclass(frozen=True)
+class Written:
+    """The files that were written."""
+
+    sheets: tuple[Path, ...]
+    keys: tuple[Path, ...]
+
+
+def write_papers(
+    folder: Path,
+    spec: Spec,
+    students: Iterable[Mapping[str, str]],
+    course: Course | None = None,
+    key_for: Iterable[str] = (),
+    workers: int | None = None,
+    done: Callable[[], object] | None = None,
+) -> Written:
+    """Write ``folder``/sheets/LOGIN.pdf and ``folder``/keys/LOGIN.pdf for each of the students, and
+    keys/overview.pdf; with ``key_for`` the keys of these logins only. All are the instructor's
+    alone to read.
+
+    The numbers are those of the course, or drawn from a secret that is kept in ``folder``.
+    done : called after each student
+    """
+    require_typst()
+    chosen, wanted = list(students), tuple(key_for)
+    if missing := set(wanted) - {s["id"] for s in chosen} - {ALL}:
+        raise PaperError(f"--key-for {min(missing)}: no such student in the roster")
+    if wanted and ALL not in wanted:
+        chosen = [s for s in chosen if s["id"] in wanted]
+    secret = course.secret if course else _own_secret(folder)
+    class_ = [_student(spec, s, course, secret) for s in chosen]
+    entries = tuple(_entry(i) for i in spec.items)
+    for part in ("sheets", "keys"):
+        (folder / part).mkdir(parents=True, exist_ok=True)
+        (folder / part).chmod(0o700)
+    jobs = [(folder, spec.title, entries, s, not wanted) for s in class_]
+    for _ in _all(_write, jobs, workers or os.cpu_count() or 1):
+        if done:
+            done()
+    if not wanted:
+        write_bytes(folder / "keys" / "overview.pdf", pdf(overview(spec.title, entries, class_)))
+    logins = sorted(s.login for s in class_)
+    return Written(
+        tuple(folder / "sheets" / f"{x}.pdf" for x in logins if not wanted),
+        tuple(folder / "keys" / f"{x}.pdf" for x in logins),
+    )
+
+
+def require_typst() -> None:
+    """Raise :class:`PaperError` unless what writes PDFs is installed."""
+    if missing := [name for name in NEEDED if importlib.util.find_spec(name) is None]:
+        raise PaperError(
+            f"PDFs are written by {' and '.join(missing)}, not installed here: pip install -e "
+            "'.[paper]' in the checkout"
+        )
+
+
+def pdf(files: Files) -> bytes:
+    """What Typst makes of these files."""
+    import typst
+
+    inputs: Any = files  # its annotations do not know that it takes files by name
+    return typst.compile(inputs, format="pdf", timestamp=0)
+
+
+def _all(function, jobs, workers):
+    """The function of each job; by processes that are not forked, since Typst has threads."""
+    if workers == 1:
+        yield from map(function, jobs)
+        return
+    fresh = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(workers, mp_context=fresh) as pool:
+        yield from pool.map(function, jobs)
+
+
+def _write(job):
+    folder, title, entries, student, with_sheet = job
+    if with_sheet:
+        made = pdf(sheet(title, entries, student))
+        write_bytes(folder / "sheets" / f"{student.login}.pdf", made)
+    write_bytes(folder / "keys" / f"{student.login}.pdf", pdf(key(title, entries, student)))
+
+
+def _entry(item):
+    p = item.problem
+    points = item.options.get("points", len(p.answers)) if p else 0
+    return Entry(p.id if p else "", item.text, points, dict(item.options))
+
+
+def _student(spec, known, course, secret):
+    login, problems = check_id(known["id"]), spec.problems
+    if course:
+        values = kept_numbers(course, spec.name, login, problems)
+    else:
+        values = {p.id: draw(p, seed(secret, spec.name, login, p.id)) for p in problems}
+    name = " ".join(known.get(k) or "" for k in ("first_name", "last_name")).strip() or login
+    code = variant_code(seed(secret, spec.name, login, "paper"), values)
+    return Student(login, name, code, values)
+
+
+def _own_secret(folder):
+    """The secret of sheets that belong to no course."""
+    path = folder / ".paper_secret"
+    if not path.exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        write_text(path, secrets.token_hex(32) + "\n")
+    return bytes.fromhex(path.read_text(encoding="ascii"))

@@ -1,0 +1,35 @@
+"""How far each number of an answer may be from the key: what a page or a platform can say of the
+rule by which answers are judged.
+"""
+
+from exercises.catalogue.model import Answer
+from newton_euler.answers.tolerance import Point
+
+HALVINGS = 60
+
+
+def margins(answer: Answer, key: Point) -> tuple[float, ...] | None:
+    """The largest error of each component by itself with which the answer is right; None for an
+    answer that is not judged by its components: a word, a formula, a direction of any length.
+
+    A vector is judged by the size of its whole error, so that one whose every component is within
+    its margin may be wrong by up to the root of three times as much as is accepted.
+    """
+    kind = answer.kind
+    if kind.is_word or kind.is_formula or len(kind.sealed(key)) > 1:
+        return None
+    return tuple(_margin(answer, key, n) for n in range(len(key)))
+
+
+def _margin(answer, key, n):
+    """By bisection, from an error that is too large."""
+
+    def is_right(error):
+        point = tuple(x + error * (m == n) for m, x in enumerate(key))
+        return answer.kind.is_right((point,), (key,), answer.atol, answer.rtol)
+
+    low, high = 0.0, sum(map(abs, key)) + answer.atol
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if is_right(middle) else (low, middle)
+    return low

@@ -1,0 +1,162 @@
+"""Sheets and keys as PDF: what they show, for whom they are, and that every problem can be printed."""
+
+import csv
+import hashlib
+import importlib.util
+import re
+from dataclasses import replace
+
+import pytest
+
+from exercises.catalogue import problem, select
+from exercises.catalogue.variants import draw
+from grader.assignment.spec import spec_of
+from grader.paper import PaperError, write_papers
+from grader.paper.markup import formula, typst
+from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
+from grader.paper.write import NEEDED, pdf
+from tests.grader.courses import grader
+
+pytestmark = pytest.mark.skipif(
+    not all(map(importlib.util.find_spec, NEEDED)), reason="typst is not installed"
+)
+FEW = "4/3", "3/27", "A/19", "5/26", "11/13"  # vectors, matrices, a direction, words, formulas
+
+
+def of(*numbers, seed="ada"):
+    """(entries, student) of a sheet of these problems."""
+    values = {n: draw(problem(n), f"{seed} {n}".encode()) for n in numbers}
+    student = Student("ada", "Ada *#$_\\", "ABCD-1234", values)
+    return [Entry(n, "", 2) for n in numbers], student
+
+
+def raw(files):
+    """What would be left of LaTeX or Markdown: outside of strings and formulas."""
+    text = re.sub(r'"(?:[^"\\]|\\.)*"', "", files["main.typ"].decode())
+    formulas = re.findall(r"\$([^$]*)\$", text)
+    outside = re.sub(r"\$[^$]*\$", "", text)
+    return re.findall(r"\$|\\|\*\*|`", outside) + [
+        f for f in formulas if re.search(r"\\[A-Za-z]|\\text|\blimits\b", f)
+    ]
+
+
+def printed(numbers):
+    """The pages of these problems: sheet, key, overview; nothing of LaTeX is left in any of them."""
+    entries, student = of(*numbers)
+    for made in (sheet, key):
+        files = made("Homework", entries, student)
+        assert not raw(files)
+        assert pdf(files).startswith(b"%PDF")
+    assert pdf(overview("Homework", entries, [student, student])).startswith(b"%PDF")
+
+
+def test_problems_of_every_kind_of_answer_can_be_printed():
+    printed(FEW)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("chapter", ["appA", *(f"ch{n:02d}" for n in range(2, 12))])
+def test_every_problem_can_be_printed(chapter):
+    numbers = [p.id for p in select((chapter,))]
+    for first in range(0, len(numbers), 10):
+        printed(numbers[first : first + 10])
+
+
+def test_a_sheet_has_the_students_numbers_and_nothing_of_the_key():
+    entries, student = of("4/16")
+    (shown,) = (sheet("Homework", entries, student)["main.typ"].decode(),)
+    answers = key("Homework", entries, student)["main.typ"].decode()
+    numbers = student.values["4/16"]
+    assert all(f"{x:g}" in shown for x in numbers.values())
+    right = problem("4/16").solve(numbers)["v_D"]
+    assert all(f"{x:.6g}".lstrip("-") in answers for x in right)
+    assert not any(f"{x:.6g}".lstrip("-") in shown for x in right if x)
+    assert student.code in shown
+    assert student.code in answers
+
+
+def test_figures_are_vectors_of_the_students_own_numbers():
+    def figure(seed):
+        return sheet("Homework", *of("4/16", seed=seed))["4-16.svg"]
+
+    assert figure("ada") == figure("ada") != figure("emmy")
+    assert b"<path" in figure("ada")
+    assert b"<image" not in figure("ada")
+
+
+def test_what_a_user_types_is_shown_and_never_run():
+    evil = 'A #read("/etc/passwd") $x_1$ \\ // */ ] "quoted" `code` <a> @b = \x00'
+    entries = [Entry(text=evil), *of("4/3")[0]]
+    student = replace(of("4/3")[1], name=evil, login="a.b")
+    files = sheet(evil, entries, student)
+    assert pdf(files).startswith(b"%PDF")
+    outside = re.sub(r'"(?:[^"\\]|\\.)*"', "", files["main.typ"].decode())
+    assert "read" not in outside
+
+
+def test_markdown_of_an_instructor_is_typeset():
+    text = "# T\n\n1. *a*\n2. **b** [c](d)\n\n| x | y |\n|---|---|\n| 1 | $\\frac12$ |\n\n---\n\n```\nf\n```\n"
+    made = typst(text + "\n![words](u.png) <b>h</b>")
+    for piece in ("heading(level: 1)", "#enum", "#emph", "#strong", "#link", "#terms-table", "$1/2$",
+                  "#line", "#raw(block: true", "words"):  # fmt: skip
+        assert piece in made
+
+
+def test_the_stroke_of_a_unit_follows_its_number():
+    assert '"/s"' in formula(r"12^\circ\text{/s}")
+    assert ' "/s"' not in formula(r"12^\circ\text{/s}")
+
+
+def test_a_class_without_a_course_has_a_secret_of_its_own(tmp_path):
+    class_, spec = [{"id": "ada"}, {"id": "emmy"}], spec_of("hw3", ["4/3"])
+    first = write_papers(tmp_path / "a", spec, class_, workers=1)
+    assert [p.name for p in first.sheets + first.keys] == ["ada.pdf", "emmy.pdf"] * 2
+    made = {p: hashlib.sha256(p.read_bytes()).digest() for p in (tmp_path / "a").rglob("*.pdf")}
+    assert len({*made.values()}) == 5  # two sheets, two keys, the overview
+    assert all(p.stat().st_mode & 0o777 == 0o600 for p in made)
+    assert all(p.parent.stat().st_mode & 0o777 == 0o700 for p in made)
+    again = write_papers(tmp_path / "a", spec, class_, key_for=["emmy"], workers=1)
+    assert (again.sheets, len(again.keys)) == ((), 1)
+    assert hashlib.sha256(again.keys[0].read_bytes()).digest() == made[again.keys[0]]
+    other = write_papers(tmp_path / "b", spec, class_[:1], workers=1)
+    assert other.sheets[0].read_bytes() != first.sheets[0].read_bytes()
+    with pytest.raises(PaperError, match="--key-for bob: no such student"):
+        write_papers(tmp_path / "a", spec, class_, key_for=["bob"], workers=1)
+
+
+def test_a_code_is_of_the_numbers_and_the_secret():
+    codes = {
+        variant_code(s, v) for s in (b"1", b"2") for v in ({"4/3": {"a": 1}}, {"4/3": {"a": 2}})
+    }
+    assert len(codes) == 4
+    assert all(re.fullmatch(r"[A-Z2-7]{4}-[A-Z2-7]{4}", c) for c in codes)
+
+
+@pytest.mark.integration
+def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path):
+    roster, course = tmp_path / "roster.csv", tmp_path / "mechanics"
+    with roster.open("w", newline="") as f:
+        csv.writer(f).writerows([["login", "first name", "last name"], ["ada", "Ada", "Lovelace"]])
+    assert grader("build", "hw3", "--problems", "4/3", "--points", "4/3=7", "--course", course,
+                  "--students", roster)[0] == 0  # fmt: skip
+    from grader.assignment.chosen import chosen
+    from grader.course import Course
+    from grader.course.files import read_json, write_json
+    from grader.paper.sheet import sheet as made
+
+    path = Course(course).source("hw3")
+    notebook = read_json(path)
+    text = next(
+        c for c in notebook["cells"] if c["metadata"]["newton_euler"]["role"] == "statement"
+    )
+    text["source"] = text["source"].replace("The base of a robot", "The base of Marvin")
+    write_json(path, notebook)
+    code, said = grader("paper", "hw3", "--course", course)
+    assert code == 0, said
+    assert (course / "paper" / "hw3" / "sheets" / "ada.pdf").exists()
+    (item,) = chosen("hw3", course=Course(course)).items
+    assert item.options["points"] == 7
+    kept = Course(course).values("hw3", "ada", [item.problem])
+    files = made("hw3", [Entry("4/3", item.text, 7)], Student("ada", "Ada", "X", kept))
+    assert "Marvin" in files["main.typ"].decode()
+    assert all(f"{x:g}" in files["main.typ"].decode() for x in kept["4/3"].values())
