@@ -3,6 +3,7 @@
 import click
 
 from .commands import COMMANDS
+from .commands.shared import with_own_problems
 
 
 class _Commands(click.Group):
@@ -48,7 +49,7 @@ def main() -> None:
 
 
 for command in COMMANDS:
-    main.add_command(command)
+    main.add_command(with_own_problems(command))
 main.add_command(COMMANDS[0], "list")  # an earlier name
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import click
 from rich.panel import Panel
 
 from .example import EXAM_EXAMPLE, EXAMPLE, indented
-from .shared import COURSE, FILE, FOLDER, PROBLEMS, console, progress_bar
+from .shared import COURSE, FILE, FOLDER, PROBLEMS, console, progress_bar, remember_problems
 
 UNSANDBOXED = 3  # exit code
 ID_COLUMN = click.option(
@@ -147,6 +147,7 @@ def build(
             course_path, what, students, (), update, bar, name, exchange, id_column, chapters
         )
     course, name = built.course, built.spec.name
+    remember_problems(course)
     if when:
         set_due(course, name, when)
         click.echo(f"Due {when:%Y-%m-%d %H:%M} UTC")

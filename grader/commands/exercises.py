@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 from rich.markup import escape
 
-from .shared import FOLDER, SEED, console, progress_bar
+from .shared import FOLDER, SEED, console, names_or_all, progress_bar
 
 
 @click.command()
@@ -107,7 +107,7 @@ def prove(names: tuple[str, ...], seeds: int, workers: int | None) -> None:
     from exercises.catalogue import select
     from exercises.catalogue.checks import AGREEMENT
 
-    problems, failed, steps, proved = select(names or ("all",)), 0, 0, 0
+    problems, failed, steps, proved = select(names_or_all(names)), 0, 0, 0
     numbers = [p.id for p in problems]
     with progress_bar() as bar, ProcessPoolExecutor(workers) as pool:
         task = bar.add_task("proving", total=len(problems))
@@ -250,7 +250,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     from ..practice import practice_shares
     from ..reports import RANDOM, SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
-    problems = select(names or ("all",))
+    problems = select(names_or_all(names))
     with progress_bar() as bar:
         task = bar.add_task("making mistakes", total=len(problems))
         if practice:
