@@ -26,7 +26,7 @@ def explained(problem_id: str, error: Exception) -> str:
     if isinstance(error, SyntaxError) and error.filename:
         return f"{_shown(error.filename)}, line {error.lineno}: {error.msg}"
     if not own:
-        return f"{type(error).__name__}: {error}"
+        return _words(error)
     (first, _), (last, line) = own[0], own[-1]
     name = "" if first.f_code.co_name == "<module>" else f"{first.f_code.co_name}: "
     return f"{name}{_shown(last.f_code.co_filename)}, line {line}: {_reason(error, last, line)}"
@@ -50,7 +50,14 @@ def _reason(error, frame, line):
         known = dir(error.obj)
     elif isinstance(error, NameError):
         known = {**frame.f_locals, **frame.f_globals, **vars(builtins)}
-    return f"{type(error).__name__}: {error}{meant(getattr(error, 'name', None), known)}"
+    return _words(error) + meant(getattr(error, "name", None), known)
+
+
+def _words(error):
+    """What an error of the engine says is a sentence; others begin with their names."""
+    if type(error).__module__.startswith("newton_euler"):
+        return str(error)
+    return f"{type(error).__name__}: {error}"
 
 
 def _of_math(frame, line):

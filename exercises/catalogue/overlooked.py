@@ -42,7 +42,7 @@ def _in_texts(p) -> Iterator[str]:
         if a.kind.is_vector and not p.frame:
             yield f"{a.key} is a vector: say in frame: along which axes"
     for name, text in p.mistakes.items():
-        if not re.match(r"[a-z]+s ", text) or text.endswith("."):
+        if text and (not re.match(r"[a-z]+s ", text) or text.endswith(".")):
             yield (
                 f"the mistake {name}: a hint says 'your answer fits a solution that {text}'; write "
                 "it so that this is a sentence, as in 'leaves out the Coriolis term'"

@@ -1,5 +1,6 @@
 """What the commands share: the console, the progress bar, the option that names a course."""
 
+import contextlib
 from pathlib import Path
 from typing import Any
 
@@ -37,12 +38,24 @@ def _use(context, _, folders):
     context.meta[FOLDERS] = folders
 
 
-def _know(_context, _, course_path):
+def _know(context, _, course_path):
     from ..course.folder import know_problems
 
     if course_path:
         know_problems(course_path)
+        context.call_on_close(lambda: _reopen(course_path))
     return course_path
+
+
+def _reopen(course_path):
+    """Let the group of a shared course have what a command has made."""
+    from ..course import Course, CourseError
+    from ..course.shared import open_to
+
+    with contextlib.suppress(CourseError, OSError, KeyError):
+        course = Course(course_path)
+        if group := course.settings.get("group"):
+            open_to(course.path, group)
 
 
 PROBLEMS_FROM = click.option(
@@ -66,7 +79,7 @@ def with_own_problems(command: click.Command) -> click.Command:
 
 
 def remember_problems(course: Any) -> None:
-    """Write the folders of --problems-from into course.json, those in the course as it sees them."""
+    """Write the folders of --problems-from into course.json, relative where they are in it."""
     folders = [p.resolve() for p in click.get_current_context().meta.get(FOLDERS) or ()]
     here = [str(p.relative_to(course.path) if course.path in p.parents else p) for p in folders]
     known = course.settings.get("problems_from", [])

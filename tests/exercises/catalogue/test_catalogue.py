@@ -306,7 +306,7 @@ def test_a_chapter_without_its_file_or_its_title_is_told(write):
     write("chapter.yaml", "titel: Wheels")
     assert refused(chapter, "ch77") == (
         "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and, "
-"where wanted, preamble"
+"where wanted, preamble; did you mean title?"
     )  # fmt: skip
 
 
