@@ -27,7 +27,7 @@ def overlooked(p: Problem, seeds: int = 1) -> list[str]:
 # -- texts
 
 
-def _in_texts(p) -> Iterator[str]:
+def _in_texts(p: Problem) -> Iterator[str]:
     texts = {"text": p.text, "frame": p.frame} | {a.key: a.means for a in p.answers}
     for where, text in texts.items():
         for name in re.findall(r"\{(\w+)\}", text):
@@ -66,7 +66,7 @@ def _of_latex(text, name):
 # -- numbers
 
 
-def _in_numbers(p) -> Iterator[str]:
+def _in_numbers(p: Problem) -> Iterator[str]:
     for name, g in p.givens.items():
         # where the book's value hides a mistake, the range leaves it out on purpose
         if g.vary and not (p.same_in_book or g.vary[0] <= g.value <= g.vary[1]):
@@ -75,7 +75,7 @@ def _in_numbers(p) -> Iterator[str]:
             )
 
 
-def _by_hand(p) -> Iterator[str]:
+def _by_hand(p: Problem) -> Iterator[str]:
     """What was found by hand against ``solve``, of formulas at two points."""
     for share in (0.5, 0.31) if p.checked else ():
         at = {n: low + share * (high - low) for n, (low, high) in _ranges(p).items()}
@@ -116,7 +116,7 @@ def _differs(p, key, stated, right, at):
 # -- many sets of numbers
 
 
-def _over_draws(p, number) -> Iterator[str]:
+def _over_draws(p: Problem, number: int) -> Iterator[str]:
     """Numbers drawn as students' are, those that are refused too."""
     if not number or not any(g.vary for g in p.givens.values()):
         return

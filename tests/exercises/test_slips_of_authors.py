@@ -84,7 +84,7 @@ SLIPS = {
         r"the figure has no label L, .*figure: true",
     ),
     "a figure without a point of the text": (
-        [(CODE, '    s.label(B, "B", offset=(0, 10))\n', "")], r"the figure has no label B, a point of its text",
+        [(CODE, '    s.label(B, "B", offset=(0, -12))\n', "")], r"the figure has no label B, a point of its text",
     ),
     "a figure without a text": (
         [(TEXT, """figure: >

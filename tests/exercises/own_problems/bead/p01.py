@@ -57,7 +57,7 @@ def draw(g, ax):
     s.rod(O, end)
     s.dot(B)
     s.label(O, "O", offset=(-12, -8))
-    s.label(B, "B", offset=(0, 10))
+    s.label(B, "B", offset=(0, -12))
     s.vector(B, rod.i, "v")
     s.turn((0, 0, 0.3 * g.L), ground.k, label=r"$\omega$")
     s.dimension(O, B, label="r", offset=0.12 * g.L)
