@@ -21,7 +21,6 @@ from exercises.catalogue import (
     chapters,
     problem,
     problems,
-    select,
 )
 from exercises.catalogue.variants import sheets
 from newton_euler.answers.tolerance import SEPARATION
@@ -125,21 +124,6 @@ def spec_of(
         raise CourseError(f"--points {min(missing)}: it is not among the problems of {name}")
     items = tuple(Item(p, options={"points": worth[p.id]} if p.id in worth else {}) for p in found)
     return Spec(name, title or (chapter(name).title if whole else name), items)
-
-
-def named(names: Iterable[str]) -> dict[Problem, Mapping[str, Any]]:
-    """The problems that names stand for, as for :func:`in_range`, "all", or the files of
-    assignments, with their options.
-    """
-    found: dict[Problem, Mapping[str, Any]] = {}
-    for name in names:
-        if Path(name).suffix in (".yaml", ".yml"):
-            chosen = {i.problem: i.options for i in read_spec(Path(name)).items if i.problem}
-        else:
-            chosen = {p: {} for p in (select([name]) if name == "all" else in_range(name))}
-        for p, options in chosen.items():
-            found.setdefault(p, options)
-    return found
 
 
 def in_range(text: str) -> list[Problem]:

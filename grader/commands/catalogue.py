@@ -29,7 +29,7 @@ SPAN = Span()
 
 
 @click.command()
-@click.argument("names", nargs=-1, metavar="[ch04 | 4/16 | 11/1-11/6 | hw3.yaml …]")
+@click.argument("names", nargs=-1, metavar="[ch04 | 4/16 | 11/1-11/6 | hw3 …]")
 @click.option("--section", "sections", multiple=True, metavar="4.10", help="Of this section, or 4.")
 @click.option(
     "--kind", "kinds", multiple=True, help="That asks for such an answer: number, vector, choice …"
@@ -82,8 +82,8 @@ def problems(
     from exercises.catalogue.survey import Wanted, chosen
     from newton_euler.answers.kinds import KINDS
 
+    from ..assignment.chosen import named
     from ..assignment.options import unknown
-    from ..assignment.spec import named
     from ..course import Course
     from ..reports import measured, problems_table
 
@@ -91,7 +91,8 @@ def problems(
         raise click.UsageError(f"--kind {unknown(wrong[0], KINDS)}")
     if right and not course_path:
         raise click.UsageError("--right is what students earned: name a --course")
-    asked = list(named(names_or_all(names)))
+    course = Course(course_path) if course_path else None
+    asked = list(named(names_or_all(names), course))
     limits = {name: span for name, span in spans.items() if span}
     wanted = Wanted(
         sections, tuple(k.replace(" ", "_") for k in kinds), equations,
@@ -100,7 +101,7 @@ def problems(
     with progress_bar() as bar:
         task = bar.add_task("reading problems", total=len(asked))
         found = [e for p in asked for e in (*chosen([p], wanted), *_advance(bar, task))]
-    earned = measured(Course(course_path)) if course_path else {}
+    earned = measured(course) if course else {}
     if right:
         low, high = right
         found = [e for e in found if e.id in earned and low <= 100 * earned[e.id][0] <= high]
@@ -114,7 +115,7 @@ def problems(
     elif not found:
         click.echo("No problem is like that.")
     else:
-        console.print(problems_table(found, earned if course_path else None))
+        console.print(problems_table(found, earned if course else None))
 
 
 def _advance(bar, task):
@@ -137,23 +138,27 @@ def _as_json(e, earned):
 
 
 @click.command()
-@click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | hw3.yaml …")
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | hw3 …")
+@click.option("--course", "course_path", type=FOLDER, help="Where hw3 is an assignment.")
 @click.option("--text", is_flag=True, help="Print it in the terminal instead.")
 @click.option("--to", "path", type=FILE, help="The page to write; default: a private new folder.")
 @click.option("--no-open", is_flag=True, help="Do not open a browser.")
-def preview(names: tuple[str, ...], text: bool, path: Path | None, no_open: bool) -> None:
+def preview(
+    names: tuple[str, ...], course_path: Path | None, text: bool, path: Path | None, no_open: bool
+) -> None:
     """Show problems before they are on a sheet, as a page in the browser.
 
     Of each: text, figure, key, the numbers and keys of three students, steps, tolerance, how many
     sheets there are, difficulty, and every listed mistake with its answer and what a student reads
     of it. The page holds keys: only you can read the file.
     """
-    from ..assignment.spec import named
+    from ..assignment.chosen import named
+    from ..course import Course
     from ..course.files import write_text
     from ..reports import preview as previewed
     from ..reports import preview_page, preview_text
 
-    chosen = named(names)
+    chosen = named(names, Course(course_path) if course_path else None)
     found = []
     with progress_bar() as bar:
         task = bar.add_task("solving and drawing", total=len(chosen))

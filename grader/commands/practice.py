@@ -8,7 +8,7 @@ from .shared import FILE, console, progress_bar
 
 
 @click.command()
-@click.argument("names", nargs=-1, required=True, metavar="ch04 | 4/16 | 11/1-11/6 | hw3.yaml …")
+@click.argument("names", nargs=-1, required=True, metavar="ch04 | 4/16 | 11/1-11/6 | hw3 …")
 @click.option(
     "-o", "--to", "path", required=True, type=FILE, help="The file to write, as ch04.practice."
 )
@@ -46,10 +46,11 @@ def practice(
     tolerance or less help than --help-level, that counts. The file holds the answers for its own
     numbers and no others.
     """
-    from ..assignment.spec import named
+    from ..assignment.chosen import named
+    from ..course import Course
     from ..practice import graded_numbers, rules_of, write_practice
 
-    chosen = named(names)
+    chosen = named(names, Course(course_path) if course_path else None)
     problems, rules = list(chosen), {p.id: dict(own) for p, own in chosen.items()}
     with progress_bar() as bar:
         graded = {}

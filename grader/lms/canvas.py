@@ -99,7 +99,7 @@ def _number(item, shown, judged, part, n):
     if blank.wrong:
         ET.SubElement(_condition(judged, "Yes", feedback="general_incorrect_fb"), "other")
         rows = (
-            f"<li>{number(float(f'{x:.3g}'))}: {escape(text)}</li>" for x, _, text in blank.wrong
+            f"<li>{number(float(f'{w.point[0]:.3g}'))}: {escape(w.text)}</li>" for w in blank.wrong
         )
         _feedback(
             item, "general_incorrect_fb", f"<p>If you found about</p><ul>{''.join(rows)}</ul>"

@@ -60,8 +60,8 @@ def _question(quiz, q):
     elif kind == "numerical":
         (blank,) = part.blanks
         _answer(item, number(blank.key), 100, RIGHT, blank.off)
-        for x, off, text in blank.wrong:
-            _answer(item, number(x), 0, text, off)
+        for w in blank.wrong:
+            _answer(item, number(w.point[0]), 0, w.text, w.off[0])
         ET.SubElement(item, "showunits").text = "3"  # no field for a unit
 
 
@@ -99,8 +99,8 @@ def _embedded(part, weight):
 
 def _alternatives(blank):
     yield f"={number(blank.key)}:{number(blank.off)}#{RIGHT}"
-    for x, off, text in blank.wrong:
-        yield f"%0%{number(x)}:{number(off)}#{_escaped(text)}"
+    for w in blank.wrong:
+        yield f"%0%{number(w.point[0])}:{number(w.off[0])}#{_escaped(w.text)}"
 
 
 def _escaped(text):

@@ -46,7 +46,7 @@ def _item(q):
     for n, part in enumerate(q.parts):
         _judged(judging, n, part, q.points * part.weight / total)
     for n, part in enumerate(q.parts):
-        for m, wrong in enumerate(part.wrong_points):
+        for m, wrong in enumerate(part.wholes):
             shown = {"outcomeIdentifier": DIAGNOSES, "showHide": "show", "identifier": f"D{n}-{m}"}
             ET.SubElement(root, "modalFeedback", shown).text = wrong.text
     ET.indent(root, " ")
@@ -94,7 +94,7 @@ def _judged(parent, n, part, points):
     added = ET.SubElement(ET.SubElement(branch, "setOutcomeValue", identifier="SCORE"), "sum")
     ET.SubElement(added, "variable", identifier="SCORE")
     ET.SubElement(added, "baseValue", baseType="float").text = number(points)
-    for m, wrong in enumerate(part.wrong_points):
+    for m, wrong in enumerate(part.wholes):
         branch = ET.SubElement(condition, "responseElseIf")
         _equals(branch, n, part, wrong.point, wrong.off)
         found = ET.SubElement(branch, "setOutcomeValue", identifier=DIAGNOSES)

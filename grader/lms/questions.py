@@ -2,7 +2,6 @@
 choices.
 """
 
-import math
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -63,31 +62,28 @@ class Part:
     def blanks(self) -> list["Blank"]:
         """Its numbers one by one, for platforms that judge them so."""
         return [
-            Blank(x, off, _merged((w.point[n], w.off[n], w.text) for w in self.wrong
-                  if abs(w.point[n] - x) > off))
+            Blank(x, off, _merged(Wrong((w.point[n],), (w.off[n],), w.text) for w in self.wrong
+                                  if abs(w.point[n] - x) > off))
             for n, (x, off) in enumerate(zip(self.key, self.off, strict=True))
         ]  # fmt: skip
 
     @property
-    def wrong_points(self) -> list[Wrong]:
-        """The wrong answers as a whole; two that give the same have both diagnoses."""
-        found: dict[Any, list[Wrong]] = {}
-        for w in self.wrong:
-            found.setdefault(w.point, []).append(w)
-        return [replace(same[0], text=_fits([w.text for w in same])) for same in found.values()]
+    def wholes(self) -> list[Wrong]:
+        """Its wrong answers as a whole, for platforms that judge all numbers together."""
+        return _merged(self.wrong)
 
     def says(self, word: str) -> str:
         """The diagnosis of a wrong word, "" where there is none."""
-        return _fits([w.text for w in self.wrong if w.point == word])
+        return next((w.text for w in self.wholes if w.point == word), "")
 
 
 @dataclass(frozen=True)
 class Blank:
-    """One number: the right one, its margin, and [(wrong one, margin, diagnosis)]."""
+    """One number: the right one, its margin, and the wrong ones."""
 
     key: float
     off: float
-    wrong: list[tuple[float, float, str]]
+    wrong: list[Wrong]
 
 
 @dataclass(frozen=True)
@@ -158,17 +154,21 @@ def _off(a, point, key):
     return tuple(m or k for m, k in zip(margins(a, tuple(point)), margins(a, key), strict=True))
 
 
-def _fits(texts):
-    return f"It fits a solution that {'; or one that '.join(texts)}." if texts else ""
-
-
 def _merged(wrong):
-    """Wrong numbers that no platform can tell apart as one, with both diagnoses."""
-    found = []
-    for x, off, text in wrong:
-        near = next((f for f in found if abs(f[0] - x) <= max(off, f[1])), None)
-        if near is None:
-            found.append((x, off, [text]))
-        elif text not in near[2]:
-            near[2].append(text)
-    return [(x, off, _fits(texts)) for x, off, texts in found if math.isfinite(x)]
+    """Wrong answers that cannot be told apart as one, with both diagnoses."""
+    found: list[tuple[Wrong, list[str]]] = []
+    for w in wrong:
+        texts = next((texts for other, texts in found if _alike(w, other)), None)
+        if texts is None:
+            found.append((w, [w.text]))
+        elif w.text not in texts:
+            texts.append(w.text)
+    said = "It fits a solution that {}.".format
+    return [replace(w, text=said("; or one that ".join(texts))) for w, texts in found]
+
+
+def _alike(a, b):
+    if not a.off:
+        return a.point == b.point
+    rows = zip(a.point, b.point, a.off, b.off, strict=True)
+    return all(abs(x - y) <= max(p, q) for x, y, p, q in rows)

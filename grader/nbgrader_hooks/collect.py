@@ -1,6 +1,6 @@
 """Replaces nbgrader's collect: only regular files, and no student stops it for the others."""
 
-from datetime import UTC, datetime
+from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -46,7 +46,7 @@ class CollectRegularFiles(ExchangeCollect):
         if self._window is None or not records[0]["username"]:
             return super()._sort_by_timestamp(records)
         student = records[0]["username"]
-        times = {r["timestamp"].astimezone(UTC).replace(tzinfo=None): r for r in records}
+        times = {r["timestamp"]: r for r in records}  # in UTC, without a zone
         when = self._window.first(student, times)
         if len(records) > 1:
             self.log.warning(

@@ -61,8 +61,7 @@ def strictest(asked: Iterable[Task]) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {}
     for task in asked:
         own = found.setdefault(task.problem, {})
-        if task.tolerance is not None:
-            own["tolerance"] = max(task.tolerance, own.get("tolerance", RTOL))
+        own["tolerance"] = max(task.tolerance or RTOL, own.get("tolerance", 0.0))
         if task.help is not None:
             own["help"] = min(task.help, own.get("help", HELP[-1]), key=HELP.index)
     return found

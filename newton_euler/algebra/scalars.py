@@ -69,9 +69,13 @@ class _Own:
     """Base of the kinds of number that the engine defines."""
 
     __slots__ = ()
-    __array_ufunc__ = None  # NumPy hands operations over and does not loop over elements
-    _op_priority = 1000.0  # and so does SymPy
+    _op_priority = 1000.0  # SymPy hands operations over
     rank = 0  # of several kinds in one operation, the highest decides
+
+    def __init_subclass__(cls) -> None:
+        if not hasattr(cls, "__array_priority__"):
+            # NumPy hands operations over, too, and does not loop over elements
+            cls.__array_ufunc__ = None  # type: ignore[attr-defined]
 
     def is_numeric(self) -> bool:
         """True if the number has a value that can be compared."""
@@ -203,7 +207,8 @@ def scalar(x):
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
     (and of bool, and of floats of fewer digits) an array of 64-bit floats, which rounds entries
     above 2**53, a single one a Python integer, which is exact. Raises :class:`ScalarError` if ``x``
-    is not a number (text, None, lists), or has a unit of its own, as those of pint and astropy.
+    is not a number (text, None, lists, arrays without entries), or has a unit of its own, as those
+    of pint and astropy.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -249,6 +254,8 @@ def _kind(kind):
 def _of_numpy(x):
     """The number or array ``x`` of NumPy with at least the digits of a Python float."""
     kind, size = x.dtype.kind, x.dtype.itemsize
+    if x.size == 0:
+        raise ScalarError(f"expected numbers, got {clipped(x)} of {x.dtype}, which is empty")
     if (kind == "f" and size >= 8) or (kind == "c" and size >= 16):
         return x
     array = hasattr(x, "__setitem__")

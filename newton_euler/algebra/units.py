@@ -9,6 +9,7 @@ from fractions import Fraction
 from functools import cache
 from operator import add, sub
 
+from .names import did_you_mean
 from .scalars import (
     ZERO,
     NewtonEulerError,
@@ -20,6 +21,7 @@ from .scalars import (
     exp,
     outranks,
     pi,
+    real_scalar,
     scalar,
     to_plain,
 )
@@ -192,7 +194,7 @@ def _is_nothing(x):
 def _as_dimension(x):
     if isinstance(x, Dimension):
         return x
-    scalar(x)  # or it is no number at all
+    real_scalar(x)  # or it is no number at all
     return Dimension()
 
 
@@ -271,7 +273,8 @@ class Unit:
         self.parts = tuple(name for name, _ in _parts(text))
         for name, power in _parts(text):
             if name not in UNITS:
-                raise UnitError(f"unknown unit {name!r} in {text!r}; known are {', '.join(UNITS)}")
+                known = f"known are {', '.join(UNITS)}{did_you_mean(name, UNITS)}"
+                raise UnitError(f"unknown unit {name!r} in {text!r}; {known}")
             factor, pi_power, dimension = UNITS[name]
             self.factor *= Fraction(factor) ** power
             self.pi_power += pi_power * power
@@ -309,7 +312,7 @@ class Unit:
         if isinstance(x, Scaled):
             like = next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "c") else None
         else:
-            like = x = to_plain(scalar(x))
+            like = x = to_plain(real_scalar(x))
         if like is None:
             raise UnitError(f"a number or a Vector has units, got {clipped(x)}")
         power_of_pi = pi(like) ** abs(pi_power) if pi_power else 1

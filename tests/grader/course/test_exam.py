@@ -7,8 +7,12 @@ import pytest
 from sympy import symbols
 
 from exercises.catalogue import problem
-from grader.course import Course
-from grader.course.exam import LateError, Window, is_exam
+from grader.assignment import numbers
+from grader.assignment.numbers import keep_numbers, kept_numbers
+from grader.course import Course, CourseError
+from grader.course.creation import new_course
+from grader.course.exam import LateError, Window, is_exam, refuse_before_opening, set_exam
+from grader.practice.twins import sets_of_numbers
 from newton_euler.classroom import expect, receipt
 from tests.grader.courses import command, nbgrader, points, ran, read, total
 from tests.grader.submissions import work
@@ -52,6 +56,53 @@ def test_a_receipt_of_an_exam_doubts_nothing():
     assert "look again" in repr(receipt("0/51", v=-1.0, n=2 * L))
     expect("0/51", {"L": "m"}, sane=False, **form)
     assert "look again" not in repr(receipt("0/51", v=-1.0, n=2 * L))
+
+
+class Given:
+    """In place of the numbers that are drawn: those that are practised, and then others."""
+
+    def __init__(self, practised):
+        self.left, self.asked = [dict(x) for x in practised], 0
+
+    def __call__(self, assignment, student, problems):
+        self.asked += 1
+        values = self.left.pop() if self.left else problems[0].book_values | {"b": 5.5}
+        return {problems[0].id: values}
+
+
+def test_its_numbers_are_on_no_other_sheet_and_need_a_secret_of_their_own(tmp_path, monkeypatch):
+    p = problem("4/16")
+    with new_course(tmp_path / "mechanics") as course:
+        as_homework = course.values("midterm", "ada", [p])
+        set_exam(course, "midterm", NINE.replace(tzinfo=UTC))
+        drawn = course.values("midterm", "ada", [p])
+        assert drawn != as_homework
+        # a friend has had these numbers in homework, and another the next that are drawn
+        keep_numbers(course, "hw1", "ben", [p], drawn)
+        second = kept_numbers(course, "midterm", "ada", [p])
+        assert second != drawn
+        keep_numbers(course, "hw2", "eve", [p], second)
+        assert kept_numbers(course, "midterm", "ada", [p]) == second  # once handed out they stay
+        (course.path / "numbers/midterm/ada.json").unlink()
+        assert kept_numbers(course, "midterm", "ada", [p]) not in (drawn, second)
+        monkeypatch.setattr(numbers, "_taken", lambda folders: {})
+        practised = {tuple(sorted(x.items())) for x in sets_of_numbers(p, 10)}
+        monkeypatch.setattr(type(course), "values", given := Given(practised))
+        (course.path / "numbers/midterm/ada.json").unlink()
+        (last,) = kept_numbers(course, "midterm", "ada", [p]).values()
+        assert tuple(sorted(last.items())) not in practised
+        assert given.asked == len(practised) + 1
+        with pytest.raises(CourseError, match="was handed out as homework"):
+            set_exam(course, "hw1", None)
+
+
+def test_nothing_reaches_students_before_it_opens(tmp_path):
+    with new_course(tmp_path / "mechanics") as course:
+        set_exam(course, "midterm", NINE.replace(tzinfo=UTC))
+        with pytest.raises(CourseError, match="opens at 2027-01-31T09:00:00 UTC"):
+            refuse_before_opening(course, "midterm", after(-1))
+        refuse_before_opening(course, "midterm", after(0))
+        refuse_before_opening(course, "hw1", after(-1))
 
 
 @pytest.fixture
@@ -117,7 +168,8 @@ def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     handed_in(inbound, "ada", "2026-01-31 10:30:00.000000 UTC", empty)
     handed_in(inbound, "ben", "2026-01-31 08:58:00.000000 UTC", right["ben"])
     handed_in(inbound, "cleo", "2026-01-31 11:07:00.000000 UTC", right["cleo"])
-    assert "ada handed in the exam 2 times" in ran(nbgrader("collect", "midterm", cwd=place))
+    out = ran(nbgrader("collect", "midterm", cwd=place, TZ="America/New_York"))
+    assert "ada handed in the exam 2 times; what counts is of 2026-01-31 10:00:00 UTC" in out
     ran(nbgrader("collect", "midterm", "--update", cwd=place))  # a later work is no update
     code, out = command("grade", "midterm", "--course", place)
     assert code == 1
