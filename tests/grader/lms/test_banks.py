@@ -22,9 +22,9 @@ from grader.scoring.margins import margins
 from tests.grader.courses import grader
 from tests.grader.lms.platforms import PLATFORMS
 
-# numbers, vectors, a direction beside a vector, a choice beside a count, formulas, matrices, bounds,
+# mistakes too near to each other, vectors, a direction beside a vector, a choice beside a count, formulas, matrices, bounds,
 # one number alone, one choice alone
-FEW = "4/3", "4/16", "A/19", "5/26", "7/1", "3/27", "2/4", "2/8"
+FEW = "4/1", "4/16", "A/19", "5/26", "7/1", "3/27", "2/4", "2/8"
 SEED = "tests"
 
 

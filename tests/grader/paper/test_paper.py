@@ -94,6 +94,14 @@ def test_what_a_user_types_is_shown_and_never_run():
     assert "read" not in outside
 
 
+def test_a_formula_that_cannot_be_set_is_named():
+    _, student = of("4/3")
+    with pytest.raises(PaperError, match=r"\\frac\{1\$ is no formula of LaTeX \(Unmatched"):
+        typst(r"so $x = \frac{1$")
+    with pytest.raises(PaperError, match=r"cannot be set: it has no command \\foo"):
+        pdf(sheet("Homework", [Entry(text=r"so $\foo x$")], student))
+
+
 def test_markdown_of_an_instructor_is_typeset():
     text = "# T\n\n1. *a*\n2. **b** [c](d)\n\n| x | y |\n|---|---|\n| 1 | $\\frac12$ |\n\n---\n\n```\nf\n```\n"
     made = typst(text + "\n![words](u.png) <b>h</b>")
