@@ -240,7 +240,7 @@ def hub(courses: tuple[Path, ...], to: Path) -> None:
     from ..course.hub import write_hub
 
     root = write_hub([Course(path) for path in courses], to)
-    click.echo(f"Wrote {to / 'nbgrader_config.py'} and {to / 'newton_euler_fetch.py'}")
+    click.echo(f"Wrote nbgrader_config.py and what it needs to {to}")
     _warn_of_closed(root)
 
 

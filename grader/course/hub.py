@@ -1,28 +1,11 @@
 """One configuration for the students of several courses on one machine, as on a JupyterHub."""
 
-import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from .creation import FETCH
-from .files import write_text
+from .creation import write_for_students
 from .folder import Course
 from .identity import CourseError
-
-HUB = """\
-\"\"\"nbgrader's configuration for the students of {names}: put this file and
-newton_euler_fetch.py where Jupyter reads nbgrader_config.py (/etc/jupyter).\"\"\"
-
-import os
-import sys
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
-c = get_config()  # noqa: F821
-c.ExchangeFactory.fetch_assignment = "newton_euler_fetch.PersonalFetch"
-c.Exchange.path_includes_course = True  # COURSE/ASSIGNMENT in a student's home
-c.Exchange.root = {root!r}
-"""
 
 
 def write_hub(courses: Sequence[Course], to: Path) -> str:
@@ -40,9 +23,9 @@ def write_hub(courses: Sequence[Course], to: Path) -> str:
         raise CourseError(f"two of these courses have the id {names[0]}: build one with --name")
     (root,) = roots
     to.mkdir(parents=True, exist_ok=True)
-    shutil.copy(FETCH, to / "newton_euler_fetch.py")
-    text = HUB.format(names=" and ".join(names), root=root)
-    write_text(to / "nbgrader_config.py", text, 0o644)
+    # without a course id nbgrader lists all courses; a student has COURSE/ASSIGNMENT
+    settings = f"c.Exchange.root = {root!r}\nc.Exchange.path_includes_course = True\n"
+    write_for_students(to, settings)
     return root
 
 
