@@ -2,6 +2,7 @@
 lists.
 """
 
+import re
 from collections.abc import Mapping
 from functools import cache
 from typing import Any
@@ -16,6 +17,8 @@ from exercises.catalogue.variants import POINTS, flat
 from newton_euler.algebra.trace import Trace
 from newton_euler.answers.formulas import Formulas, Stage, Traced
 from newton_euler.answers.perturbed import Computation, Perturbed
+
+FEW = 7  # words that say what a quantity is
 
 
 def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
@@ -51,7 +54,7 @@ def _sequel(problem_id, key):
     answer = Traced(
         flat(follow_in_base(p, key, g, earlier)), asked.unit, POINTS if asked.kind.is_formula else 1
     )
-    return Computation(Formulas({key: answer}, units, p.system, (), _section(p.section)))
+    return Computation(Formulas({key: answer}, units, p.system, (), section(p.section), _means(p)))
 
 
 def _names(p, key):
@@ -74,17 +77,32 @@ def formulas(p: Problem) -> Formulas:
         if a.key in found.components
     }
     stages = [
-        Stage(s.key, _where(s), found.components[s.key])
+        Stage(s.key, _where(p, s), found.components[s.key], _brief(s.means))
         for s in found.steps
         if s.key in found.components and s.key not in answers
     ]
-    return Formulas(answers, p.units, p.system, stages, _section(p.section))
+    return Formulas(answers, p.units, p.system, stages, section(p.section), _means(p))
 
 
-def _where(step):
-    equation = f"({step.equation})" if step.equation else ""
-    return ", ".join(filter(None, [_section(step.section), equation]))
+def _means(p):
+    return {n: _brief(q.means) for n, q in p.givens.items()}
 
 
-def _section(number):
+def _brief(means):
+    """The first words of a meaning, as "mass" of "mass, W/g"; "" if they are long."""
+    first = re.split("[,;:(]", means)[0].strip()
+    return first if len(first.split()) <= FEW and not re.search(r"[$\\{]", first) else ""
+
+
+def _where(p, step):
+    """Where a step is explained, if that is in the chapter of its problem."""
+    own = p.section.partition(".")[0]
+    places = section(step.section), f"({step.equation})" if step.equation else ""
+    numbers = step.section, step.equation
+    within = [x for x, n in zip(places, numbers, strict=True) if n and n.partition(".")[0] == own]
+    return ", ".join(within)
+
+
+def section(number: str) -> str:
+    """A section of the book in words, "section 4.10"; "" for none."""
     return f"{'section' if number[0].isdigit() else 'appendix'} {number}" if number else ""

@@ -9,6 +9,7 @@ from .tolerance import NEARLY
 
 OR = "; or one that "  # between causes that give the same numbers
 WORDS = 30  # of a diagnosis that is read
+BRIEF = 9  # of each of two mistakes that are named together
 ORDINALS = ("first", "second", "third")
 
 
@@ -22,13 +23,14 @@ class Cause:
         (the same in going on from earlier answers), both (two listed ones at once), follows (from
         an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text : its words. where : the place in the book where to read on
+    text, why : what was done, and why it is wrong. where : the place in the book where to read on
     """
 
     group: str
     name: str
     text: str = field(compare=False)
     where: str = field(default="", compare=False)
+    why: str = field(default="", compare=False)
 
     @property
     def is_observation(self) -> bool:
@@ -61,36 +63,62 @@ class Cause:
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
-    """The words of the causes that give the same numbers, as many as can be read at once; None if
-    there are none.
+    """The words of the causes that give the same numbers, as many as can be read at once: what was
+    done, why it is wrong, where to read on; None if there are none.
     """
-    words = {c.text: c.where for c in reversed([*causes])}
-    first, *others = reversed(words) if words else [""]
-    see = f" (see {words[first]})" if words and words[first] else ""
-    for other in others:
-        if len((longer := first + OR + other).split()) + len(see.split()) <= WORDS:
-            first = longer
-    return first + see or None
+    causes = [*causes]
+    if not causes:
+        return None
+    see = f" (see {causes[0].where})" if causes[0].where else ""
+    whats = list(dict.fromkeys(c.text for c in causes))
+    words = whats[0]
+    for other in whats[1:]:
+        words = _within_words(words + OR + other, see) or words
+    why = causes[0].why
+    if why and words == whats[0]:
+        words = _within_words(f"{words}: {why}", see) or words
+    return words + see
 
 
-def slip(name: str, text: str) -> Cause:
+def _within_words(words, see):
+    return words if len((words + see).split()) <= WORDS else None
+
+
+def slip(name: str, text: str, why: str) -> Cause:
     """A slip that is made in any problem."""
-    return Cause("slip", name, text)
+    return Cause("slip", name, text, why=why)
 
 
-OPPOSITE = slip("opposite", "has the opposite sign in every component: check the direction")
-OPPOSITE_NUMBER = slip("opposite", "has the opposite sign: check the direction")
-TRANSPOSED = slip("transposed", "writes the transposed matrix: rows for columns")
-OFF_DIAGONAL = slip("off diagonal", "has the opposite sign in every entry off the diagonal")
-BOUNDS = slip("bounds", "has its bounds in the wrong order")
-OTHER_ORDER = slip("order", "has its components in another order")
+OPPOSITE = slip(
+    "opposite",
+    "has the opposite sign in every component",
+    "its direction is reversed against the axes of the text",
+)
+OPPOSITE_NUMBER = slip(
+    "opposite", "has the opposite sign", "the text says which direction is positive"
+)
+TRANSPOSED = slip("transposed", "writes the transposed matrix", "rows stand in place of columns")
+OFF_DIAGONAL = slip(
+    "off diagonal",
+    "has the opposite sign in every entry off the diagonal",
+    "only the entries on the diagonal are right",
+)
+BOUNDS = slip("bounds", "has its bounds in the wrong order", "the lower one comes first")
+OTHER_ORDER = slip(
+    "order", "has its components in another order", "each belongs to one axis of the text"
+)
 AS_SCALARS = slip(
     "as scalars",
-    "adds the rates of turning as numbers, as if about one axis, instead of as vectors",
+    "adds the rates of turning as numbers",
+    "they are vectors along different axes",
 )
-ROUNDED = slip("rounded", "rounds the right answer too far: give three significant figures or more")
-BOOK = Cause("book", "", "takes the numbers of the book instead of yours")
-EARLIER = Cause("book", "earlier", "takes the numbers of an earlier sheet of yours")
+ROUNDED = slip(
+    "rounded", "rounds the right answer too far", "give three significant figures or more"
+)
+BOOK = Cause("book", "", "takes the numbers of the book", why="your sheet has others")
+EARLIER = Cause(
+    "book", "earlier", "takes the numbers of an earlier sheet of yours", why="this one has others"
+)
 DIRECTION = Cause("seen", "direction", "its size is right, its direction is not")
 NEAR = Cause(
     "seen",
@@ -112,14 +140,15 @@ FIRST_DIGITS = Cause(
 
 def reversed_components(places: Sequence[int]) -> Cause:
     """Some components have the opposite sign."""
-    plural = "s" if len(places) > 1 else ""
-    text = f"has the opposite sign in its {_ordinals(places)} component{plural}"
-    return slip(f"opposite {_ordinals(places)}", text)
+    text = f"has the opposite sign in its {_ordinals(places)} component{'s' * (len(places) > 1)}"
+    why = "check the direction of what adds to it; the rest is right"
+    return slip(f"opposite {_ordinals(places)}", text, why)
 
 
 def left_out_component(place: int) -> Cause:
     """One component is zero."""
-    return slip(f"without {ORDINALS[place]}", f"leaves out its {ORDINALS[place]} component")
+    text = f"leaves out its {ORDINALS[place]} component"
+    return slip(f"without {ORDINALS[place]}", text, "it is not zero here")
 
 
 def exchanged_components(places: Sequence[int]) -> Cause:
@@ -127,7 +156,8 @@ def exchanged_components(places: Sequence[int]) -> Cause:
     if len(places) > 2:
         return OTHER_ORDER
     named = _ordinals(places)
-    return slip(f"exchanged {named}", f"exchanges its {named} components")
+    why = "each belongs to one axis of the text"
+    return slip(f"exchanged {named}", f"exchanges its {named} components", why)
 
 
 def _ordinals(places: Sequence[int]) -> str:
@@ -137,12 +167,19 @@ def _ordinals(places: Sequence[int]) -> str:
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
     how = "large" if large else "small"
-    return Cause("factor", f"{what} {how}", f"is {factor:.4g} times too {how} ({what})")
+    why = f"check your units: {what}" if " against " in what else "look for a half or a double"
+    return Cause("factor", f"{what} {how}", f"is {factor:.4g} times too {how}", why=why)
 
 
 def both(first: Cause, second: Cause) -> Cause:
-    """Two listed mistakes made together."""
-    return Cause("both", f"{first.name} + {second.name}", f"{first.text}, and also {second.text}")
+    """Two listed mistakes made together; of what is long, the beginning."""
+    text = f"{_brief(first.text)}, and also {_brief(second.text)}"
+    return Cause("both", f"{first.name} + {second.name}", text, why="both are made at once")
+
+
+def _brief(text):
+    words = text.split()
+    return text if len(words) <= BRIEF else f"{' '.join(words[:BRIEF]).rstrip(',')} …"
 
 
 def in_this_part(cause: Cause) -> Cause:
@@ -152,7 +189,7 @@ def in_this_part(cause: Cause) -> Cause:
 
 def answer_to(key: str) -> Cause:
     """Answers exchanged: this is the right one to another part."""
-    return Cause("exchanged", key, f"answers {key} here: the two parts may be exchanged")
+    return Cause("exchanged", key, f"answers {key} here", why="the two parts may be exchanged")
 
 
 def follows(names: Sequence[str]) -> Cause:
@@ -161,32 +198,44 @@ def follows(names: Sequence[str]) -> Cause:
 
 
 def listed(name: str, text: str) -> Cause:
-    """A mistake of the problem's own list."""
-    return Cause("listed", name, text)
+    """A mistake of the problem's own list; its ``text`` says what was done and, after a colon, why
+    it is wrong.
+    """
+    what, _, why = text.partition(": ")
+    return Cause("listed", name, what, why=why)
 
 
 def term_left_out(name: str, words: str) -> Cause:
     """A named term of a sum is missing."""
-    return Cause("omitted", name, f"leaves out {words}")
+    return Cause("omitted", name, f"leaves out {words}", why="this term is not zero here")
 
 
 def term_reversed(name: str, words: str) -> Cause:
     """A named term of a sum has the opposite sign."""
-    return Cause("term", f"{name} x -1", f"has {words} with the opposite sign")
+    why = "the equation adds it"
+    return Cause("term", f"{name} x -1", f"has {words} with the opposite sign", why=why)
 
 
-CORIOLIS_HALVED = Cause("term", "coriolis / 2", "writes the Coriolis term without the factor 2")
+CORIOLIS_HALVED = Cause(
+    "term",
+    "coriolis / 2",
+    "writes the Coriolis term without the factor 2",
+    why="two equal effects add up in it",
+)
 
 
 def unconverted(given: str, unit: str) -> Cause:
     """A given is used with its number in another unit than the rest."""
     text = f"uses {given} in {unit} without converting it"
-    return Cause("unit", given, text)
+    return Cause("unit", given, text, why="the units of an equation must fit together")
 
 
 def computed(name: str, text: str) -> Cause:
-    """A slip in one step of the computation; ``name`` says in which, and which slip."""
-    return Cause("computed", name, text)
+    """A slip in one step of the computation; ``name`` says in which, and which slip, ``text`` as
+    for :func:`listed`.
+    """
+    what, _, why = text.partition(": ")
+    return Cause("computed", name, what, why=why)
 
 
 def other_axes(place: int, frame: str) -> Cause:
@@ -194,7 +243,8 @@ def other_axes(place: int, frame: str) -> Cause:
     return Cause(
         "axes",
         str(place),
-        f"has the right vector, but its components along the axes of {frame}, not those asked for",
+        f"gives components along the axes of {frame}",
+        why="the vector is right, but other axes are asked for",
     )
 
 
@@ -203,8 +253,8 @@ def turned_the_wrong_way(place: int, frame: str) -> Cause:
     return Cause(
         "turned",
         str(place),
-        f"turns the components the wrong way between {frame} and the axes asked for (a transposed "
-        "matrix)",
+        f"turns the components the wrong way between {frame} and the axes asked for",
+        why="the matrix is transposed",
     )
 
 

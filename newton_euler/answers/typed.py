@@ -69,7 +69,7 @@ def described(x: Any, noun: str = "") -> str:
     if written := typed(x):
         return f"{noun} {written}".strip()
     names = list(_names(x, {}))
-    return f"{noun or 'what is'} in {', '.join(names)}" if 0 < len(names) <= NAMES else ""
+    return f"{noun or 'an expression'} in {', '.join(names)}" if 0 < len(names) <= NAMES else ""
 
 
 def _names(x, seen):

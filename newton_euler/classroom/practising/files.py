@@ -15,7 +15,7 @@ from ...answers.forms import kind_named
 from ...answers.messages import one_line
 from .programs import OPERATIONS
 
-FORMAT = 3
+FORMAT = 4
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
@@ -102,9 +102,9 @@ VARIANT = {
     "program": dict | None, "slips": [(int, list)],
 }  # fmt: skip
 PAGE = {
-    **dict.fromkeys(("id", "title", "section", "chapter", "preamble", "figure"), str),
-    "book": bool, "quantities": [QUANTITY], "labels": [(str, str, str, str)], "variants": [VARIANT],
-    "slips": [(str, int, str, str, str)],
+    **dict.fromkeys(("id", "title", "section", "where", "chapter", "preamble", "figure"), str),
+    "book": bool, "quantities": [QUANTITY], "variants": [VARIANT],
+    "labels": [(str,) * 6], "slips": [(str, int, *(str,) * 4)],
 }  # fmt: skip
 PROGRAM = {"operations": [list], "quantities": {str: list}, "earlier": {str: [str]}}
 
@@ -145,7 +145,7 @@ def _is_whole(page):
         len(kinds) == len(units) and page["variants"]
         and all(set(q) == set(QUANTITY) for q in page["quantities"])
         and not any(kind.is_formula for kind in kinds.values())
-        and all(group != "axes" or place.isdecimal() for _, group, place, _ in page["labels"])
+        and all(group != "axes" or place.isdecimal() for _, group, place, *_ in page["labels"])
         and all(_is_variant(v, kinds, page) for v in page["variants"])
     )  # fmt: skip
 

@@ -28,7 +28,7 @@ class Fall:
 
     def __init__(self, wrong=()):
         self._wrong, self.symbols, self.book, self.sheets = wrong, {}, {}, ()
-        self.slips = NO_SLIPS
+        self.slips, self.where = NO_SLIPS, "section 6.1"
         self.key = {
             "v": ((5.0,),), "square": ((25.0,),), "sense": (("falls",),), "bounces": ((2,),),
         }  # fmt: skip
