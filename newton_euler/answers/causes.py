@@ -183,8 +183,12 @@ def _brief(text):
 
 
 def in_this_part(cause: Cause) -> Cause:
-    """The same cause where other parts are right that it would have made wrong."""
-    return replace(cause, text=f"in this part {cause.text}")
+    """The same cause where other parts are right that it would have made wrong; so named unless
+    its reason would be left out.
+    """
+    here = replace(cause, text=f"in this part {cause.text}")
+    said, reason = sentence([here]), cause.why
+    return cause if reason and said and reason not in said else here
 
 
 def answer_to(key: str) -> Cause:
