@@ -9,7 +9,7 @@ from .tolerance import NEARLY
 
 OR = "; or one that "  # between causes that give the same numbers
 WORDS = 30  # of a diagnosis that is read
-BRIEF = 9  # of each of two mistakes that are named together
+BRIEF = 10  # of each of two mistakes that are named together
 ORDINALS = ("first", "second", "third")
 
 
@@ -167,19 +167,20 @@ def _ordinals(places: Sequence[int]) -> str:
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
     how = "large" if large else "small"
-    why = f"check your units: {what}" if " against " in what else "look for a half or a double"
-    return Cause("factor", f"{what} {how}", f"is {factor:.4g} times too {how}", why=why)
+    why = (
+        "the answer has a unit of its own" if " against " in what else "look for a half or a double"
+    )
+    text = f"is {factor:.4g} times too {how} ({what})"
+    return Cause("factor", f"{what} {how}", text, why=why)
 
 
 def both(first: Cause, second: Cause) -> Cause:
-    """Two listed mistakes made together; of what is long, the beginning."""
-    text = f"{_brief(first.text)}, and also {_brief(second.text)}"
-    return Cause("both", f"{first.name} + {second.name}", text, why="both are made at once")
-
-
-def _brief(text):
-    words = text.split()
-    return text if len(words) <= BRIEF else f"{' '.join(words[:BRIEF]).rstrip(',')} …"
+    """Two listed mistakes made together; of what is too long, the beginning."""
+    texts = [first.text, second.text]
+    if len(" ".join(texts).split()) > 2 * BRIEF:
+        texts = [" ".join(x.split()[:BRIEF]).rstrip(",") + " …" for x in texts]
+    text = ", and also ".join(texts)
+    return Cause("both", f"{first.name} + {second.name}", text, why="both change the answer")
 
 
 def in_this_part(cause: Cause) -> Cause:

@@ -132,14 +132,15 @@ def _of_angles(answers):
 
 def _of_stages(answers, stages, dimensions):
     """Answers that stop on the way: a quantity of the same dimension, its size, a component."""
-    vectors = [Stage(key, "", a.parts, key) for key, a in answers.items() if len(a.parts) == 3]
+    vectors = [Stage(key, "", a.parts) for key, a in answers.items() if len(a.parts) == 3]
     for key, answer in answers.items():
         for stage in (*stages, *(vectors if len(answer.parts) == 1 else ())):
             for what, rank, parts in _instead(stage.parts, len(answer.parts)):
                 instead = dict(zip(answer.parts, parts, strict=True))
                 moved = {a: x for a, x in instead.items() if isinstance(a, Step) and a is not x}
                 if moved and all(_are_alike(a, x, dimensions) for a, x in instead.items()):
-                    text = f"gives {what}{stage.means or stage.name} here: {key} is another"
+                    named = f"the {stage.means}" if stage.means else stage.name
+                    text = f"gives {what}{named} here: {key} is asked for"
                     cause = computed(f"{what} {stage.name} {key}", text)
                     yield Edit(rank, cause, {a.number: x for a, x in moved.items()})
 

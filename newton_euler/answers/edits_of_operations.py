@@ -80,7 +80,8 @@ def of_product(
         if described(factor):
             yield from _of_factor(s, factor, power, number(factor), of, why(factor))
     for part, op in _parts(s, "/"):
-        words = f"leaves out {described(part, 'the factor') or 'a factor'}{of}{why(part)}"
+        named = described(part, "the factor") or "a factor"
+        words = f"leaves out {named}{f' of {whole}' if whole else ''}{why(part)}"
         yield LESS, "factor", words, (op, s, number(part))
     powers = product.powers.values()
     if min(powers, default=0) < 0 < max(powers):

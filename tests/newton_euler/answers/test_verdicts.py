@@ -108,7 +108,7 @@ def test_that_it_follows_comes_before_any_other_cause():
     why = explained(Fall([("square", doubled, ((36.0,),))]), "square", {"v": 6.0, "square": 36.0})
     assert why.causes == (follows(["v"]), doubled)
     assert why.message == "not right; it follows from your v"
-    assert why.also == "; it also fits a solution that takes the speed twice"
+    assert why.also == "; it also fits a solution that takes the speed twice (see section 6.1)"
 
 
 @pytest.mark.parametrize(
