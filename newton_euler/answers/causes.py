@@ -9,7 +9,7 @@ from .tolerance import NEARLY
 
 OR = "; or one that "  # between causes that give the same numbers
 WORDS = 30  # of a diagnosis that is read
-BRIEF = 10  # of each of two mistakes that are named together
+BRIEF = 9  # of each of two mistakes that are named together
 ORDINALS = ("first", "second", "third")
 
 
@@ -178,18 +178,18 @@ def both(first: Cause, second: Cause) -> Cause:
     """Two listed mistakes made together; of what is too long, the beginning."""
     texts = [first.text, second.text]
     if len(" ".join(texts).split()) > 2 * BRIEF:
-        texts = [" ".join(x.split()[:BRIEF]).rstrip(",") + " …" for x in texts]
+        texts = [" ".join(x.partition(", ")[0].split()[:BRIEF]) for x in texts]
     text = ", and also ".join(texts)
     return Cause("both", f"{first.name} + {second.name}", text, why="both change the answer")
 
 
 def in_this_part(cause: Cause) -> Cause:
-    """The same cause where other parts are right that it would have made wrong; so named unless
-    its reason would be left out.
+    """The same cause where other parts are right that it would have made wrong; so named where
+    its reason has room, too.
     """
     here = replace(cause, text=f"in this part {cause.text}")
-    said, reason = sentence([here]), cause.why
-    return cause if reason and said and reason not in said else here
+    words = sentence([here if here.where else here.at("section 1.1")]) or ""
+    return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
 def answer_to(key: str) -> Cause:

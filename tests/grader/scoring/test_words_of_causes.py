@@ -40,7 +40,7 @@ def slips(p, n):
 
 def faults(p, n, found):
     """The sentences that are too long, or leave out why or where."""
-    own = steps(p, {**p.sympy_symbols(), **n.sample})
+    own = steps(p, {**n.sample, **p.sympy_symbols()})
     sections = {p.section, *(s.section for s in own)}
     for cause in found:
         cause = cause if cause.where else cause.at(n.where)
