@@ -7,6 +7,7 @@
     assignment      builds the notebook of an assignment, and each student's copy with own numbers
     practice        writes files to practise from, with numbers that nobody is graded on
     paper           writes sheets with own numbers, and their keys, as PDF
+    lms             writes banks of questions for learning platforms
     submission      reads a submitted notebook, runs its answers, scores them
     grading         grades all submissions of an assignment and writes nbgrader's gradebook
     nbgrader_hooks  nbgrader's configuration, and the classes that it runs in place of its own

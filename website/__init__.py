@@ -6,6 +6,7 @@ Imports go down in this list only, and everything below it may import the grader
     build           the steps of a build
     contents        the first page
     reference       one page for each room of the engine, and the dictionary of its symbols
+    problem_index   all problems in one table, to choose from
     problem_pages   the statements of the problems, with figures; no answers
     chapter_pages   an executed notebook made ready for Sphinx
     execution       notebooks run in clean kernels, their outputs kept

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import nbformat
 
-from . import chapter_pages, contents, problem_pages, reference
+from . import chapter_pages, contents, problem_index, problem_pages, reference
 from .execution import WebsiteError, with_outputs
 from .kept import ROOT
 from .notebooks import FOLDER, Chapter, chapters
@@ -96,6 +96,7 @@ def _write_problems(folder, names, found, pictures):
     notebooks = {c.name: c.path.name for c in found}
     for name in names:
         _write(folder / f"{name}.md", problem_pages.page(name, notebooks.get(name, "")))
+    _write(folder / "index.md", problem_index.page(names))
     for name, png in pictures.items():
         (folder / "figures").mkdir(exist_ok=True)
         (folder / "figures" / name).write_bytes(png)

@@ -55,11 +55,15 @@ def page(
 ) -> str:
     """The text of the first page."""
     lines = [WHAT, "## Chapters", "", *map(_chapter, chapters), "", "## Problems", ""]
-    lines += [*map(_problems, problem_names), "", "## Reference", ""]
+    lines += ["- **[Choose a problem](problems/index.md)**", *map(_problems, problem_names), ""]
+    lines += ["## Reference", ""]
     lines += [f"- [{title}](reference/{name}.rst)" for name, title in reference.items()]
     trees = {
         "Chapters": [f"chapters/{c.stem}" for c in chapters],
-        "Problems": [f"{_short(name)} <problems/{name}>" for name in problem_names],
+        "Problems": [
+            "Choose a problem <problems/index>",
+            *(f"{_short(name)} <problems/{name}>" for name in problem_names),
+        ],
         "Reference": [f"reference/{name}" for name in reference],
     }
     run = RUN.replace("VERSION", __version__)

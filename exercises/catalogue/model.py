@@ -15,6 +15,7 @@ from newton_euler.algebra.units import SI, System, unit
 from newton_euler.answers.forms import Form, kind_named
 from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import symbol
+from newton_euler.answers.tolerance import RTOL
 
 from .places import CatalogueError, home, place
 from .units import in_unit, system_of
@@ -64,7 +65,8 @@ class Answer:
     kind : may be given by its name. atol : the absolute tolerance, in ``unit``, for a key that is
     zero. weight : its share of the problem's points, beside those of the other answers.
     follow_through : the part of them that it earns where it is wrong, but follows from a student's
-    own earlier answers. latex : how it is printed, where its key does not say it.
+    own earlier answers. latex : how it is printed, where its key does not say it. rtol : the
+    relative tolerance of its numbers, which a sheet may change.
     """
 
     key: str
@@ -76,6 +78,7 @@ class Answer:
     weight: float = 1.0
     follow_through: float = 0.0
     latex: str = ""
+    rtol: float = RTOL
 
     def __post_init__(self) -> None:
         if isinstance(self.kind, str):

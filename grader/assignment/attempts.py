@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ..course import Course, CourseError, check_id, load_json, write_json
 from ..course.by_hand import give_student, of_student
+from ..course.exam import refuse_exam
 from .numbers import keep_numbers, numbers_path
 from .personal import make_personal_copies
 from .released import released
@@ -44,6 +45,9 @@ def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Pat
     """Set an attempt aside and make a sheet with fresh numbers: (number of the attempt, path)."""
     if student not in course.roster():
         raise CourseError(f"{student} is not on the roster")
+    refuse_exam(
+        course, assignment, "there is one attempt; build another exam for those who sit it again"
+    )
     now = parts(course, assignment, student)
     if not now["submitted"].is_dir():
         raise CourseError(

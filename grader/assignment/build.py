@@ -10,8 +10,10 @@ from typing import Any
 
 from exercises.catalogue import Problem
 
-from ..course import Course, load_json, read_roster, write_json
+from ..course import Course, CourseError, load_json, read_roster, write_json
 from ..course.creation import new_course, refuse_existing, write_pinned
+from ..course.due import due_date
+from ..course.exam import refuse_exam, set_exam
 from ..course.files import write_text
 from ..sandbox import CELL_SECONDS, SECONDS
 from .cells import own_metadata
@@ -77,8 +79,11 @@ def build_assignment(
     with opened as course:
         if chapters is not None:
             course.set(chapters=chapters)
+        _check_name(course, spec)
         links = course.settings.get("chapters", "")
-        notebook = build_notebook(spec.items, spec.title, CELL_SECONDS, SECONDS, figures, links)
+        notebook = build_notebook(
+            spec.items, spec.title, CELL_SECONDS, SECONDS, figures, links, bool(spec.late)
+        )
         kept, backup = _write(course, spec, notebook)
         enrolled = course.enrol(roster.students) if roster else 0
     if update:
@@ -86,6 +91,20 @@ def build_assignment(
     read_as = roster.read_as if roster else ""
     path = course.source(spec.name)
     return Built(Course(course_path), path, spec, enrolled, read_as, kept, backup)
+
+
+def _check_name(course, spec):
+    """Note that it is an exam; refuse a name that another assignment has."""
+    for other in (p.name for p in (course.path / "source").glob("*/")):
+        if other != spec.name and other.lower() == spec.name.lower():
+            raise CourseError(
+                f"the assignments {other} and {spec.name} differ by upper and lower case only: on "
+                "some machines they would share one folder"
+            )
+    if spec.late:
+        set_exam(course, spec.name, due_date(spec.opens) if spec.opens else None, spec.late)
+    else:
+        refuse_exam(course, spec.name, "build it with --exam, or homework under another name")
 
 
 def _write(course, spec, notebook):

@@ -17,7 +17,7 @@ class OwnMetadata(TypedDict, total=False):
     """What this package writes into a cell, under "newton_euler".
 
     role : see :func:`kind`. problem : its number, as "4/16". asked : {key: form} of an answer cell.
-    weights, follow_through : may be added to an answer cell by the instructor, see
+    weights, follow_through, tolerance, help : may be added to an answer cell by the instructor, see
         :class:`~grader.assignment.sheet.Task`
     """
 
@@ -26,6 +26,8 @@ class OwnMetadata(TypedDict, total=False):
     asked: dict[str, str]
     weights: dict[str, float]
     follow_through: float
+    tolerance: float
+    help: str
 
 
 class NbgraderMetadata(TypedDict, total=False):

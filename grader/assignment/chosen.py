@@ -1,13 +1,18 @@
 """The assignment that a command names: of a course, of a file, or of chosen problems."""
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from ..course import Course, load_json, read_json
+from exercises.catalogue import Problem, chapters, select
+
+from ..course import Course, CourseError, load_json, read_json
 from .cells import own_metadata
-from .sheet import tasks
-from .spec import Item, Spec, read_spec, spec_of
+from .sheet import tasks, with_tolerance
+from .spec import Item, Spec, in_range, read_spec, spec_of
+from .written import spec_of_course
 
 
 def chosen(
@@ -18,16 +23,55 @@ def chosen(
 ) -> Spec:
     """The assignment of this name: as the ``course`` has it, as ``hw3.yaml`` says, of the problems
     ``only``, or of the chapter of that name. An item that is a problem has a text where the
-    instructor has changed the problem's.
+    instructor has changed the problem's: with the book's numbers, and without the figure.
     """
     only, points, path = tuple(only), tuple(points), Path(assignment)
     if course and not only and course.source(path.stem).exists():
         return _of_course(course, path.stem)
     if path.suffix not in (".yaml", ".yml"):
         path = Path(f"{assignment}.yaml")
-    if not only and path.exists():
+    if not only and (path.exists() or path.name == assignment):
         return read_spec(path)
+    if course and not only and path.stem not in chapters():
+        raise CourseError(
+            f"there is no {path.stem} in {course.path}: it has {_listed(course)}. Build it there "
+            f"first, or name a chapter or problems (--problems 4/3 4/16)"
+        )
     return spec_of(Path(assignment).stem, only, points)
+
+
+def named(names: Iterable[str], course: Course | None = None) -> dict[Problem, Mapping[str, Any]]:
+    """The problems that names stand for, with the options that a sheet gives them: numbers, ranges,
+    chapters, "all", files of assignments, and assignments of the ``course``.
+    """
+    found: dict[Problem, Mapping[str, Any]] = {}
+    for name in names:
+        file = Path(name if Path(name).suffix in (".yaml", ".yml") else f"{name}.yaml")
+        if course and "/" not in name and course.source(name).exists():
+            items = spec_of_course(course, name)[0].items
+        elif file.exists() or file.name == name:
+            items = read_spec(file).items
+        else:
+            items = tuple(map(Item, select([name]) if name == "all" else in_range(name)))
+        for item in items:
+            if item.problem:
+                found.setdefault(item.problem, item.options)
+    return found
+
+
+def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
+    """The problem with the tolerance and the weights of its sheet."""
+    p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
+    answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
+    return replace(p, answers=tuple(answers)) if weights else p
+
+
+def _listed(course):
+    found = sorted(f.name for f in (course.path / "source").glob("*") if f.is_dir())
+    return ", ".join(found) or "no assignments"
+
+
+_FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
 
 
 def _of_course(course, name):
@@ -39,8 +83,9 @@ def _of_course(course, name):
         role, number = own.get("role", ""), own.get("problem", "")
         if role == "statement" and number in worth:
             task = worth[number]
-            changed = "" if text == built.get(cell.get("id")) else text
-            items.append(Item(task.exercise, changed, {"points": task.points}))
+            changed = "" if text == built.get(cell.get("id")) else _FIGURE.sub("", text)
+            options = {n: getattr(task, n) for n in ("points", "weights", "tolerance")}
+            items.append(Item(task.exercise, changed, options))
         elif cell["cell_type"] == "markdown" and role not in ("statement", "introduction"):
             items.append(Item(text=text))
     kept = base.with_suffix(".yaml")

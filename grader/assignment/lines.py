@@ -19,6 +19,7 @@ from newton_euler.answers.notation import (  # fmt: skip
     symbol,
     unit_symbol,
 )
+from newton_euler.answers.tolerance import NOISE
 
 from .cells import Values
 from .derivations import Derivation, component, derivations
@@ -257,9 +258,11 @@ def latex_of(value, notation):
 
 
 def formatted(value: Any) -> str:
-    """An answer as text, numbers with six significant digits."""
+    """An answer as text, numbers with six significant digits, round-off for zero as zero."""
     if isinstance(value, (Vector, tuple, list)):
-        return "[" + ", ".join(formatted(v) for v in value) + "]"
+        size = NOISE * max((abs(float(x)) for x in flat(value) if is_numeric(x)), default=0.0)
+        shown = (0 if is_numeric(v) and abs(float(v)) < size else v for v in value)
+        return "[" + ", ".join(map(formatted, shown)) + "]"
     if isinstance(value, (int, str)):
         return str(value)
     if is_numeric(value) or not value.free_symbols:

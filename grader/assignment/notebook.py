@@ -61,8 +61,7 @@ INTRODUCTION = """\
 {whose}
 
 Each problem has a cell for your work. It begins with names set to `None`; give each its value, in the unit that is written behind it, and run the
-cell below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). It does not know the right answer; that is
-compared after you hand in, part by part, with a hint where a common slip explains the difference.
+cell below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). {told}
 
 - Vectors are written `[x, y, z]`, in the frame named in the problem; a `Vector` of `newton_euler` is taken too. Angles go into `sin` and `cos` in
   radians.
@@ -70,6 +69,18 @@ compared after you hand in, part by part, with a hint where a common slip explai
 - The cells are run once more for grading, from top to bottom, also those that you add; each within {seconds:g} s, and all of them within {total:g} s.
   An answer is what its name holds where the receipt stands.
 - A problem left at `None` costs nothing but its points.
+"""  # noqa: E501  # a text that students have
+
+
+COMPARED = """\
+It does not know the right answer; that is
+compared after you hand in, part by part"""
+HINTED = ", with a hint where a common slip explains the difference"
+SEALED = "Where your copy lets it, it also says at once whether an answer is right.\n"
+EXAM = """\
+**This is an exam**: it says nothing of whether an answer is right.
+Hand in once, within the window of the exam: the first work counts, and a later one does not replace it. Feedback comes when the exam has closed for
+everybody.
 """  # noqa: E501  # a text that students have
 
 
@@ -182,13 +193,14 @@ def starter(p: Problem) -> str:
     return "\n".join(lines)
 
 
-def receipt_cell(p: Problem) -> str:
-    """The source of the locked cell that checks the form of the answers."""
+def receipt_cell(p: Problem, exam: bool = False) -> str:
+    """The source of the locked cell that checks the form of the answers; in an exam only that."""
     forms = ", ".join(f'{a.key}="{a.form}"' for a in p.answers)
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
     own = {q: x.latex for q, x in ({a.key: a for a in p.answers} | p.symbols).items() if x.latex}
     notation = f"notation={own!r}, " if own else ""
-    sane = f"sane={known!r}, " if (known := sane_answers(p)) else ""
+    known = False if exam else sane_answers(p)
+    sane = f"sane={known!r}, " if exam or known else ""
     return f'expect("{p.id}", {symbols}{notation}{sane}{forms})\nreceipt("{p.id}", globals())'
 
 
@@ -212,12 +224,20 @@ def build_notebook(
     total: float,
     figures: Mapping[str, bytes | None] | None = None,
     chapters: str = "",
+    exam: bool = False,
 ) -> Notebook:
     """A source notebook of problems and texts with the book's numbers; ``seconds``: per cell,
     ``total``: of all; ``chapters``: where its links lead, see
-    :func:`~exercises.catalogue.sections.section_line`.
+    :func:`~exercises.catalogue.sections.section_line`; ``exam``: its receipts say nothing of an
+    answer but whether it can be read.
     """
-    text = INTRODUCTION.format(title=title, seconds=seconds, total=total, whose=MASTER_COPY)
+    listed = [x if isinstance(x, Item) else Item(x) for x in items]
+    levels = {x.options.get("help") for x in listed if x.problem}
+    told = EXAM if exam else COMPARED + HINTED * (levels != {"none"}) + ".\n"
+    told += SEALED * bool(levels - {None, "none"})
+    text = INTRODUCTION.format(
+        title=title, seconds=seconds, total=total, whose=MASTER_COPY, told=told.strip()
+    )
     locked: NbgraderMetadata = {
         "grade": False, "solution": False, "locked": True, "grade_id": "setup",
     }  # fmt: skip
@@ -225,10 +245,10 @@ def build_notebook(
         markdown_cell("introduction", text, {"role": "introduction"}),
         code_cell("setup", SETUP.strip(), {"role": "setup"}, locked),
     ]
-    for n, item in enumerate(x if isinstance(x, Item) else Item(x) for x in items):
+    for n, item in enumerate(listed):
         if p := item.problem:
             figure = (figures or {}).get(p.id)
-            cells += _problem_cells(p, p.book_values, figure, chapters, item.options)
+            cells += _problem_cells(p, p.book_values, figure, chapters, item.options, exam)
         else:
             cells.append(markdown_cell(f"text-{n}", item.text, {"role": f"text-{n}"}))
     return {
@@ -242,7 +262,7 @@ def build_notebook(
     }
 
 
-def _problem_cells(p, values, figure, chapters, options):
+def _problem_cells(p, values, figure, chapters, options, exam):
     n = slug(p.id)
     # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell
     # without one would lose its text
@@ -258,17 +278,20 @@ def _problem_cells(p, values, figure, chapters, options):
         "grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0,
     }  # fmt: skip
     return [
-        _statement_cell(p, values, figure, chapters),
+        _statement_cell(p, values, figure, chapters, options.get("tolerance")),
         code_cell(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
         code_cell(answer_id(p.id), answer, own, marks),
-        code_cell(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, locked),
+        code_cell(
+            f"receipt-{n}", receipt_cell(p, exam), {"role": "receipt", "problem": p.id}, locked
+        ),
     ]
 
 
-def _statement_cell(p, values, figure, chapters):
+def _statement_cell(p, values, figure, chapters, tolerance):
+    right = f"\n\n*Tolerance:* {100 * tolerance:g} %" if tolerance else ""
     cell = markdown_cell(
         f"statement-{slug(p.id)}",
-        statement(p, values, figure is not None, chapters),
+        statement(p, values, figure is not None, chapters) + right,
         {"role": "statement", "problem": p.id},
     )
     if figure is not None:
@@ -294,7 +317,7 @@ def personal_notebook(
         role, number_of = own.get("role"), own.get("problem")
         if role in ("statement", "givens") and number_of in values:
             p = find_problem(number_of)
-            change = _statement_with if role == "statement" else _givens_with
+            change = statement_with if role == "statement" else _givens_with
             cell = {**cell, "source": change(p, cell["source"], values[number_of])}
             if "figure.png" in cell.get("attachments", {}) and figures.get(number_of):
                 cell["attachments"] = {**cell["attachments"], **_attached(figures[number_of])}
@@ -305,7 +328,7 @@ def personal_notebook(
     return {**released, "cells": cells}
 
 
-def _statement_with(p, text, values):
+def statement_with(p, text, values):
     """The text of a problem with a student's numbers, wherever it gives one."""
     pieces, numbers = _around_numbers(p, text)
     own = [written(values[name]) for name, written in numbers]

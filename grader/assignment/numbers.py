@@ -5,6 +5,7 @@ then on, whatever the ranges of an exercise are later.
 import json
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -12,11 +13,13 @@ from exercises.catalogue import Problem
 from newton_euler.algebra.units import unit
 
 from ..course import Course, CourseError, write_json
+from ..course.exam import is_exam
 from .cells import SheetValues, own_metadata
 from .sheet import tasks
 
 # a file of numbers: {problem: {name: [number, unit]}}
 KeptNumbers = dict[str, dict[str, list[Any]]]
+TRIES = 50  # draws for numbers that no other sheet has
 
 
 def kept_numbers(
@@ -28,10 +31,44 @@ def kept_numbers(
     missing = [p for p in problems if p.id not in kept]
     if missing:
         handed_out = _handed_out(course, assignment, student)
-        drawn = course.values(assignment, student, missing)
+        drawn = _drawn(course, assignment, student, missing)
         values = {p.id: {**drawn[p.id], **handed_out.get(p.id, {})} for p in missing}
         kept = keep_numbers(course, assignment, student, missing, values)
     return {p.id: _today(p, kept[p.id], path) for p in problems}
+
+
+def _drawn(course, assignment, student, problems):
+    """New numbers for a sheet; those of an exam are on no other sheet of the course, and not the
+    book's, as far as the ranges allow.
+    """
+    drawn = course.values(assignment, student, problems)
+    if not is_exam(course, assignment):
+        return drawn
+    folders = sorted(p for p in (course.path / "numbers").glob("*/") if p.name != assignment)
+    taken = _taken(tuple((p, p.stat().st_mtime_ns) for p in folders))
+    for p in problems:
+        others = {_as_kept(p.book_values), *taken.get(p.id, ())}
+        for n in range(TRIES):
+            if _as_kept(drawn[p.id]) not in others:
+                break
+            # no student has this name, since ids hold no line breaks
+            drawn |= course.values(assignment, f"{student}\n{n}", [p])
+    return drawn
+
+
+@lru_cache(maxsize=2)
+def _taken(folders: tuple[tuple[Path, int], ...]) -> dict[str, set]:
+    """{problem: the numbers that sheets have in these folders, which changed at these times}."""
+    found: dict[str, set] = {}
+    for path in (path for folder, _ in folders for path in folder.glob("*.json")):
+        for number, given in _read(path).items():
+            values = {name: x for name, (x, _) in given.items()}
+            found.setdefault(number, set()).add(_as_kept(values))
+    return found
+
+
+def _as_kept(values):
+    return tuple(sorted(values.items()))
 
 
 def numbers_in(path: Path, problems: Iterable[Problem]) -> SheetValues:

@@ -10,6 +10,7 @@ from pathlib import Path
 from exercises.catalogue import problem
 
 from ..course import Course, CourseError, check_id, write_json
+from ..course.exam import refuse_before_opening, refuse_exam
 from .figures import figure_png
 from .notebook import personal_notebook
 from .released import personal_path, released, sheet_numbers
@@ -28,9 +29,11 @@ def make_personal_copies(
     notebooks with problems; returns {student: path}. Figures show a student's own numbers, so that
     they are drawn for each, on ``workers`` processes.
 
-    right_or_wrong : let receipts say whether an answer is right, see
-        :mod:`newton_euler.answers.seals`
+    right_or_wrong : let receipts say whether an answer is right where the sheet has no help level,
+        see :mod:`newton_euler.answers.seals`
     """
+    if right_or_wrong:
+        refuse_exam(course, assignment, "its receipts never say whether an answer is right")
     students = list(students) if students is not None else course.roster()
     if unknown := sorted(set(students) - set(course.roster())):
         raise CourseError(
@@ -58,7 +61,7 @@ def make_personal_copies(
         for name, original in notebooks.items():
             path = personal_path(course, assignment, s, name)
             notebook = personal_notebook(original.notebook, s, values[s], figures)
-            write_json(path, with_seals(notebook, values[s]) if right_or_wrong else notebook)
+            write_json(path, with_seals(notebook, values[s], right_or_wrong))
     return paths
 
 
@@ -78,6 +81,7 @@ def exchange_outbound(course: Course, assignment: str) -> Path:
     """The folder of a released assignment in the exchange of the course's configuration."""
     from nbgrader.exchange.default import Exchange
 
+    refuse_before_opening(course, assignment)
     outbound = Path(Exchange(config=course.config()).root) / course.name / "outbound" / assignment
     if not outbound.is_dir():
         raise CourseError(

@@ -14,7 +14,7 @@ from .numbers import kept_numbers
 from .sheet import Task, tasks
 
 # metadata of a cell that change what the work in it is worth, not how it runs
-WORTH = ("points", "weights", "follow_through", "checksum")
+WORTH = ("points", "weights", "follow_through", "tolerance", "help", "checksum")
 
 
 @dataclass(eq=False)

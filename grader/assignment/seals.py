@@ -1,6 +1,5 @@
 """Seals of the right answers in a student's own copy, at the instructor's choice."""
 
-from exercises.catalogue import problem
 from newton_euler.answers.seals import seal
 
 from ..scoring.numbers import numbers_of
@@ -8,14 +7,21 @@ from .cells import Notebook, SheetValues, own_metadata
 from .sheet import tasks
 
 
-def with_seals(notebook: Notebook, values: SheetValues) -> Notebook:
-    """A student's copy with seals of the right answers in its cells of numbers."""
-    cells, asked = [], tasks(notebook)
+def with_seals(notebook: Notebook, values: SheetValues, unless_said: bool = True) -> Notebook:
+    """A student's copy with seals of the right answers in its cells of numbers, of the problems
+    whose help level is "check" or more; ``unless_said``: also of those that have none.
+    """
+    cells = []
+    asked = {
+        name: task
+        for name, task in tasks(notebook).items()
+        if (unless_said if task.help is None else task.help != "none")
+    }
     for cell in notebook["cells"]:
         own = own_metadata(cell)
         number = own.get("problem")
         if own.get("role") == "givens" and number in values and number in asked:
-            p = problem(number)
+            p = asked[number].exercise
             seals = _seals(p, values[number], asked[number].asked)
             names = "".join(f", {n}={n}" for n in p.givens)
             line = f'given("{p.id}", sealed={seals!r}{names})'
@@ -36,7 +42,7 @@ def _seal(answer, numbers):
     if answer.kind.is_word:
         return seal(answer.kind, key[0][0])
     if not answer.kind.is_formula:
-        return seal(answer.kind, key[0])
+        return seal(answer.kind, key[0], rtol=answer.rtol)
     n = next(n for n, point in enumerate(key) if all(x == x for x in point))
     at = {name: float(points[n]) for name, points in numbers.symbols.items()}
     return seal(answer.kind, key[n], at)

@@ -1,14 +1,17 @@
 """The problems that a notebook asks for, read from its cells, whatever it was built from."""
 
 import json
-from dataclasses import asdict, dataclass
-from functools import cached_property
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property, lru_cache
 
 from exercises.catalogue import CatalogueError, Problem
 from exercises.catalogue import problem as find_problem
 
 from ..course import CourseError
 from .cells import Notebook, nbgrader_metadata, own_metadata
+from .options import read_option
+
+LATER = ("tolerance", "help")  # options that sheets of earlier versions do not have
 
 
 @dataclass(frozen=True)
@@ -19,8 +22,11 @@ class Task:
     asked : {key: form} of what is asked for; None on sheets of earlier versions, which lack it
     follow_through : the share that a part earns if it follows correctly from a wrong one; None for
         that of the exercise
-    The instructor adds "weights" and "follow_through" to the "newton_euler" metadata of the answer
-    cell.
+    tolerance : relative, of its numbers; None for that of all (0.005)
+    help : the most that a student is shown, one of :data:`~.options.HELP`; None where the sheet
+        says nothing
+    The last four stand in the "newton_euler" metadata of the answer cell, where the instructor may
+    change them.
     """
 
     problem: str
@@ -29,11 +35,14 @@ class Task:
     weights: dict[str, float] | None
     asked: dict[str, str] | None
     follow_through: float | None = None
+    tolerance: float | None = None
+    help: str | None = None
 
     @cached_property
     def as_json(self) -> str:
-        """All of it as JSON, to detect changes."""
-        return json.dumps(asdict(self), sort_keys=True)
+        """All of it as JSON, to detect changes; what later versions added only where it is set."""
+        known = {n: x for n, x in asdict(self).items() if n not in LATER or x is not None}
+        return json.dumps(known, sort_keys=True)
 
     @property
     def forms(self) -> dict[str, str] | None:
@@ -45,14 +54,24 @@ class Task:
 
     @property
     def exercise(self) -> Problem:
-        """The exercise as it is today; raises :class:`CourseError` if there is none."""
+        """The exercise as it is today, with the tolerance of the sheet; raises
+        :class:`CourseError` if there is none.
+        """
         try:
-            return find_problem(self.problem)
+            return with_tolerance(find_problem(self.problem), self.tolerance)
         except CatalogueError as error:
             raise CourseError(
                 f"the sheet asks for problem {self.problem}, which is not among the exercises: "
                 f"{error}"
             ) from error
+
+
+@lru_cache(maxsize=1000)
+def with_tolerance(p: Problem, tolerance: float | None) -> Problem:
+    """The problem with this relative tolerance of its numbers; None: with its own."""
+    if tolerance is None:
+        return p
+    return replace(p, answers=tuple(replace(a, rtol=tolerance) for a in p.answers))
 
 
 def tasks(notebook: Notebook) -> dict[str, Task]:
@@ -66,10 +85,22 @@ def tasks(notebook: Notebook) -> dict[str, Task]:
             continue
         marks = nbgrader_metadata(cell)
         points = marks.get("points", 0) if marks.get("grade") else 0
-        as_asked = own.get("weights"), own.get("asked"), own.get("follow_through")
-        task = Task(own["problem"], str(marks.get("grade_id", "")), points, *as_asked)
+        task = Task(
+            own["problem"], str(marks.get("grade_id", "")), points, own.get("weights"),
+            own.get("asked"), own.get("follow_through"), *(_read(own, n) for n in LATER),
+        )  # fmt: skip
         found.setdefault(task.problem, task)
     return found
+
+
+def _read(own, name):
+    """An option in the metadata of an answer cell, None where it is not there."""
+    if name not in own:
+        return None
+    try:
+        return read_option(name, own[name])
+    except ValueError as error:
+        raise CourseError(f"the answer cell of {own['problem']}: {name}: {error}") from error
 
 
 def problems_of(notebook: Notebook) -> list[Problem]:

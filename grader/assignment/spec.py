@@ -1,29 +1,34 @@
-"""What an assignment consists of: problems of any chapters, with their points, and texts between.
+"""What an assignment consists of: problems of any chapters, what they are worth, texts between.
 
-An instructor writes it as a file, hw3.yaml::
-
-    title: Homework 3
-    due: 2027-01-31 23:59 Europe/Berlin
-    problems:
-      - 4/3: {points: 10, weights: {a: 2}, follow_through: 0.5}
-      - text: "Friction is neglected from here on."
-      - 4/16
-      - 11/1-11/6
+An instructor writes it as a file; ``python -m grader build --help`` prints one with all that it may
+hold.
 """
 
+import difflib
 import re
+from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import yaml
 
-from exercises.catalogue import Problem, chapter, chapters, problem, problems
+from exercises.catalogue import (
+    CatalogueError,
+    Problem,
+    chapter,
+    chapters,
+    problem,
+    problems,
+)
+from exercises.catalogue.variants import sheets
+from newton_euler.answers.tolerance import SEPARATION
 
 from ..course import CourseError
-
-OPTIONS = {"points", "weights", "follow_through"}
+from ..course.due import due_date
+from ..course.exam import LATE
+from .options import BY_SHEET, OPTIONS, read_option, unknown
 
 
 @dataclass(frozen=True)
@@ -37,12 +42,20 @@ class Item:
 
 @dataclass(frozen=True)
 class Spec:
-    """An assignment: its name, its title, its items; ``due`` is the text of the due date."""
+    """An assignment: its name, its title, its items. ``due`` and ``opens`` are texts of dates;
+    ``late``, one of :data:`~grader.course.exam.LATE`, is empty where it is no exam.
+    """
 
     name: str
     title: str
     items: tuple[Item, ...]
     due: str = ""
+    opens: str = ""
+    late: str = ""
+
+    def __post_init__(self) -> None:
+        if self.late and any(i.options.get("help", "none") != "none" for i in self.items):
+            raise CourseError(f"{self.name} is an exam, in which there is no help: leave it out")
 
     @property
     def problems(self) -> list[Problem]:
@@ -50,18 +63,43 @@ class Spec:
         return [i.problem for i in self.items if i.problem]
 
     @property
+    def warnings(self) -> list[str]:
+        """What an instructor may not expect of the sheet, in sentences."""
+        wide = [i.problem.id for i in self.items if i.problem and _takes_mistakes(i)]
+        same = [p.id for p in self.problems if self.late and sheets(p) == 1]
+        found = [
+            f"{', '.join(wide)}: so wide a tolerance may take a listed mistake for right; those "
+            f"differ from the right answer by {SEPARATION:.0%} or more"
+        ] * bool(wide)
+        return found + [
+            f"{', '.join(same)}: the same for everybody and everywhere, since nothing in it varies"
+        ] * bool(same)
+
+    @property
     def as_yaml(self) -> str:
         """The file that :func:`read_spec` reads."""
-        entries: list[Any] = []
-        for i in self.items:
-            if not i.problem:
-                entries.append({"text": i.text})
-            else:
-                number = i.problem.id
-                entries.append({number: dict(i.options)} if i.options else number)
-        due = {"due": self.due} if self.due else {}
-        content = {"title": self.title, **due, "problems": entries}
+        dates = {"mode": "exam", "opens": self.opens, "closes": self.due, "late": self.late}
+        head = dates if self.late else {"due": self.due}
+        asked = [i.options for i in self.items if i.problem]
+        common = {
+            key: Counter(o[key] for o in asked).most_common(1)[0][0]
+            for key in BY_SHEET
+            if len(asked) > 1 and all(key in o for o in asked)
+        }
+        content = {"title": self.title, **{k: x for k, x in head.items() if x}, **common}
+        content["problems"] = [_entry(i, common) for i in self.items]
         return yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
+
+
+def _takes_mistakes(item):
+    return item.options.get("tolerance", 0) > SEPARATION
+
+
+def _entry(item, common):
+    if not item.problem:
+        return {"text": item.text}
+    own = {key: x for key, x in item.options.items() if x != common.get(key)}
+    return {item.problem.id: own} if own else item.problem.id
 
 
 def spec_of(
@@ -82,8 +120,8 @@ def spec_of(
         )
     found = list(dict.fromkeys(p for text in chosen or (name,) for p in in_range(text)))
     worth = dict(_points(text) for text in points)
-    if unknown := worth.keys() - {p.id for p in found}:
-        raise CourseError(f"--points {min(unknown)}: it is not among the problems of {name}")
+    if missing := worth.keys() - {p.id for p in found}:
+        raise CourseError(f"--points {min(missing)}: it is not among the problems of {name}")
     items = tuple(Item(p, options={"points": worth[p.id]} if p.id in worth else {}) for p in found)
     return Spec(name, title or (chapter(name).title if whole else name), items)
 
@@ -105,57 +143,168 @@ def in_range(text: str) -> list[Problem]:
 def _points(text):
     number, equals, points = text.partition("=")
     try:
-        return problem(number).id, _number(points if equals else "", 0.0)
+        return problem(number).id, read_option("points", float(points if equals else ""))
     except ValueError:
         raise CourseError(
             f"--points {text!r}: expected a problem and points, as in 4/3=10"
         ) from None
 
 
-def _number(x, least):
-    value = float(x)
-    if not least <= value < 1e6:
-        raise ValueError(x)
-    return int(value) if value.is_integer() else value
+# -- the file
+
+
+class _Loader(yaml.SafeLoader):
+    """The safe loader, with the lines of keys and entries."""
+
+
+class _Map(dict[Any, Any]):
+    """A mapping with the line of each key."""
+
+    def __init__(self, **entries: Any) -> None:
+        super().__init__(entries)
+        self.lines: dict[Any, int] = {}
+
+
+class _List(list):
+    """A list with the line of each entry."""
+
+
+def _mapping(loader, node):
+    found = _Map()
+    for key, value in node.value:
+        name = loader.construct_object(key, deep=True)
+        if not isinstance(name, str | int | float):
+            raise yaml.constructor.ConstructorError(None, None, "no name", key.start_mark)
+        if name in found:
+            words = f"the key {name!r} is there twice"
+            raise yaml.constructor.ConstructorError(None, None, words, key.start_mark)
+        found[name] = loader.construct_object(value, deep=True)
+        found.lines[name] = key.start_mark.line + 1
+    return found
+
+
+def _sequence(loader, node):
+    found = _List(loader.construct_object(entry, deep=True) for entry in node.value)
+    found.lines = [entry.start_mark.line + 1 for entry in node.value]
+    return found
+
+
+_Loader.add_constructor("tag:yaml.org,2002:map", _mapping)
+_Loader.add_constructor("tag:yaml.org,2002:seq", _sequence)
+HEAD = {"title", "due", "mode", "opens", "closes", "late", "problems", *BY_SHEET}
 
 
 def read_spec(path: Path) -> Spec:
     """The assignment that a file describes; its name is that of the file."""
     try:
-        content = yaml.safe_load(path.read_text(encoding="utf-8"))
+        content: Any = yaml.load(path.read_text(encoding="utf-8"), _Loader)
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise CourseError(f"{path} cannot be read: {error}") from error
-    known = {"title", "due", "problems"}
-    if not isinstance(content, dict) or not isinstance(content.get("problems"), list):
-        raise CourseError(f"{path}: expected title, due and a list of problems")
-    if unknown := content.keys() - known:
-        raise CourseError(f"{path}: {min(unknown, key=str)!r} is not one of {', '.join(known)}")
-    items = [item for entry in content["problems"] for item in _items(path, entry)]
+    if not isinstance(content, _Map) or not isinstance(content.get("problems"), list):
+        raise CourseError(
+            f"{path}: expected title, due and a list of problems, as python -m grader build --help "
+            "shows"
+        )
+    for key in content:
+        if key not in HEAD:
+            raise _error(path, content.lines[key], unknown(key, HEAD))
+    common = {key: _option(path, content, key, None) for key in BY_SHEET if key in content}
+    entries = content["problems"]
+    items = [
+        replace(item, options=common | dict(item.options)) if item.problem else item
+        for entry, line in zip(entries, entries.lines, strict=True)
+        for item in _items(path, entry, line)
+    ]
     numbers = [i.problem.id for i in items if i.problem]
     if twice := [n for n in numbers if numbers.count(n) > 1]:
         raise CourseError(f"{path}: {twice[0]} is there twice")
-    title = str(content.get("title") or path.stem)
-    return Spec(
-        spec_of(path.stem, numbers).name, title, tuple(items), str(content.get("due") or "")
-    )
+    if not numbers:
+        raise _error(path, content.lines["problems"], "no problem is named")
+    if not isinstance(title := content.get("title", ""), str | int | float):
+        raise _error(path, content.lines["title"], f"{title!r} is no title")
+    name = spec_of(path.stem, numbers).name
+    return Spec(name, str(title or name), tuple(items), **_dates(path, content))
 
 
-def _items(path, entry):
-    if isinstance(entry, str):
-        return [Item(p) for p in in_range(entry)]
-    if not isinstance(entry, dict) or len(entry) != 1:
-        raise CourseError(f"{path}: {entry!r} is neither a problem nor a text")
-    ((name, value),) = entry.items()
-    if name == "text":
-        return [Item(text=str(value))]
-    options = value if isinstance(value, dict) else {"points": value}
-    if unknown := options.keys() - OPTIONS:
-        raise CourseError(
-            f"{path}, {name}: {min(unknown, key=str)!r} is not one of {', '.join(sorted(OPTIONS))}"
-        )
+def _dates(path, content):
+    """When it is due, or the window of an exam."""
+
+    def wrong(key, words):
+        return _error(path, content.lines[key], words)
+
+    if (mode := content.get("mode", "homework")) not in ("homework", "exam"):
+        raise wrong("mode", unknown(mode, ("homework", "exam")))
+    if mode == "homework":
+        for key in ("opens", "closes", "late"):
+            if key in content:
+                raise wrong(key, f"{key!r} is for exams: add mode: exam, or write due")
+        return {"due": _date(path, content, "due")}
+    if "due" in content:
+        raise wrong("due", "an exam closes: write closes in place of due")
+    if not content.get("closes"):
+        raise wrong("mode", "an exam closes: add closes: 2027-01-31 11:00 Europe/Berlin")
+    if (late := content.get("late", LATE[0])) not in LATE:
+        raise wrong("late", unknown(late, LATE))
+    closes, opens = (_date(path, content, key) for key in ("closes", "opens"))
+    if opens and due_date(opens) >= due_date(closes):
+        raise wrong("opens", "the exam opens after it closes")
+    return {"due": closes, "opens": opens, "late": late}
+
+
+def _date(path, content, key):
+    """The text of a date, which can be read; "" where there is none."""
     try:
-        if "points" in options:
-            options = {**options, "points": _number(options["points"], 0.0)}
-    except (TypeError, ValueError):
-        raise CourseError(f"{path}, {name}: {options['points']!r} is no number of points") from None
-    return [Item(p, options=options) for p in in_range(str(name))]
+        if content.get(key):
+            due_date(str(content[key]))
+    except CourseError as error:
+        raise _error(path, content.lines[key], str(error)) from error
+    return str(content.get(key) or "")
+
+
+def _items(path, entry, line):
+    if isinstance(entry, dict) and len(entry) == 1:
+        ((name, value),) = entry.items()
+        if name == "text":
+            return [Item(text=str(value))]
+        found = _found(path, name, line)
+        own = value if isinstance(value, dict) else _single(value, line)
+        for key in own:
+            if key not in OPTIONS:
+                raise _error(path, own.lines[key], f"{name}: {unknown(key, OPTIONS)}")
+        return [
+            Item(p, options={key: _option(path, own, key, p, f"{name}: ") for key in own})
+            for p in found
+        ]
+    if not isinstance(entry, str | float):  # 4.16 is meant for 4/16
+        raise _error(path, line, f"{entry!r} is neither a problem nor a text")
+    return [Item(p) for p in _found(path, entry, line)]
+
+
+def _single(points, line):
+    own = _Map(points=points)
+    own.lines = {"points": line}
+    return own
+
+
+def _found(path, name, line):
+    """The problems of a name in the file."""
+    try:
+        return in_range(str(name))
+    except (CatalogueError, CourseError) as error:
+        numbers = re.fullmatch(r"(?:ch0?)?(\w+)[.,:_-](\d+)", str(name))
+        meant = f"{numbers[1]}/{numbers[2]}" if numbers else str(name)
+        known = [*chapters(), *(p.id for c in chapters() for p in problems(c))]
+        close = difflib.get_close_matches(meant, known, 1) if meant not in known else [meant]
+        hint = f"; did you mean {close[0]}?" if close and close != [name] else ""
+        raise _error(path, line, f"{name!r}: {error}{hint}") from error
+
+
+def _option(path, own, key, p, where=""):
+    try:
+        return read_option(key, own[key], p)
+    except ValueError as error:
+        raise _error(path, own.lines[key], f"{where}{key}: {error}") from error
+
+
+def _error(path, line, words):
+    return CourseError(f"{path}, line {line}: {words}")

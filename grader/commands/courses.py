@@ -2,12 +2,14 @@
 
 import shlex
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import click
 from rich.panel import Panel
 
-from .shared import COURSE, FOLDER, PROBLEMS, console, progress_bar
+from .example import EXAM_EXAMPLE, EXAMPLE, indented
+from .shared import COURSE, FILE, FOLDER, PROBLEMS, console, progress_bar
 
 UNSANDBOXED = 3  # exit code
 ID_COLUMN = click.option(
@@ -21,7 +23,28 @@ STUDENTS = click.option(
 )
 
 
-@click.command()
+BUILD = f"""Make an nbgrader assignment: of a chapter, of problems, or as a file describes it.
+
+The course folder is new, or with --update an existing one.
+
+\b
+build ch04 --course ~/mechanics                 all of chapter 4
+build hw3 --problems 4/3 4/16 11/1-11/6 --points 4/3=10 --course ~/mechanics
+build hw3.yaml --course ~/mechanics             as the file says
+python -m grader problems, preview 4/16         what there is to choose from
+python -m grader spec hw3 --course ~/mechanics  the file of what was built
+
+A file with all that it may hold, hw3.yaml:
+
+\b
+{indented(EXAMPLE)}
+and midterm.yaml:
+
+\b
+{indented(EXAM_EXAMPLE)}"""
+
+
+@click.command(help=BUILD)
 @click.argument("assignment")
 @click.argument("more", nargs=-1, metavar="")
 @COURSE
@@ -45,7 +68,20 @@ STUDENTS = click.option(
     metavar="4/3=10",
     help="The points of a problem; may be repeated. Default: one for each answer.",
 )
-@click.option("--due", metavar="'2027-01-31 23:59 Europe/Berlin'", help="The due date.")
+@click.option(
+    "--due",
+    "--closes",
+    metavar="'2027-01-31 23:59 Europe/Berlin'",
+    help="The due date; of an exam when it closes.",
+)
+@click.option(
+    "--exam",
+    is_flag=True,
+    help="Make it an exam: receipts say nothing but whether an answer can be read, the first work "
+    "in the window counts, no other sheet has its numbers, feedback waits until it has closed for "
+    "everybody. Late work is refused; give a student another date by python -m grader due.",
+)
+@click.option("--opens", metavar="'2027-01-31 09:00 Europe/Berlin'", help="When an exam opens.")
 @click.option("--name", help="The name of a new course; default: that of the folder.")
 @click.option(
     "--exchange",
@@ -75,23 +111,17 @@ def build(
     only: tuple[str, ...],
     points: tuple[str, ...],
     due: str | None,
+    exam: bool,
+    opens: str | None,
     name: str | None,
     exchange: Path | None,
     chapters: str | None,
     update: bool,
 ) -> None:
-    """Make an nbgrader assignment: of a chapter, of problems, or as a file describes it.
-
-    The course folder is new, or with --update an existing one.
-
-    \b
-    build ch04 --course ~/mechanics                 all of chapter 4
-    build hw3 --problems 4/3 4/16 11/1-11/6 --points 4/3=10 --course ~/mechanics
-    build hw3.yaml --course ~/mechanics             as the file says, see grader/README.md
-    """
     from ..assignment import build_assignment
     from ..assignment.spec import Spec, read_spec, spec_of
     from ..course.due import due_date, set_due
+    from ..course.exam import LATE
 
     if update and (name or exchange):
         raise click.UsageError(
@@ -101,12 +131,16 @@ def build(
     only = (*only, *more)
     what: str | Spec = assignment
     if Path(assignment).suffix in (".yaml", ".yml"):
-        if only or points:
-            raise click.UsageError(f"{assignment} says which problems there are; add them there")
+        if only or points or exam or opens:
+            raise click.UsageError(f"{assignment} says what the assignment is; write it there")
         what = read_spec(Path(assignment))
         due = due or what.due
-    elif only or points:
+    elif only or points or exam:
         what = spec_of(assignment, only, points)
+    if (exam and not due) or (opens and not exam):
+        raise click.UsageError("an exam says when it closes: --exam --opens … --closes …")
+    if exam and isinstance(what, Spec):
+        what = replace(what, due=due or "", opens=opens or "", late=LATE[0])
     when = due_date(due) if due else None
     with progress_bar() as bar:
         built = build_assignment(
@@ -119,6 +153,8 @@ def build(
     if students:
         click.echo(f"Enrolled {built.enrolled} students ({built.read_as})")
     click.echo(f"Wrote {built.path}")
+    for words in built.spec.warnings:
+        click.echo(words)
     if built.merged:
         _report_merge(built.merged, built.backup, course.built(name))
     click.echo(
@@ -132,6 +168,31 @@ def build(
         )
     else:
         click.echo(f"{enrolled} students are on the roster of the course {course.name}.")
+
+
+@click.command()
+@click.argument("assignment")
+@COURSE
+@click.option("-o", "--to", "path", type=FILE, help="The file to write; default: print it.")
+def spec(assignment: str, course_path: Path, path: Path | None) -> None:
+    """Write the file of an assignment from the source notebook that is in a course.
+
+    It has the problems and texts in their order, with the points, weights, tolerances and help
+    levels that are in the notebook now, and the dates: build makes the same assignment of it, in
+    another course or the next year.
+    """
+    from ..assignment.written import spec_of_course
+    from ..course import Course
+    from ..course.files import write_text
+
+    found, left = spec_of_course(Course(course_path), assignment)
+    if path:
+        write_text(path, found.as_yaml, 0o644)
+        click.echo(f"Wrote {path}")
+    else:
+        click.echo(found.as_yaml, nl=False)
+    if left:
+        click.echo(f"A file cannot say these, which are left out: {', '.join(left)}", err=True)
 
 
 def _report_merge(merged, backup, written):

@@ -186,25 +186,6 @@ def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) 
             console.print(f"[yellow]{p.id}[/]: {escape(fault)}")
 
 
-@click.command("list")
-@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
-def list_problems(names: tuple[str, ...]) -> None:
-    """Print the problems, with the number of their sheets.
-
-    So many sets of numbers can be drawn for students; where it is 1, all have the same problem.
-    """
-    from rich.table import Table
-
-    from exercises.catalogue import select
-    from exercises.catalogue.variants import sheets
-
-    table = Table("problem", "title", "section", "asks for", "sheets", box=None)
-    for p in select(names or ("all",)):
-        asked = ", ".join(dict.fromkeys(a.kind.name.replace("_", " ") for a in p.answers))
-        table.add_row(p.id, escape(p.title), p.section, asked, f"{sheets(p):.3g}")
-    console.print(table)
-
-
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
 @SEED

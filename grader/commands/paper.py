@@ -91,5 +91,6 @@ def paper(
         written = write_papers(
             folder, spec, class_, course, key_for, done=lambda: bar.advance(task)
         )
-    click.echo(f"{len(written.sheets)} sheets in {folder / 'sheets'}")
+    if written.sheets:
+        click.echo(f"{len(written.sheets)} sheets in {folder / 'sheets'}")
     click.echo(f"{len(written.keys)} keys in {folder / 'keys'}: not for students")

@@ -8,7 +8,7 @@ from .shared import FILE, console, progress_bar
 
 
 @click.command()
-@click.argument("names", nargs=-1, required=True, metavar="ch04 | 4/16 …")
+@click.argument("names", nargs=-1, required=True, metavar="ch04 | 4/16 | 11/1-11/6 | hw3 …")
 @click.option(
     "-o", "--to", "path", required=True, type=FILE, help="The file to write, as ch04.practice."
 )
@@ -42,23 +42,27 @@ def practice(
 
     A student opens it with the engine alone: practice("ch04.practice")["4/16"] shows text and
     figure with numbers as often as wanted, and checks answers and every step at once. A problem in
-    symbols is asked with numbers. The file holds the answers for its own numbers and no others.
+    symbols is asked with numbers. Where a sheet of the course, or the file of an assignment, says a
+    tolerance or less help than --help-level, that counts. The file holds the answers for its own
+    numbers and no others.
     """
-    from exercises.catalogue import select
+    from ..assignment.chosen import named
+    from ..course import Course
+    from ..practice import graded_numbers, rules_of, write_practice
 
-    from ..practice import graded_numbers, write_practice
-
-    problems = select(names)
+    chosen = named(names, Course(course_path) if course_path else None)
+    problems, rules = list(chosen), {p.id: dict(own) for p, own in chosen.items()}
     with progress_bar() as bar:
         graded = {}
         if course_path:
             sheets = bar.add_task("reading the course's numbers", total=None)
+            rules |= rules_of(course_path)
             graded = graded_numbers(
                 course_path, lambda n, of: bar.update(sheets, completed=n, total=of)
             )
         task = bar.add_task("solving and drawing", total=len(problems))
         left = write_practice(
-            path, problems, variants, level, graded, done=lambda: bar.advance(task)
+            path, problems, variants, level, graded, done=lambda: bar.advance(task), rules=rules
         )
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")

@@ -77,6 +77,20 @@ def extensions(course: Course, assignment: str, due: datetime | None) -> dict[st
     return {s: date - due for s, date in dates.items()} if due else {}
 
 
+def is_over(course: Course, assignment: str, now: datetime | None = None) -> bool:
+    """True if an assignment has a due date that has passed for everybody: also for those with a
+    date of their own who have not handed in.
+    """
+    with course.gradebook() as book:
+        master = book.find_assignment(assignment)
+        due = master.duedate
+        if due is None:
+            return False
+        own = [s.extension for s in master.submissions if s.extension]
+    last = due + max([timedelta(), *own, *extensions(course, assignment, due).values()])
+    return (now or datetime.now(UTC).replace(tzinfo=None)) > last
+
+
 def _dates(course):
     path = course.path / EXTENSIONS
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}

@@ -15,6 +15,7 @@ COURSE/student/             configuration for the students' side of the exchange
 
 import contextlib
 import hashlib
+import hmac
 import json
 import os
 import sys
@@ -165,9 +166,14 @@ class Course:
     def values(
         self, assignment: str, student: str, problems: Iterable[Problem]
     ) -> dict[str, dict[str, Any]]:
-        """One student's numbers, derived from the secret alone: {problem id: {name: number}}."""
+        """One student's numbers, derived from the secret alone: {problem id: {name: number}}. Those
+        of an exam are derived from a secret of their own.
+        """
+        secret = self.secret
+        if assignment in self.settings.get("exams", {}):
+            secret = hmac.digest(secret, b"exams", "sha256")
         return {
-            p.id: variants.draw(p, variants.seed(self.secret, assignment, student, p.id))
+            p.id: variants.draw(p, variants.seed(secret, assignment, student, p.id))
             for p in problems
         }
 

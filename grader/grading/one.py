@@ -60,8 +60,11 @@ def grade_one(
     sources: Sources,
     harvester: Harvester,
     force: bool = False,
+    remark: str = "",
 ) -> Outcome:
-    """Grade one submitted notebook; writes the record and the annotated notebook."""
+    """Grade one submitted notebook; writes the record and the annotated notebook, with a ``remark``
+    in its note.
+    """
     submitted = course.path / "submitted" / student / assignment / f"{name}.ipynb"
     content = read_notebook(submitted)
     if number := is_work_of_earlier(course, assignment, student, name, content):
@@ -73,7 +76,7 @@ def grade_one(
     record = read_record(path)
     before = record["notebooks"].get(name, {})
     sheet = student_sheet(course, assignment, student, name, sources)
-    state = _state(sheet, content, harvester.sandbox)
+    state = _state(sheet, content, harvester.sandbox, remark)
     changed = before.get("content") != state["content"]
     entry = {} if force else before
     annotated = autograded_path(course, assignment, student, name)
@@ -93,6 +96,7 @@ def grade_one(
         executed = execute(harvester, sheet, notebook)
     kept = {i for i in state["scored"] if ran and entry["scored"].get(i) == state["scored"][i]}
     graded = grade_notebook(sheet, work, executed, scores_of(entry, kept) if kept else {})
+    graded.note = "; ".join(filter(None, [remark, graded.note]))
     now = graded_as_json(graded)
     if notebook is None and any(entry[key] != now[key] for key in now):
         notebook = load_json(annotated.read_bytes())
@@ -107,7 +111,7 @@ def grade_one(
     return Outcome(graded, changed, False, again)
 
 
-def _state(sheet, content, sandbox):
+def _state(sheet, content, sandbox, remark):
     """Hashes of what the parts of a record's entry depend on: "ran", the run in the sandbox;
     "built", the annotated notebook; "scored", the score of each problem; "content", the submission.
     """
@@ -122,7 +126,7 @@ def _state(sheet, content, sandbox):
     return {
         "content": submitted,
         "ran": ran,
-        "built": fingerprint(ran, released, sheet.sources, _stamp(sheet)),
+        "built": fingerprint(ran, released, sheet.sources, _stamp(sheet), *filter(None, [remark])),
         "scored": {
             i: _hash_of_texts(common, problem_state(i), t.as_json) for i, t in sheet.tasks.items()
         },

@@ -6,7 +6,9 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 
 from ..assignment.released import released
 from ..course import Course, CourseError
+from ..course.exam import is_exam, judged
 from ..sandbox import Harvester
+from ..submission import read_timestamp
 from .cluster import cluster
 from .gradebook import Total, instructors_cells, save
 from .lock import alone
@@ -52,13 +54,19 @@ def grade(
             harvester.__enter__()  # its imports run in parallel to those of the gradebook
         book = stack.enter_context(course.gradebook())
         sources, roster = _assignment(book, assignment), {s.id for s in book.students}
-        run = Run(course, assignment, force, names, sources, roster)
+        timed = wanted if is_exam(course, assignment) else ()
+        times = {s: read_timestamp(submitted[s].parent) for s in timed}
+        remarks, refused = judged(course, book, assignment, times)
+        run = Run(course, assignment, force, names, sources, roster, remarks)
+        late = {s: (Result(s, problem=why), None) for s, why in refused.items()}
+        wanted = [s for s in wanted if s not in late]
         if scheduler:
             grade_all = stack.enter_context(cluster(scheduler, course, run, sandbox, report))
             graded = grade_all(wanted, progress)
         else:
             graded = _on_threads(run, harvester, wanted, progress)
-        results = [graded[s][0] for s in wanted]
+        graded |= late
+        results = [graded[s][0] for s in sorted(graded, key=list(submitted).index)]
         totals = save(course, book, assignment, [e for _, e in graded.values() if e])
     for result in results:
         for name, value in vars(totals.get(result.student, Total())).items():

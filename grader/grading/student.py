@@ -1,6 +1,7 @@
 """Grades one submission, which may hold several notebooks."""
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..assignment.cells import Sources
@@ -43,7 +44,9 @@ class Result:
 
 @dataclass(frozen=True)
 class Run:
-    """The data common to all submissions of one run; ``roster`` is None where it was checked."""
+    """The data common to all submissions of one run; ``roster`` is None where it was checked,
+    ``remarks`` {student: what is noted on the time of their work}.
+    """
 
     course: Course
     assignment: str
@@ -51,6 +54,7 @@ class Run:
     names: list[str]
     sources: dict[str, Sources]
     roster: set[str] | None
+    remarks: Mapping[str, str] = field(default_factory=dict)
 
     def grade(self, student: str, harvester: Harvester) -> tuple[Result, Entry | None]:
         """(result of one submission, what to write into the gradebook); never raises."""
@@ -85,7 +89,14 @@ class Run:
             raise UnreadableError(_missing(folder, self.names))
         outcomes = {
             n: grade_one(
-                self.course, self.assignment, student, n, self.sources[n], harvester, self.force
+                self.course,
+                self.assignment,
+                student,
+                n,
+                self.sources[n],
+                harvester,
+                self.force,
+                self.remarks.get(student, ""),
             )
             for n in there
         }

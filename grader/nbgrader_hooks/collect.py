@@ -9,6 +9,7 @@ from nbgrader.exchange.default import ExchangeCollect
 from nbgrader.utils import find_owner
 
 from ..course import Course, check_id
+from ..course.exam import Window, is_exam, window
 from ..course.files import copy_regular
 
 KILOBYTE = 1000  # the unit of nbgrader's limits
@@ -31,8 +32,33 @@ class CollectRegularFiles(ExchangeCollect):
         return {"username": "", "filename": "", "timestamp": datetime.min}
 
     src_records: list[dict[str, Any]]  # set by nbgrader
+    _window: Window | None = None
+
+    def init_src(self) -> None:
+        course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
+        if is_exam(course, assignment):
+            with course.gradebook() as book:
+                self._window = window(course, book, assignment)
+        super().init_src()
+
+    def _sort_by_timestamp(self, records: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        """A student's records, first the one that counts: of an exam not the last."""
+        if self._window is None or not records[0]["username"]:
+            return super()._sort_by_timestamp(records)
+        student = records[0]["username"]
+        times = {r["timestamp"]: r for r in records}  # in UTC, without a zone
+        when = self._window.first(student, times)
+        if len(records) > 1:
+            self.log.warning(
+                "%s handed in the exam %d times; what counts is of %s UTC",
+                student, len(records), f"{when:%Y-%m-%d %H:%M:%S}",
+            )  # fmt: skip
+        return [times[when], *(r for r in records if r is not times[when])]
 
     def copy_files(self) -> None:
+        if self._window is not None:
+            # nbgrader updates by what is newer, or before the due date by whatever it has chosen
+            self.update, self.before_duedate = False, self.update
         self.src_records = [r for r in self.src_records if r["username"]]
         super().copy_files()
 

@@ -15,6 +15,7 @@ from nbformat.v4 import new_notebook
 from nbgrader.converters.base import NbGraderException
 
 from ..course import Course, CourseError
+from ..course.exam import refuse_feedback
 from .patches import copy_only_nbgraders_own_files, read_regular_files_only
 from .shared import WRITTEN, course_path
 
@@ -81,6 +82,12 @@ class FeedbackPage(Configured, HTMLExporter):
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         copy_only_nbgraders_own_files()
+        course, converter = Course(self.course_path), self.parent
+        if converter is not None:
+            try:
+                refuse_feedback(course, converter.coursedir.assignment_id)
+            except CourseError as error:
+                self._refuse(str(error))
 
 
 def _one_line_each(record: logging.LogRecord) -> bool:

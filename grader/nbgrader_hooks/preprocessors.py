@@ -7,11 +7,13 @@ from typing import Any
 
 from nbformat import NotebookNode
 from nbgrader.api import Gradebook
+from nbgrader.converters.base import NbGraderException
 from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor
 
 from ..assignment.cells import kind, nbgrader_metadata
 from ..assignment.released import released
 from ..course import Course
+from ..course.exam import judged
 from ..grading.gradebook import Entry, instructors_cells, save
 from ..grading.lock import alone
 from ..grading.one import Outcome, autograded_path, grade_one
@@ -55,10 +57,15 @@ class RebuildFromSource(NbGraderPreprocessor):
         assignment, student, name = names["assignment"], names["student"], names["notebook"]
         with Gradebook(names["db_url"]) as book:
             sources = instructors_cells(book, assignment)[name]
+            time = read_timestamp(course.path / "submitted" / student / assignment)
+            remarks, refused = judged(course, book, assignment, {student: time})
+        if why := refused.get(student):
+            raise NbGraderException(f"the work of {student} {why}")
         with alone(course):
             _graded[_key(resources)] = grade_one(
-                course, assignment, student, name, sources, shared_harvester()
-            )
+                course, assignment, student, name, sources, shared_harvester(),
+                remark=remarks.get(student, ""),
+            )  # fmt: skip
         return notebook, _with_written(resources, self.course_path)
 
 

@@ -11,7 +11,8 @@ from nbgrader.utils import notebook_hash
 
 from ..assignment import copy_to_exchange, make_personal_copies
 from ..assignment.personal import warning
-from ..course import Course
+from ..course import Course, CourseError
+from ..course.exam import refuse_before_opening, refuse_feedback
 from ..course.files import NotTaken, read_regular
 
 MAX_PAGE = 256 * 2**20
@@ -25,12 +26,21 @@ def _submission_secret(*folders: Path) -> str | None:
     return None
 
 
+def _refused(exchange, rule, *place):
+    """End a step of the exchange, in words, where a rule of exams refuses it."""
+    try:
+        rule(*place)
+    except CourseError as error:
+        exchange.fail(str(error))
+
+
 class ReleaseWithPersonal(ExchangeReleaseAssignment):
     """Releases the assignment, then makes each student's own copy and puts it into the exchange."""
 
     def copy_files(self) -> None:
-        super().copy_files()
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
+        _refused(self, refuse_before_opening, course, assignment)
+        super().copy_files()
         students = course.roster()
         if not students:
             self.log.warning(
@@ -52,6 +62,7 @@ class ReleaseOwnPages(ExchangeReleaseFeedback):
 
     def copy_files(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
+        _refused(self, refuse_feedback, course, assignment)
         notebooks = [p.stem for p in course.released_path(assignment).parent.glob("*.ipynb")]
         excluded = set(filter(None, self.coursedir.student_id_exclude.split(",")))
         students = self.coursedir.student_id or "*"

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -11,9 +11,10 @@ from exercises.catalogue import Problem, problem
 from newton_euler.answers.notation import is_word, list_symbol, number_symbol, unit_symbol
 
 from ..assignment.cells import SheetValues, Values
+from ..assignment.chosen import as_asked
 from ..assignment.figures import figure_svg
 from ..assignment.lines import lines
-from ..assignment.notebook import slug, statement, typeset
+from ..assignment.notebook import slug, statement, statement_with, typeset
 from ..assignment.solution import worked_solution
 from ..practice.plain import plain
 from ..scoring.margins import margins
@@ -27,11 +28,19 @@ Files = dict[str, bytes]  # what Typst compiles: {name: content}
 
 @dataclass(frozen=True)
 class Entry:
-    """A problem of a sheet, with its text where the instructor has changed it; or a text."""
+    """A problem of a sheet, with its text where the instructor has changed it, and what the sheet
+    says of it; or a text.
+    """
 
     problem: str = ""
     text: str = ""
     points: float = 0
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def asked(self) -> Problem:
+        """The problem, as the sheet asks for it."""
+        return as_asked(problem(self.problem), self.options)
 
 
 @dataclass(frozen=True)
@@ -51,8 +60,9 @@ def sheet(title: str, entries: Iterable[Entry], student: Student) -> Files:
         if not e.problem:
             out.append(typst(e.text))
             continue
-        p, values = problem(e.problem), student.values[e.problem]
-        text = e.text or statement(p, values, figure=False, code=False)
+        p, values = e.asked, student.values[e.problem]
+        text = statement(p, values, figure=False, code=False)
+        text = statement_with(p, e.text, values) if e.text else text
         parts = [_points(e.points), f"[{typst(text)}]"]
         if svg := figure_svg(p, values):
             files[name := f"{slug(p.id)}.svg"] = svg
@@ -70,14 +80,18 @@ def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
     entries, out = list(entries), []
     for e in entries:
         if e.problem:
-            p, values = problem(e.problem), student.values[e.problem]
+            p, values = e.asked, student.values[e.problem]
             stated = [number_symbol(values[n]) + unit_symbol(g.unit) for n, g in p.givens.items()]
             given = zip(p.givens, stated, strict=True)
             out.append(f"#problem({_points(e.points)}, [{typst(f'## {p.id} {p.title}')}])\n")
             out.append(typst("; ".join(f"${p.notation[n]} = {x}$" for n, x in given)))
-            rows = (f"{_means(p, a)}, [{right}], [{off}]" for a, right, off in answers(p, values))
-            cells = ", ".join(["[Answer], [Right], [Tolerance]", *rows])
-            out.append(f"#terms-table((2fr, 2fr, 1fr), {cells})\n\n")
+            share = e.points / sum(a.weight for a in p.answers)
+            rows = (
+                f"{_means(p, a)}, [{right}], [{off}], {string(f'{a.weight * share:.3g}')}"
+                for a, right, off in answers(p, values)
+            )
+            cells = ", ".join(["[Answer], [Right], [Tolerance], [Points]", *rows])
+            out.append(f"#terms-table((2fr, 2fr, 1fr, auto), {cells})\n\n")
             out.append(typst(worked_solution(p, {**p.sympy_symbols(), **values}, text=False)))
     return _page(title, student, entries, out, key=True)
 
@@ -85,7 +99,7 @@ def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
 def overview(title: str, entries: Iterable[Entry], students: Iterable[Student]) -> Files:
     """The files of a table of all students' right answers, a problem after the other."""
     students, out = list(students), [typst(f"# {title}: all answers")]
-    for p in (problem(e.problem) for e in entries if e.problem):
+    for p in (e.asked for e in entries if e.problem):
         out.append(typst(f"## {p.id} {p.title}"))
         names = (f"[{name}]" if (name := _name(p, a)) else _means(p, a) for a in p.answers)
         head = ["[Student]", "[Variant]", *names]
@@ -117,7 +131,7 @@ def _tolerance(a, point):
         return "any equal formula"
     off = margins(a, point)
     if off is None:
-        return "half a percent, any length and sense"
+        return f"{a.rtol:.1%}, any length and sense"
     shown = list_symbol(dict.fromkeys(number_symbol(float(f"{x:.2g}")) for x in off))
     limits = formula(rf"\pm {shown}{unit_symbol(a.unit)}")
     return f"${limits}$"

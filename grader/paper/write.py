@@ -113,7 +113,7 @@ def _write(job):
 def _entry(item):
     p = item.problem
     points = item.options.get("points", len(p.answers)) if p else 0
-    return Entry(p.id if p else "", item.text, points)
+    return Entry(p.id if p else "", item.text, points, dict(item.options))
 
 
 def _student(spec, known, course, secret):

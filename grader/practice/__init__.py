@@ -3,9 +3,10 @@ models and worked solutions, for a student who has the engine alone.
 """
 
 from .build import HELP, LeftOut, PracticeError, write_practice
-from .graded import graded_numbers
+from .graded import graded_numbers, rules_of
 from .measure import practice_shares
 
 __all__ = [
-    "HELP", "LeftOut", "PracticeError", "graded_numbers", "practice_shares", "write_practice",
+    "HELP", "LeftOut", "PracticeError", "graded_numbers", "practice_shares", "rules_of",
+    "write_practice",
 ]  # fmt: skip

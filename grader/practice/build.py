@@ -22,6 +22,8 @@ from newton_euler.classroom.practising.files import FORMAT, HELP
 from ..assignment.cells import Values
 from ..assignment.figures import figure_png
 from ..assignment.notebook import frame_heading, number, slug, statement, typeset
+from ..assignment.options import HELP as LEVELS
+from ..assignment.sheet import with_tolerance
 from ..assignment.solution import worked_solution
 from ..course import CourseError
 from ..scoring.computation import section
@@ -54,6 +56,7 @@ def write_practice(
     graded: Mapping[str, Sequence[Values]] | None = None,
     workers: int | None = None,
     done: Callable[[], object] | None = None,
+    rules: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[LeftOut]:
     """Write the practice file of ``problems``; returns the :class:`LeftOut` ones.
 
@@ -63,12 +66,15 @@ def write_practice(
         practised is near one of these sheets', and problems are left out whose answers are
         formulas, or the same for everybody
     done : called after each problem
+    rules : {problem id: {"tolerance", "help"}} of the sheets that ask for it: less help than there
+        is on them is what counts
     """
     if help not in HELP:
         raise PracticeError(f"the help is one of {', '.join(HELP)}, not {help!r}")
     graded, left, pages = graded or {}, [], []
     names = [p.id for p in problems]
-    given = repeat(count), repeat(help), [graded.get(name) for name in names]
+    own = [(rules or {}).get(name, {}) for name in names]
+    given = repeat(count), repeat(help), [graded.get(name) for name in names], own
     with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
         for found in pool.map(page_of, names, *given):
             if isinstance(found, LeftOut):
@@ -103,15 +109,21 @@ def page_of(
     count: int,
     help: str,
     graded: Sequence[Values] | None = None,
+    rules: Mapping[str, Any] | None = None,
     draw: Callable[..., bytes | None] = figure_png,
 ) -> Any:
     """(page, figures) of the problem of this number, or why it is :class:`LeftOut`.
 
     graded : the numbers that students have of it, None where it is in no course
+    rules : the "tolerance" and the "help" of the sheets that ask for it
     """
+    rules = rules or {}
+    help = min(help, rules.get("help", help), key=LEVELS.index)
+    if help not in HELP:
+        return LeftOut(name, "its sheet gives no help")
     if graded is not None and problem(name).symbols:
         return LeftOut(name, "it is graded as a formula, which its steps and numbers would tell")
-    p = twin(problem(name))
+    p = twin(with_tolerance(problem(name), rules.get("tolerance")))
     sets = sets_of_numbers(p, count, graded or ())
     computed = [quantities(p, values) for values in sets]
     if not sets:
@@ -135,7 +147,7 @@ def page_of(
         "quantities": _described(p, computed, help), "variants": variants,
         "labels": [(key, *astuple(c)) for key, c in labels],
         "slips": [(key, rank, *astuple(c)[1:]) for key, rank, c in slips],
-        "book": sets[0] == problem(name).book_values,
+        "book": sets[0] == problem(name).book_values, "help": help,
     }  # fmt: skip
     return page, figures
 

@@ -1,8 +1,9 @@
 """The numbers that a course grades, and the answers for them, near which nobody practises."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -11,10 +12,11 @@ from exercises.catalogue.variants import evaluate
 from newton_euler.answers.tolerance import RTOL
 
 from ..assignment.cells import Values
-from ..assignment.sheet import tasks
+from ..assignment.options import HELP
+from ..assignment.sheet import Task, tasks
 from ..course import Course, read_json
 
-FAR = 2 * RTOL  # of the size of a graded answer: practised ones are as far from it at least
+FAR = 2  # tolerances: practised answers are as far from graded ones at least
 
 
 def graded_numbers(
@@ -46,6 +48,25 @@ def graded_numbers(
     return found
 
 
+def rules_of(path: str | Path) -> dict[str, dict[str, Any]]:
+    """{problem id: {"tolerance", "help"}} of all assignments of the course in a folder: the largest
+    tolerance, the least help.
+    """
+    sources = sorted((Course(path).path / "source").glob("*/*.ipynb"))
+    return strictest(task for source in sources for task in tasks(read_json(source)).values())
+
+
+def strictest(asked: Iterable[Task]) -> dict[str, dict[str, Any]]:
+    """The same of some tasks."""
+    found: dict[str, dict[str, Any]] = {}
+    for task in asked:
+        own = found.setdefault(task.problem, {})
+        own["tolerance"] = max(task.tolerance or RTOL, own.get("tolerance", 0.0))
+        if task.help is not None:
+            own["help"] = min(task.help, own.get("help", HELP[-1]), key=HELP.index)
+    return found
+
+
 def _known(name):
     """A problem, None where the catalogue has it no longer."""
     try:
@@ -71,7 +92,11 @@ class GradedAnswers:
         if any(all(values.get(n) == x for n, x in own.items()) for own in self._numbers):
             return True
         answers = self._answers(values) if self._keys else {}
-        return any(_is_near(x, keys) for a, keys in self._keys.items() for x in answers[a.key])
+        return any(
+            _is_near(x, keys, FAR * a.rtol)
+            for a, keys in self._keys.items()
+            for x in answers[a.key]
+        )
 
     def _answers(self, values):
         """{answer: the points that mean it}, of those with numbers."""
@@ -83,6 +108,6 @@ class GradedAnswers:
         }  # fmt: skip
 
 
-def _is_near(point, keys):
+def _is_near(point, keys, far):
     sizes = np.linalg.norm(keys, axis=1)
-    return bool(np.any(np.linalg.norm(keys - np.array(point), axis=1) <= FAR * sizes))
+    return bool(np.any(np.linalg.norm(keys - np.array(point), axis=1) <= far * sizes))

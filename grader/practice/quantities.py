@@ -34,7 +34,7 @@ def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[s
             "key": s.key, "kind": s.kind.name, "unit": s.unit, "means": typeset(s.means, p),
             "plain": plain(s.means, p.units), "section": s.section or p.section,
             "equation": s.equation, "latex": symbol(s.key, s.is_vector), "atol": 0.0, "of": [],
-            "sum": s.of, "step": True,
+            "sum": s.of, "step": True, "rtol": p.answers[0].rtol,
         })  # fmt: skip
         right[s.key] = _numbers(s.value, s.kind)
     for key, x in p.solve(values).items():
@@ -43,6 +43,7 @@ def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[s
             "key": key, "kind": a.kind.name, "unit": a.unit, "means": typeset(a.means, p),
             "plain": plain(a.means, p.units), "section": p.section, "equation": _equation(x),
             "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "", "step": False,
+            "rtol": a.rtol,
         })  # fmt: skip
         right[key] = _numbers(x, a.kind)
     return described, right

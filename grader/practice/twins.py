@@ -41,13 +41,17 @@ class _Middle:
 
 
 def sets_of_numbers(
-    p: Problem, count: int, graded: Sequence[Values] = (), seed: str = "practice"
+    p: Problem,
+    count: int,
+    graded: Sequence[Values] = (),
+    seed: str = "practice",
+    book: bool = True,
 ) -> list[Values]:
-    """The numbers of the book, or near the middle for symbols, and drawn ones, ``count`` in all or
-    as many as differ; none with an answer near one of the ``graded`` sheets.
+    """The numbers of the ``book``, or near the middle for symbols, and drawn ones, ``count`` in all
+    or as many as differ; none with an answer near one of the ``graded`` sheets.
     """
     near = GradedAnswers(p, graded)
-    found = [] if near(p.book_values) else [p.book_values]
+    found = [p.book_values] if book and not near(p.book_values) else []
     for n in range((TRIES if graded else 10) * count):
         if len(found) >= count:
             break

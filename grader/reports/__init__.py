@@ -1,6 +1,8 @@
 """Answers to problems and results of grading as text, JSON, tables, pictures and CSV.
 
 answers      the answers of problems
+catalogue    the problems to choose from; measured: what students earned in them
+preview      one problem as an instructor sees it, as a page or text
 tables       the results of a run of the grader, for the terminal
 records      the scores that the grader has kept, part by part
 statistics   difficulty, discrimination and mistakes of each part
@@ -10,8 +12,11 @@ unlisted     the same of slips that nobody listed (slips_made makes them)
 """
 
 from .answers import answers_json, answers_text, given_values, nested, solution_text, solve_problem
+from .catalogue import problems_table
 from .diagnoses import diagnosis_shares, shares_table
 from .export import FORMATS, export
+from .measured import measured
+from .preview import preview, preview_page, preview_text
 from .statistics import part_statistics, statistics_csv, statistics_figure, statistics_table
 from .tables import diagnosis_table, gradebook_table, shown, taken_in_table
 from .unlisted import RANDOM, SLIP_OUTCOMES, slip_shares

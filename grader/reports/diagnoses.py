@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 from rich.table import Table
 
@@ -42,15 +43,15 @@ def _outcomes(p, values):
             continue
         # a mistake in a word may give the right one
         made = {k: x for k, x in answers.items() if not p.answer(k).kind.is_word or x != right[k]}
-        for key, tree in _trees(p, made).items():
+        for key, tree in handed_in(p, made).items():
             part = next(
                 x for x in score_receipt(p, values, {"answers": {key: tree}}).parts if x.key == key
             )
             yield _outcome(part, name)
 
 
-def _trees(p, answers):
-    """Answers as a student's receipt holds them."""
+def handed_in(p: Problem, answers: Mapping[str, Any]) -> dict[str, Any]:
+    """Answers, also wrong ones of the catalogue, as a student's receipt holds them."""
     forms = {a.key: a.form for a in p.answers if a.key in answers}
     read, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
     if faults:

@@ -81,7 +81,7 @@ def _random(points, rng):
 
 
 def _judged(asked, given, numbers):
-    right = asked.kind.is_right(given, numbers.key[asked.key], asked.atol)
+    right = asked.kind.is_right(given, numbers.key[asked.key], asked.atol, asked.rtol)
     return Judged("right" if right else "wrong", "", given)
 
 

@@ -26,7 +26,7 @@ def _margin(answer, key, n):
 
     def is_right(error):
         point = tuple(x + error * (m == n) for m, x in enumerate(key))
-        return answer.kind.is_right((point,), (key,), answer.atol)
+        return answer.kind.is_right((point,), (key,), answer.atol, answer.rtol)
 
     low, high = 0.0, sum(map(abs, key)) + answer.atol
     for _ in range(HALVINGS):

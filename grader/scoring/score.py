@@ -71,6 +71,12 @@ class Score:
         """What the parts are worth together."""
         return _sum(p.out_of for p in self.parts)
 
+    @property
+    def without_reasons(self) -> "Score":
+        """The same, in which a student is not shown why an answer is wrong."""
+        parts = (replace(p, message="not right") if p.verdict == "wrong" else p for p in self.parts)
+        return replace(self, parts=tuple(parts))
+
     def as_dict(self) -> dict[str, Any]:
         """The score as a dict that JSON can hold."""
         parts = [part.as_dict() for part in self.parts]

@@ -64,13 +64,14 @@ def grade_notebook(
 def _scored(sheet, task, work, executed):
     number = task.problem
     try:
-        return score_receipt(
+        score = score_receipt(
             task.exercise, sheet.values[number], executed.receipts.get(number),
             work.notes.get(number, ""), task.points, task.weights, task.forms, task.follow_through,
             sheet.earlier.get(number, ()),
         )  # fmt: skip
     except ScoreError as error:
         raise CourseError(str(error)) from error
+    return score.without_reasons if task.help == "none" else score
 
 
 def _automatic_points(what, marks, score, untouched, outcome):

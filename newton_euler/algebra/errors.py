@@ -85,6 +85,21 @@ def checked(f: F, unchecked: tuple = ()) -> F:
     return call  # type: ignore[return-value]
 
 
+def checked_methods(*kinds: type) -> Callable[[type], type]:
+    """A decorator of a class that checks what its public methods take of these kinds, see
+    :func:`checked`; the rest is left to the methods.
+    """
+
+    def of_class(cls):
+        for name, f in list(vars(cls).items()):
+            if isinstance(f, types.FunctionType) and not name.startswith("_"):
+                rest = [n for n, kind in f.__annotations__.items() if kind not in kinds]
+                setattr(cls, name, checked(f, tuple(rest)))
+        return cls
+
+    return of_class
+
+
 def checked_but(*unchecked: str) -> Callable[[F], F]:
     """:func:`checked` as a decorator that leaves these arguments to the function."""
     return lambda f: checked(f, unchecked)

@@ -23,6 +23,7 @@ from .scalars import (
     is_numeric,
     max_abs,
     operations,
+    real_scalar,
     scalar,
     short,
     shown,
@@ -129,7 +130,7 @@ class Terms(dict[str, T], Generic[T]):
             if name not in self.shared.values():
                 self[name]  # raises a TermError if there is none
         usual = {new: factors.get(old, 1) for new, old in self.shared.items()}
-        return [(scalar(factors.get(n, usual.get(n, 1))), term) for n, term in self.items()]
+        return [(real_scalar(factors.get(n, usual.get(n, 1))), term) for n, term in self.items()]
 
 
 def distinct(names: list[str]) -> list[str]:
@@ -363,7 +364,7 @@ class Amount(NamedTerms):
 
 def value_of(x: "Amount | Scalar") -> Any:
     """The value of ``x``, an :class:`Amount` or a number, as a scalar."""
-    return scalar(x.value if isinstance(x, Amount) else x)
+    return real_scalar(x.value if isinstance(x, Amount) else x)
 
 
 def summed(

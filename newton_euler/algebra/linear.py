@@ -30,6 +30,7 @@ from .scalars import (
     min_abs,
     outranks,
     probe,
+    real_scalar,
     scalar,
     short,
     shown,
@@ -116,7 +117,7 @@ class LinearForm(_Own):
             return LinearForm(self.value + other.value, coefficients)
         if outranks(other, self):
             return NotImplemented
-        return LinearForm(self.value + scalar(other), self.coefficients)
+        return LinearForm(self.value + real_scalar(other), self.coefficients)
 
     __radd__ = __add__
 
@@ -130,7 +131,7 @@ class LinearForm(_Own):
             return NotImplemented
         if isinstance(other, LinearForm):
             self._refuse("two unknowns are multiplied")
-        other = scalar(other)
+        other = real_scalar(other)
         return self._each(lambda x: x * other)
 
     __rmul__ = __mul__
@@ -140,7 +141,7 @@ class LinearForm(_Own):
             return other.__rtruediv__(self)
         if outranks(other, self):
             return NotImplemented
-        other = scalar(other)
+        other = real_scalar(other)
         return self._each(lambda x: x / other)
 
     def __rtruediv__(self, other):

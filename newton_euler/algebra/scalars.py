@@ -203,7 +203,8 @@ def scalar(x):
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
     (and of bool, and of floats of fewer digits) an array of 64-bit floats, which rounds entries
     above 2**53, a single one a Python integer, which is exact. Raises :class:`ScalarError` if ``x``
-    is not a number (text, None, lists), or has a unit of its own, as those of pint and astropy.
+    is not a number (text, None, lists, arrays without entries), or has a unit of its own, as those
+    of pint and astropy.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -249,6 +250,8 @@ def _kind(kind):
 def _of_numpy(x):
     """The number or array ``x`` of NumPy with at least the digits of a Python float."""
     kind, size = x.dtype.kind, x.dtype.itemsize
+    if x.size == 0:
+        raise ScalarError(f"expected numbers, got {clipped(x)} of {x.dtype}, which is empty")
     if (kind == "f" and size >= 8) or (kind == "c" and size >= 16):
         return x
     array = hasattr(x, "__setitem__")

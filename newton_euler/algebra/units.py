@@ -20,6 +20,7 @@ from .scalars import (
     exp,
     outranks,
     pi,
+    real_scalar,
     scalar,
     to_plain,
 )
@@ -192,7 +193,7 @@ def _is_nothing(x):
 def _as_dimension(x):
     if isinstance(x, Dimension):
         return x
-    scalar(x)  # or it is no number at all
+    real_scalar(x)  # or it is no number at all
     return Dimension()
 
 
@@ -309,7 +310,7 @@ class Unit:
         if isinstance(x, Scaled):
             like = next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "c") else None
         else:
-            like = x = to_plain(scalar(x))
+            like = x = to_plain(real_scalar(x))
         if like is None:
             raise UnitError(f"a number or a Vector has units, got {clipped(x)}")
         power_of_pi = pi(like) ** abs(pi_power) if pi_power else 1

@@ -38,6 +38,7 @@ from .scalars import (
     min_abs,
     probe,
     real,
+    real_scalar,
     scalar,
     short,
     shown,
@@ -265,7 +266,7 @@ class Vector(Scaled, NamedTerms):
     def __mul__(self, s):
         if isinstance(s, Vector):
             raise FrameError("two vectors have two products: write a.dot(b) or a.cross(b)")
-        s = scalar(s)
+        s = real_scalar(s)
         if isinstance(s, Moving):
             rate = self._own_rate and (lambda: self._product_rate(s))
             return Vector(scale3(s.value, self.c), self.frame, rate)
@@ -276,7 +277,7 @@ class Vector(Scaled, NamedTerms):
     def __truediv__(self, s):
         if isinstance(s, Vector):
             raise FrameError("a vector cannot be divided by a vector")
-        s = scalar(s)
+        s = real_scalar(s)
         rate = self._own_rate and (lambda: self._quotient_rate(moving(s)))
         if isinstance(s, Moving):
             c = ZERO3 if self.c is ZERO3 else tuple(x / s.value for x in self.c)

@@ -7,6 +7,7 @@ from .kinds import KINDS, Kind
 from .messages import AnswerError
 
 
+@checked
 @dataclass(frozen=True)
 class Form:
     """The kind of one answer (a :class:`~.kinds.Kind` or its name), its unit, and of a choice the
@@ -16,7 +17,7 @@ class Form:
     Form(kind=KINDS['vector'], unit='mm/s', of=())
     """
 
-    kind: Kind
+    kind: Kind | str
     unit: str = "1"
     of: tuple[str, ...] = ()
 

@@ -16,12 +16,14 @@ GROUND = 1  # its place among the readings of a vector: in its own frame, in the
 
 
 class Asked(Protocol):
-    """The kind of an answer, and the absolute tolerance for a key that is zero."""
+    """The kind of an answer, and its tolerances, as for :meth:`~.kinds.Kind.is_right`."""
 
     @property
     def kind(self) -> Kind: ...
     @property
     def atol(self) -> float: ...
+    @property
+    def rtol(self) -> float: ...
 
 
 def counted(
@@ -32,7 +34,7 @@ def counted(
     axes : [(place, key)] of the right vector along the axes of the problem's other frames, of which
         the ground has the place 0
     """
-    right = [asked.kind.is_right(r, key, asked.atol) for r in readings]
+    right = [asked.kind.is_right(r, key, asked.atol, asked.rtol) for r in readings]
     if True not in right or len(readings) == 1:
         return readings[0] if right == [True] else None
     if right[GROUND] or _is_one_guess(readings, right, key, asked, dict(axes)):
@@ -47,9 +49,9 @@ def _is_one_guess(readings, right, key, asked, axes):
     """
     free = not axes or 0 in axes  # else the axes are those of the ground
     return all(
-        any(asked.kind.is_right(r, points, asked.atol) for points in axes.values())
+        any(asked.kind.is_right(r, points, asked.atol, asked.rtol) for points in axes.values())
         or (free and (right[0] or place == GROUND)
-            and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol))
+            and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol, asked.rtol))
         for place, r in enumerate(readings)
         if not right[place]
     )  # fmt: skip

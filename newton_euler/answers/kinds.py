@@ -98,11 +98,13 @@ class Kind:
 
     # -- comparing
 
-    def is_right(self, given: Points, key: Points, atol: float) -> bool:
+    def is_right(
+        self, given: Points, key: Points, atol: float, rtol: float = tolerance.RTOL
+    ) -> bool:
         """True if an answer is near enough to the key; ``atol`` is the absolute tolerance for a key
-        that is zero.
+        that is zero, ``rtol`` the relative one of numbers: formulas and words are exact.
         """
-        return is_near(given[0], key[0], atol)
+        return is_near(given[0], key[0], atol, rtol)
 
     def is_zero(self, points: Points, atol: float) -> bool:
         """True if an answer is zero up to its absolute tolerance."""
@@ -266,8 +268,8 @@ class Direction(VectorKind):
             raise TreeError("a vector of length zero has no direction")
         return points
 
-    def is_right(self, given, key, atol):
-        return is_near(self.like(given, key)[0], key[0], 0.0)
+    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+        return is_near(self.like(given, key)[0], key[0], 0.0, rtol)
 
     def like(self, points, others):
         return tuple(map(_along, points, others))
@@ -323,8 +325,8 @@ class Interval(Kind):
     words = "an interval, two numbers as in [low, high]"
     length = 2
 
-    def is_right(self, given, key, atol):
-        return all(is_near((x,), (k,), atol) for x, k in zip(given[0], key[0], strict=True))
+    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+        return all(is_near((x,), (k,), atol, rtol) for x, k in zip(given[0], key[0], strict=True))
 
     def slips(self, fit):
         return slips.of_interval(fit)
@@ -343,7 +345,7 @@ class _Formula(Kind):
     def _points(self, trees, form, symbols, budget):
         return formulas(trees, symbols, budget)
 
-    def is_right(self, given, key, atol):
+    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
         return formula_is_near(given, key, atol)
 
     def factors(self, unit):
@@ -398,7 +400,7 @@ class _Word(Kind):
     def readings(self, tree, form, symbols, budget):
         return [((tree,),)] if type(tree) is self.python_type else []
 
-    def is_right(self, given, key, atol):
+    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
         return given == key
 
     def is_zero(self, points, atol):

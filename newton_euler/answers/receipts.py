@@ -27,7 +27,7 @@ def expect(
     problem: str,
     symbols: dict | None = None,
     notation: dict | None = None,
-    sane: dict | None = None,
+    sane: dict | bool | None = None,
     **forms: str,
 ) -> None:
     """Announce what ``problem`` asks for, each answer by its form.
@@ -35,13 +35,14 @@ def expect(
     symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where
         :func:`~newton_euler.answers.notation.symbol` would print another symbol
     sane : maps answers to what any answer must be, see :func:`~newton_euler.answers.sanity.doubts`;
-        a receipt warns of one that is not
+        a receipt warns of one that is not; False: it warns of none, as in exams
 
     >>> expect("0/1", v="vector, mm/s")
     >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
     """
     read = {key: Form.read(text) for key, text in forms.items()}
-    _expected[problem] = read, dict(symbols or {}), dict(notation or {}), dict(sane or {})
+    known = sane if sane is False else dict(sane or {})  # type: ignore[arg-type]
+    _expected[problem] = read, dict(symbols or {}), dict(notation or {}), known
 
 
 @checked
@@ -89,11 +90,15 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         if (outcome := check(seal, forms[key].kind, read[key]))
     }
     beside = {key: (form, read.get(key)) for key, form in forms.items()}
-    doubted = {
-        key: found
-        for key, form in forms.items()
-        if (found := doubts(form, read.get(key), symbols, sane.get(key), beside))
-    }
+    doubted = (
+        None
+        if sane is False
+        else {
+            key: found
+            for key, form in forms.items()
+            if (found := doubts(form, read.get(key), symbols, sane.get(key), beside))
+        }
+    )
     warning = "; ".join([*old.values(), *filter(None, [stale(problem, answers, others)])])
     return Receipt(problem, read, forms, symbols, warning, notation, doubted, checks)
 
@@ -107,7 +112,8 @@ def _blank(forms, read):
 class Receipt:
     """The answers to one problem as they were read; ``json`` is the record, ``warning`` says where
     they were computed with the numbers of another problem, ``notation`` is the LaTeX of names that
-    do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key,
+    do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key
+    (None: nothing is doubted, not even the unit of a formula),
     ``checks`` whether they are right, where the instructor lets a receipt know.
     """
 
@@ -117,7 +123,7 @@ class Receipt:
     symbols: dict
     warning: str = ""
     notation: dict = field(default_factory=dict)
-    doubted: dict = field(default_factory=dict)
+    doubted: dict | None = field(default_factory=dict)
     checks: dict[str, Check] = field(default_factory=dict)
 
     @property
@@ -183,7 +189,7 @@ class Receipt:
     def _hints(self):
         if self.warning:
             yield f"look again: {self.warning}"
-        for key, tree in self._given.items():
+        for key, tree in self._given.items() if self.doubted is not None else ():
             yield from (f"look again at {key}: {doubt}" for doubt in self.doubted.get(key, ()))
             if self.forms[key].kind.is_formula:
                 found = dimension_hints(tree, self.forms[key], self.symbols)

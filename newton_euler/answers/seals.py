@@ -19,6 +19,7 @@ from .tolerance import NOISE, RTOL
 from .trees import evaluate
 
 VERSION = 2
+OF_OWN_TOLERANCE = 3  # the version of a seal that says its tolerance
 COST = 2**15  # of scrypt: some 0.1 s
 MEMORY = 2**26  # bytes, twice what it takes
 SHIFTS = 8  # to which the place of the right answer within its cell is told
@@ -27,10 +28,14 @@ FORMULA = 1e-3  # the factor by which cells are finer for formulas, which have a
 
 
 def seal(
-    kind: Kind, numbers: Sequence[float] | str | int, at: Mapping[str, float] | None = None
+    kind: Kind,
+    numbers: Sequence[float] | str | int,
+    at: Mapping[str, float] | None = None,
+    rtol: float = RTOL,
 ) -> dict[str, Any]:
     """The seal of an answer of this kind, its ``numbers`` or the word; ``at`` is {symbol: number}
-    where a formula has these values. A dict that a notebook can hold.
+    where a formula has these values; ``rtol``: as for :meth:`~.kinds.Kind.is_right`. A dict that a
+    notebook can hold.
 
     Numbers are those of the cell in which the components lie together. Where in its cell each
     component lies is told, so that an answer near it is in one or two cells that must be tried.
@@ -41,24 +46,26 @@ def seal(
     numbers = kind.sealed(tuple(numbers))[0]
     size = math.hypot(*numbers)
     exponent = round(math.log2(size)) if size > ZERO else None
-    width = _width(kind, exponent)
+    width = _width(kind, exponent, rtol)
     places = [round(SHIFTS * x / width) if width else 0 for x in numbers]
     cell, shifts = [n // SHIFTS for n in places], [n % SHIFTS for n in places]
     found = {
         "version": VERSION, "salt": salt, "size": exponent, "shifts": shifts,
         "hashes": [_hash(salt, *cell)],
     }  # fmt: skip
+    if rtol != RTOL:
+        found |= {"version": OF_OWN_TOLERANCE, "rtol": rtol}
     return found | ({"at": dict(at)} if at else {})
 
 
 def is_known(sealed: Mapping[str, Any]) -> bool:
     """False for a seal that another version of this module made."""
-    return bool(sealed.get("version") == VERSION)
+    return sealed.get("version") in (VERSION, OF_OWN_TOLERANCE)
 
 
 def opens(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> bool:
-    """True if an answer, as it was read, is the one that was sealed: to 0.5 % of its size, formulas
-    to 0.0005 %.
+    """True if an answer, as it was read, is the one that was sealed: to its tolerance (0.5 % of its
+    size), formulas to 0.0005 %.
     """
     if kind.is_word:
         return _hash(sealed["salt"], tree) == sealed["hashes"][0]
@@ -69,24 +76,25 @@ def opens(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> bool:
 
 
 def _opens(sealed, kind, numbers):
-    width, size = _width(kind, sealed["size"]), math.hypot(*numbers)
+    rtol = sealed.get("rtol", RTOL)
+    width, size = _width(kind, sealed["size"], rtol), math.hypot(*numbers)
     if not width:
         return size <= 1e3 * ZERO
     if not 0.4 < size / 2.0 ** sealed["size"] < 2.5 or len(numbers) != len(sealed["shifts"]):
         return False
-    near = _near(kind) * size + width / (2 * SHIFTS)
+    near = _near(kind, rtol) * size + width / (2 * SHIFTS)
     cells = (list(_cells(x, n / SHIFTS, near, width))
              for x, n in zip(numbers, sealed["shifts"], strict=True))  # fmt: skip
     return any(_hash(sealed["salt"], *cell) == sealed["hashes"][0] for cell in product(*cells))
 
 
-def _near(kind):
-    return RTOL * (FORMULA if kind.is_formula else 1)
+def _near(kind, rtol):
+    return RTOL * FORMULA if kind.is_formula else rtol
 
 
-def _width(kind, exponent):
+def _width(kind, exponent, rtol):
     """The width of a cell: as far as answers are right around the smallest number of this size."""
-    return 0.0 if exponent is None else math.sqrt(2) * _near(kind) * 2.0**exponent
+    return 0.0 if exponent is None else math.sqrt(2) * _near(kind, rtol) * 2.0**exponent
 
 
 def _cells(x: float, shift: float, near: float, width: float) -> Iterator[int]:

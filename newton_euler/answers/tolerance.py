@@ -26,17 +26,17 @@ EARLY = 1e-3  # of the size of the key: a right answer farther off was rounded o
 ROOM = 1e-3  # relative, for rounding, where an answer is checked without the key
 
 
-def is_near(given: Sequence[float], key: Sequence[float], atol: float) -> bool:
-    """True if a point is within half a percent of the size of the key, and no component, however
-    small, is off by more than half of itself, as one left out or of the wrong sign is; ``atol`` is
-    the absolute tolerance for a key that is zero.
+def is_near(given: Sequence[float], key: Sequence[float], atol: float, rtol: float = RTOL) -> bool:
+    """True if a point is within ``rtol`` of the size of the key, and no component, however small,
+    is off by more than half of itself, as one left out or of the wrong sign is; ``atol`` is the
+    absolute tolerance for a key that is zero.
     """
     size, gap = math.hypot(*key), math.dist(given, key)
     if not math.isfinite(size):
         return False
     if size <= atol:
         return gap <= atol
-    return gap <= RTOL * size and all(
+    return gap <= rtol * size and all(
         abs(x - k) <= abs(k) / 2 for x, k in zip(given, key, strict=True) if abs(k) > NOISE * size
     )
 

@@ -23,7 +23,7 @@ OTHER_NUMBERS = {BOOK: "the book's numbers", EARLIER: "the numbers of an earlier
 
 
 class Asked(Protocol):
-    """One answer that is asked for. ``atol`` is the absolute tolerance for a key that is zero."""
+    """One answer that is asked for, with its tolerances, as for :meth:`~.kinds.Kind.is_right`."""
 
     @property
     def key(self) -> str: ...
@@ -33,6 +33,8 @@ class Asked(Protocol):
     def unit(self) -> str: ...
     @property
     def atol(self) -> float: ...
+    @property
+    def rtol(self) -> float: ...
 
 
 class Numbers(Protocol):
@@ -119,7 +121,8 @@ def judge(
     right = counted(readings, key, asked, axes)
     if right is not None:
         return Judged("right", "right", right)
-    wrong = [given for given in readings if not asked.kind.is_right(given, key, asked.atol)]
+    near = asked.atol, asked.rtol
+    wrong = [given for given in readings if not asked.kind.is_right(given, key, *near)]
     return Judged("wrong", "not right", wrong[0] if wrong else None)
 
 
@@ -220,7 +223,7 @@ def _followed(asked, given, found, numbers):
     expected = numbers.following(asked.key, earlier)
     if expected is None or asked.kind.is_zero(expected, asked.atol):
         return ()  # zero follows from zero: nothing was computed
-    return wrong if asked.kind.is_right(given, expected, asked.atol) else ()
+    return wrong if asked.kind.is_right(given, expected, asked.atol, asked.rtol) else ()
 
 
 def _earlier(asked, found, numbers):

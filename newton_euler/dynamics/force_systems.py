@@ -14,7 +14,7 @@ unknowns of :func:`newton_euler.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ..algebra.errors import checked
+from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import distinct
 from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
@@ -27,6 +27,7 @@ class ForceError(FrameError):
     """Not a force or couple, or a system that does not have the requested result."""
 
 
+@checked_but("vector", "point")
 @dataclass(frozen=True)
 class Force:
     """A force, ``vector`` in N, at the Point ``point`` of its line of action."""
@@ -63,6 +64,7 @@ class Force:
         return f"{self.name}: {self.vector} at {self.point.name}"
 
 
+@checked_but("vector")
 @dataclass(frozen=True)
 class Couple:
     """A couple: ``vector``, its moment in N m, the same about every point."""

@@ -169,6 +169,7 @@ def _checked(force):
     return at
 
 
+@checked
 @dataclass(frozen=True)
 class Potential:
     """The potential of ``force``, zero at ``base``: a function of x, y, z, the integral along the
@@ -179,7 +180,7 @@ class Potential:
     """
 
     force: Callable
-    base: tuple
+    base: Sequence[Scalar]
     rtol: float = 1e-10
 
     def __call__(self, x: Scalar, y: Scalar, z: Scalar) -> Scalar:

@@ -160,6 +160,8 @@ class Frame:
 
     def point(self, name: str, x: Scalar, y: Scalar, z: Scalar) -> "Point":
         """The point at (x, y, z) from the origin; fixed in the frame unless they are moving."""
+        if not isinstance(name, str):
+            raise FrameError(f"a point has a name, as point('P', 1.0, 0, 0); got {clipped(name)}")
         return Point(name, self, _same_shape(map(moving, (x, y, z)), f"the coordinates of {name}"))
 
     def vector(self, x: Scalar, y: Scalar, z: Scalar) -> Vector:

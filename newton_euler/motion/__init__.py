@@ -4,4 +4,13 @@ from .events import Event
 from .integration import integrate, prepare
 from .methods.table import METHODS
 from .model import Model, ModelError, Neglected, second_order
-from .solution import AccuracyError, Motion, MotionError
+from .solution import (
+    AccuracyError,
+    FarError,
+    LongError,
+    Motion,
+    MotionError,
+    NoValueError,
+    StickingError,
+    UnfitError,
+)

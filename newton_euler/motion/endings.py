@@ -1,32 +1,35 @@
-"""Why a motion cannot be followed beyond a state that it has reached, in words."""
+"""Why a motion cannot be followed beyond a state that it has reached."""
+
+from contextlib import suppress
 
 from ..algebra.compile import Compiled
 from ..algebra.scalars import short
-from ..algebra.trace import COMPARISONS, Step
-from .analytic import varying
+from ..algebra.trace import Step
 from .methods.base import LengthError, StepError
+from .solution import LongError, MotionError, NoValueError, StickingError
 
 TINY, NEAR = 1e-9, 1e-3  # parts of the whole time: of a trial, and until a place is reached
 
 
 def why(error, system, t, x, span):
-    """What is known about the ``error`` of a method at the time t and the state x, as the end of a
-    message.
+    """What is known about the ``error`` of a method at the time t and the state x: the class of the
+    error to be raised, and the end of its message.
 
     span : the whole time of the motion
     """
     if isinstance(error, LengthError):
-        return ""
-    if not isinstance(error, StepError):
-        return "; the coordinates are singular there"
-    try:
-        return (
-            _without_value(system, t, x, TINY * span)
-            or _sticking(system, t, x, span)
-            or "; the coordinates may be singular there, or the motion leaves the model"
-        )
-    except ArithmeticError:
-        return "; the coordinates are singular there"
+        return LongError, ""
+    if isinstance(error, StepError):
+        with suppress(ArithmeticError):
+            for kind, found in (NoValueError, _without_value), (StickingError, _sticking):
+                words = found(system, t, x, span)
+                if words:
+                    return kind, words
+            return (
+                MotionError,
+                "; the coordinates may be singular there, or the motion leaves the model",
+            )
+    return MotionError, "; the coordinates are singular there"
 
 
 def _moved(system, t, x, step):
@@ -34,9 +37,9 @@ def _moved(system, t, x, step):
     return t + step, *(v + step * rate for v, rate in zip(x, system.rates(t, x), strict=True))
 
 
-def _without_value(system, t, x, step):
+def _without_value(system, t, x, span):
     try:
-        later, *moved = _moved(system, t, x, step)
+        later, *moved = _moved(system, t, x, TINY * span)
         system.rates(later, moved)
     except ValueError as error:
         return f": beyond it the rates have no value: {error}"
@@ -45,7 +48,7 @@ def _without_value(system, t, x, step):
 
 def _sticking(system, t, x, span):
     """Where the motion sticks, and what to write."""
-    for a, b in _switches(system.traced):
+    for a, b in system.traced.choices:
         rhs = system.traced.rhs
         both = Compiled("switch", rhs.parameters, rhs.trace, [a, b]).on_floats
 
@@ -63,15 +66,6 @@ def _sticking(system, t, x, span):
                 "start of what sticks"
             )
     return ""
-
-
-def _switches(traced):
-    """The pairs of steps or numbers that the rates compare."""
-    for s in varying(traced):
-        if s.op in COMPARISONS:
-            yield s.args
-        elif s.op == "abs":
-            yield s.args[0], 0
 
 
 def _leads_back(system, distance, t, x, span):

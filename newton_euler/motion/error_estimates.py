@@ -10,9 +10,6 @@ from .sizes import time_round_off
 # 115 models, at 1e-3 to 1e-12: these cover 98 % of the true errors, and are 15 times too large in
 # the median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
-# on the smallest difference of three runs at nearly one tolerance; measured on 63 models with
-# kinks: it covers all errors at 1e-12, and is 6 times too large in the median
-AGREED_SAFETY = 4.0
 REPORTED_SAFETY = 3.0  # on the error that is reported: with it 99 % are covered
 # on the difference of a run of heyoka from one of higher order, which is its error, and on the
 # integral of the residual of a series that may not see all of the rates
@@ -50,21 +47,16 @@ def error_by_comparison(before, trajectory, method):
     ratio, traced = tolerance / before.tolerance, trajectory.segments[0].system.traced
     coarse, fine = before.count, trajectory.count
     regular = method.series or coarse >= MIN_STEPS
-    if method.adaptive:
+    if method.adaptive and not trajectory.stopping:
         growth = fine / max(coarse, 1) * ratio ** (1 / method.order)
         regular = regular and 1 / STEPS_OFF < growth < STEPS_OFF
-    if traced.surprises or traced.hazards:
+    # steps that end at kinks are as regular as others
+    if traced.hazards or (traced.surprises and not trajectory.stopping):
         regular = False
     more = _clock_error(trajectory)
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
     return error_by_difference(difference, ratio, tolerance, regular, fine) + more
-
-
-def error_by_agreement(difference, trajectory):
-    """The error of a trajectory, from its difference to one of nearly the same tolerance."""
-    error = max(AGREED_SAFETY * difference, trajectory.tolerance)
-    return error + ROUND_OFF * math.sqrt(1 + trajectory.count / 100) + _clock_error(trajectory)
 
 
 def _clock_error(trajectory):

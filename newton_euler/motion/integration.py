@@ -54,8 +54,10 @@ def integrate(
 
     Every result was compared with the requested tolerance. Raises :class:`ModelError` for what
     cannot be integrated, :class:`~newton_euler.motion.solution.MotionError`, with what was
-    ``reached``, if the motion comes to a singular place, and its subclass
-    :class:`~newton_euler.motion.solution.AccuracyError` if the tolerance cannot be reached.
+    ``reached``, if the motion comes to a singular place, and its subclasses
+    :class:`~newton_euler.motion.solution.StickingError`, ``NoValueError`` and ``LongError`` where
+    that is known, and :class:`~newton_euler.motion.solution.AccuracyError` if the tolerance cannot
+    be reached.
 
     What is narrow, as a brake of a millimetre on a way of kilometres, is seen where its rates are
     written by ``where``, ``abs``, ``exp``, ``tanh``, ``atan`` or a quotient like 1/(1 + x**2): the

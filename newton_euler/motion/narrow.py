@@ -349,7 +349,7 @@ def _difference(stepper, n, centres):
     """
     import numpy as np
 
-    a, b = stepper.step_times[n : n + 2]
+    a, b = stepper.step_times[n], stepper.step_end(n)
     reach = (b - a) * 0.5 ** np.arange(1, HALVINGS)
     edges = np.concatenate([[a, b], *([t, *(t - reach), *(t + reach)] for t in centres)])
     edges = np.unique(edges[(edges >= a) & (edges <= b)])

@@ -13,6 +13,7 @@ from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .analytic import clocked, hazards, kinks, surprises
+from .crossings import choices
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .narrow import narrow_arguments
 from .verified import Verified
@@ -61,6 +62,11 @@ class Traced:
     def hazards(self):
         """See :func:`newton_euler.motion.analytic.hazards`."""
         return hazards(self)
+
+    @cached_property
+    def choices(self):
+        """See :func:`newton_euler.motion.crossings.choices`, a list."""
+        return list(choices(self))
 
     @cached_property
     def narrow(self):

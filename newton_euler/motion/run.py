@@ -6,13 +6,11 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from itertools import combinations
 from time import perf_counter
 from typing import Any
 
 from .error_estimates import (
     ROUND_OFF_OF_RATES,
-    error_by_agreement,
     error_by_comparison,
     relative_shift,
     reported_error,
@@ -35,7 +33,7 @@ from .sizes import (
     small,
     worst_ratio,
 )
-from .solution import AccuracyError, Cost, FarError, Motion, MotionError
+from .solution import AccuracyError, Cost, FarError, Motion, MotionError, UnfitError
 from .trajectory import Trajectory
 
 # seconds of integrating one right-hand side after which importing and compiling heyoka would have
@@ -45,17 +43,15 @@ FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate en
 MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
-# tolerances of more runs across kinks, as multiples of that of the first: different steps
-ALIKE = 1.4, 2.0
 
 
 def usable(name: str, system: PreparedModel, t0: float = 0.0) -> Method:
-    """The method of this name; :class:`ModelError` if it cannot be used for this model from this
+    """The method of this name; :class:`UnfitError` if it cannot be used for this model from this
     start time.
     """
     why = METHODS[name].unusable_because(system, t0)
     if why:
-        raise ModelError(f"method {name!r} cannot be used: {why}")
+        raise UnfitError(f"method {name!r} cannot be used: {why}")
     return METHODS[name]
 
 
@@ -155,7 +151,7 @@ class Run:
                 return self.calibrated(method, True) if heyoka else self.by(method)
             except MotionError as error:
                 # a series ends where rates are not analytic, which Runge-Kutta methods can pass
-                if not method.series and not refused and type(error) is MotionError:
+                if not method.series and not refused and not isinstance(error, AccuracyError):
                     raise
                 refused.append(error)
                 if self.long and isinstance(error, AccuracyError):
@@ -272,18 +268,16 @@ class Run:
                 break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
-                # the least tolerance: a run closer to it may give a smaller bound
+                # the least tolerance: a run closer to it may give a smaller bound, if it sees all
+                self.narrow = True
                 before = self.compared(method, 10 * tolerance, tolerance, known, scaled)
                 error = min(error, max(forced, self.error(before, trajectory)))
                 break
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
                 before = self.compared(method, method.other(finer), finer, known, scaled)
-        if self.rtol < error < tolerance**0.5 and self.irregular(method) and not trajectory.failed:
-            agreed, found = self.agreed(method, trajectory, known)
-            found += agreed.unseen()
-            if max(forced, found) < error:
-                trajectory, error = agreed, max(forced, found)
+        if not error <= self.rtol or trajectory.failed:
+            trajectory, error = self.stopping(trajectory, known, max(forced, error), forced)
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, reported_error(error, self.rtol))
         if not error <= self.rtol:
@@ -292,22 +286,24 @@ class Run:
             raise AccuracyError(self.refusal(motion), motion)
         return motion
 
-    def irregular(self, method):
-        """True if steps across a kink may be off by far, whatever the tolerance is."""
-        return method.adaptive and (self.system.traced.surprises or self.system.traced.hazards)
-
-    def agreed(self, method, first, known):
-        """Of three trajectories at nearly the same tolerance, with different steps, one of the two
-        that are closest to each other, and its error: at a kink, any of them may be off by far.
+    def stopping(self, last, known, error, forced):
+        """The trajectory ``last`` and its error; or those of one whose steps end where the rates
+        change their formula, if there are such places and it is more accurate.
         """
-        tolerances = [multiple * first.tolerance for multiple in ALIKE]
-        runs = [first, *(self.compared(method, x, first.tolerance, known) for x in tolerances)]
-        pairs = combinations(range(len(runs)), 2)
-        difference, one, other = min((runs[i].difference(runs[j]), i, j) for i, j in pairs)
-        if one:  # again, from the start itself
-            first = self.trajectory(method, runs[one].tolerance, known)
-            difference = max(difference, first.difference(runs[other]))
-        return first, error_by_agreement(difference, first)
+        method, tolerance, self.narrow = last.method, last.tolerance, True
+        long = isinstance(last.failed, LengthError)
+        if long or not (method.adaptive and self.system.traced.choices):
+            return last, error
+        comparison = method, 10 * tolerance, tolerance
+        before = self.compared(*comparison, known, stopping=True)
+        if known is None and not before.failed:
+            known = before.sizes()
+            before = self.compared(*comparison, known, stopping=True)
+        trajectory = self.trajectory(method, tolerance, known, stopping=True)
+        found = max(forced, self.error(before, trajectory))
+        if trajectory.failed or not (last.failed or trajectory.difference(last) <= error > found):
+            return last, error
+        return trajectory, found
 
     def far_error(self, method, motion, known):
         """The error to be raised where round-off is too much for states that are small."""
@@ -352,14 +348,14 @@ class Run:
         self.max_steps, self.long = most, isinstance(trajectory.failed, LengthError)
         return trajectory
 
-    def trajectory(self, method, tolerance, *more):
+    def trajectory(self, method, tolerance, *more, stopping=False):
         """The trajectory at one tolerance."""
-        trajectory = Trajectory(self, method, tolerance, *more, watched=True)
+        trajectory = Trajectory(self, method, tolerance, *more, watched=True, stopping=stopping)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         self.narrow = self.narrow or trajectory.repeated
         return trajectory
 
-    def compared(self, method, tolerance, fine, known=None, scaled=False):
+    def compared(self, method, tolerance, fine, known=None, scaled=False, stopping=False):
         """The trajectory at a tolerance, for comparison with one at the tolerance ``fine``, from a
         slightly shifted start.
         """
@@ -370,7 +366,7 @@ class Run:
         state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         shifted = replace(self, state=tuple(state))
         samples = SIZE_SAMPLES if method.series else None
-        more = known, scaled, samples, self.narrow
+        more = known, scaled, samples, self.narrow, stopping
         trajectory = Trajectory(shifted, method, tolerance, *more)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
@@ -392,7 +388,7 @@ class Run:
             model, parts, occurrences, method, self.rtol, ended, cost, self.samples, error
         )
         if trajectory.failed:
-            raise MotionError(f"{ended}; see .reached of this error", motion)
+            raise trajectory.refusal(f"{ended}; see .reached of this error", motion)
         return motion
 
     def far_refusal(self, motion, known):

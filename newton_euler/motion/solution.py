@@ -17,9 +17,14 @@ from .model import Model, ModelError, real_numbers
 DEFAULT_SAMPLES = 101  # times of a motion without steps
 
 
+class UnfitError(ModelError):
+    """Raised for a method that cannot integrate this model: take another one, or "auto"."""
+
+
 class MotionError(ModelError):
     """Raised where a motion could not be followed to its end; ``reached`` is the :class:`Motion` up
-    to there.
+    to there. Its subclasses name what can be done; of this class itself: the coordinates may be
+    singular there, so take others.
     """
 
     def __init__(self, message, reached):
@@ -28,6 +33,23 @@ class MotionError(ModelError):
 
     def __reduce__(self):
         return type(self), (str(self), self.reached)
+
+
+class StickingError(MotionError):
+    """Raised where the rates on both sides of a place lead back to it, as those of dry friction at
+    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` goes on with a
+    model of what sticks.
+    """
+
+
+class NoValueError(MotionError):
+    """Raised where the rates have no value beyond, as a root of a negative number or a table at its
+    end: end the motion there by an :class:`~newton_euler.motion.events.Event`, or change the model.
+    """
+
+
+class LongError(MotionError):
+    """Raised where more steps would be needed than are feasible: take a shorter time."""
 
 
 class AccuracyError(MotionError):

@@ -6,6 +6,7 @@ from math import inf
 from typing import NamedTuple
 
 from .arguments import start_state
+from .crossings import Crossings
 from .endings import why
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
@@ -52,7 +53,8 @@ class Segment(NamedTuple):
 
 class Trajectory:
     """``segments``, ``occurrences`` of events and, in words, how the trajectory ``ended``;
-    ``failed`` is the error if the method could not continue there, else None.
+    ``failed`` is the error if the method could not continue there, else None; ``refusal`` is then
+    the class of the error to be raised.
 
     run : the :class:`~newton_euler.motion.run.Run` that it belongs to
     known : the sizes of the states, as :meth:`sizes` of an earlier trajectory of this run returns
@@ -60,11 +62,13 @@ class Trajectory:
     scaled : True if the states are divided by their sizes where the method itself does not
     samples : default those of the run
     watched : True if its steps are to see what is narrow
+    stopping : True if they are to end where the rates change their formula by the states
     """
 
     def __init__(
-        self, run, method, tolerance, known=None, scaled=False, samples=None, watched=False
-    ):
+        self, run, method, tolerance, known=None, scaled=False, samples=None, watched=False,
+        stopping=False,
+    ):  # fmt: skip
         self.method, self.known, self.scaled = method, known, scaled
         self.tolerance = method.rounded(tolerance)
         self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
@@ -74,6 +78,7 @@ class Trajectory:
         self.natural, self.units, self.max_steps = None, (), run.max_steps
         # what its steps did not see, relative to the scales
         self.watched, self.missed = watched and not (self.step or method.closed), 0.0
+        self.stopping = stopping
         self.repeated = False  # True if steps were repeated since they had not seen something
         self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
@@ -164,10 +169,12 @@ class Trajectory:
         watched = self.watched and stepper.resumable and stepper.system.traced.narrow
         locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
         limit, done = FIRST_STEPS if events or self.progress else inf, 0
+        stopping = self.stopping and stepper.system.traced.choices
+        step = Crossings(stepper).step if stopping else stepper.step
         while stepper.t < self.goal:
-            stepper.step(limit)
+            step(limit)
             if watched:
-                self._see(stepper, done, min(limit, MAX_STEPS))
+                self._see(stepper, step, done, min(limit, MAX_STEPS))
             for n in range(done, len(stepper.step_times) - 1) if events else ():
                 for found in events_in_step(locators, n):
                     ending = [k for _, k in found if events[k].ends]
@@ -182,7 +189,7 @@ class Trajectory:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
 
-    def _see(self, stepper, first, limit):
+    def _see(self, stepper, step, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""
         for _ in range(MAX_REPEATS):
             passed = passage(stepper, first)
@@ -190,7 +197,7 @@ class Trajectory:
                 return
             first, self.repeated = passed.number, True
             stepper.back_to(first, passed.time)
-            stepper.step(limit)
+            step(limit)
         self.missed += passed.size
 
     def unseen(self):
@@ -236,7 +243,8 @@ class Trajectory:
     def _fail(self, stepper, error):
         model, self.failed = stepper.system.model, error
         place = ", ".join(f"{n} = {v:.6g}" for n, v in model._state(stepper.x).items())
-        reason = why(error, stepper.system, stepper.t, stepper.x, self.goal - self.origin)
+        span = self.goal - self.origin
+        self.refusal, reason = why(error, stepper.system, stepper.t, stepper.x, span)
         self.ended = (
             f"{model.name} could not be followed beyond t = {stepper.t:.6g}, at {place}: {error}"
             f"{reason}"

@@ -168,8 +168,11 @@ class Draws(Random):
 
 
 def around(t, width, count):
-    """Times at distances of ``width`` about ``t``."""
-    return tuple(t + width * k for k in range(-count, count + 1))
+    """Times at distances of ``width`` about ``t``; and far from it, since what is narrow may have
+    long tails, to which a series that starts still farther away is blind.
+    """
+    steps = [*range(count + 1), *(count * far for far in (2, 4, 8))]
+    return tuple(t + width * k for k in sorted({*steps, *(-k for k in steps)}))
 
 
 def names(keys, values):

@@ -12,7 +12,7 @@ from fractions import Fraction
 from time import perf_counter
 
 from newton_euler import integrate, prepare
-from newton_euler.motion import ModelError
+from newton_euler.motion import ModelError, UnfitError
 from tests.honesty.engine import METHOD_NAMES
 from tests.honesty.limits import TimeUp, frequent_switches, limited
 from tests.honesty.references import scales
@@ -193,9 +193,8 @@ def judged(case, truths, method, way, rtol, seconds=SECONDS, integrate=integrate
     except TimeUp:
         return without_answer("timeout", "timeout", f"no answer in {seconds:g} s")
     except ModelError as error:
-        unfit = "cannot be used" in str(error)
         needless = method == "auto" and all(reachable(truth, rtol) for truth in truths.values())
-        outcome = "unfit" if unfit else "refused"
+        outcome = "unfit" if isinstance(error, UnfitError) else "refused"
         return without_answer(outcome, type(error).__name__, str(error), needless)
     except Exception as error:  # whatever it is, a user meets it
         name = type(error).__name__

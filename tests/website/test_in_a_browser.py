@@ -215,3 +215,20 @@ def test_the_page_is_light_and_says_its_language(driver, address):
     assert driver.execute_script(f"return {ground}") == "rgb(255, 255, 255)"
     assert driver.execute_script("return document.documentElement.lang") == "en"
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+
+def test_problems_are_chosen_by_what_is_asked_for(driver, address):
+    driver.get(f"{address}/problems/index.html")
+    wait(driver, "document.querySelector('p.chosen').textContent", "the number of problems")
+    ask = """
+    const form = document.querySelector("form.choose");
+    for (const [name, text] of Object.entries(arguments[0])) form.elements[name].value = text;
+    form.dispatchEvent(new Event("input"));
+    return [...document.querySelectorAll("table.problems tbody tr")].filter(r => !r.hidden)
+      .map(r => r.querySelector("a").textContent);
+    """
+    found = driver.execute_script(ask, {"words": "elbow arm", "section": "4"})
+    assert "4/16" in found
+    assert all(number.startswith("4/") for number in found)
+    assert "4/16" not in driver.execute_script(ask, {"equation": "4.18", "kind": "number"})
+    assert complaints(driver) == []

@@ -185,3 +185,14 @@ def test_the_search_knows_no_answers(site):
     assert "coriolis" in index
     for word in ("no_coriolis", "beta_the_other_way", "newton_euler.exercises"):
         assert word not in index
+
+
+def test_every_problem_can_be_chosen_by_data_that_tell_no_mistake_and_no_answer(site):
+    page = site / "problems/index.html"
+    text = page.read_text(encoding="utf-8")
+    for name in chapters():
+        for p in problems(name):
+            assert f"{name}.html#{anchor(p)}" in read(page).links, p.id
+            row = text[text.index(f'href="{name}.html#{anchor(p)}"') - 3000 :][:3400]
+            assert not any(getattr(m, "text", m) in row for m in p.mistakes.values()), p.id
+            assert not any(number in row for number in keys(p)), p.id

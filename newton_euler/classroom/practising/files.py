@@ -82,7 +82,8 @@ class PracticeFile:
                 f"{self.path.name} has no problem {problem!r}; it has {', '.join(self.problems)}"
             )
         page: dict[str, Any] = self._json(f"{problem.replace('/', '-')}.json")
-        if not _fits(page, PAGE) or not _is_whole(page):
+        fits = _fits(page, PAGE) and page.get("help", HELP[0]) in HELP
+        if not fits or not _is_whole(page):
             raise PracticeFileError(f"{self.path} is damaged: problem {problem} cannot be read")
         return page
 
@@ -143,7 +144,8 @@ def _is_whole(page):
         return False
     return (
         len(kinds) == len(units) and page["variants"]
-        and all(set(q) == set(QUANTITY) for q in page["quantities"])
+        and all(set(q) - {"rtol"} == set(QUANTITY) for q in page["quantities"])
+        and all(_fits(q.get("rtol", 0.0), NUMBER) for q in page["quantities"])
         and not any(kind.is_formula for kind in kinds.values())
         and all(group != "axes" or place.isdecimal() for _, group, place, *_ in page["labels"])
         and all(_is_variant(v, kinds, page) for v in page["variants"])

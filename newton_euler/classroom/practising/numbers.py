@@ -9,7 +9,7 @@ from ...answers.causes import Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
 from ...answers.near import NO_SLIPS, Ranked, Slips
-from ...answers.tolerance import Points
+from ...answers.tolerance import RTOL, Points
 from .programs import Program
 
 
@@ -29,6 +29,7 @@ class Quantity:
     of: tuple[str, ...]
     sum: str
     step: bool
+    rtol: float = RTOL
 
     @classmethod
     def read(cls, data: Mapping[str, Any]) -> "Quantity":

@@ -61,6 +61,7 @@ class PracticeProblem:
     def __init__(self, file: PracticeFile, problem: str, progress: Progress):
         self._file, self._progress = file, progress
         self._page = file.page(problem)
+        self.help: str = self._page.get("help", file.help)  # the most that is shown
         self.id: str = problem
         self._all = [Quantity.read(q) for q in self._page["quantities"]]
         self._take(0)
@@ -244,7 +245,7 @@ class PracticeProblem:
         """Where to go on: the first quantity that is not right yet, and the section it needs. Asked
         again, its equation and what it is computed from; then its value.
         """
-        if self._file.help == HELP[0]:
+        if self.help == HELP[0]:
             return _plain("this practice file gives no hints")
         waiting = [q for q in self._asked.values() if q.key not in self._passed
                    and getattr(self._found.get(q.key), "verdict", "") != "right"]  # fmt: skip
@@ -252,7 +253,7 @@ class PracticeProblem:
             return _plain("nothing is left to find; p.new() takes other numbers")
         q = waiting[0]
         level = self._progress.entry(self.id, self.number, q.key)["help"] + 1
-        most = 3 if self._file.help == HELP[2] else 2
+        most = 3 if self.help == HELP[2] else 2
         level = min(level, most)
         self._progress.helped(self.id, self.number, q.key, level)
         if level == 3:
@@ -295,7 +296,7 @@ class PracticeProblem:
 
     def solution(self) -> Message:
         """The solution in the numbers at hand: all steps, the terms of sums, the answers."""
-        if self._file.help != HELP[2]:
+        if self.help != HELP[2]:
             return _plain("this practice file has no solutions")
         for q in self._asked.values():
             self._progress.helped(self.id, self.number, q.key, 3)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from itertools import groupby
 
+from ...algebra.errors import checked_methods
 from ...algebra.vectors import FrameError, dot3, sub3
 from ..page.primitives import DASHES, MARK
 from ..page.projection import moved, norm3, on_circle
@@ -12,6 +13,7 @@ from ..page.recorder import Direction, Place, Recorder
 MAX_TURNS = 1000
 
 
+@checked_methods(str, bool)
 class Lines(Recorder):
     """The methods of a sketch that draw lines and what is slender."""
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from ...algebra.errors import checked_methods
 from ...algebra.vectors import FrameError, dot3, scale3, sub3
 from ...kinematics.frames import Frame
 from ..page.primitives import SQUARE
@@ -12,6 +13,7 @@ from .extrusion import extrude
 SHADES = {"light": "top", "medium": "body", "dark": "inside"}
 
 
+@checked_methods(str, bool)
 class Solids(Recorder):
     """The methods of a sketch that draw bodies, which hide each other as they do in space."""
 

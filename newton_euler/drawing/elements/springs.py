@@ -3,6 +3,7 @@
 import math
 from itertools import pairwise
 
+from ...algebra.errors import checked_methods
 from ...algebra.vectors import FrameError, cross3, scale3, sub3
 from ..page.projection import between, moved, on_circle, on_plane, perpendicular_towards
 from ..page.recorder import Place, Recorder
@@ -10,6 +11,7 @@ from ..page.recorder import Place, Recorder
 STEPS = 24  # straight pieces of one coil
 
 
+@checked_methods(str, bool)
 class Springs(Recorder):
     """The methods of a sketch that draw springs and dampers."""
 

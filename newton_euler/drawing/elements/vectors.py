@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from ...algebra.errors import checked_methods
 from ...algebra.scalars import clipped
 from ...algebra.vectors import FrameError, Vector, sub3
 from ...kinematics.frames import Frame
@@ -12,6 +13,7 @@ from ..page.projection import moved as ahead
 from ..page.recorder import Direction, Place, Recorder
 
 
+@checked_methods(str, bool)
 class Vectors(Recorder):
     """The methods of a sketch that draw arrows."""
 

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from ...algebra.errors import checked_but
 from ...algebra.scalars import scalar, to_plain
 from ...algebra.vectors import FrameError, Vector, cross3, dot3, sub3
 from ...kinematics.frames import Frame, Point
@@ -39,6 +40,7 @@ MAX_PLACES = 10**6  # places of one curve at most
 class Recorder:
     """Records drawing commands, and renders them when the figure is shown or saved."""
 
+    @checked_but("ground")
     def __init__(
         self,
         ax: Any,

@@ -16,7 +16,6 @@ from ...algebra.errors import NewtonEulerError
 SMALLEST_SCALE = 1e-6
 # a run has stalled if this many steps are on average this much shorter than its longest step
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
-AROUND = 8  # units in the last place about a stop, whose time is rounded
 MAX_STEPS = 5e6  # steps of one motion that are kept: those of DOP853 take minutes and a gigabyte
 
 
@@ -51,6 +50,7 @@ class Stepper:
         that does not keep its steps
     most_steps : the most steps of one motion
 
+    around : units in the last place about a stop, whose time is rounded, in which no step is taken
     resumable : True if the method can go back to one of its steps
     repeated : True if it has gone back
     taken : the number of steps where not all of them are kept
@@ -62,6 +62,7 @@ class Stepper:
 
     most_steps = MAX_STEPS
 
+    around = 8
     resumable, repeated, taken = False, False, 0
 
     def __init__(self, system, t, x, trajectory):
@@ -89,12 +90,14 @@ class Stepper:
         """The same run with all of its steps."""
         return self
 
-    def back_to(self, n, stop):
-        """Go back to the beginning of step ``n``, and stop at this time."""
+    def back_to(self, n, stop, scales=None):
+        """Go back to the beginning of step ``n``, where the scales were these, and stop at this
+        time.
+        """
         size = len(self.x)
         self.t, self.x, self.repeated = self.step_times[n], tuple(self.steps[n][-size:]), True
-        seen = [self.floors, *(map(abs, s[-size:]) for s in self.steps[: n + 1])]
-        self.scales = tuple(map(max, *seen))
+        seen = () if scales else [map(abs, s[-size:]) for s in self.steps[: n + 1]]
+        self.scales = scales or tuple(map(max, self.floors, *seen))
         del self.steps[n:], self.step_times[n + 1 :]
         self.checked = min(self.checked, n)
         self.stops = tuple(sorted({stop, *(t for t in self.stops if t > self.t)}))
@@ -112,13 +115,21 @@ class Stepper:
         n = bisect_right(self.stops, self.t)
         if n == len(self.stops):
             return self.goal, self.goal
-        stop, room = self.stops[n], AROUND * ulp(self.stops[n])
+        stop, room = self.stops[n], self.around * ulp(self.stops[n])
         return max(stop - room, self.t), min(stop + room, self.goal)
 
-    def pass_stop(self, after, rates):
-        """Go on to the time just after a stop, with the rates before it."""
-        step = after - self.t
-        self.t, self.x = after, tuple([v + step * k for v, k in zip(self.x, rates, strict=True)])
+    def pass_stop(self, after, part=0.5):
+        """Go on to the time just after a stop: this part of the way with the rates before it, the
+        rest with those after it.
+        """
+        step, before = after - self.t, self.system.rates(self.t, self.x)
+
+        def moved(rates):
+            return tuple([v + step * k for v, k in zip(self.x, rates, strict=True)])
+
+        later = self.system.rates(after, moved(before))
+        mean = [part * k + (1 - part) * m for k, m in zip(before, later, strict=True)]
+        self.t, self.x = after, moved(mean)
 
     @property
     def checkpoints(self):
@@ -132,6 +143,10 @@ class Stepper:
     def step_index(self, t):
         """The index of the step in which ``t`` lies."""
         return min(max(bisect_right(self.step_times, t) - 1, 0), len(self.step_times) - 2)
+
+    def step_end(self, n):
+        """The time up to which step n was taken by the method: not past a stop."""
+        return self.step_times[n + 1]
 
     def state_at(self, t):
         """The state at a time that has been passed, as accurate as the steps are."""

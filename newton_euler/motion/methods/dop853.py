@@ -135,20 +135,23 @@ class Dop853(Stepper):
         self._kept = None, None
         if step:
             self.tolerance = 1e300  # any step is accepted
-        # else a first step in which the fastest state changes by half of its scale times
-        # tol**(1/8); states that start from nothing, with a huge rate to scale, do not count
-        else:
-            pairs = zip(self.rates, self.scales, strict=True)
-            fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
-            self.h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * span
         # at the least what changes the time
         self.hmax = step or max(trajectory.longest_part * span, 1e-13 * abs(self.goal))
-        self.h = min(step or self.h, self.hmax)
+        self.h = step or self._first_step()
+
+    def _first_step(self):
+        """A step in which the fastest state changes by half of its scale times tol**(1/8); states
+        that start from nothing, with a huge rate to scale, do not count.
+        """
+        pairs = zip(self.rates, self.scales, strict=True)
+        fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
+        h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * (self.goal - self.t)
+        return min(h, self.hmax)
 
     def resume(self):
         """Continue from the present state, see ``back_to``."""
         self.rates, self._kept = self.system.rates(self.t, self.x), (None, None)
-        self.calls += 1
+        self.calls, self.h = self.calls + 1, self.h or self._first_step()
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
@@ -164,13 +167,17 @@ class Dop853(Stepper):
             self.calls += 12 * tried  # stages of a step; the first is the last of the step before
             self.step_times += [t + h for t, h, *_ in self.steps[done:]]
             if self.t == before < after:
-                self.pass_stop(after, self.rates)
-                self.rates, self.calls = self.system.rates(self.t, self.x), self.calls + 1
+                self.pass_stop(after)
+                self.rates, self.calls = self.system.rates(self.t, self.x), self.calls + 3
             self.step_times[-1] = self.t
             if self.h == 0.0:
                 raise StepError("the step became too small to go on")
             limit -= len(self.steps) - done
             self.check_progress()
+
+    def step_end(self, n):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        return sum(self.steps[n][:2])
 
     def state_at(self, t):
         """The state at ``t`` by a step of the method from the last step before, more accurate than

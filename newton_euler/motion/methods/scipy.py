@@ -59,14 +59,18 @@ class SciPy(Stepper):
             self.t, self.x, limit = float(solver.t), tuple(solver.y.tolist()), limit - 1
             before, after = self.around_stop()
             if self.t == before < after:
-                self.pass_stop(after, self.system.rates(before, self.x))
-                self.calls_before += 1
+                self.pass_stop(after)
+                self.calls_before += 2
             self.step_times.append(self.t)
             self.update_scales()
             self.check_progress()
             self.calls = self.calls_before + solver.nfev
             if solver.status == "finished" and self.t < self.goal:
                 self.solver, self.calls_before = self._from_here(), self.calls
+
+    def step_end(self, n):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        return float(self.steps[n][0].t_max)
 
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""

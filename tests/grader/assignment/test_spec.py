@@ -65,7 +65,10 @@ def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
         ("- 4/3", "expected title, due and a list of problems"),
         ("problems: [4/3, 4/3]", "4/3 is there twice"),
         ("problems: [4/3]\npoints: 3", "'points' is not one of"),
-        ("problems: [{4/3: {point: 3}}]", "'point' is not one of follow_through, points, weights"),
+        (
+            "problems: [{4/3: {point: 3}}]",
+            "'point' is not one of follow_through, help, points, tolerance, weights; did you mean points",
+        ),
         ("problems: [{4/3: {points: many}}]", "'many' is no number of points"),
         ("problems: [{4/3: -1}]", "-1 is no number of points"),
         ("problems: [3]", "3 is neither a problem nor a text"),

@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from newton_euler import Frame, compiled
 from newton_euler.algebra import scalars
 from newton_euler.algebra.jets import Moving, at, moving
+from newton_euler.algebra.linear import LinearForm
 from newton_euler.algebra.scalars import (
     FUNCTIONS,
     ZERO,
@@ -145,7 +146,9 @@ def test_what_is_not_a_number_is_refused_and_named(bad):
     assert type(bad).__name__ in str(error.value)
 
 
-def test_numbers_times_vectors_are_vectors_whatever_the_kind(x):
+@pytest.mark.parametrize("kind", sorted(EVERY_KIND.keys() - {"complex", "empty array"}))
+def test_real_numbers_times_vectors_are_vectors_whatever_the_kind(kind):
+    x = EVERY_KIND[kind]()
     v = Frame("ground").vector(1.0, 2.0, 0)
     for product in (x * v, v * x):
         assert hasattr(product, "frame")
@@ -540,3 +543,18 @@ def test_at_of_an_mpf_keeps_its_digits_where_constants_are_floats():
     exact = -mpmath.mpf(0.3) * c * c * mpmath.sin(c * t)
     # with a rate of plain 1, 0.8*0.8 would be multiplied in floats
     assert abs(found.acceleration - exact) < 1e-28
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_function_of_no_numbers_is_refused(name):
+    with pytest.raises(ScalarError, match="which is empty"):
+        function(name, np.zeros((0, 3)))
+
+
+@pytest.mark.parametrize("other", [1j, np.array([1j]), np.zeros(0), mpmath.mpc(0, 1)])
+def test_quantities_of_mechanics_take_no_complex_numbers_and_no_empty_arrays(other):
+    ground = Frame("ground")
+    for quantity in (ground.vector(1.0, 2.0, 3.0), Dimension(1, 1, -2), LinearForm(2.0, (1.0,))):
+        for operation in (lambda a, b: a * b, lambda a, b: a / b):
+            with pytest.raises(ScalarError, match="expected"):
+                operation(quantity, other)

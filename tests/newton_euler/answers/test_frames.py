@@ -9,6 +9,7 @@ import pytest
 from newton_euler import Frame
 from newton_euler.answers.frames import counted
 from newton_euler.answers.kinds import KINDS, Kind
+from newton_euler.answers.tolerance import RTOL
 from tests.newton_euler.answers.one_answer import one
 
 KEY = ((-9.6, 6.25, -3.6),)
@@ -19,6 +20,7 @@ ARM = ((6.25, 9.6, -3.6),)  # the same vector along the axes of the problem's ar
 class Asked:
     kind: Kind = KINDS["vector"]
     atol: float = 1e-6
+    rtol: float = RTOL
 
 
 def turned(components, *turns):

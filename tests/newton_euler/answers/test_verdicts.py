@@ -8,12 +8,15 @@ from newton_euler.answers.causes import BOOK, answer_to, follows, listed
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import NO_SLIPS
+from newton_euler.answers.tolerance import RTOL
 from newton_euler.answers.verdicts import explain, judge, value_line
 
 
 def asked(key, kind, unit="1", of=()):
     form = Form(KINDS[kind], unit, of)
-    return types.SimpleNamespace(key=key, kind=form.kind, unit=unit, atol=1e-6, form=form)
+    return types.SimpleNamespace(
+        key=key, kind=form.kind, unit=unit, atol=1e-6, rtol=RTOL, form=form
+    )
 
 
 class Fall:

@@ -5,7 +5,13 @@ import re
 import pytest
 
 from newton_euler import Event, Model, cos, integrate, sin, sqrt, table, where
-from newton_euler.motion import MotionError, second_order
+from newton_euler.motion import (
+    LongError,
+    MotionError,
+    NoValueError,
+    StickingError,
+    second_order,
+)
 
 RTOLS = 1e-6, 1e-9
 
@@ -37,7 +43,7 @@ STICKS = {  # what is written in the event, and the motion
 def test_a_motion_that_sticks_is_refused_with_the_event_to_write(event, rtol):
     model, start, t = STICKS[event]
     written = re.escape(f"Event(lambda s, p, t: {event}, then=...)")
-    with pytest.raises(MotionError, match=f"it sticks at .* lead back: write {written}"):
+    with pytest.raises(StickingError, match=f"it sticks at .* lead back: write {written}"):
         integrate(model, t, start, rtol=rtol)
 
 
@@ -52,23 +58,30 @@ def test_with_that_event_it_is_followed():
 
 
 NO_STICKING = {
-    "pole": (lambda s, p, t: (s.x * s.x,), (1.0,), 2.0, "may be singular there"),
-    "attraction": (lambda s, p, t: (-1 / s.x,), (1.0,), 2.0, "singular there"),
+    "pole": (lambda s, p, t: (s.x * s.x,), (1.0,), 2.0, "may be singular there", MotionError),
+    "attraction": (lambda s, p, t: (-1 / s.x,), (1.0,), 2.0, "singular there", MotionError),
     "formula without value": (lambda s, p, t: (-1 - sqrt(s.x),), (1.0,), 2.0,
-                              "beyond it the rates have no value: math domain error"),
+                              "beyond it the rates have no value: math domain error", NoValueError),
     "end of a table": (lambda s, p, t: (table([0.0, 1.0], [1.0, 2.0])(t),), (1.0,), 2.0,
-                       r"a table from 0\.0 to 1\.0 has no value at 1\.0"),
+                       r"a table from 0\.0 to 1\.0 has no value at 1\.0", NoValueError),
     "end of a table of a state": (lambda s, p, t: (-table([0.5, 1.0], [1.0, 2.0])(s.x),), (1.0,), 2.0,
-                                  r"a table from 0\.5 to 1\.0 has no value at 0\.49"),
+                                  r"a table from 0\.5 to 1\.0 has no value at 0\.49", NoValueError),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("name", NO_STICKING)
 def test_what_does_not_stick_is_not_said_to(name):
-    rates, start, t, words = NO_STICKING[name]
-    with pytest.raises(MotionError, match=words) as refusal:
+    rates, start, t, words, kind = NO_STICKING[name]
+    with pytest.raises(kind, match=words) as refusal:
         integrate(Model("q", {}, ("x",), rates), t, start, rtol=1e-6, method="dop853")
     assert "sticks" not in str(refusal.value)
+    assert type(refusal.value) is kind
+
+
+def test_a_motion_of_too_many_steps_is_refused_as_long():
+    spring = second_order("spring", {}, ("x",), lambda s, p, t: (-s.x,))
+    with pytest.raises(LongError, match="take a shorter time"):
+        integrate(spring, 1e9, (1.0, 0.0), method="dop853")
 
 
 def test_a_switch_that_is_crossed_does_not_stick():

@@ -133,15 +133,16 @@ class Still:
         self.traced = SimpleNamespace(surprises=surprises, hazards=hazards)
 
 
-def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,)):
+def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,), stopping=False):
     """A trajectory of so many steps in each segment."""
     parts = []
     for n, r in itertools.zip_longest(steps, residuals, fillvalue=0.0):
         of = {"step_times": range(n + 1), "scales": (1.0,), "residual": lambda r=r: r}
         parts.append(Segment(system or Still(), SimpleNamespace(**of), 0.0, 1.0, (1.0,)))
     return SimpleNamespace(
-        segments=parts, tolerance=tolerance, count=sum(steps), difference=lambda other: difference
-    )
+        segments=parts, tolerance=tolerance, count=sum(steps), difference=lambda other: difference,
+        stopping=stopping,
+    )  # fmt: skip
 
 
 def is_regular(method, coarse, fine, ratio=1e-3):
@@ -181,6 +182,14 @@ def test_steps_that_do_not_grow_by_the_order_are_not_in_the_regime(coarse, fine,
     assert is_regular("dop853", coarse, fine) == regular
     if sum(coarse) >= MIN_STEPS:  # of a fixed step they follow from the tolerance
         assert is_regular("yoshida8", coarse, fine)
+
+
+@pytest.mark.parametrize(("hazards", "factor"), [((), REGULAR), (["exp"], IRREGULAR)])
+def test_steps_that_end_at_kinks_are_in_the_regime_however_many_they_are(hazards, factor):
+    system = Still(True, hazards)
+    fine = made([1000], 1e-14, system=system, stopping=True)
+    found = error_by_comparison(made([1000], 1e-13, 1e-5, system), fine, METHODS["dop853"])
+    assert found == pytest.approx(SAFETY * 1e-5 * 0.1**factor, rel=1e-6)
 
 
 def test_round_off_grows_with_the_steps_of_the_fine_run():

@@ -1,0 +1,84 @@
+"""What an assignment may say of a problem, in its file or in the metadata of the answer cell."""
+
+import difflib
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from exercises.catalogue import Problem
+from newton_euler.classroom.practising.files import HELP as PRACTICE_HELP
+
+# what a student is shown at the most: points, right or wrong, after grading; also which mistake
+# explains an answer, and at once whether it is right; also steps with hints, in practice; also the
+# worked solution, after the due date
+HELP = ("none", *PRACTICE_HELP)
+LARGEST = 0.1  # relative tolerance
+
+
+def read_option(name: str, value: Any, p: Problem | None = None) -> Any:
+    """The value of an option of problem ``p``, or of a sheet; raises ValueError in words."""
+    return OPTIONS[name](value, p)
+
+
+def unknown(word: object, known: Iterable[str], what: str = "is not one of") -> str:
+    """That a word is not among those that are known, and which of them may be meant."""
+    names = sorted(known)
+    close = difflib.get_close_matches(str(word), names, 1)
+    return f"{word!r} {what} {', '.join(names)}{f'; did you mean {close[0]}?' if close else ''}"
+
+
+def _number(value, least, most, words):
+    good = isinstance(value, int | float) and not isinstance(value, bool)
+    if not good or not math.isfinite(value) or not least <= value <= most:
+        raise ValueError(f"{value!r} is {words}")
+    return int(value) if float(value).is_integer() else float(value)
+
+
+def _points(value, p=None):
+    return _number(value, 0, 1e6, "no number of points, which is 0 or more")
+
+
+def _share(value, p=None):
+    return _number(_percent(value), 0, 1, "no share from 0 to 1, as 0.5 or 50%")
+
+
+def _tolerance(value, p=None):
+    words = f"no tolerance from 0.001% to {LARGEST:.0%}, as 0.02 or 2%"
+    return _number(_percent(value), 1e-5, LARGEST, words)
+
+
+def _percent(value):
+    """A share, also of a text with a percent sign; what is none as it is."""
+    text = str(value).strip()
+    try:
+        return float(text.removesuffix("%")) / 100 if text.endswith("%") else value
+    except ValueError:
+        return value
+
+
+def _help(value, p=None):
+    if value not in HELP:
+        raise ValueError(unknown(value, HELP, "is no help level; the levels are"))
+    return value
+
+
+def _weights(value, p):
+    if not isinstance(value, Mapping) or not value:
+        raise ValueError(f"{value!r} are no weights, as {{{p.answers[0].key}: 2}}")
+    keys = [a.key for a in p.answers]
+    for key in value:
+        if key not in keys:
+            raise ValueError(unknown(key, keys, f"is no part of {p.id}; its parts are"))
+    found = {
+        k: _number(x, 0, 1e6, f"no weight of {k}, which is 0 or more") for k, x in value.items()
+    }
+    if not any(found.get(key, 1) for key in keys):
+        raise ValueError("all weights are 0, so that the problem is worth nothing")
+    return found
+
+
+OPTIONS: Mapping[str, Callable[[Any, Any], Any]] = {
+    "points": _points, "weights": _weights, "follow_through": _share, "tolerance": _tolerance,
+    "help": _help,
+}  # fmt: skip
+BY_SHEET = ("follow_through", "tolerance", "help")  # those that a sheet may say for all

@@ -1,0 +1,92 @@
+"""The command that writes a bank of questions for a learning platform."""
+
+import hashlib
+import hmac
+from pathlib import Path
+
+import click
+
+from .paper import ONLY
+from .shared import FILE, FOLDER, progress_bar
+
+
+@click.command()
+@click.argument("assignment")
+@click.argument("more", nargs=-1, metavar="")
+@ONLY
+@click.option(
+    "--format", "form", required=True, type=click.Choice(["moodle", "qti", "canvas"]),
+    help="Moodle's XML; a package of QTI 2.1; Canvas' package, of QTI 1.2.",
+)  # fmt: skip
+@click.option(
+    "--variants",
+    default=10,
+    show_default=True,
+    type=click.IntRange(1),
+    help="How many sets of numbers of each problem; the platform draws among them.",
+)
+@click.option(
+    "-o",
+    "--to",
+    "path",
+    type=FILE,
+    help="Default: NAME-FORMAT.xml or .zip, here. Only you read it.",
+)
+@click.option(
+    "--course",
+    "course_path",
+    type=FOLDER,
+    help="The course: its assignment as it is now; no answer in the bank is near one of its "
+    "students', and the numbers come from its secret.",
+)
+@click.option("--seed", type=int, help="Other numbers.")
+def bank(
+    assignment: str,
+    more: tuple[str, ...],
+    only: tuple[str, ...],
+    form: str,
+    variants: int,
+    path: Path | None,
+    course_path: Path | None,
+    seed: int | None,
+) -> None:
+    """Write a bank of questions that a learning platform imports.
+
+    Each has variants with numbers and figures of their own, the tolerance of our grading, and each
+    listed mistake as a wrong answer with its diagnosis as feedback. Problems in symbols are asked
+    with numbers. What a platform cannot ask is printed, and stands in FILE.txt.
+
+    \b
+    bank hw3 --course ~/mechanics --format moodle --variants 20
+    bank ch04 --format canvas -o ch04.zip
+    bank hw3 --problems 4/3 11/1-11/6 --format qti
+
+    \b
+    Moodle:  Question bank > Import > Moodle XML; a category for each problem
+    Canvas:  Settings > Import Course Content > QTI .zip file; a group for each number asked for
+    """
+    from ..assignment.chosen import chosen
+    from ..course import Course
+    from ..course.files import write_text
+    from ..lms import FORMATS, write_bank
+    from ..practice import graded_numbers
+
+    course = Course(course_path) if course_path else None
+    spec = chosen(assignment, (*only, *more), (), course)
+    path = path or Path(f"{spec.name}-{form}{FORMATS[form][1]}")
+    text = f"bank {spec.name} {'' if seed is None else seed}"
+    if course:  # a student who has this program does not know the numbers
+        text = hmac.new(course.secret, text.encode(), hashlib.sha256).hexdigest()
+    with progress_bar() as bar:
+        graded = None
+        if course:
+            sheets = bar.add_task("reading the course's numbers", total=None)
+            graded = graded_numbers(
+                course.path, lambda n, of: bar.update(sheets, completed=n, total=of)
+            )
+        task = bar.add_task("solving and drawing", total=len(spec.problems))
+        made = write_bank(path, spec, form, variants, text, graded, done=lambda: bar.advance(task))
+    for note in made.notes:
+        click.echo(note, err=True)
+    write_text(path.with_name(path.name + ".txt"), "\n".join([*made.notes, ""]))
+    click.echo(f"{path}: {made.questions} questions of {made.problems} problems")

@@ -1,0 +1,176 @@
+"""Commands by which an instructor chooses problems."""
+
+import json
+import math
+import tempfile
+from pathlib import Path
+
+import click
+
+from .shared import FILE, FOLDER, console, progress_bar
+
+COLUMNS = ("id", "section", "steps", "difficulty", "minutes", "sheets", "right")
+
+
+class Span(click.ParamType):
+    """A number, or a range of numbers of which an end may be open."""
+
+    name = "LOW-HIGH"
+
+    def convert(self, value, param, context):
+        low, dash, high = value.partition("-")
+        try:
+            return float(low or 0), float(high or math.inf) if dash else float(low)
+        except ValueError:
+            self.fail(f"{value!r} is no range: write 3, 2-4, 2- or -4", param, context)
+
+
+SPAN = Span()
+
+
+@click.command()
+@click.argument("names", nargs=-1, metavar="[ch04 | 4/16 | 11/1-11/6 | hw3 …]")
+@click.option("--section", "sections", multiple=True, metavar="4.10", help="Of this section, or 4.")
+@click.option(
+    "--kind", "kinds", multiple=True, help="That asks for such an answer: number, vector, choice …"
+)
+@click.option(
+    "--equation", "equations", multiple=True, metavar="4.18", help="That uses this equation."
+)
+@click.option("--search", "words", metavar="WORDS", help="With all these words in its texts.")
+@click.option("--steps", type=SPAN, help="With so many steps on the way to its answers.")
+@click.option("--difficulty", type=SPAN, help="From 1 to 5, estimated from the computation.")
+@click.option("--minutes", type=SPAN, help="That takes so long, estimated.")
+@click.option("--sheets", type=SPAN, help="Of which so many different sheets can be drawn.")
+@click.option(
+    "--course",
+    "course_path",
+    type=FOLDER,
+    help="Also say what share of the points its students earned, and of how many sheets.",
+)
+@click.option("--right", type=SPAN, help="With such a share of the points earned, in percent.")
+@click.option(
+    "--sort", type=click.Choice(COLUMNS), help="Sort by this column; default: as in the book."
+)
+@click.option("--reverse", is_flag=True, help="Sort the other way round.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
+def problems(
+    names: tuple[str, ...],
+    sections: tuple[str, ...],
+    kinds: tuple[str, ...],
+    equations: tuple[str, ...],
+    words: str | None,
+    course_path: Path | None,
+    right: tuple[float, float] | None,
+    sort: str | None,
+    reverse: bool,
+    as_json: bool,
+    **spans: tuple[float, float] | None,
+) -> None:
+    """List the problems to choose from, by what they are about and how hard they are.
+
+    Difficulty and minutes are estimates from the steps, equations and operations of the solution;
+    with --course what students earned stands beside them. Where the number of sheets is 1, all
+    students have the same problem.
+
+    \b
+    problems ch04 --difficulty 1-2               the easy ones of chapter 4
+    problems --search "gyroscope precession"     in all texts
+    problems --equation 4.18 --kind vector --minutes -20
+    problems --course ~/mechanics --right -50    those that half of the points were lost in
+    """
+    from exercises.catalogue.survey import Wanted, chosen
+    from newton_euler.answers.kinds import KINDS
+
+    from ..assignment.chosen import named
+    from ..assignment.options import unknown
+    from ..course import Course
+    from ..reports import measured, problems_table
+
+    if wrong := [k for k in kinds if k.replace(" ", "_") not in KINDS]:
+        raise click.UsageError(f"--kind {unknown(wrong[0], KINDS)}")
+    if right and not course_path:
+        raise click.UsageError("--right is what students earned: name a --course")
+    course = Course(course_path) if course_path else None
+    asked = list(named(names or ("all",), course))
+    limits = {name: span for name, span in spans.items() if span}
+    wanted = Wanted(
+        sections, tuple(k.replace(" ", "_") for k in kinds), equations,
+        tuple((words or "").split()), limits,
+    )  # fmt: skip
+    with progress_bar() as bar:
+        task = bar.add_task("reading problems", total=len(asked))
+        found = [e for p in asked for e in (*chosen([p], wanted), *_advance(bar, task))]
+    earned = measured(course) if course else {}
+    if right:
+        low, high = right
+        found = [e for e in found if e.id in earned and low <= 100 * earned[e.id][0] <= high]
+    if sort and sort != "id":
+        key = (lambda e: earned.get(e.id, (2, 0))[0]) if sort == "right" else _by(sort)
+        found = sorted(found, key=key)
+    if reverse:
+        found.reverse()
+    if as_json:
+        click.echo(json.dumps([_as_json(e, earned) for e in found], indent=1))
+    elif not found:
+        click.echo("No problem is like that.")
+    else:
+        console.print(problems_table(found, earned if course else None))
+
+
+def _advance(bar, task):
+    bar.advance(task)
+    return ()
+
+
+def _by(name):
+    """The key that sorts by a column; sections by their numbers, appendices first."""
+    if name != "section":
+        return lambda e: getattr(e, name)
+    return lambda e: [int(x) if x.isdigit() else 0 for x in e.section.split(".")]
+
+
+def _as_json(e, earned):
+    listed = {k: x for k, x in vars(e).items() if k != "words"}
+    listed |= {"difficulty": e.difficulty, "minutes": e.minutes}
+    share, sheets = earned.get(e.id, (None, 0))
+    return listed | ({"share_of_points": share, "graded_sheets": sheets} if sheets else {})
+
+
+@click.command()
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | hw3 …")
+@click.option("--course", "course_path", type=FOLDER, help="Where hw3 is an assignment.")
+@click.option("--text", is_flag=True, help="Print it in the terminal instead.")
+@click.option("--to", "path", type=FILE, help="The page to write; default: a private new folder.")
+@click.option("--no-open", is_flag=True, help="Do not open a browser.")
+def preview(
+    names: tuple[str, ...], course_path: Path | None, text: bool, path: Path | None, no_open: bool
+) -> None:
+    """Show problems before they are on a sheet, as a page in the browser.
+
+    Of each: text, figure, key, the numbers and keys of three students, steps, tolerance, how many
+    sheets there are, difficulty, and every listed mistake with its answer and what a student reads
+    of it. The page holds keys: only you can read the file.
+    """
+    from ..assignment.chosen import named
+    from ..course import Course
+    from ..course.files import write_text
+    from ..reports import preview as previewed
+    from ..reports import preview_page, preview_text
+
+    chosen = named(names, Course(course_path) if course_path else None)
+    found = []
+    with progress_bar() as bar:
+        task = bar.add_task("solving and drawing", total=len(chosen))
+        for p, options in chosen.items():
+            found.append(previewed(p, options))
+            bar.advance(task)
+    if text:
+        for each in found:
+            console.print(preview_text(each), soft_wrap=True)
+        return
+    path = path or Path(tempfile.mkdtemp(prefix="preview-")) / "preview.html"
+    write_text(path, preview_page(found))
+    click.echo(path)
+    if not no_open:
+        click.launch(str(path))

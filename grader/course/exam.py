@@ -1,0 +1,143 @@
+"""Exams: assignments with a window of time and one attempt, whose numbers nothing else has.
+
+What an exam is stands in course.json. It closes at its due date, for a student with an extension at
+theirs (:mod:`~grader.course.due`). Of what a student hands in the first work within the window
+counts, since whoever has handed in may talk; where there is none, the first work of all, which is
+refused if it is late, or graded with a remark, by the exam's rule. An instructor who wants another
+one to count takes it in (``take-in --replace``).
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime, timedelta
+from typing import Any
+
+from .due import extensions, is_over
+from .folder import Course
+from .identity import CourseError
+
+LATE = ("refuse", "mark")  # what comes late is not graded, or graded with a remark
+
+
+class LateError(CourseError):
+    """Work that came after an exam has closed is refused."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """When an exam may be handed in, in UTC without a zone; None: at any time.
+
+    late : one of :data:`LATE`. extensions : {student: how much later it closes}
+    """
+
+    opens: datetime | None = None
+    closes: datetime | None = None
+    late: str = LATE[0]
+    extensions: Mapping[str, timedelta] = field(default_factory=dict)
+
+    def closing(self, student: str) -> datetime:
+        """When it closes for a student."""
+        if self.closes is None:
+            return datetime.max
+        return self.closes + self.extensions.get(student, timedelta())
+
+    def remark(self, student: str, when: datetime | None) -> str:
+        """What is noted on work of this time, "" if it came within the window; raises
+        :class:`LateError` if it is refused.
+        """
+        if when is None:
+            return "it is not known whether this was handed in within the window of the exam"
+        if self.opens and when < self.opens:
+            return f"handed in {_span(self.opens - when)} before the exam opened"
+        late = when - self.closing(student)
+        if late <= timedelta():
+            return ""
+        words = f"handed in {_span(late)} after the exam closed"
+        if self.late == "mark":
+            return words
+        raise LateError(
+            f"was {words}, and is refused; give {student} another date (python -m grader due) "
+            "to grade it, or let all late work be graded with a remark (late: mark)"
+        )
+
+    def first(self, student: str, times: Iterable[datetime]) -> datetime:
+        """The time of the work that counts."""
+        closes, opens = self.closing(student), self.opens or datetime.min
+        return min(times, key=lambda t: (not opens <= t <= closes, t))
+
+
+def _span(time):
+    minutes = time.total_seconds() / 60
+    return f"{minutes:.0f} min" if minutes >= 1 else f"{time.total_seconds():.0f} s"
+
+
+def is_exam(course: Course, assignment: str) -> bool:
+    """True if an assignment of the course is an exam."""
+    return assignment in course.settings.get("exams", {})
+
+
+def window(course: Course, book: Any, assignment: str) -> Window | None:
+    """The window of an exam; None of another assignment. ``book``: the open gradebook."""
+    if not is_exam(course, assignment):
+        return None
+    kept = course.settings["exams"][assignment]
+    due = book.find_assignment(assignment).duedate
+    opens = kept["opens"] and datetime.fromisoformat(kept["opens"])
+    return Window(opens or None, due, kept["late"], extensions(course, assignment, due))
+
+
+def judged(
+    course: Course, book: Any, assignment: str, times: Mapping[str, datetime | None]
+) -> tuple[dict[str, str], dict[str, str]]:
+    """({student: remark on the time of their work}, {student: why it is refused}) of an exam, from
+    the times of submission; ({}, {}) of another assignment.
+    """
+    remarks: dict[str, str] = {}
+    refused: dict[str, str] = {}
+    if not (found := window(course, book, assignment)):
+        return remarks, refused
+    for student, when in times.items():
+        try:
+            remarks[student] = found.remark(student, when)
+        except LateError as error:
+            refused[student] = str(error)
+    return remarks, refused
+
+
+def set_exam(course: Course, assignment: str, opens: datetime | None, late: str = LATE[0]) -> None:
+    """Make an assignment an exam, before anybody has its sheet."""
+    if not is_exam(course, assignment) and any(
+        (course.path / place / assignment).exists() for place in ("numbers", "personal")
+    ):
+        raise CourseError(
+            f"{assignment} was handed out as homework; an exam has numbers of its own: build it "
+            "under another name"
+        )
+    text = opens.astimezone(UTC).replace(tzinfo=None).isoformat() if opens else ""
+    exams = {**course.settings.get("exams", {}), assignment: {"opens": text, "late": late}}
+    course.set(exams=exams)
+
+
+def refuse_exam(course: Course, assignment: str, what: str) -> None:
+    """Raise :class:`CourseError` if an assignment is an exam, for which there is no ``what``."""
+    if is_exam(course, assignment):
+        raise CourseError(f"{assignment} is an exam: {what}")
+
+
+def refuse_feedback(course: Course, assignment: str) -> None:
+    """Raise :class:`CourseError` while somebody may still hand in an exam."""
+    if is_exam(course, assignment) and not is_over(course, assignment):
+        raise CourseError(
+            f"the exam {assignment} is not over for everybody, and feedback on it would say what "
+            "is right; write it when it has closed, also for those with a date of their own"
+        )
+
+
+def refuse_before_opening(course: Course, assignment: str, now: datetime | None = None) -> None:
+    """Raise :class:`CourseError` while an exam must not reach students yet."""
+    opens = course.settings.get("exams", {}).get(assignment, {}).get("opens")
+    if opens and (now or datetime.now(UTC).replace(tzinfo=None)) < datetime.fromisoformat(opens):
+        raise CourseError(
+            f"the exam {assignment} opens at {opens} UTC: release it then, since students can "
+            "fetch what is released"
+        )

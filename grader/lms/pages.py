@@ -1,0 +1,70 @@
+"""Markdown as HTML, whose formulas MathJax typesets: every platform has it."""
+
+import re
+from functools import lru_cache
+
+from .questions import Part
+
+DIGITS = 10
+
+
+def html(markdown: str) -> str:
+    """A text as XHTML; formulas stand between \\( and \\).
+
+    >>> html("A *rod* of $\\\\frac12$ m")
+    '<p>A <em>rod</em> of \\\\(\\\\frac12\\\\) m</p>'
+    """
+    made = _converter()(markdown).strip()
+    return re.sub(r'<span class="math">(.*?)</span>', r"\1", made, flags=re.S)
+
+
+@lru_cache
+def _converter():
+    import mistune
+
+    return mistune.create_markdown(plugins=["table", "math"])
+
+
+def inline(markdown: str) -> str:
+    """The same without the paragraph around it."""
+    return re.sub(r"^<p>(.*)</p>$", r"\1", html(markdown), flags=re.S)
+
+
+def asked(part: Part, places: list[str] | None = None) -> str:
+    """What is asked for, as HTML in a paragraph: its words, symbol, and ``places`` for its numbers
+    with its unit behind them.
+    """
+    words, name, unit = (
+        inline(x) for x in (part.means, _formula(part.symbol), _formula(part.unit))
+    )
+    if places is None:
+        return f"<p>{words}{f', {name}' * bool(name)}{f', in {unit}' * bool(unit)}</p>"
+    inside = _rows(part.kind.nested(places))
+    return f"<p>{words}: {f'{name} = ' * bool(name)}{inside} {unit}</p>"
+
+
+def _rows(places):
+    """Places in parentheses; those of a matrix row by row."""
+    return f"({', '.join(map(_rows, places))})" if isinstance(places, list) else places
+
+
+def _formula(latex):
+    return f"${latex}$" if latex else ""
+
+
+def axis(part: Part, n: int) -> str:
+    """Which of its numbers the n-th is, "" of a single one."""
+    if part.kind.is_vector:
+        return f"component {n + 1} of 3"
+    if part.kind.length == 9:
+        return f"row {n // 3 + 1}, column {n % 3 + 1}"
+    return f"number {n + 1} of {part.kind.length}" if part.kind.length > 1 else ""
+
+
+def number(x: float) -> str:
+    """A number as all platforms read it.
+
+    >>> number(-0.1), number(3.0), number(2.5e-7)
+    ('-0.1', '3', '2.5e-07')
+    """
+    return f"{x + 0.0:.{DIGITS}g}"

@@ -1,0 +1,109 @@
+"""Writes a bank: k variants of each problem, with numbers that no student is graded on."""
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from itertools import repeat
+from pathlib import Path
+from typing import Any
+
+from exercises.catalogue import problem
+
+from ..assignment.cells import Values
+from ..assignment.chosen import as_asked
+from ..assignment.spec import Spec
+from ..course import CourseError
+from ..course.files import write_bytes
+from ..practice.twins import sets_of_numbers, twin
+from . import canvas, moodle, qti
+from .questions import Question, left_out, question
+
+FORMATS = {
+    "moodle": (moodle.write, ".xml"),
+    "qti": (qti.write, ".zip"),
+    "canvas": (canvas.write, ".zip"),
+}
+
+
+@dataclass(frozen=True)
+class Bank:
+    """What was written: the number of problems and questions, and the sentences on what is left out
+    or other than on a sheet.
+    """
+
+    path: Path
+    problems: int
+    questions: int
+    notes: tuple[str, ...]
+
+
+def write_bank(
+    path: Path,
+    spec: Spec,
+    form: str,
+    variants: int,
+    seed: str,
+    graded: Mapping[str, Sequence[Values]] | None = None,
+    workers: int | None = None,
+    done: Callable[[], object] | None = None,
+) -> Bank:
+    """Write ``variants`` sets of numbers of each problem of an assignment, drawn by ``seed``, as
+    ``form``, one of :data:`FORMATS`. The file holds the right answers: it is readable by its owner
+    alone.
+
+    graded : {problem id: [numbers of a student's sheet]}, near whose answers none of these comes
+    done : called after each problem
+    """
+    write, _ = FORMATS[form]
+    jobs = [
+        (p.id, i.text, i.options, (graded or {}).get(p.id)) for i in spec.items if (p := i.problem)
+    ]
+    notes: list[str] = []
+    questions: list[Question] = []
+    problems = 0
+    with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
+        for found, said in pool.map(variants_of, jobs, repeat(variants), repeat(seed)):
+            questions += found
+            notes += said
+            problems += bool(found)
+            if done:
+                done()
+    if not questions:
+        raise CourseError("no question is left: " + "; ".join(notes))
+    if form == "canvas":
+        notes.append("Canvas judges one number a question: each component is a question of its own")
+    write_bytes(path, write(spec.name, questions))
+    return Bank(path, problems, len(questions), tuple(notes))
+
+
+def variants_of(
+    job: tuple[str, str, Mapping[str, Any], Sequence[Values] | None], count: int, seed: str
+) -> tuple[list[Question], list[str]]:
+    """(the questions of one problem, sentences on what is left out)."""
+    name, text, options, graded = job
+    asked = as_asked(problem(name), options)
+    p, points = twin(asked), options.get("points", len(asked.answers))
+    notes = [f"{name} {a.key} left out: {why}" for a in p.answers if (why := left_out(a))]
+    if len(notes) == len(p.answers):
+        return [], [*notes, f"{name} left out: no answer is left"]
+    changed = p is not asked
+    if changed:
+        notes.append(f"{name} asks for formulas on a sheet: asked with numbers for its symbols")
+    sets = sets_of_numbers(
+        p, count, graded or (), seed, book=not any(g.vary for g in p.givens.values())
+    )
+    if not sets:
+        return [], [f"{name} left out: all its answers are near graded ones"]
+    if graded is not None and (same := _same_for_all(p, sets)):
+        return [], [f"{name} left out: its {' and '.join(same)} would give away a graded answer"]
+    if len(sets) < count:
+        notes.append(f"{name} has {len(sets)} of {count} variants: there are no more numbers")
+    made = [question(p, v, n, points, "" if changed else text) for n, v in enumerate(sets, 1)]
+    return made, notes
+
+
+def _same_for_all(p, sets):
+    """The answers that are the same for all these numbers."""
+    right = [p.solve(values) for values in sets]
+    return [a.key for a in p.answers if len({str(r[a.key]) for r in right}) == 1]

@@ -1,0 +1,20 @@
+"""How hard the students of a course found problems: from the kept scores of all its assignments."""
+
+from collections import defaultdict
+
+from ..course import Course
+from .records import entries
+
+
+def measured(course: Course) -> dict[str, tuple[float, int]]:
+    """{problem: (mean share of its points, number of sheets)} of all that has been graded."""
+    earned: defaultdict[str, dict[tuple[str, str], list[float]]] = defaultdict(dict)
+    for folder in sorted((course.path / "scores").glob("*/")):
+        for e in entries(course, folder.name) if any(folder.glob("*.json")) else ():
+            points = earned[e.problem].setdefault((folder.name, e.student), [0.0, 0.0])
+            points[0], points[1] = points[0] + e.points, points[1] + e.out_of
+    shares = {
+        number: [points / most for points, most in sheets.values() if most]
+        for number, sheets in earned.items()
+    }
+    return {n: (sum(found) / len(found), len(found)) for n, found in shares.items() if found}

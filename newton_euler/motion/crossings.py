@@ -1,0 +1,129 @@
+"""Steps that end where the rates change their formula by the states, as at the end of a spring's
+play: the error of a step across such a place is not proportional to its tolerance, and may be a
+hundred times that; steps up to it and from it on are as accurate as any.
+"""
+
+from math import ulp
+
+from ..algebra.compile import Compiled
+from ..algebra.trace import COMPARISONS, Step
+from .analytic import varying
+from .chebyshev import root
+from .methods.base import StepError
+
+TRIES = 60  # the most steps for crossings, more than there are others
+AROUND = 2  # units in the last place of the time about a crossing, which is found to one
+WAYS = 1, 4, 16  # rooms to go past a crossing
+NEAR = 4  # rooms about a stop: what is as close to the end of a step needs none
+
+
+def choices(traced):
+    """The pairs (a, b) of steps of the trace or numbers by whose order the rates choose between
+    formulas.
+    """
+    for s in varying(traced):
+        if s.op in COMPARISONS:
+            yield tuple(s.args)
+        elif s.op == "abs":
+            yield s.args[0], 0.0
+        elif s.op == "table":
+            yield from ((s.args[0], place) for place in s.args[1].places)
+        elif s.op == "sqrt" and _is_square(s.args[0]):  # sqrt(v*v) is abs(v)
+            yield s.args[0].args[0], 0.0
+
+
+def _is_square(x):
+    if not isinstance(x, Step) or x.op not in ("*", "**"):
+        return False
+    one, other = x.args
+    return one is other if x.op == "*" else other == 2
+
+
+def distances(system):
+    """The function ``(t, x)`` that returns the distance from each place at which the rates of a
+    prepared model change their formula, a list.
+    """
+    rhs, p = system.traced.rhs, system.p
+    leaves = [x for pair in system.traced.choices for x in pair]
+    run = Compiled("choices", rhs.parameters, rhs.trace, leaves).on_floats
+
+    def at(t, x):
+        values = run(t, *x, *p)
+        return [a - b for a, b in zip(values[::2], values[1::2], strict=True)]
+
+    return at
+
+
+class Crossings:
+    """Takes the steps of a stepper so that they end where the rates change their formula.
+
+    tries : steps that were repeated or passed over a crossing, less the others
+    """
+
+    def __init__(self, stepper):
+        self.stepper, self.away, self.tries = stepper, distances(stepper.system), 0
+        stepper.around = AROUND
+        self.room = 2 * AROUND * ulp(max(abs(stepper.t), abs(stepper.goal)))
+
+    def step(self, limit):
+        """At most ``limit`` steps; raises :class:`StepError` where the motion slides along such a
+        place, or turns to and fro at it.
+        """
+        stepper = self.stepper
+        for _ in range(int(min(limit, stepper.max_steps))):
+            if stepper.t >= stepper.goal:
+                return
+            scales = stepper.scales
+            try:
+                stepper.step(1)
+            except StepError:
+                if not self._pass():
+                    raise
+                self.tries += 2
+                continue
+            stop = self._stop()
+            if self.tries > TRIES:
+                raise StepError("the rates change their formula again and again")
+            if stop is None:
+                self.tries = max(self.tries - 1, 0)
+            else:
+                stepper.back_to(len(stepper.steps) - 1, stop, scales)
+                self.tries += 2
+
+    def _changed(self, before, after):
+        """The numbers of the distances whose signs differ at two pairs (time, state), each with
+        the part of the way at which it would be zero if it were linear.
+        """
+        both = zip(self.away(*before), self.away(*after), strict=True)
+        return {k: a / (a - b) for k, (a, b) in enumerate(both) if (a < 0 < b) or (b < 0 < a)}
+
+    def _stop(self):
+        """The time in the last step at which it should have ended; None if it is right."""
+        stepper = self.stepper
+        begin, _, *x = stepper.steps[-1]
+        if stepper.t - begin <= NEAR * self.room:
+            return None
+        times = [
+            root(lambda t, k=k: self.away(t, stepper.state_at(t))[k], begin, stepper.t)
+            for k in self._changed((begin, x), (stepper.t, stepper.x))
+        ]
+        first = min(times, default=stepper.t)
+        return max(first, begin + self.room) if first < stepper.t - NEAR * self.room else None
+
+    def _pass(self):
+        """Go past a crossing that is next to the last state, at which no step was possible; False
+        if there is none.
+        """
+        stepper, before = self.stepper, (self.stepper.t, self.stepper.x)
+        for rooms in WAYS if stepper.steps and self.tries < TRIES else ():
+            after = stepper.t + rooms * self.room
+            ahead = [
+                v + (after - stepper.t) * k for v, k in zip(before[1], stepper.rates, strict=True)
+            ]
+            parts = self._changed(before, (after, ahead)).values()
+            if parts:
+                stepper.pass_stop(after, min(parts))
+                stepper.step_times[-1] = after
+                stepper.resume()
+                return True
+        return False
