@@ -28,6 +28,11 @@ def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
     return Perturbed(_computation(problem.id), sample)
 
 
+def perturbed_steps(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
+    """The same for the steps on the way to the answers."""
+    return Perturbed(_computation_of_steps(problem.id), sample)
+
+
 def perturbed_sequel(
     problem: Problem, key: str, sample: Mapping[str, Any], earlier: Mapping[str, Any]
 ) -> Perturbed:
@@ -68,19 +73,26 @@ def _computation(problem_id):
     return Computation(formulas(find_problem(problem_id)))
 
 
-def formulas(p: Problem) -> Formulas:
-    """The traced answers of a problem, and its steps as stages on the way."""
+@cache
+def _computation_of_steps(problem_id):
+    return Computation(formulas(find_problem(problem_id), of_steps=True))
+
+
+def formulas(p: Problem, of_steps: bool = False) -> Formulas:
+    """The traced answers of a problem, or its steps as answers, and the steps as stages on the
+    way.
+    """
     found = traced_quantities(p)
+    asked = {a.key for a in p.answers}
+    steps = [s for s in found.steps if s.key in found.components and s.key not in asked]
     answers = {
         a.key: Traced(found.components[a.key], a.unit, POINTS if a.kind.is_formula else 1)
         for a in p.answers
         if a.key in found.components
     }
-    stages = [
-        Stage(s.key, _where(p, s), found.components[s.key], _brief(s.means))
-        for s in found.steps
-        if s.key in found.components and s.key not in answers
-    ]
+    if of_steps:
+        answers = {s.key: Traced(found.components[s.key], s.unit) for s in steps}
+    stages = [Stage(s.key, _where(p, s), found.components[s.key], _brief(s.means)) for s in steps]
     return Formulas(answers, p.units, p.system, stages, section(p.section), _means(p))
 
 

@@ -23,14 +23,24 @@ class Cause:
         (the same in going on from earlier answers), both (two listed ones at once), follows (from
         an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text, why : what was done, and why it is wrong. where : the place in the book where to read on
+    text : its words: what was done and, after a colon, why it is wrong
+    where : the place in the book where to read on
     """
 
     group: str
     name: str
     text: str = field(compare=False)
     where: str = field(default="", compare=False)
-    why: str = field(default="", compare=False)
+
+    @property
+    def what(self) -> str:
+        """What was done."""
+        return self.text.partition(": ")[0]
+
+    @property
+    def why(self) -> str:
+        """Why that is wrong; "" where the same sentence says it."""
+        return self.text.partition(": ")[2]
 
     @property
     def is_observation(self) -> bool:
@@ -70,13 +80,11 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     if not causes:
         return None
     see = f" (see {causes[0].where})" if causes[0].where else ""
-    whats = list(dict.fromkeys(c.text for c in causes))
-    words = whats[0]
-    for other in whats[1:]:
+    words, *others = dict.fromkeys(c.what for c in causes)
+    if not others:
+        words = _within_words(causes[0].text, see) or words
+    for other in others:
         words = _within_words(words + OR + other, see) or words
-    why = causes[0].why
-    if why and words == whats[0]:
-        words = _within_words(f"{words}: {why}", see) or words
     return words + see
 
 
@@ -86,7 +94,7 @@ def _within_words(words, see):
 
 def slip(name: str, text: str, why: str) -> Cause:
     """A slip that is made in any problem."""
-    return Cause("slip", name, text, why=why)
+    return Cause("slip", name, f"{text}: {why}")
 
 
 OPPOSITE = slip(
@@ -115,9 +123,9 @@ AS_SCALARS = slip(
 ROUNDED = slip(
     "rounded", "rounds the right answer too far", "give three significant figures or more"
 )
-BOOK = Cause("book", "", "takes the numbers of the book", why="your sheet has others")
+BOOK = Cause("book", "", "takes the numbers of the book: your sheet has others")
 EARLIER = Cause(
-    "book", "earlier", "takes the numbers of an earlier sheet of yours", why="this one has others"
+    "book", "earlier", "takes the numbers of an earlier sheet of yours: this one has others"
 )
 DIRECTION = Cause("seen", "direction", "its size is right, its direction is not")
 NEAR = Cause(
@@ -170,17 +178,17 @@ def multiplied(what: str, factor: float, large: bool) -> Cause:
     why = (
         "the answer has a unit of its own" if " against " in what else "look for a half or a double"
     )
-    text = f"is {factor:.4g} times too {how} ({what})"
-    return Cause("factor", f"{what} {how}", text, why=why)
+    text = f"is {factor:.4g} times too {how} ({what}): {why}"
+    return Cause("factor", f"{what} {how}", text)
 
 
 def both(first: Cause, second: Cause) -> Cause:
     """Two listed mistakes made together; of what is too long, the beginning."""
-    texts = [first.text, second.text]
+    texts = [first.what, second.what]
     if len(" ".join(texts).split()) > 2 * BRIEF:
         texts = [" ".join(x.partition(", ")[0].split()[:BRIEF]) for x in texts]
-    text = ", and also ".join(texts)
-    return Cause("both", f"{first.name} + {second.name}", text, why="both change the answer")
+    text = f"{', and also '.join(texts)}: both change the answer"
+    return Cause("both", f"{first.name} + {second.name}", text)
 
 
 def in_this_part(cause: Cause) -> Cause:
@@ -194,7 +202,7 @@ def in_this_part(cause: Cause) -> Cause:
 
 def answer_to(key: str) -> Cause:
     """Answers exchanged: this is the right one to another part."""
-    return Cause("exchanged", key, f"answers {key} here", why="the two parts may be exchanged")
+    return Cause("exchanged", key, f"answers {key} here: the two parts may be exchanged")
 
 
 def follows(names: Sequence[str]) -> Cause:
@@ -203,44 +211,37 @@ def follows(names: Sequence[str]) -> Cause:
 
 
 def listed(name: str, text: str) -> Cause:
-    """A mistake of the problem's own list; its ``text`` says what was done and, after a colon, why
-    it is wrong.
-    """
-    what, _, why = text.partition(": ")
-    return Cause("listed", name, what, why=why)
+    """A mistake of the problem's own list."""
+    return Cause("listed", name, text)
 
 
 def term_left_out(name: str, words: str) -> Cause:
     """A named term of a sum is missing."""
-    return Cause("omitted", name, f"leaves out {words}", why="this term is not zero here")
+    return Cause("omitted", name, f"leaves out {words}: this term is not zero here")
 
 
 def term_reversed(name: str, words: str) -> Cause:
     """A named term of a sum has the opposite sign."""
-    why = "the equation adds it"
-    return Cause("term", f"{name} x -1", f"has {words} with the opposite sign", why=why)
+    text = f"has {words} with the opposite sign: the equation adds it"
+    return Cause("term", f"{name} x -1", text)
 
 
 CORIOLIS_HALVED = Cause(
     "term",
     "coriolis / 2",
-    "writes the Coriolis term without the factor 2",
-    why="two equal effects add up in it",
+    "writes the Coriolis term without the factor 2: two equal effects add up in it",
 )
 
 
 def unconverted(given: str, unit: str) -> Cause:
     """A given is used with its number in another unit than the rest."""
     text = f"uses {given} in {unit} without converting it"
-    return Cause("unit", given, text, why="the units of an equation must fit together")
+    return Cause("unit", given, f"{text}: the units of an equation must fit together")
 
 
 def computed(name: str, text: str) -> Cause:
-    """A slip in one step of the computation; ``name`` says in which, and which slip, ``text`` as
-    for :func:`listed`.
-    """
-    what, _, why = text.partition(": ")
-    return Cause("computed", name, what, why=why)
+    """A slip in one step of the computation; ``name`` says in which, and which slip."""
+    return Cause("computed", name, text)
 
 
 def other_axes(place: int, frame: str) -> Cause:
@@ -248,8 +249,8 @@ def other_axes(place: int, frame: str) -> Cause:
     return Cause(
         "axes",
         str(place),
-        f"gives components along the axes of {frame}",
-        why="the vector is right, but other axes are asked for",
+        f"gives components along the axes of {frame}: the vector is right, but other axes are "
+        "asked for",
     )
 
 
@@ -258,8 +259,8 @@ def turned_the_wrong_way(place: int, frame: str) -> Cause:
     return Cause(
         "turned",
         str(place),
-        f"turns the components the wrong way between {frame} and the axes asked for",
-        why="the matrix is transposed",
+        f"turns the components the wrong way between {frame} and the axes asked for: the matrix is "
+        "transposed",
     )
 
 

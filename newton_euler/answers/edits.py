@@ -102,7 +102,7 @@ def _everywhere_and_once(s, place, slip, users):
     for user in users if len(users) <= MANY and rank <= LESS else ():
         once = (user.op, *(expression if a is s else a for a in user.args))
         name = f"{kind} {s.number} {place} {user.number}"
-        in_one_place = f"{cause.text}, in one place: {cause.why}"
+        in_one_place = f"{cause.what}, in one place: {cause.why}"
         yield Edit(rank + 2, computed(name, in_one_place), {user.number: once})
 
 

@@ -105,7 +105,7 @@ VARIANT = {
 PAGE = {
     **dict.fromkeys(("id", "title", "section", "where", "chapter", "preamble", "figure"), str),
     "book": bool, "quantities": [QUANTITY], "variants": [VARIANT],
-    "labels": [(str,) * 6], "slips": [(str, int, *(str,) * 4)],
+    "labels": [(str,) * 5], "slips": [(str, int, *(str,) * 3)],
 }  # fmt: skip
 PROGRAM = {"operations": [list], "quantities": {str: list}, "earlier": {str: [str]}}
 

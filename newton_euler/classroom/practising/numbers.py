@@ -105,7 +105,7 @@ class KeptNumbers:
 
 
 class KeptSlips(Slips):
-    """The slips of one variant: ``labels`` of all, [key, rank, name, text, where, why], and the
+    """The slips of one variant: ``labels`` of all, [key, rank, name, text, where], and the
     numbers that these make, [place among the labels, numbers].
     """
 

@@ -202,7 +202,7 @@ def test_two_listed_mistakes_at_once_are_both_named():
                     continue
                 for (first, (x,)), (second, (y,)) in itertools.combinations(listed, 2):
                     sum_ = [s + t - k for s, t, k in zip(x, y, numbers.key[a.key][0], strict=True)]
-                    words = both(first, second).text
+                    words = both(first, second).what
                     found[judged(p, numbers, a, words, sum_, {})] += 1
     print("\n", found.most_common(6))
     assert found["named"] >= 0.9 * sum(found.values())

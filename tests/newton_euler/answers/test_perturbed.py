@@ -52,7 +52,7 @@ def named(perturbed, key, given):
         KINDS["number"],
         slips=lambda fit, kind: perturbed.near(key, fit, kind),
     )
-    return " | ".join(f"{c.text}: {c.why}" for c in causes)
+    return " | ".join(c.text for c in causes)
 
 
 m, g, s, d, alpha, v, b = GIVEN.values()
