@@ -107,12 +107,12 @@ def _brief(means):
 
 
 def _where(p, step):
-    """Where a step is explained, if that is in the chapter of its problem."""
-    own = p.section.partition(".")[0]
-    places = section(step.section), f"({step.equation})" if step.equation else ""
-    numbers = step.section, step.equation
-    within = [x for x, n in zip(places, numbers, strict=True) if n and n.partition(".")[0] == own]
-    return ", ".join(within)
+    """Where a step is explained, or its problem, if that is in another chapter."""
+    chapter = p.section.partition(".")[0]
+    at, equation = (
+        n if n.partition(".")[0] == chapter else "" for n in (step.section, step.equation)
+    )
+    return section(at or p.section) + (f", ({equation})" if equation else "")
 
 
 def section(number: str) -> str:

@@ -85,6 +85,8 @@ def _sum(x):
     if not isinstance(x, Step) or x.op not in ("+", "-"):
         return _product(x)
     a, b = map(_sum, x.args)
+    if a and a == b and " " not in a:
+        return f"2*{a}" if x.op == "+" else ""
     if b and x.op == "-" and isinstance(x.args[1], Step) and x.args[1].op in ("+", "-"):
         b = f"({b})"
     sign, b = (" - ", b[1:]) if (b.startswith("-") and x.op == "+") else (f" {x.op} ", b)
