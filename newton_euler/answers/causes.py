@@ -76,7 +76,7 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     """The words of the causes that give the same numbers, as many as can be read at once: what was
     done, why it is wrong, where to read on; None if there are none.
     """
-    causes = [*causes]
+    causes = sorted(causes, key=lambda c: c != CORIOLIS_HALVED)  # the simplest first
     if not causes:
         return None
     see = f" (see {causes[0].where})" if causes[0].where else ""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import CORIOLIS_HALVED, ROUNDED, Cause, both, in_this_part
+from .causes import ROUNDED, Cause, both, in_this_part
 from .fit import CLOSE, EXACT, Fit
 from .kinds import KINDS, Kind
 from .slips import is_rounded, multiples, pairs, rates_as_scalars
@@ -161,8 +161,7 @@ def _closest(stages):
 
 def _chosen(best, twins, elsewhere):
     """One cause, or several that fit alike; of these, the ones that explain most of the rest."""
-    found = dict.fromkeys([*best, *twins])
-    causes = sorted(found, key=lambda c: c != CORIOLIS_HALVED)  # the simplest first
+    causes = list(dict.fromkeys([*best, *twins]))
     if len(causes) > 1:
         counts = [elsewhere.explains(c) for c in causes]
         causes = [c for c, n in zip(causes, counts, strict=True) if n == max(counts)]
