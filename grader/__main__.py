@@ -3,10 +3,13 @@
 import click
 
 from .commands import COMMANDS
+from .commands.shared import STOPPED
 
 
 class _Commands(click.Group):
-    """Prints an error that the user can correct as a sentence, with exit code 2."""
+    """Prints an error that the user can correct as a sentence, with exit code 2; after Ctrl-C how
+    far it came, with 130.
+    """
 
     def list_commands(self, context):
         return [name for name in self.commands if name != "list"]
@@ -22,6 +25,9 @@ class _Commands(click.Group):
             return super().invoke(context)
         except (CatalogueError, CourseError, HarvestError, UnitError) as error:
             raise click.UsageError(str(error)) from error
+        except KeyboardInterrupt as stopped:
+            click.echo(f"Stopped by Ctrl-C. {stopped}".rstrip(), err=True)
+            context.exit(STOPPED)
         except OSError as error:  # no permission, no room, a file where a folder should be
             raise click.UsageError(
                 f"{error.filename or 'the system'}: {error.strerror or error}"

@@ -28,22 +28,19 @@ _NAMES = {
     "motion": "Event Model integrate prepare",
     "scenes": "smallest",
 }
-_ROOMS = {*_NAMES, "accuracy", "answers", "applications", "classroom", "drawing"}
+ROOMS = {*_NAMES, "accuracy", "answers", "applications", "classroom", "drawing"}
 _ROOM_OF = {name: room for room, names in _NAMES.items() for name in names.split()}
 __all__ = sorted(_ROOM_OF)
 
 
 def __getattr__(name):
-    if name in _ROOMS:
+    if name in ROOMS:
         return import_module(f"{__name__}.{name}")
     if name not in _ROOM_OF:
-        raise AttributeError(
-            f"newton_euler has no {name!r} at its top; look in its rooms: "
-            f"{', '.join(sorted(_ROOMS))}"
-        )
+        import_module(f"{__name__}.algebra.names").unknown(__name__, name)
     value = globals()[name] = getattr(import_module(f"{__name__}.{_ROOM_OF[name]}"), name)
     return value
 
 
 def __dir__():
-    return sorted({*globals(), *__all__, *_ROOMS})
+    return sorted({*globals(), *__all__, *ROOMS})

@@ -22,7 +22,7 @@ def solve(g):
 
 def steps(g):
     _, _, B, G = vectors(g)
-    return {"B_x_G": B.cross(G)}
+    return {"BxG": B.cross(G)}
 
 
 def prove(g):

@@ -15,7 +15,7 @@ steps too, by their keys, found by its own way.
 """
 
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -107,12 +107,15 @@ def is_zero(vector: Vector) -> bool:
     return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
 
 
-def steps(p, values, one=1.0):
+def steps(p, values, one=1.0, with_all_terms=False):
     """The steps of problem ``p`` for ``values`` in the units of the text, each in its own unit; a
-    vector stays one, with its frame. ``one`` as for :meth:`Problem.base`.
+    vector stays one, with its frame. ``one`` as for :meth:`Problem.base`; ``with_all_terms`` of the
+    answers, too.
     """
     g = p.base(values, one)
     found = listed_steps(p, g)
+    if with_all_terms:
+        found += further_terms(p, found, p.code.solve(g))
     _check_names(p, found)
     return [_stated(s, p) for s in found]
 
@@ -187,8 +190,19 @@ def in_unit(value: Any, stated_in: str, system: System) -> Any:
     return unit(stated_in).from_base(value, system)
 
 
+def further_terms(p: Problem, listed: Iterable[Step], answers: Mapping[str, Any]) -> list[Step]:
+    """The terms of the answers that are sums, but for those of which some are listed."""
+    shown = {s.of for s in listed}
+    sums = {k: x for k, x in answers.items() if isinstance(x, Vector) and len(x.terms) > 1}
+    return [s for s in _terms_of(p, sums) if s.of not in shown]
+
+
 def _from_answers(p, g):
-    for key, value in p.code.solve(g).items():
+    return list(_terms_of(p, p.code.solve(g)))
+
+
+def _terms_of(p, answers):
+    for key, value in answers.items():
         if isinstance(value, Vector) and value.terms:
             yield from terms(value, key, p.answer(key).unit, p.section)
 

@@ -11,7 +11,7 @@ from newton_euler.algebra.trace import Step as Scalar
 from newton_euler.algebra.trace import Trace
 
 from .model import Problem
-from .steps import Step, listed_steps
+from .steps import Step, further_terms, listed_steps
 from .variants import flat
 
 
@@ -35,14 +35,17 @@ class Traced:
     steps: Sequence[Step]
 
 
-def traced_quantities(p: Problem) -> Traced:
-    """The traced computation of ``p``. Raises ScalarError where it branches on values."""
+def traced_quantities(p: Problem, with_all_terms: bool = False) -> Traced:
+    """The traced computation of ``p``; ``with_all_terms`` of the answers among the steps. Raises
+    ScalarError where it branches on values.
+    """
     trace = Trace()
     givens = {n: trace.new("argument", n) for n in p.units}
     g = p.base(dict.fromkeys(p.units, 1.0)).but(**givens)
     with solved_equations() as solved:
         steps = listed_steps(p, g)
         answers = p.code.solve(g)
+        steps += further_terms(p, steps, answers) if with_all_terms else []
     found = [(s.key, s.value, s.unit) for s in steps]
     found += [(a.key, answers[a.key], a.unit) for a in p.answers if not a.kind.is_word]
     numbers = [x for x in found if not isinstance(x[1], (str, int)) and not callable(x[1])]
@@ -54,3 +57,22 @@ def traced_quantities(p: Problem) -> Traced:
         tuple(solved),
         steps,
     )
+
+
+def before(parts: Sequence[Any]) -> set[int]:
+    """The numbers of traced quantities and of all from which they are computed."""
+    found, waiting = set(), [*parts]
+    while waiting:
+        a = waiting.pop()
+        if isinstance(a, (tuple, list)):
+            waiting += a
+        elif isinstance(a, Scalar) and a.number not in found:
+            found.add(a.number)
+            waiting += a.args
+    return found
+
+
+def numbers_of(parts: Sequence[Any]) -> set[int]:
+    """The numbers of traced quantities themselves, up to the sign."""
+    inner = (x.args[0] if getattr(x, "op", "") == "neg" else x for x in parts)
+    return {x.number for x in inner if isinstance(x, Scalar)}

@@ -36,6 +36,11 @@ def seed(secret: bytes, assignment: str, student: str, problem_id: str) -> bytes
     return hmac.new(secret, text.encode(), hashlib.sha256).digest()
 
 
+def practice_seed(p: Problem, n: int, what: str = "practice") -> bytes:
+    """The seed of the numbers of the variant ``n`` that is practised."""
+    return f"{what} {p.id} {n}".encode()
+
+
 def draw(p: Problem, seed_bytes: bytes) -> dict[str, float]:
     """Values for every given of ``p``, in its units: for a seed the same on every machine."""
     if not any(g.vary for g in p.givens.values()):
@@ -224,5 +229,6 @@ def traced(p: Problem, formula: Callable, more: Iterable[str] = ()) -> Callable 
 
 __all__ = [
     "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "drawn_value",
-    "evaluate", "flat", "objection", "seed", "sheets", "symbol_points", "symbol_values", "traced",
+    "evaluate", "flat", "objection", "practice_seed", "seed", "sheets", "symbol_points",
+    "symbol_values", "traced",
 ]  # fmt: skip

@@ -7,7 +7,7 @@ from newton_euler.kinematics import at_speed, frenet_along
 
 def velocity(g):
     ground = Frame("ground")
-    return ground, ground.vector(g.v_x, g.v_y, 0)
+    return ground, ground.vector(g.v_1, g.v_2, 0)
 
 
 def circle(g):
@@ -41,7 +41,7 @@ def steps(g):
 
 def prove(g):
     """On a parabola with the curvature of the path; along its tangent as along a line."""
-    speed = mp.hypot(g.v_x, g.v_y)
+    speed = mp.hypot(g.v_1, g.v_2)
 
     def place(t):
         along = speed * t - g.b * t**2 / 2
@@ -54,10 +54,10 @@ def mistakes(g):
     P = on_circle(g)
     tangential, normal = P.acceleration.x, P.acceleration.y
     vector = P.frame.vector
-    in_feet = P.speed * g.stated("v_x") / g.v_x
+    in_feet = P.speed * g.stated("v_1") / g.v_1
     return {
         "speeding_up": {"a": vector(-tangential, normal, 0)},
-        "x_and_y": {"v": vector(g.v_x, g.v_y, 0)},
+        "x_and_y": {"v": vector(g.v_1, g.v_2, 0)},
         "v_not_squared": {"a": vector(tangential, normal / in_feet, 0)},
     }
 

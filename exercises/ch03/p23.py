@@ -29,7 +29,7 @@ def solve(g):
 
 def steps(g):
     v, phi, _ = velocity(g)
-    return {"phi": phi.value, "cylindrical_v": v}
+    return {"phi": phi.value, "v_cyl": v}
 
 
 def prove(g):
@@ -37,7 +37,7 @@ def prove(g):
     P = ride.car_in_time(g)
     here, there, v = cylindrical_axes(P(0)), spherical_axes(P(0)), rate(P)
     answers = {"T_phi": times(there, transposed(here)), "v": times(there, v)}
-    return answers | ride.proved_steps(g, "phi") | {"cylindrical_v": times(here, v)}
+    return answers | ride.proved_steps(g, "phi") | {"v_cyl": times(here, v)}
 
 
 def mistakes(g):

@@ -31,7 +31,7 @@ def solve(g):
 def steps(g):
     a, phi, _ = acceleration(g)
     rates = {"phi": phi.value, "phi_dot": phi.rate, "phi_ddot": phi.acceleration}
-    return {**rates, "spherical_a": a}
+    return {**rates, "a_sph": a}
 
 
 def prove(g):
@@ -40,7 +40,7 @@ def prove(g):
     here, there, a = spherical_axes(P(0)), cylindrical_axes(P(0)), second_rate(P)
     answers = {"T_phi_inv": times(there, transposed(here)), "a": times(there, a)}
     found = ride.proved_steps(g, "phi", "phi_dot", "phi_ddot")
-    return answers | found | {"spherical_a": times(here, a)}
+    return answers | found | {"a_sph": times(here, a)}
 
 
 def mistakes(g):

@@ -1,31 +1,31 @@
 """6/9: when an object begins to slip on a turning cone; all forces per unit of mass."""
 
 from exercises.tools import Sketch, mp, mpf, root, rot, second_rate, times
-from newton_euler import Frame, cos, cylindrical, moving, sin, solve_linear, sqrt, tan, where
+from newton_euler import Frame, cos, cylindrical, sin, solve_linear, sqrt, tan, where
 from newton_euler.dynamics import resultant_force, weight
 
 
 def about_to_slip(g):
-    """The highest rate and N there; a is s times that at the rate sqrt(g/r)."""
+    """The highest rate, the acceleration toward the axis at it, and N there."""
     ground = Frame("ground")
-    rate = sqrt(g.g / g.r)
-    P = cylindrical(ground, "P", g.r, moving(0, rate=rate), 0)
+    P = cylindrical(ground, "P", g.r, 0, 0)
     normal = P.local.vector(sin(g.beta), 0, cos(g.beta))
     up = P.local.vector(-cos(g.beta), 0, sin(g.beta))
     forces = lambda N: weight(g.one, ground.k, g.g) + N * (normal + g.mu * up)
-    law = lambda s, N: s * resultant_force(g.one, P.acceleration(ground)) - forces(N)
-    s, N = solve_linear(law)
-    return rate * sqrt(where(s > 0, s, 0 * s)), N  # zero where it slides off the cone at rest
+    law = lambda a_n, N: resultant_force(g.one, P.local.i * -a_n) - forces(N)
+    a_n, N = solve_linear(law)
+    # zero where it slides off the cone at rest
+    return sqrt(where(a_n > 0, a_n, 0 * a_n) / g.r), a_n, N
 
 
 def solve(g):
-    high, _ = about_to_slip(g)
+    high, *_ = about_to_slip(g)
     return {"omega_ok": (0 * high, high)}
 
 
 def steps(g):
-    high, N = about_to_slip(g)
-    return {"N": N, "F": g.mu * N, "a_n": high**2 * g.r}
+    _, a_n, N = about_to_slip(g)
+    return {"N": N, "F": g.mu * N, "a_n": a_n}
 
 
 def prove(g):

@@ -1,7 +1,7 @@
 """7/17: the moments of inertia of a flat ring."""
 
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame
+from newton_euler import Frame, composite
 from newton_euler.bodies import annulus, disk, ring
 
 PLATE = Frame("plate")
@@ -17,14 +17,22 @@ def of(body):
     return moments(I.moment("x"), I.moment("z"))
 
 
+def sheet(g):
+    """The mass per area."""
+    return g.m / annulus(g.r1, g.r2, PLATE, "z", density=1).mass
+
+
+def full(g, r):
+    return disk(r, PLATE, "z", density=sheet(g))
+
+
 def solve(g):
-    return of(annulus(g.r1, g.r2, PLATE, "z", mass=g.m))
+    return of(composite("ring", [full(g, g.r2)], removed=[full(g, g.r1)]))
 
 
 def steps(g):
-    sheet = g.m / annulus(g.r1, g.r2, PLATE, "z", density=1).mass
-    moment = lambda r: disk(r, PLATE, "z", density=sheet).inertia.moment("z")
-    return {"sigma": sheet, "J_2": moment(g.r2), "J_1": moment(g.r1)}
+    moment = lambda r: full(g, r).inertia.moment("z")
+    return {"sigma": sheet(g), "J_2": moment(g.r2), "J_1": moment(g.r1)}
 
 
 # equal diameters; and for a plate the moment about the normal is the sum of the two in it

@@ -1,7 +1,7 @@
 """7/18: the moments of inertia of a triangular plate."""
 
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame
+from newton_euler import Frame, integral
 from newton_euler.bodies import plate, simplex
 
 PLATE = Frame("plate")  # its origin is the centre of mass
@@ -18,18 +18,18 @@ def triangle(g):
     return simplex(*corners(g), mass=g.m)
 
 
-def about(g, y):
-    """The moment about the parallel to the base at this height."""
-    return triangle(g).about(PLATE.point("Q", 0, y, 0)).moment("x")
+def about_base(g):
+    """By strips of the mass 2 m (1 - u/h) du/h at the height u above the base."""
+    return integral(lambda u: 2 * g.m / g.h * (1 - u / g.h) * u**2, 0, g.h)
 
 
 def solve(g):
-    I = triangle(g).inertia
-    return {f"I_{n}{n}": I.moment(n) for n in "xyz"}
+    I_xx, I_yy = about_base(g) - g.m * (g.h / 3) ** 2, triangle(g).inertia.moment("y")
+    return {"I_xx": I_xx, "I_yy": I_yy, "I_zz": I_xx + I_yy}
 
 
 def steps(g):
-    return {"d": g.h / 3, "I_b": about(g, -g.h / 3), "transfer": g.m * (g.h / 3) ** 2}
+    return {"d": g.h / 3, "I_b": about_base(g), "transfer": g.m * (g.h / 3) ** 2}
 
 
 # a plate: the moment about the normal is the sum of the two in it
@@ -53,12 +53,12 @@ def prove(g):
 
 
 def mistakes(g):
-    right, at_base = solve(g), about(g, -g.h / 3)
+    right, at_base = solve(g), about_base(g)
     with_xx = lambda I_xx: {"I_xx": I_xx, "I_zz": I_xx + right["I_yy"]}
     I_yy = plate(g.b, g.h, PLATE, "z", mass=g.m).inertia.moment("y")
     return {
         "about_the_base": with_xx(at_base),
-        "about_the_apex": with_xx(about(g, 2 * g.h / 3)),
+        "about_the_apex": with_xx(right["I_xx"] + g.m * (2 * g.h / 3) ** 2),
         "rectangle": {"I_yy": I_yy, "I_zz": right["I_xx"] + I_yy},
         "adds_the_transfer": with_xx(2 * at_base - right["I_xx"]),
     }

@@ -1,7 +1,7 @@
 """7/19: a cylinder from which a cone is cut."""
 
 from exercises.tools import Sketch, Step, proofs
-from newton_euler import Frame, composite, sqrt
+from newton_euler import Frame, sqrt
 from newton_euler.bodies import cone, cylinder
 
 PART = Frame("part")  # its origin is the middle of the lower end
@@ -19,22 +19,30 @@ def of_part(g, k_y):
     return {"I_y": g.m * k_y**2, "k_y": k_y}
 
 
-def solve(g):
-    full, cavity = solids(g)
-    return of_part(g, composite("part", [full], removed=[cavity]).inertia.radius_of_gyration("y"))
-
-
-def steps(g):
+def shares(g):
+    """The mass of the cone over that of the full cylinder, and the moments of inertia of both."""
     full, cavity = solids(g)
     share = cavity.mass / full.mass
     m_full = g.m / (1 - share)
+    moment = lambda m, body: m * body.inertia.radius_of_gyration("y") ** 2
+    return share, m_full, moment(m_full, full), moment(m_full * share, cavity)
+
+
+def solve(g):
+    *_, I_full, I_cone = shares(g)
+    I_y = I_full - I_cone
+    return {"I_y": I_y, "k_y": sqrt(I_y / g.m)}
+
+
+def steps(g):
+    share, m_full, I_full, I_cone = shares(g)
     yield Step(
         "share", share, "1", "mass of the cone over that of the full cylinder, p^2*q/3", "7.10"
     )
     yield Step("m_full", m_full, "kg", "mass of the full cylinder", "7.10")
-    yield Step("I_full", m_full * full.inertia.radius_of_gyration("y") ** 2, "kg*m^2",
+    yield Step("I_full", I_full, "kg*m^2",
                "moment of inertia of the full cylinder", "7.10")  # fmt: skip
-    yield Step("I_cone", m_full * share * cavity.inertia.radius_of_gyration("y") ** 2, "kg*m^2",
+    yield Step("I_cone", I_cone, "kg*m^2",
                "moment of inertia of the cone, to be subtracted", "7.10", "7.14")  # fmt: skip
 
 

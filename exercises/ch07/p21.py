@@ -4,8 +4,8 @@ from exercises.devices.connecting_rod import about_A, figure, mean_square, two_m
 
 
 def solve(g):
-    A, _, B = about_A(g.m, g.I_AA, g.r_a, g.r_b)
-    return {"I_BB": A.about(B).moment("z")}
+    A, G, B = about_A(g.m, g.I_AA, g.r_a, g.r_b)
+    return {"I_BB": A.about(G).about(B).moment("z")}
 
 
 def steps(g):

@@ -14,7 +14,8 @@ def parts(g):
 def at_O_and_G(g):
     """The :class:`Inertia` of the assembly at O, and at its centre of mass."""
     body = composite("assembly", parts(g))
-    return body.about(CHAIN), body.inertia
+    at_O = body.about(CHAIN)
+    return at_O, at_O.about(body.centre)
 
 
 def solve(g):

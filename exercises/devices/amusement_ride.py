@@ -25,15 +25,19 @@ def steps(g, section, *names):
         "z": (z.value, "m", "height of the car at theta = pi/4"),
         "z_dot": (z.rate, "m/s", "rate of the height, h sin(2 theta) omega"),
         "r": (r.value, "m", "distance of the car from the axis, sqrt(R^2 - z^2)"),
-        "r_dot": (r.rate, "m/s", "its rate, -z z'/r"),
-        "r_ddot": (r.acceleration, "m/s^2", "its second rate, -(z'^2 + z z'' + r'^2)/r"),
+        "r_dot": (r.rate, "m/s", r"its rate, $-z\,\dot{z}/r$"),
+        "r_ddot": (
+            r.acceleration,
+            "m/s^2",
+            r"its second rate, $-(\dot{z}^2 + z\,\ddot{z} + \dot{r}^2)/r$",
+        ),
         "sin_phi": (sin(phi.value), "1", "sine of the elevation of the arm, z/R"),
         "cos_phi": (cos(phi.value), "1", "cosine of the elevation, sqrt(1 - sin(phi)^2)"),
-        "phi_dot": (phi.rate, "rad/s", "rate of the elevation, z'/(R cos(phi))"),
+        "phi_dot": (phi.rate, "rad/s", r"rate of the elevation, $\dot{z}/(R \cos\phi)$"),
         "phi_ddot": (
             phi.acceleration,
             "rad/s^2",
-            "second rate of the elevation, phi'^2 tan(phi) as z'' = 0",
+            r"second rate of the elevation, $\dot\phi^2 \tan\phi$ as $\ddot{z} = 0$",
         ),
     }
     for name in names:

@@ -8,9 +8,9 @@ from typing import Any
 
 from exercises.catalogue import Problem, chapters, select
 
-from ..course import Course, CourseError, load_json, read_json
+from ..course import Course, read_json
 from .cells import own_metadata
-from .sheet import tasks, with_tolerance
+from .sheet import with_tolerance
 from .spec import Item, Spec, in_range, read_spec, spec_of
 from .written import spec_of_course
 
@@ -33,10 +33,7 @@ def chosen(
     if not only and (path.exists() or path.name == assignment):
         return read_spec(path)
     if course and not only and path.stem not in chapters():
-        raise CourseError(
-            f"there is no {path.stem} in {course.path}: it has {_listed(course)}. Build it there "
-            f"first, or name a chapter or problems (--problems 4/3 4/16)"
-        )
+        return _of_course(course, path.stem)  # which says what there is
     return spec_of(Path(assignment).stem, only, points)
 
 
@@ -66,28 +63,20 @@ def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
     return replace(p, answers=tuple(answers)) if weights else p
 
 
-def _listed(course):
-    found = sorted(f.name for f in (course.path / "source").glob("*") if f.is_dir())
-    return ", ".join(found) or "no assignments"
-
-
 _FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
 
 
 def _of_course(course, name):
-    notebook, base = read_json(course.source(name)), course.built(name)
-    built = {c.get("id"): "".join(c["source"]) for c in load_json(base.read_bytes())["cells"]}
-    worth, items = tasks(notebook), []
-    for cell in notebook["cells"]:
+    """With the changed texts of problems, and all texts that an instructor has put between them."""
+    spec, base = spec_of_course(course, name)[0], course.built(name)
+    asked, items = {i.problem.id: i for i in spec.items if i.problem}, []
+    built = {c["id"]: c["source"] for c in read_json(base)["cells"]} if base.exists() else {}
+    for cell in read_json(course.source(name))["cells"]:
         own, text = own_metadata(cell), cell["source"]
         role, number = own.get("role", ""), own.get("problem", "")
-        if role == "statement" and number in worth:
-            task = worth[number]
-            changed = "" if text == built.get(cell.get("id")) else _FIGURE.sub("", text)
-            options = {n: getattr(task, n) for n in ("points", "weights", "tolerance")}
-            items.append(Item(task.exercise, changed, options))
+        if role == "statement" and number in asked:
+            changed = text != built.get(cell["id"], text)
+            items.append(replace(asked[number], text=_FIGURE.sub("", text) if changed else ""))
         elif cell["cell_type"] == "markdown" and role not in ("statement", "introduction"):
             items.append(Item(text=text))
-    kept = base.with_suffix(".yaml")
-    spec = read_spec(kept) if kept.exists() else Spec(name, name, ())
-    return replace(spec, name=name, items=tuple(items))
+    return replace(spec, items=tuple(items))

@@ -3,22 +3,23 @@ formulas of SymPy: read off the traced computation.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
 from exercises.catalogue import Givens, Problem
-from exercises.catalogue.tracing import traced_quantities
+from exercises.catalogue.tracing import before, numbers_of, traced_quantities
 from exercises.catalogue.variants import draw
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
-from .tidy import LONGEST, constant, is_atom, is_long, is_raised, readable, two_sides
+from .names import Names, unsigned
+from .tidy import LONGEST, constant, is_atom, is_forced, is_long, readable, simplest, two_sides
 
 LONGEST_LIST = 60  # operations of all components that a reader follows
-SHORT = 2  # operations of what is read as easily as the name of a component of another vector
+SHORT = 1  # operations of what is read as easily as the name of a component of another vector
 NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FUNCTIONS, "atan2")}}
 
 
@@ -31,6 +32,7 @@ class Derivation:
     unknowns : the names of their unknowns
     solved : True if it is itself an unknown of such equations, of these or of earlier ones
     varies : True if it depends on what is given
+    after : the answers that are shown before it, since it is found from them
     """
 
     formulas: tuple = ()
@@ -38,6 +40,7 @@ class Derivation:
     unknowns: frozenset = frozenset()
     solved: bool = False
     varies: bool = False
+    after: tuple[str, ...] = ()
 
 
 @dataclass(eq=False)
@@ -84,7 +87,7 @@ def _choices(found):
 @lru_cache(maxsize=400)
 def _traced(p):
     try:
-        return traced_quantities(p)
+        return traced_quantities(p, with_all_terms=True)
     except (TypeError, ValueError, ArithmeticError, AttributeError):
         return None
 
@@ -101,8 +104,12 @@ def _derivations(p, cases, positive, usual):
     positive |= {n for n, low in lowest.items() if low > 0}
     asked = {a.key for a in p.answers}
     drawn = [p.base({**p.sympy_symbols(), **draw(p, bytes([n]))}) for n in range(8 * usual)]
-    reader = _Reader(found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn)
-    return {key: reader.derived(key) for key in found.components}
+    reader = _Reader(
+        found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn, p.units
+    )
+    for key in reader.order():
+        reader.derive(key)
+    return reader.derivations
 
 
 @dataclass
@@ -114,32 +121,46 @@ class _Reader:
     positive: set[str]
     asked: set[str]
     drawn: Sequence[Givens]
-    known: dict[int, Any] = field(default_factory=dict)
+    units: Mapping[str, str]  # of the givens
     shown: set[int] = field(default_factory=set)
+    derivations: dict[str, Derivation] = field(default_factory=dict)
 
     def __post_init__(self):
         self.answers = set()  # the numbers of what was an unknown of equations that are shown
-        for name, x in self.found.givens.items():
-            self._name(x, name)
+        self.given_by = {x.number: name for name, x in self.found.givens.items()}
+        self.names = Names({n: self.symbol(name) for n, name in self.given_by.items()})
         self.unknowns = {}  # number of a traced value: (its equations, its name)
         for equations in self.found.solved:
             for name, x in equations.values.items():
-                x, _ = _unsigned(x)
-                if isinstance(x, Step) and x.number not in self.known:
+                x, _ = unsigned(x)
+                # one that is equal to a coefficient is no unknown by whose name this is written
+                plain = self._is_traced(x) and x.number not in self.given_by
+                if plain and x.number not in before(equations.equations):
                     self.unknowns.setdefault(x.number, (equations, name))
         # formulas for which a later one has the name, and components that are as short as theirs
         self.called, self.shorter, self.short = {}, [], {}
         self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
-        self.of_sums = {}  # {sum: its terms, known while it is derived}
-        for key, parts in self.found.components.items():
+        first = {}  # {number: the quantity that has its name}
+        for key in sorted(self.found.components, key=lambda k: k in self.terms):
+            parts = self.found.components[key]
             for n, x in enumerate(parts):
-                x, sign = _unsigned(x)
-                if isinstance(x, Step):
-                    self.called.setdefault(x.number, (component(key, n, len(parts)), sign))
-
+                x, sign = unsigned(x)
+                if isinstance(x, Step) and x.number not in self.called:
+                    self.called[x.number] = component(key, n, len(parts)), sign
+                    first[x.number] = key
+        self.answers_by = {}  # {answer: its numbers}, where no step has them
+        for key in self.asked & {*self.found.components}:
+            numbers = numbers_of(self.found.components[key]) - {*self.given_by}
+            if numbers and all(first[n] == key for n in numbers):
+                self.answers_by[key] = numbers
         components = self.found.components.items()
         self.taken = {*self.found.givens}
         self.taken |= {component(k, n, len(x)) for k, x in components for n in range(len(x))}
+
+    def _is_traced(self, x):
+        """Whether it is a number of this computation, and not of one within a root or integral."""
+        steps = self.found.trace.steps
+        return isinstance(x, Step) and x.number < len(steps) and steps[x.number] is x
 
     def symbol(self, name):
         """The symbol of a name; positive where its number is, or all that are drawn for it."""
@@ -147,44 +168,105 @@ class _Reader:
 
         return sympy.Symbol(name, real=True, positive=True if name in self.positive else None)
 
-    def _name(self, x, name, known=None):
-        x, sign = _unsigned(x)
-        if isinstance(x, Step):
-            (self.known if known is None else known).setdefault(x.number, sign * self.symbol(name))
+    def order(self):
+        """The quantities as they are shown: the terms of an answer just before it."""
+        keys = list(self.found.components)
+        steps = [k for k in keys if k not in self.asked and k not in self.terms]
+        answers = [k for k in keys if k in self.asked]
+        return steps + [
+            x for a in answers for x in (*(t for t in self.terms if self.terms[t] == a), a)
+        ]
 
-    def derived(self, key):
+    def derive(self, key):
+        """Derives a quantity; a step after the answers that it is found from."""
+        after = self._found_before(key)
+        for other in after:
+            self.derive(other)
+        if key not in self.derivations:
+            self.derivations[key] = replace(self._derived(key), after=after)
+
+    def _found_before(self, key):
+        """The answers that a step is found from, and that are not shown yet."""
+        if key in self.asked or key in self.terms:
+            return ()
+        parts = self.found.components[key]
+        found = before(parts) - numbers_of(parts)
+        answers = [a for a in self.found.components if a in self.answers_by]
+        return tuple(
+            a
+            for a in answers
+            if a not in self.derivations and self._leads(self.answers_by[a], found)
+        )
+
+    def _leads(self, numbers, found):
+        """Whether the numbers of an answer are among those that are ``found`` before: all of a
+        vector, or one that is an unknown of equations.
+        """
+        is_vector = len(numbers) > 1
+        return (is_vector and numbers <= found) or any(n in self.unknowns for n in numbers & found)
+
+    def _derived(self, key):
         """The derivation of a quantity, which is known from now on."""
         parts = self.found.components[key]
         names = [component(key, n, len(parts)) for n in range(len(parts))]
         self.together, self.wanted = [], set()
-        terms = {n: x for n, x in self.of_sums.get(key, {}).items() if n not in self.known}
-        self.known |= terms
-        formulas = tuple(map(self._formula, parts, names))
-        for number in terms:
-            del self.known[number]
-        solved = any(getattr(_unsigned(x)[0], "number", None) in self.answers for x in parts)
+        self.names.look_at(parts)
+        formulas = tuple(map(self._formula, range(len(parts)), parts, names))
+        formulas = self._explicit(formulas, names)
+        solved = any(getattr(unsigned(x)[0], "number", None) in self.answers for x in parts)
         self._remember(key, parts, names, formulas)
         if sum(f.count_ops() for f in {*formulas} - {None}) > LONGEST_LIST:
             formulas = ()
         varies = any(isinstance(x, Step) for x in parts)
         return Derivation(formulas, tuple(self.together), frozenset(self.wanted), solved, varies)
 
-    def _remember(self, key, parts, names, formulas):
-        """Makes a quantity known to later ones; the terms of an answer to it only, as no line has
-        their names.
+    def _explicit(self, formulas, names):
+        """The formulas, with the solution of one equation that is linear in its one unknown in the
+        place of what has no other formula, and of an unknown that is no quantity of the problem.
         """
-        known = self.of_sums.setdefault(self.terms[key], {}) if key in self.terms else None
-        for x, name, formula in zip(parts, names, formulas, strict=True):
-            if len(parts) == 1 and formula is not None and formula.is_positive:
-                self.positive.add(name)
-            self._name(x, name, known)
-            if known is None and formula is not None and formula.count_ops() > SHORT:
-                self.shorter.append((formula, self.symbol(name)))
-            elif known is None and formula is not None and len(parts) > 1:
-                self.short[self.symbol(name)] = formula
+        if len(self.together) != 1 or len(self.wanted) != 1:
+            return formulas
+        unknown = self.symbol(*self.wanted)
+        difference = self.together[0][0] - self.together[0][1]
+        slope = difference.diff(unknown)
+        if slope.has(unknown) or slope == 0:
+            return formulas
+        solution = simplest(readable(-difference.subs(unknown, 0) / slope))
+        if unknown.name not in self.taken:
+            return tuple(
+                None if f is None else readable(f.subs(unknown, solution)) for f in formulas
+            )
+        pairs = zip(formulas, names, strict=True)
+        return tuple(solution if f is None and n == unknown.name else f for f, n in pairs)
 
-    def _formula(self, x, name):
+    def _remember(self, key, parts, names, formulas):
+        """Makes a quantity known to later ones, but for the terms of an answer, whose names no line
+        has.
+        """
+        if key in self.terms:
+            return
+        if len(parts) == 1 and formulas[0] is not None and formulas[0].is_positive:
+            self.positive.add(key)
+        symbols = list(map(self.symbol, names))
+        self.names.add(key, parts, symbols)
+        if len(parts) == 1:
+            self._rename(key, parts[0])
+        named = [(f, x) for f, x in zip(formulas, symbols, strict=True) if f is not None]
+        if len(parts) == 1 or any(f.count_ops() > SHORT for f, _ in named):
+            self.shorter += [(f, x) for f, x in named if not is_atom(f) and not f.is_number]
+        else:
+            self.short |= {x: f for f, x in named}
+
+    def _rename(self, key, x):
+        """A given that a step states with the other sign, or in another unit, has its name then."""
+        x, sign = unsigned(x)
+        given = self.given_by.get(getattr(x, "number", None))
+        if given and (sign < 0 or self.units[given] != self.found.units[key]):
+            self.names.fixed[x.number] = sign * self.symbol(key)
+
+    def _formula(self, place, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
+        self.names.place = place
         try:
             formula = self._shortened(self._without_bars(readable(self._written(x, {}))))
             if is_atom(formula):
@@ -202,15 +284,18 @@ class _Reader:
             inside, free = bars.args[0], bars.free_symbols
             if self.drawn and {x.name for x in free} <= {*self.found.givens}:
                 draws = ({x: getattr(g, x.name) for x in free} for g in self.drawn)
-                if all(inside.subs(values).is_positive for values in draws):
-                    formula = formula.xreplace({bars: inside})
+                signs = {inside.subs(values).is_positive for values in draws}
+                if signs in ({True}, {False}):
+                    formula = formula.xreplace({bars: inside if True in signs else -inside})
         return formula
 
     def _shortened(self, formula):
         """The formula with earlier quantities in the place of theirs."""
         for other, name in reversed(self.shorter):
             shorter = formula.subs(other, name)
-            if shorter.count_ops() < formula.count_ops() and not is_raised(name, shorter):
+            if shorter == formula and not other.is_Add:
+                shorter = formula.subs(1 / other, 1 / name)
+            if shorter.count_ops() < formula.count_ops() and not is_forced(name, other, shorter):
                 formula = shorter
         return formula
 
@@ -219,8 +304,8 @@ class _Reader:
 
         if not isinstance(x, Step):
             return constant(x)
-        if x.number in self.known:
-            return self.known[x.number]
+        if (name := self.names.of(x)) is not None:
+            return name
         if x.number in memo:
             return memo[x.number]
         if x.number in self.unknowns and (name := self._solved(x)) is not None:
@@ -270,7 +355,7 @@ class _Reader:
         if root:
             self._show_together([self._tidy(formula, 0)], {name})
             self.answers.add(x.number)
-            self.known[x.number] = variable
+            self.names.fixed[x.number] = variable
             return variable
         limits = self._written(start, memo), self._written(end, memo)
         return sympy.Integral(formula, (variable, *limits)) if formula != 0 else formula
@@ -286,8 +371,8 @@ class _Reader:
             self.shown.add(id(equations))
             self._show_together(rows, {str(n) for n in self._unknowns(equations).values()})
         self.answers.add(x.number)
-        self.known[x.number] = sign * self.symbol(name)
-        return self.known[x.number]
+        self.names.fixed[x.number] = sign * self.symbol(name)
+        return self.names.fixed[x.number]
 
     def _free(self, name):
         """A name for what is no quantity of the problem, other than theirs."""
@@ -317,7 +402,7 @@ class _Reader:
         """The unknowns of linear equations as symbols, by the names that the code has for them."""
         symbols = {}
         for name in equations.names:
-            x, sign = _unsigned(equations.values.get(name))
+            x, sign = unsigned(equations.values.get(name))
             called, other = self.called.get(getattr(x, "number", None), (self._free(name), 1))
             symbols[name] = sign * other * self.symbol(called)
         return symbols
@@ -370,11 +455,6 @@ _WRITTEN: Mapping[str, Any] = {
     "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
     "/": lambda a, b: a / b, "neg": lambda a: -a,
 }  # fmt: skip
-
-
-def _unsigned(x):
-    """A traced number without its minus sign, and the sign."""
-    return (x.args[0], -1) if isinstance(x, Step) and x.op == "neg" else (x, 1)
 
 
 def _value(x, values, memo):

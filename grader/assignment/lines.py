@@ -24,7 +24,7 @@ from newton_euler.answers.tolerance import NOISE
 from .cells import Values
 from .derivations import Derivation, component, derivations
 from .formulas import coherent, numerals, written
-from .tidy import is_atom, simplest
+from .tidy import integrated, is_atom, simplest
 
 LONGEST = 400  # characters of a formula with numbers
 
@@ -61,10 +61,17 @@ def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True)
     """
     answers = p.solve(values)
     asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
-    found = steps(p, values)
+    found = steps(p, values, with_all_terms=True)
     writer = _Writer(p, values, [*found, *asked], latex, formulas)
-    for s in [*found, *asked]:
-        yield writer.line(s)
+    of_answers = [s for s in found if s.of in answers]
+    in_order = [s for s in found if s.of not in answers]
+    for a in asked:
+        in_order += [*(s for s in of_answers if s.of == a.key), a]
+    done = dict[str, Step]()
+    for s in in_order:
+        earlier = writer.after(s.key)
+        done |= {a.key: a for a in asked if a.key in earlier} | {s.key: s}
+    yield from map(writer.line, done.values())
 
 
 class _Writer:
@@ -72,6 +79,7 @@ class _Writer:
 
     def __init__(self, p, values, quantities, latex, formulas):
         self.p, self.latex = p, latex
+        self.steps = [s for s in quantities if s.key not in {a.key for a in p.answers}]
         self.derivations = derivations(p, values) if formulas else {}
         self.sums = {}  # {sum: keys of its terms}
         for s in quantities:
@@ -93,6 +101,19 @@ class _Writer:
             self.numbers[name] = x, stated
             self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
 
+    def after(self, key):
+        """The answers that are shown before a step or answer."""
+        found = self.derivations.get(key, Derivation()).after
+        return {*found, *(x for other in found for x in self.after(other))}
+
+    def _count(self, s):
+        """A counted answer as the first count of the steps less those after it, "" if it is not."""
+        counts = [x.value for x in self.steps if isinstance(x.value, int)]
+        for n in range(2, len(counts) + 1):
+            if isinstance(s.value, int) and counts[0] - sum(counts[1:n]) == s.value:
+                return " - ".join(map(str, counts[:n]))
+        return ""
+
     def line(self, s):
         """The line of a step or answer."""
         found = self.derivations.get(s.key, Derivation())
@@ -100,12 +121,15 @@ class _Writer:
             found = replace(found, formulas=tuple(self._sum(s.key, n) for n in range(3)))
         formula, numbers = self._formula(found.formulas, s)
         value = self._value(s)
+        formula = formula or ("" if s in self.steps else self._count(s))
         chain = [x for x in (formula, numbers) if x]
         last = (value, value.removesuffix(self._unit(s)))
         chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
         above = found.solved and not found.together
         reason = "" if chain or above or found.together else self._reason(s, found)
-        return Line(s, *self._together(found), above, self._name(s), (*chain, value), reason)
+        rows, with_numbers = self._together(found)
+        with_numbers = () if formula else with_numbers
+        return Line(s, rows, with_numbers, above, self._name(s), (*chain, value), reason)
 
     def _reason(self, s, found):
         """Why there is no formula."""
@@ -134,7 +158,8 @@ class _Writer:
         bare = coherent([self.numbers[n][1] for n in free if n in self.numbers])
         names = numerals(used, bare, self.latex)
         with_numbers = self._rows(found.together, lambda f: self._called(f) | names, True)
-        with_numbers = tuple(row for row in with_numbers if row not in rows)
+        plain = {_without_dots(row) for row in rows}
+        with_numbers = tuple(row for row in with_numbers if _without_dots(row) not in plain)
         return rows, with_numbers if sum(map(len, with_numbers)) <= LONGEST else ()
 
     def _rows(self, pairs, named, numbers=False):
@@ -175,7 +200,7 @@ class _Writer:
             return plain, ""
         bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
         names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
-        formulas = [f.xreplace(self._nothing(f)) for f in formulas]
+        formulas = [integrated(sympy.sympify(f.xreplace(self._nothing(f)))) for f in formulas]
         text = self._joined([written(f, names, self.latex, True, degrees) for f in formulas])
         return plain, text if len(text) <= LONGEST else ""
 
@@ -235,6 +260,10 @@ class _Writer:
         if self.latex:
             return unit_symbol(s.unit)
         return "" if s.unit == "1" else f" {s.unit}"
+
+
+def _without_dots(row):
+    return row.replace(r" \cdot ", " ").replace("*", "")
 
 
 def is_sum(answer):

@@ -5,11 +5,12 @@ then on, whatever the ranges of an exercise are later.
 import json
 import re
 from collections.abc import Iterable
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
 from exercises.catalogue import Problem
+from exercises.catalogue.variants import draw, practice_seed
 from newton_euler.algebra.units import unit
 
 from ..course import Course, CourseError, write_json
@@ -20,6 +21,7 @@ from .sheet import tasks
 # a file of numbers: {problem: {name: [number, unit]}}
 KeptNumbers = dict[str, dict[str, list[Any]]]
 TRIES = 50  # draws for numbers that no other sheet has
+PRACTISED = 20  # sets of numbers of a practice file: twice as many as it has by default
 
 
 def kept_numbers(
@@ -38,8 +40,8 @@ def kept_numbers(
 
 
 def _drawn(course, assignment, student, problems):
-    """New numbers for a sheet; those of an exam are on no other sheet of the course, and not the
-    book's, as far as the ranges allow.
+    """New numbers for a sheet; those of an exam are on no other sheet of the course, in no practice
+    file of the usual size, and not the book's, as far as the ranges allow.
     """
     drawn = course.values(assignment, student, problems)
     if not is_exam(course, assignment):
@@ -47,13 +49,21 @@ def _drawn(course, assignment, student, problems):
     folders = sorted(p for p in (course.path / "numbers").glob("*/") if p.name != assignment)
     taken = _taken(tuple((p, p.stat().st_mtime_ns) for p in folders))
     for p in problems:
-        others = {_as_kept(p.book_values), *taken.get(p.id, ())}
+        others = _practised(p) | taken.get(p.id, set())
         for n in range(TRIES):
             if _as_kept(drawn[p.id]) not in others:
                 break
             # no student has this name, since ids hold no line breaks
             drawn |= course.values(assignment, f"{student}\n{n}", [p])
     return drawn
+
+
+@cache
+def _practised(p: Problem) -> set:
+    """The numbers of the book, and those with which practice files begin."""
+    return {_as_kept(p.book_values)} | {
+        _as_kept(draw(p, practice_seed(p, n))) for n in range(PRACTISED)
+    }
 
 
 @lru_cache(maxsize=2)

@@ -4,13 +4,13 @@ import os
 import shutil
 import subprocess
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from exercises.catalogue import problem
 
 from ..course import Course, CourseError, check_id, write_json
 from ..course.exam import refuse_before_opening, refuse_exam
+from ..course.processes import process_pool
 from .figures import figure_png
 from .notebook import personal_notebook
 from .released import personal_path, released, sheet_numbers
@@ -49,7 +49,7 @@ def make_personal_copies(
     asked = sorted({number for r in notebooks.values() for number in r.tasks})
     values = {s: sheet_numbers(course, assignment, check_id(s)) for s in students}
     drawn = {(i, _hashable(values[s][i])): None for s in students for i in asked}
-    with ProcessPoolExecutor(workers or os.cpu_count()) as pool:
+    with process_pool(workers) as pool:
         for figure, png in zip(drawn, pool.map(_draw, drawn, chunksize=8), strict=True):
             drawn[figure] = png
             if progress:

@@ -22,15 +22,13 @@ def worked_solution(p: Problem, values: Values, text: bool = True, formulas: boo
     found = {line.step.key: line for line in lines(p, values, formulas=formulas)}
     answers = {a.key: found[a.key].step.value for a in p.answers}
     shown = {*answers, *(key for key, line in found.items() if is_sum(answers.get(line.step.of)))}
-    listed = [line for key, line in found.items() if key not in shown]
-    for n, line in enumerate(listed, 1):
-        out += [f"{n}. {_sentence(_means(line.step, p))}{_where(line.step)}: {_chain(line)}"]
-    out.append("")
-    for a in p.answers:
-        if is_sum(answers[a.key]):
-            terms = {x.step.term[0]: x for x in found.values() if x.step.of == a.key}
-            out += _ledger(a, answers[a.key], p, terms)
-        out += [f"**{_sentence(_typeset(a.means, p))}:** {_chain(found[a.key])}", ""]
+    n = 0
+    for key, line in found.items():
+        if key in answers:
+            out += _answer(p.answer(key), line, p, found.values())
+        elif key not in shown:
+            n += 1
+            out += [f"{n}. {_sentence(_means(line.step, p))}{_where(line.step)}: {_chain(line)}"]
     return "\n".join(out)
 
 
@@ -39,12 +37,16 @@ def _chain(line):
     first, *others = line.equal
     begin = f"{line.name} = {first}" if line.name else first
     pieces = [f"${begin}$", *(f"$= {x}$" for x in others)]
-    rows = "; ".join(f"${row}$" for row in line.together)
-    numbers = "; ".join(f"${row}$" for row in line.with_numbers)
-    begin = f"from {rows}" * bool(rows) + f", with numbers {numbers}" * bool(numbers)
-    begin = begin or "from the equations above" * line.above
+    begin = _equations(line) or "from the equations above" * line.above
     end = f" ({line.reason})" * (line.reason == TOO_LONG)
     return f"{begin}: {' '.join(pieces)}{end}" if begin else f"{' '.join(pieces)}{end}"
+
+
+def _equations(line):
+    """The equations that are solved first, "" if there are none."""
+    rows = "; ".join(f"${row}$" for row in line.together)
+    numbers = "; ".join(f"${row}$" for row in line.with_numbers)
+    return f"from {rows}" * bool(rows) + f", with numbers {numbers}" * bool(numbers)
 
 
 def _means(step, p):
@@ -72,11 +74,20 @@ def _sentence(means):
 
 def _where(s):
     """Where the book finds a quantity; the equation as it writes it, but for a term of a sum."""
-    places = [f"section {s.section}"] * bool(s.section)
+    places = [f"section {s.section}" if s.section != "A" else "appendix A"] * bool(s.section)
     if s.equation:
         stated = book_equations().get(s.equation)
         places.append(f"({s.equation})" + f" ${stated}$" * bool(stated and not s.term))
     return f", {', '.join(places)}" if places else ""
+
+
+def _answer(a, line, p, found):
+    """An answer after the table of its terms, where it is a sum."""
+    yield ""
+    if is_sum(line.step.value):
+        terms = {x.step.term[0]: x for x in found if x.step.of == a.key}
+        yield from _ledger(a, line.step.value, p, terms)
+    yield from (f"**{_sentence(_typeset(a.means, p))}:** {_chain(line)}", "")
 
 
 def _ledger(a, value, p, found):
@@ -89,8 +100,12 @@ def _ledger(a, value, p, found):
     explained = value.explain()
     equation = explained.equation
     # in chapter 2 the equations have other numbers than in the engine
-    number = next((x.step.equation for x in found.values()), own_number(equation.number, p))
+    cited_by = next((x.step.equation for x in found.values()), equation.number)
+    number = own_number(cited_by, p)
     stated = book_equations().get(number)
+    for x in found.values():
+        if x.together:
+            yield from (f"{_sentence(_equations(x))}:", "")
     cited = f"By equation ({number}){f', ${stated}$,' * bool(stated)} the sum of"
     yield cited if number else "The sum of"
     yield ""

@@ -5,6 +5,7 @@ from functools import lru_cache
 from typing import Any
 
 LONGEST = 30  # operations of a formula that a reader follows
+ROUND_OFF = 1e-15  # no constant of a formula is as small
 HOPELESS = 150  # operations that are not worth to be simplified
 
 
@@ -14,6 +15,7 @@ def readable(formula: Any) -> Any:
 
     formula = sympy.sympify(formula)
     formula = formula.xreplace({x: constant(x) for x in formula.atoms(sympy.Float)})
+    formula = formula.replace(_is_double, integrated)
     if sympy.fraction(sympy.together(formula))[1].has(sympy.Integral):
         formula = formula.doit()
     if formula.has(sympy.sin) and formula.has(sympy.cos) and not is_long(formula):
@@ -26,6 +28,28 @@ def readable(formula: Any) -> Any:
     return other if is_long(formula) or other.count_ops() < formula.count_ops() / 2 else formula
 
 
+def _is_double(x):
+    """True for an integral with t - u, by which an integral of an integral is computed."""
+    import sympy
+
+    if not isinstance(x, sympy.Integral):
+        return False
+    variable, _, end = x.limits[0]
+    return end - variable in sympy.Mul.make_args(x.function)
+
+
+def integrated(formula: Any) -> Any:
+    """The formula with the integrals of polynomials worked out."""
+    import sympy
+
+    def value(x):
+        return sympy.factor_terms(sympy.expand(x.doit()))
+
+    return formula.replace(
+        lambda x: isinstance(x, sympy.Integral) and x.function.is_polynomial(x.limits[0][0]), value
+    )
+
+
 def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
     """The two sides of an equation without minus signs before their terms, where there are two."""
     import sympy
@@ -36,11 +60,17 @@ def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
     return (left, right) if left and right else row
 
 
-def is_raised(name: Any, formula: Any) -> bool:
-    """True if a formula has powers of a name that are no usual ones."""
+def is_forced(name: Any, value: Any, formula: Any) -> bool:
+    """True if a formula has the name of a value under an unusual power, or times a number where the
+    value has one: 4 I_1 for m a^2, where I_1 = m a^2/4.
+    """
     import sympy
 
-    return any(p.base == name and abs(p.exp) not in (1, 2) for p in formula.atoms(sympy.Pow))
+    usual = (1, 2, sympy.Rational(1, 2))
+    if any(p.base == name and abs(p.exp) not in usual for p in formula.atoms(sympy.Pow)):
+        return True
+    products = formula.atoms(sympy.Mul) if abs(value.as_coeff_Mul()[0]) != 1 else ()
+    return any(x.has(name) and abs(x.as_coeff_Mul()[0]) != 1 for x in products)
 
 
 def is_atom(formula: Any) -> bool:
@@ -57,7 +87,7 @@ def constant(x: Any) -> Any:
     """A number of the code as a reader writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
     import sympy
 
-    x = float(x)
+    x = float(x) if abs(float(x)) > ROUND_OFF else 0.0
     if x.is_integer():
         return sympy.Integer(int(x))
     pi, root = (math.pi, sympy.pi), (math.sqrt(2), sympy.sqrt(2))

@@ -12,6 +12,9 @@ from .example import EXAM_EXAMPLE, EXAMPLE, indented
 from .shared import COURSE, FILE, FOLDER, PROBLEMS, console, progress_bar
 
 UNSANDBOXED = 3  # exit code
+GOES_ON = (
+    "These are kept; the next run goes on from there (but with --force), and writes the gradebook."
+)
 ID_COLUMN = click.option(
     "--id-column",
     metavar="HEADER",
@@ -362,6 +365,7 @@ def grade(
                  1  some could not be graded; the others are
                  2  wrong use, or a course that is not in order; nothing was graded
                  3  --unsandboxed was given, and all submissions are graded
+               130  stopped by Ctrl-C; the next run goes on
     """
     from ..course import Course
     from ..grading import grade as grade_submissions
@@ -372,7 +376,7 @@ def grade(
     course = Course(course_path)
     if unsandboxed:
         _warn_unsandboxed()
-    with progress_bar() as bar:
+    with progress_bar(then=GOES_ON) as bar:
         task = bar.add_task("grading", total=len(students) or len(course.submissions(assignment)))
         results = grade_submissions(
             course, assignment, students, force, workers, not unsandboxed,

@@ -102,14 +102,14 @@ def prove(names: tuple[str, ...], seeds: int, workers: int | None) -> None:
     mistake must differ from the key; exit code 1 if a check fails. Two mistakes that give the same
     wrong answer are a warning.
     """
-    from concurrent.futures import ProcessPoolExecutor
-
     from exercises.catalogue import select
     from exercises.catalogue.checks import AGREEMENT
 
+    from ..course.processes import process_pool
+
     problems, failed, steps, proved = select(names or ("all",)), 0, 0, 0
     numbers = [p.id for p in problems]
-    with progress_bar() as bar, ProcessPoolExecutor(workers) as pool:
+    with progress_bar() as bar, process_pool(workers) as pool:
         task = bar.add_task("proving", total=len(problems))
         for p, found in zip(
             problems, pool.map(_proved, numbers, [seeds] * len(numbers)), strict=True

@@ -1,5 +1,7 @@
 """What the commands share: the console, the progress bar, the option that names a course."""
 
+import contextlib
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
@@ -12,6 +14,9 @@ from rich.progress import (
     TextColumn,
     TimeElapsedColumn,
 )
+
+STOPPED = 130  # exit code after Ctrl-C, as of a shell
+BEGINS_ANEW = "The same command begins anew."
 
 console = Console(highlight=False)
 FOLDER = click.Path(path_type=Path, file_okay=False)
@@ -26,9 +31,16 @@ PROBLEMS = click.option(
 SEED = click.option("--seed", type=int, help="Draw a variant of the numbers, not the book's.")
 
 
-def progress_bar(*columns: ProgressColumn) -> Progress:
-    """A progress bar on the shared console, with how many of how many and the time."""
-    return Progress(
+class Stopped(KeyboardInterrupt):
+    """Ctrl-C, with how far the run came and what the next one does."""
+
+
+@contextlib.contextmanager
+def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[Progress]:
+    """A progress bar on the shared console, with how many of how many and the time. Ctrl-C within
+    is :class:`Stopped`, with how far it came and what follows ``then``.
+    """
+    bar = Progress(
         TextColumn("{task.description}"),
         BarColumn(),
         MofNCompleteColumn(),
@@ -37,3 +49,15 @@ def progress_bar(*columns: ProgressColumn) -> Progress:
         console=console,
         transient=not console.is_terminal,
     )
+    try:
+        with bar:
+            yield bar
+    except KeyboardInterrupt:
+        far = "; ".join(map(_how_far, bar.tasks)) or "Nothing was done"
+        raise Stopped(f"{far}. {then}") from None
+
+
+def _how_far(task):
+    """How much of a task is done: a count, or a share where the whole is 1."""
+    done = f"{task.completed:g} of {task.total or '?'}"
+    return f"{task.description}: {f'{task.percentage:.0f} %' if task.total == 1.0 else done}"

@@ -13,7 +13,8 @@ from .folder import SECRET_BYTES, UNFINISHED, Course
 from .identity import CourseError, course_id
 
 TEMPLATES = Path(__file__).with_name("templates")
-FETCH = Path(__file__).parents[1] / "assignment" / "fetch.py"
+ASSIGNMENT = Path(__file__).parents[1] / "assignment"
+FOR_STUDENTS = ("fetch", "validate")  # files that run on their side
 MADE = {  # the files that a build writes
     UNFINISHED, ".course_secret", ".gitignore", "course.json", "gradebook.db",
     "built", "gradebook.db-journal", "nbgrader_config.json", "nbgrader_config.py", "source",
@@ -77,7 +78,8 @@ def _write_all(path, name, exchange):
     write_text(path / ".gitignore", _template("gitignore.in"), 0o644)
     student = path / "student"
     student.mkdir(mode=0o755)
-    shutil.copy(FETCH, student / "newton_euler_fetch.py")
+    for name in FOR_STUDENTS:
+        shutil.copy(ASSIGNMENT / f"{name}.py", student / f"newton_euler_{name}.py")
     root = f"c.Exchange.root = {str(Path(exchange).resolve())!r}\n" if exchange else ""
     write_text(
         student / "nbgrader_config.py",

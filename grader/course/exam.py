@@ -81,9 +81,11 @@ def window(course: Course, book: Any, assignment: str) -> Window | None:
     if not is_exam(course, assignment):
         return None
     kept = course.settings["exams"][assignment]
-    due = book.find_assignment(assignment).duedate
-    opens = kept["opens"] and datetime.fromisoformat(kept["opens"])
-    return Window(opens or None, due, kept["late"], extensions(course, assignment, due))
+    master = book.find_assignment(assignment)
+    opens = datetime.fromisoformat(kept["opens"]) if kept["opens"] else None
+    granted = {s.student_id: s.extension for s in master.submissions if s.extension}
+    own = granted | extensions(course, assignment, master.duedate)
+    return Window(opens, master.duedate, kept["late"], own)
 
 
 def judged(

@@ -30,7 +30,11 @@ MARK = ".newton_euler_demo"  # a folder with this file may be replaced
 
 
 def run_demo(
-    folder: Path, chapter: str, only: Collection[str], console: Console, bar: Callable[[], Progress]
+    folder: Path,
+    chapter: str,
+    only: Collection[str],
+    console: Console,
+    bar: Callable[[], contextlib.AbstractContextManager[Progress]],
 ) -> None:
     """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points
     are not as expected.

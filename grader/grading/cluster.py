@@ -11,6 +11,7 @@ import atexit
 import contextlib
 import json
 import threading
+import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -25,6 +26,10 @@ from .student import Result, Run
 AHEAD = 4  # submissions per thread that the scheduler holds at a time
 ANSWER_SECONDS = 10  # for a scheduler to answer
 READY_SECONDS = 60  # for a worker to import the grader and to start its harvester
+WATCH_SECONDS = 1  # between two looks whether workers live
+
+KEPT = "grade again: finished runs are kept and not repeated"
+NEW_WORKERS = "see their messages, and start others"
 
 
 # grades these students: {student: (result, what to write into the gradebook)}
@@ -94,63 +99,89 @@ def _connected(address):
         raise CourseError(
             f"no scheduler of Dask answers at {address} ({error}); start one with: dask scheduler"
         ) from error
-    with client:
+    with client, client.as_current():  # for what takes no client
         yield client
 
 
 def _examined(client, address, shared, report):
-    """The number of threads of the workers, all of which must be able to grade."""
+    """The number of threads of the workers, all of which must be able to grade; those that die
+    meanwhile are left out.
+    """
     workers = client.nthreads()
     if not workers:
         raise CourseError(f"the cluster has no workers; start some with: dask worker {address}")
     asked = {w: client.submit(_examine, shared, workers=[w], pure=False) for w in sorted(workers)}
+    threads, until = 0, time.monotonic() + READY_SECONDS
     for worker, future in asked.items():
-        try:
-            able, state = future.result(timeout=READY_SECONDS)
-        except TimeoutError:
-            able, state = False, f"it has not answered for {READY_SECONDS} s"
-        if not able:
+        able, state = _answer(client, worker, future, until)
+        if able is False:
             raise CourseError(f"the worker {worker} cannot grade: {state}")
+        if able:
+            threads += workers[worker]
+            state = f"{workers[worker]} at a time, {state}"
         if report:
-            report(f"{worker}: {workers[worker]} at a time, {state}")
-    return sum(workers.values())
+            report(f"{worker}: {state}")
+    if not threads:
+        raise CourseError(f"every worker of the cluster died in its first check; {NEW_WORKERS}")
+    return threads
+
+
+def _living(client):
+    """The workers, none where the scheduler does not answer."""
+    try:
+        return client.nthreads()
+    except OSError:
+        return {}
+
+
+def _answer(client, worker, future, until):
+    """What a worker says of itself, as :func:`_examine`; None in place of True if it has died."""
+    while time.monotonic() < until:
+        try:
+            return future.result(timeout=WATCH_SECONDS)
+        except TimeoutError:
+            if worker not in _living(client):
+                return None, "it died in its first check, and the others do its work"
+        except Exception as error:  # its Python has no grader, or the scheduler is gone
+            return False, f"{type(error).__name__}: {error}"
+    return False, f"it has not answered for {READY_SECONDS} s"
 
 
 def _graded(client, shared, roster, students, ahead, progress):
     """{student: (result, what to write)}; the scheduler never holds more than ``ahead``
     submissions, so that its memory does not grow with the class.
     """
-    from distributed import as_completed
-
-    found, waiting, started = {}, iter(students), {}
-
-    def next_ones(count):
-        for _, student in zip(range(count), waiting, strict=False):
-            if student in roster:
-                future = client.submit(_grade, shared, student, pure=False)
-                started[future.key] = student
-                yield future
-            else:
-                found[student] = Run.not_on_roster(student)
-
-    finished = as_completed(next_ones(ahead), loop=client.loop)
-    for future in finished:
-        student = started.pop(future.key)
-        found[student] = _outcome(client, future, student)
-        future.release()
-        if progress:
-            progress(found[student][0])
-        for more in next_ones(1):
-            finished.add(more)
+    found = {s: Run.not_on_roster(s) for s in students if s not in roster}
+    waiting, started = [s for s in reversed(students) if s in roster], {}
+    while waiting or started:
+        while waiting and len(started) < ahead:
+            student = waiting.pop()
+            started[client.submit(_grade, shared, student, pure=False)] = student
+        for future in _finished(client, list(started)):
+            student = started.pop(future)
+            found[student] = _outcome(future, student)
+            if progress:
+                progress(found[student][0])
     return found
 
 
-def _outcome(client, future, student):
-    if future.status == "cancelled":
-        raise CourseError(
-            "the scheduler of the cluster is gone; grade again: finished runs are kept and not "
-            "repeated"
-        )
+def _finished(client, futures):
+    """Those that have ended, at least one; raises :class:`CourseError` if the cluster is gone."""
+    from distributed import CancelledError, wait
+
+    alive = time.monotonic()
+    while time.monotonic() - alive < ANSWER_SECONDS:
+        try:
+            return wait(futures, WATCH_SECONDS, "FIRST_COMPLETED").done
+        except TimeoutError:
+            if _living(client):
+                alive = time.monotonic()
+        except CancelledError:
+            raise CourseError(f"the scheduler of the cluster is gone; {KEPT}") from None
+    raise CourseError(f"all workers of the cluster have died; {NEW_WORKERS}, then {KEPT}")
+
+
+def _outcome(future, student):
     try:
         return future.result()
     except Exception as error:  # Dask gives up after several workers have died with a submission

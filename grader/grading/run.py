@@ -85,8 +85,10 @@ def _on_threads(run, harvester, students, progress):
                 found[student] = done.result()
                 if progress:
                     progress(found[student][0])
-        finally:
-            pool.shutdown(cancel_futures=True)  # an interrupt does not wait for the others
+        except BaseException:  # an interrupt does not wait for the others
+            pool.shutdown(wait=False, cancel_futures=True)
+            harvester.abandon()
+            raise
     return found
 
 

@@ -1,8 +1,6 @@
 """Writes a bank: k variants of each problem, with numbers that no student is graded on."""
 
-import os
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
@@ -15,6 +13,7 @@ from ..assignment.chosen import as_asked
 from ..assignment.spec import Spec
 from ..course import CourseError
 from ..course.files import write_bytes
+from ..course.processes import process_pool
 from ..practice.twins import sets_of_numbers, twin
 from . import canvas, moodle, qti
 from .questions import Question, left_out, question
@@ -62,7 +61,7 @@ def write_bank(
     notes: list[str] = []
     questions: list[Question] = []
     problems = 0
-    with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
+    with process_pool(workers) as pool:
         for found, said in pool.map(variants_of, jobs, repeat(variants), repeat(seed)):
             questions += found
             notes += said

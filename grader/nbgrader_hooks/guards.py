@@ -7,6 +7,7 @@ students' code as the instructor. With these names it stops.
 """
 
 import logging
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -17,7 +18,7 @@ from nbgrader.converters.base import NbGraderException
 from ..course import Course, CourseError
 from ..course.exam import refuse_feedback
 from .patches import copy_only_nbgraders_own_files, read_regular_files_only
-from .shared import WRITTEN, course_path
+from .shared import WRITTEN, course_path, ending_at_ctrl_c
 
 
 class Configured:
@@ -25,6 +26,7 @@ class Configured:
 
     course_path: str
     log: logging.Logger
+    parent: Any
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -47,6 +49,14 @@ class Configured:
             self._refuse(str(error))
         read_regular_files_only()
         self.log.addFilter(_one_line_each)  # adding it twice has no effect
+        converter = self.parent
+        if hasattr(converter, "convert_notebooks"):
+            convert = converter.convert_notebooks
+            converter.convert_notebooks = lambda: self._converted(converter, convert)
+
+    def _converted(self, converter: Any, convert: Callable[[], None]) -> None:
+        with ending_at_ctrl_c(self.log, lambda: _how_far(converter)):
+            convert()
 
     def _refuse(self, why: str) -> NoReturn:
         self.log.error(why)
@@ -88,6 +98,13 @@ class FeedbackPage(Configured, HTMLExporter):
                 refuse_feedback(course, converter.coursedir.assignment_id)
             except CourseError as error:
                 self._refuse(str(error))
+
+
+def _how_far(converter):
+    """A sentence: nbgrader has removed the one in whose midst it was stopped."""
+    asked = sorted(converter.assignments)
+    done = [sorted(converter.assignments[name]) for name in asked].index(converter.notebooks)
+    return f"{done} of {len(asked)} are done and kept; the same command does the rest"
 
 
 def _one_line_each(record: logging.LogRecord) -> bool:

@@ -14,8 +14,10 @@ from ..assignment.personal import warning
 from ..course import Course, CourseError
 from ..course.exam import refuse_before_opening, refuse_feedback
 from ..course.files import NotTaken, read_regular
+from .shared import ending_at_ctrl_c
 
 MAX_PAGE = 256 * 2**20
+UNRELEASED = "nothing is released; the same command begins anew"
 
 
 def _submission_secret(*folders: Path) -> str | None:
@@ -35,24 +37,27 @@ def _refused(exchange, rule, *place):
 
 
 class ReleaseWithPersonal(ExchangeReleaseAssignment):
-    """Releases the assignment, then makes each student's own copy and puts it into the exchange."""
+    """Makes each student's own copy, then releases the assignment and puts them beside it."""
 
     def copy_files(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
         _refused(self, refuse_before_opening, course, assignment)
-        super().copy_files()
         students = course.roster()
         if not students:
+            super().copy_files()
             self.log.warning(
                 "Nobody is on the roster: no personal copies. Add students, then: python "
                 "-m grader personal %s --course . --exchange",
                 assignment,
             )
             return
-        paths = make_personal_copies(course, assignment, students)
+        if self.force or not Path(self.dest_path).is_dir():  # else it is refused, at once
+            with ending_at_ctrl_c(self.log, lambda: UNRELEASED):
+                self.log.info("Making %d personal copies", len(students))
+                paths = make_personal_copies(course, assignment, students)
+        super().copy_files()
         if words := warning(copy_to_exchange(course, assignment, self.dest_path, paths)):
             self.log.warning(words)
-        self.log.info("Made %d personal copies", len(paths))
 
 
 class ReleaseOwnPages(ExchangeReleaseFeedback):

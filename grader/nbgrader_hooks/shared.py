@@ -1,5 +1,9 @@
 """What several hooks share."""
 
+import contextlib
+import logging
+import sys
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from nbformat import NotebookNode
@@ -9,6 +13,19 @@ Processed = tuple[NotebookNode, dict[str, Any]]  # what a preprocessor returns
 
 # key in the resources of nbconvert: the path of the annotated notebook that grading has written
 WRITTEN = "newton_euler_written"
+
+
+STOPPED = 130  # exit code after Ctrl-C, as of a shell
+
+
+@contextlib.contextmanager
+def ending_at_ctrl_c(log: logging.Logger, how_far: Callable[[], str]) -> Iterator[None]:
+    """Ctrl-C in the block ends the process with a sentence on how far it came, no traceback."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        log.error("Stopped by Ctrl-C: %s", how_far())
+        sys.exit(STOPPED)
 
 
 def course_path() -> Any:

@@ -5,7 +5,6 @@ import multiprocessing
 import os
 import secrets
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from ..assignment.numbers import kept_numbers
 from ..assignment.spec import Spec
 from ..course import Course, CourseError, check_id
 from ..course.files import write_bytes, write_text
+from ..course.processes import process_pool
 from .sheet import Entry, Files, Student, key, overview, sheet, variant_code
 
 ALL = "all"
@@ -98,7 +98,7 @@ def _all(function, jobs, workers):
         yield from map(function, jobs)
         return
     fresh = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(workers, mp_context=fresh) as pool:
+    with process_pool(workers, fresh) as pool:
         yield from pool.map(function, jobs)
 
 

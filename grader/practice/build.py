@@ -7,7 +7,6 @@ import math
 import os
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import astuple, dataclass
 from itertools import repeat
 from pathlib import Path
@@ -26,6 +25,7 @@ from ..assignment.options import HELP as LEVELS
 from ..assignment.sheet import with_tolerance
 from ..assignment.solution import worked_solution
 from ..course import CourseError
+from ..course.processes import process_pool
 from ..scoring.computation import section
 from .plain import plain
 from .quantities import KEPT, quantities, wrong_numbers
@@ -75,7 +75,7 @@ def write_practice(
     names = [p.id for p in problems]
     own = [(rules or {}).get(name, {}) for name in names]
     given = repeat(count), repeat(help), [graded.get(name) for name in names], own
-    with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
+    with process_pool(workers) as pool:
         for found in pool.map(page_of, names, *given):
             if isinstance(found, LeftOut):
                 left.append(found)

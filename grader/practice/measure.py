@@ -9,7 +9,6 @@ import statistics
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from typing import Any
 
 from exercises.catalogue import Problem
@@ -26,6 +25,7 @@ from newton_euler.answers.tolerance import is_apart
 from newton_euler.classroom.practising.problems import PracticeProblem
 from newton_euler.classroom.practising.progress import Progress
 
+from ..course.processes import process_pool
 from .build import LeftOut, page_of
 from .quantities import NOISE
 
@@ -44,7 +44,7 @@ def practice_shares(
     """
     found: dict[str, Counter] = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}
     times: list[float] = []
-    with ProcessPoolExecutor() as pool:
+    with process_pool() as pool:
         names = [p.id for p in problems]
         for shares, took in pool.map(_measured, names, [variants] * len(names)):
             for name, counts in shares.items():

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cache
 
 from exercises.catalogue import Given, Problem
-from exercises.catalogue.variants import draw, drawn_value
+from exercises.catalogue.variants import draw, drawn_value, practice_seed
 
 from ..assignment.cells import Values
 from .graded import GradedAnswers
@@ -55,7 +55,7 @@ def sets_of_numbers(
     for n in range((TRIES if graded else 10) * count):
         if len(found) >= count:
             break
-        values = draw(p, f"{seed} {p.id} {n}".encode())
+        values = draw(p, practice_seed(p, n, seed))
         if values not in found and not near(values):
             found.append(values)
     return found

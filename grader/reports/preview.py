@@ -121,7 +121,7 @@ def preview(p: Problem, options: Mapping[str, Any] | None = None) -> Preview:
     p = with_tolerance(p, own.get("tolerance"))
     drawn = {f"student {n + 1}": draw(p, f"preview {n}".encode()) for n in range(STUDENTS)}
     sheets = tuple(_sheet(p, name, x) for name, x in {"book": p.book_values, **drawn}.items())
-    return Preview(p, own, sheets, tuple(_mistakes(p)))
+    return Preview(p, own, sheets, tuple(_mistakes(p, own.get("help"))))
 
 
 def _sheet(p, name, values):
@@ -129,12 +129,13 @@ def _sheet(p, name, values):
     return Sheet(name, values, {key: formatted(x) for key, x in answers.items()})
 
 
-def _mistakes(p):
+def _mistakes(p, help):
     values = p.book_values
     for name, answers in p.wrong({**p.sympy_symbols(), **values}).items():
         for key, tree in handed_in(p, answers).items():
-            parts = score_receipt(p, values, {"answers": {key: tree}}).parts
-            message = next(x.message for x in parts if x.key == key)
+            score = score_receipt(p, values, {"answers": {key: tree}})
+            shown = score.without_reasons if help == "none" else score
+            message = next(x.message for x in shown.parts if x.key == key)
             yield Mistake(name, key, formatted(answers[key]), message)
 
 

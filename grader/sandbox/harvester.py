@@ -78,6 +78,11 @@ class Harvester:
         for worker in self._all:
             worker.stop()
 
+    def abandon(self) -> None:
+        """End the jobs that run now: their threads get a :class:`HarvestError`."""
+        for worker in self._all:
+            worker.process.kill()
+
     @cached_property
     def sandbox_state(self) -> str:
         """ "namespaces", or "unsandboxed: asked for"; raises :class:`HarvestError` where the

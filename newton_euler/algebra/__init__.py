@@ -6,6 +6,7 @@ from .integrals import WorkError, integral
 from .jets import Moving, at, moving
 from .ledger import Amount, Equation, Explanation, TermError
 from .linear import LinearError, LinearForm, Solution, solve_linear, solve_rates
+from .names import guide as _guide
 from .roots import root
 from .scalars import (
     ZERO,
@@ -33,3 +34,5 @@ from .scalars import (
 from .tables import Table, TableError, table
 from .units import Dimension, DimensionError, Unit, UnitError, unit
 from .vectors import FrameError, Vector, cross, dot, same
+
+_guide(__name__)

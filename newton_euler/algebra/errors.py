@@ -20,6 +20,7 @@ from functools import wraps
 from inspect import Parameter, signature
 from typing import Any, TypeVar
 
+from .names import ArgumentError, misfit
 from .scalars import (
     LIBRARIES,
     ZERO,
@@ -36,11 +37,6 @@ from .scalars import (
     to_plain,
 )
 from .vectors import FrameError, Vector
-
-
-class ArgumentError(NewtonEulerError, TypeError):
-    """An argument is not of the kind that is expected: a number where a function belongs."""
-
 
 F = TypeVar("F", bound=Callable)
 
@@ -77,7 +73,11 @@ def checked(f: F, unchecked: tuple = ()) -> F:
         try:
             return f(*given, **named)
         except (ArithmeticError, ValueError, TypeError, LookupError) as error:
-            if isinstance(error, NewtonEulerError) or _passed_through_a_callers_function(error):
+            if isinstance(error, NewtonEulerError):
+                raise
+            if isinstance(error, TypeError) and (words := misfit(f, args, named)):
+                raise ArgumentError(words) from None
+            if _passed_through_a_callers_function(error):
                 raise
             given = [*map(_brief, given), *(f"{n}={_brief(x)}" for n, x in named.items())]
             raise _in_words(f"{f.__name__}({', '.join(given)})", error) from error

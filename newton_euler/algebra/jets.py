@@ -1,7 +1,9 @@
 """Scalars with their first and second time derivatives: exact rates of any formula."""
 
 from collections.abc import Callable
+from typing import Any
 
+from .names import ArgumentError, guided, misfit
 from .scalars import (
     FUNCTIONS,
     LIBRARIES,
@@ -39,6 +41,16 @@ from .scalars import (
 )
 
 
+class _Derived:
+    """In place of a rate that is not given."""
+
+    def __repr__(self):
+        return "derived"
+
+
+DERIVED: Any = _Derived()
+
+
 class Moving(_Own):
     """A scalar at one instant with its first and second time derivative (a jet of order two), made
     by :func:`moving` or :func:`at`. Arithmetic and functions compute the rates by the product and
@@ -51,6 +63,7 @@ class Moving(_Own):
     """
 
     __slots__ = ("acceleration", "rate", "value")
+    __array_priority__ = 1000.0  # NumPy hands operators over, and calls methods for its functions
     rank = 9  # it wraps the other kinds
 
     def is_numeric(self) -> bool:
@@ -63,6 +76,12 @@ class Moving(_Own):
 
     def __init__(self, value, rate=ZERO, acceleration=ZERO):
         self.value, self.rate, self.acceleration = value, rate, acceleration
+
+    def __float__(self):
+        raise ScalarError(
+            f"{self!r} is not one float: its value alone is x.value, and for math.sin(x) write "
+            "sin(x), from newton_euler import sin"
+        )
 
     def __repr__(self):
         return (
@@ -180,6 +199,24 @@ class Moving(_Own):
             raise DivisionError(f"no rate of {name}({shown(self.value)}): {error}") from None
 
 
+class _Refusal:
+    """In place of the method that a function of NumPy calls: what to write instead of np.sin."""
+
+    def __init__(self, numpys, ours):
+        self.numpys, self.ours = numpys, ours
+
+    def __call__(self, *_):
+        raise ScalarError(
+            f"np.{self.numpys} does not take a moving number: write {self.ours}(...), "
+            f"from newton_euler import {self.ours}"
+        )
+
+
+_NUMPYS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2"}
+for _ours in (*FUNCTIONS, "radians", "atan2"):
+    setattr(Moving, _NUMPYS.get(_ours, _ours), _Refusal(_NUMPYS.get(_ours, _ours), _ours))
+
+
 def _reciprocal(f, df_inverse, ddf_factor):
     """(f, f', f'') where 1/f' and f''/f' are given."""
     df = 1 / df_inverse
@@ -208,7 +245,9 @@ def as_moving(x):
     return x if isinstance(x, Moving) else Moving(real_scalar(x))
 
 
-def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> Moving:
+def moving(
+    value: Scalar, rate: Scalar = DERIVED, acceleration: Scalar = DERIVED, **other: Scalar
+) -> Moving:
     """A scalar with its rates at the instant, for angles and coordinates that change: d/dt and
     d2/dt2 of ``value``. Without them, the derivatives of a SymPy or SymEngine expression in the
     symbol ``t`` are taken; those of other values are zero.
@@ -216,19 +255,43 @@ def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> M
     >>> moving(2.0, rate=3.0)**2
     moving(4.0, rate=12.0, acceleration=18.0)
     """
-    if type(value) is float and rate is None and acceleration is None:
-        return Moving(value)
+    if type(value) is float and value == value and not other:  # nan is not equal to itself
+        if rate is DERIVED:
+            if acceleration is DERIVED:
+                return Moving(value)
+        elif type(rate) is float and rate == rate and acceleration is DERIVED:
+            return Moving(value, rate)
+    if other:
+        raise ArgumentError(misfit(_moving, (value,), other))
     if isinstance(value, Moving):
-        if rate is not None or acceleration is not None:
+        if rate is not DERIVED or acceleration is not DERIVED:
             raise ScalarError(f"{value!r} already has its rates; leave out rate= and acceleration=")
         return value
     if callable(value) and _root(type(value)) not in LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
-    value = real_scalar(value)
+    value = _known(value, "value")
     rates = [value]
-    for x in (rate, acceleration):
-        rates.append(_derived(rates[-1]) if x is None else integer_like(real_scalar(x), value))
+    for x, what in ((rate, "rate"), (acceleration, "acceleration")):
+        given = x is not DERIVED
+        rates.append(integer_like(_known(x, what), value) if given else _derived(rates[-1]))
     return Moving(*rates)
+
+
+def _moving(value, rate=DERIVED, acceleration=DERIVED):
+    """The arguments of :func:`moving`."""
+
+
+_moving.__qualname__ = "moving"
+
+
+def _known(x, what):
+    """The real scalar ``x``; None and nan, as of what is not computed yet, are refused."""
+    if x is None or (isinstance(x, float) and x != x):
+        raise ScalarError(
+            f"the {what} is {x}, which is no number: look at what it was computed from"
+            + (f", or leave {what}= out" if what != "value" else "")
+        )
+    return real_scalar(x)
 
 
 def _derived(x):
@@ -244,6 +307,7 @@ def _derived(x):
     return ZERO if derivative == 0 else derivative
 
 
+@guided
 def at(f: Callable, t: Scalar) -> Moving:
     """The function of time ``f`` at the instant ``t`` (s), of any kind, with its first and second
     rate, exact up to round-off. ``f`` uses the functions of this package.

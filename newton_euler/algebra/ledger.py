@@ -13,6 +13,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any, Generic, TypeVar
 
+from .names import Guided, did_you_mean, guided
 from .pickles import Computed
 from .scalars import (
     LONGEST,
@@ -42,6 +43,7 @@ class Equation:
     """The equation of a sum with named terms.
 
     kind, number, symbol : what the sum is, as "acceleration"; its number in the book; in LaTeX
+    unit : of the sum in SI, "" where it has none of its own
     terms : by name, a term as (text, LaTeX), for those whose name is not enough
     other : (text, LaTeX) of a term that is not listed; its name becomes the index
 
@@ -56,6 +58,7 @@ class Equation:
     symbol: str
     terms: dict
     other: tuple[str, str]
+    unit: str = ""
 
 
 @cache
@@ -68,14 +71,16 @@ def equation(kind: str) -> Equation:
         found = tomllib.load(file)[kind]
     terms = {name: tuple(texts) for name, texts in found.get("terms", {}).items()}
     other = found.get("other", ("", f"{{{found['symbol']}}}"))  # braces: it may have an index
-    return Equation(kind, found["number"], found["symbol"], terms, tuple(other))
+    return Equation(
+        kind, found["number"], found["symbol"], terms, tuple(other), found.get("unit", "")
+    )
 
 
 T = TypeVar("T")
 NOISE = 1e-14  # of the largest component: anything smaller is round-off and printed as 0
 
 
-class Terms(dict[str, T], Generic[T]):
+class Terms(Guided, dict[str, T], Generic[T]):
     """The terms of a sum, in order, by name. Names are for people: two terms may be called "arm".
     They are then listed as "arm 1" and "arm 2", and "arm" names both of them to ``without`` and
     ``reweighted``; ``terms["arm"]`` raises a :class:`TermError`.
@@ -106,7 +111,9 @@ class Terms(dict[str, T], Generic[T]):
         alike = [new for new, old in self.shared.items() if old == name]
         if alike:
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
-        raise TermError(f"no term {name!r}; the terms are {', '.join(self) or 'none'}")
+        near = did_you_mean(name, self)
+        listed = f"; the terms are {', '.join(self) or 'none'}"
+        raise TermError(f"no term {name!r}{listed}{near}")
 
     def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
         """The terms of both, in order: those whose names they share are all kept."""
@@ -170,17 +177,23 @@ class Ledger:
 
     kind : of the equation, see :func:`equation`
     subject : the things it is about, as "P/ground"
-    make : a function that returns the terms, a dict or pairs (name, Vector)
+    make : a function that returns the terms, a dict or pairs (name, Vector); None of a vector that
+        is no sum, of which only the kind is known: such a ledger is false
+    scaled : whether the sum was multiplied, so that its unit is not that of the equation
     """
 
-    __slots__ = ("_make", "_terms", "kind", "subject")
+    __slots__ = ("_make", "_terms", "kind", "scaled", "subject")
 
-    def __init__(self, kind: str, subject: str, make: Callable):
-        self.kind, self.subject, self._make = kind, subject, make
+    def __init__(self, kind: str, subject: str, make: Callable | None, scaled: bool = False):
+        self.kind, self.subject, self._make, self.scaled = kind, subject, make, scaled
         self._terms: Terms | None = None
 
+    def __bool__(self):
+        return self._make is not None
+
     def __reduce__(self):
-        return Ledger, (self.kind, self.subject, Computed(lambda: self.terms))
+        made = self._make and Computed(lambda: self.terms)
+        return Ledger, (self.kind, self.subject, made, self.scaled)
 
     @property
     def equation(self) -> Equation:
@@ -191,13 +204,48 @@ class Ledger:
     def terms(self) -> Terms:
         """The vectors by name."""
         if self._terms is None:
-            made = self._make()
+            made = self._make() if self._make else {}
             self._terms = made if isinstance(made, Terms) else Terms(made)
         return self._terms
 
-    def mapped(self, change: Callable) -> "Ledger":
-        """The ledger with ``change`` applied to every term."""
-        return Ledger(self.kind, self.subject, lambda: self.terms.mapped(change))
+    def mapped(self, change: Callable, scaled: bool = False) -> "Ledger | None":
+        """The ledger with ``change`` applied to every term; None where nothing is known then."""
+        if self._make is None:
+            return None if scaled else self
+        made = lambda: self.terms.mapped(change)  # noqa: E731
+        return Ledger(self.kind, self.subject, made, scaled or self.scaled)
+
+    @property
+    def unit(self) -> str:
+        """The SI unit of the sum, "" where it is not known."""
+        return "" if self.scaled else self.equation.unit
+
+
+@cache
+def unlike(kind: str, other: str) -> bool:
+    """True if sums by these two kinds of equations have different dimensions."""
+    here, there = (_dimension(equation(k).unit) for k in (kind, other))
+    return here is not None and there is not None and here != there
+
+
+def _dimension(text):
+    """The dimension of a unit, None where the text is no unit that is known."""
+    from .units import UnitError
+    from .units import unit as unit_of
+
+    try:
+        return unit_of(text).dimension if text else None
+    except UnitError:
+        return None
+
+
+def _other_unit(ledger, text):
+    """A sentence where the text is a unit that the sum cannot have, else ""."""
+    here, asked = _dimension(ledger.unit), _dimension(text)
+    if here is None or asked is None or here == asked:
+        return ""
+    what = f"{ledger.equation.kind} {ledger.subject}"
+    return f"this is the {what}, in {ledger.unit}: it cannot be explained in {text!r}"
 
 
 class Explanation:
@@ -215,6 +263,8 @@ class Explanation:
     def __init__(self, vector, ledger, unit=""):
         if not isinstance(unit, str):
             raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
+        if words := _other_unit(ledger, unit):
+            raise TermError(words)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
         sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
@@ -299,6 +349,7 @@ def _comparison(f):
     )
 
 
+@guided
 @dataclass(frozen=True, eq=False)
 class Amount(NamedTerms):
     """An amount of work, energy or power with its terms by name. It acts as its ``value`` in sums,

@@ -69,9 +69,13 @@ class _Own:
     """Base of the kinds of number that the engine defines."""
 
     __slots__ = ()
-    __array_ufunc__ = None  # NumPy hands operations over and does not loop over elements
-    _op_priority = 1000.0  # and so does SymPy
+    _op_priority = 1000.0  # SymPy hands operations over
     rank = 0  # of several kinds in one operation, the highest decides
+
+    def __init_subclass__(cls) -> None:
+        if not hasattr(cls, "__array_priority__"):
+            # NumPy hands operations over, too, and does not loop over elements
+            cls.__array_ufunc__ = None  # type: ignore[attr-defined]
 
     def is_numeric(self) -> bool:
         """True if the number has a value that can be compared."""

@@ -9,6 +9,7 @@ from fractions import Fraction
 from functools import cache
 from operator import add, sub
 
+from .names import did_you_mean
 from .scalars import (
     ZERO,
     NewtonEulerError,
@@ -272,7 +273,8 @@ class Unit:
         self.parts = tuple(name for name, _ in _parts(text))
         for name, power in _parts(text):
             if name not in UNITS:
-                raise UnitError(f"unknown unit {name!r} in {text!r}; known are {', '.join(UNITS)}")
+                known = f"known are {', '.join(UNITS)}{did_you_mean(name, UNITS)}"
+                raise UnitError(f"unknown unit {name!r} in {text!r}; {known}")
             factor, pi_power, dimension = UNITS[name]
             self.factor *= Fraction(factor) ** power
             self.pi_power += pi_power * power

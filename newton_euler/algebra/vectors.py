@@ -20,7 +20,9 @@ from .ledger import (
     Terms,
     latex_number,
     latex_text,
+    unlike,
 )
+from .names import guided
 from .pickles import Computed
 from .scalars import (
     ZERO,
@@ -189,7 +191,9 @@ class Vector(Scaled, NamedTerms):
             return self
         c = self.frame.transform(self.c, frame)
         own_rate = self._own_rate and (lambda: self.rate(frame))
-        ledger = self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame))
+        ledger = self._ledger
+        if ledger is not None:
+            ledger = ledger.mapped(lambda v: v.expressed_in(frame))
         return Vector(c, frame, own_rate, ledger)
 
     def rounded(self, noise: float) -> "Vector":
@@ -249,6 +253,8 @@ class Vector(Scaled, NamedTerms):
 
     def __add__(self, other):
         f, c = self.frame, add3(self.c, self._other(other, "add"))
+        if self._ledger is not None and other._ledger is not None:
+            _of_one_kind(self._ledger, other._ledger)
         return Vector(c, f, lambda: self.rate(f) + other.rate(f))
 
     def __radd__(self, other):
@@ -258,10 +264,17 @@ class Vector(Scaled, NamedTerms):
 
     def __sub__(self, other):
         f, c = self.frame, sub3(self.c, self._other(other, "subtract"))
+        if self._ledger is not None and other._ledger is not None:
+            _of_one_kind(self._ledger, other._ledger)
         return Vector(c, f, lambda: self.rate(f) - other.rate(f))
 
     def __neg__(self):
-        return -1 * self
+        turned = -1 * self
+        if turned._ledger:  # its unit is the same
+            turned._ledger.scaled = self._ledger.scaled
+        elif self._ledger is not None:
+            turned._ledger = self._ledger
+        return turned
 
     def __mul__(self, s):
         if isinstance(s, Vector):
@@ -288,7 +301,9 @@ class Vector(Scaled, NamedTerms):
     def _each(self, change, whole, rate):
         """The vector with every component changed by a factor, and its terms with it."""
         c = ZERO3 if self.c is ZERO3 else tuple(map(change, self.c))
-        ledger = self._ledger and self._ledger.mapped(whole)
+        ledger = self._ledger
+        if ledger is not None:
+            ledger = ledger.mapped(whole, True)
         return Vector(c, self.frame, self._own_rate and rate, ledger)
 
     def _product_rate(self, s):
@@ -384,7 +399,7 @@ class Vector(Scaled, NamedTerms):
     @property
     def equation(self) -> Equation | None:
         """The :class:`~newton_euler.algebra.ledger.Equation` of its named terms; None without."""
-        return self._ledger and self._ledger.equation
+        return self._ledger.equation if self._ledger else None
 
     @property
     def terms(self) -> "Terms[Vector]":  # type: ignore[override]
@@ -405,6 +420,7 @@ class Vector(Scaled, NamedTerms):
         ledger = Ledger(kind, subject, (lambda: self.terms) if terms is None else terms)
         return Vector(self.c, self.frame, self._own_rate, ledger)
 
+    @guided
     def explain(self, unit: str = "") -> Explanation:
         """The equation of its terms with the number in the book, and the value of each, in this
         ``unit``: an :class:`Explanation`, which prints as text and shows as a formula in Jupyter.
@@ -425,6 +441,18 @@ class Vector(Scaled, NamedTerms):
         f = self.frame
         terms = self.terms.weighted(factors)
         return Vector(sum3(scale3(s, v.expressed_in(f).c) for s, v in terms), f)
+
+
+def _of_one_kind(a, b):
+    """Raise an error where two ledgers say that what is added has different dimensions."""
+    if a.kind != b.kind and not a.scaled and not b.scaled and unlike(a.kind, b.kind):
+        from .units import DimensionError
+
+        this, other = (f"{x.kind} {x.subject}".rstrip() for x in (a, b))
+        raise DimensionError(
+            f"cannot add the {other}, in {b.unit}, to the {this}, in {a.unit}: multiply one of "
+            "them by what makes both the same quantity"
+        )
 
 
 class Resting:

@@ -4,8 +4,11 @@ It holds no key. Notebooks of courses released before version 0.2 import ``expec
 from here; today they are in :mod:`newton_euler.classroom`.
 """
 
+from ..algebra.names import guide as _guide
 from .causes import Cause, sentence
 from .forms import AnswerError, Form
 from .kinds import KINDS, Kind
 from .receipts import expect, receipt
 from .verdicts import NO_ANSWER, Explained, Judged, explain, judge
+
+_guide(__name__)

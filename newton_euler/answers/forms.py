@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
-from ..algebra.errors import checked
+from ..algebra.errors import checked, checked_but
 from .kinds import KINDS, Kind
 from .messages import AnswerError
 
 
-@checked
+@checked_but("kind")
 @dataclass(frozen=True)
 class Form:
     """The kind of one answer (a :class:`~.kinds.Kind` or its name), its unit, and of a choice the
@@ -17,12 +17,12 @@ class Form:
     Form(kind=KINDS['vector'], unit='mm/s', of=())
     """
 
-    kind: Kind | str
+    kind: Kind
     unit: str = "1"
     of: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        if isinstance(self.kind, str):
+        if not isinstance(self.kind, Kind):
             object.__setattr__(self, "kind", kind_named(self.kind))
 
     @classmethod

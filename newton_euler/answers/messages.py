@@ -12,8 +12,12 @@ class AnswerError(NewtonEulerError, ValueError):
 
     def _render_traceback_(self) -> list[str]:
         """What IPython shows: the message alone, in lines that nbgrader's Validate does not cut."""
-        lines = f"AnswerError: {self}".splitlines()
+        lines = f"{type(self).__name__}: {self}".splitlines()
         return [textwrap.fill(line, 70) for line in lines]
+
+
+class OpenAnswer(AnswerError):
+    """An answer that is not given yet, which nbgrader's Validate is to show."""
 
 
 class Stated(Protocol):

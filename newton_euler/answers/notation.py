@@ -133,7 +133,7 @@ _CROSSED = rf"(?:{_FACTOR}|\({_FACTOR} x {_FACTOR}\))"
 _PRODUCT_OF = rf"(?:{_FACTOR} = )?(?:\d )?{_CROSSED}(?: x {_CROSSED})+"
 _AXES = rf"(?:{_FACTOR} = )?{_FACTOR} cross {_FACTOR}"
 _TERM = rf"(?:(?:{_FACTOR}|\bpi\b)(?:/\d\b)?|\d+(?:\.\d+)?(?: deg(?:rees?)?)?)(?!\w)"
-_RELATION = rf"(?<![-+=<>/*] ){_TERM}(?: [-+=<>] {_TERM})+(?! ?[-+=<>/*^] ?[\w{{$(])"
+_RELATION = rf"(?<![-+=<>/*] ){_TERM}(?: (?:[-+<>] |= -?){_TERM})+(?! ?[-+=<>/*^] ?[\w{{$(])"
 _EQUAL_TO_GIVEN = r"(?:\b[A-Z]{2} = )?\b(?:[A-Za-z]|[A-Z]{2})(?= = \{)"  # PQ = SR = {a}
 _WRITTEN_OUT = re.compile(
     rf"(?<![{{\w\\$`'])(?:{_AXES}|(?P<product>{_PRODUCT_OF})|{_RELATION}|{_EQUAL_TO_GIVEN}"

@@ -14,6 +14,7 @@ from ..algebra.errors import checked
 from .checks import Check, check
 from .forms import AnswerError, Form
 from .givens import in_notebook, outdated, seals, stale
+from .messages import OpenAnswer
 from .notation import formula, is_word, symbol, unit_symbol
 from .sanity import doubts
 from .trees import NODES, dimension_hints, in_words
@@ -75,7 +76,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         raise AnswerError("\n".join(f"{problem}, {key}: {fault}" for key, fault in faults.items()))
     execution, blank = os.environ.get("NBGRADER_EXECUTION"), _blank(forms, read)
     if execution == "validate" and blank:
-        raise AnswerError(f"{problem}: no answer yet for {blank}; what stays open costs its points")
+        raise OpenAnswer(f"{problem}: no answer yet for {blank}; what stays open costs its points")
     if execution == "autograde":
         raise AnswerError(
             f"{problem} is not graded here, since nbgrader runs without this course's "

@@ -1,5 +1,6 @@
 """The Earth as a frame, rotors, gyroscopes (chapters 6, 9, 10)."""
 
+from ..algebra.names import guide as _guide
 from .earth import (
     EARTH_GM,
     EARTH_RADIUS,
@@ -52,3 +53,5 @@ from .rotors import (
     reactions,
     shaft_axis,
 )
+
+_guide(__name__)

@@ -1,5 +1,6 @@
 """Bodies, their inertia and principal axes, solids (chapters 5 and 7)."""
 
+from ..algebra.names import guide as _guide
 from .admissibility import MassError
 from .body import Body, centre_of_mass, composite, particle
 from .inertia import Inertia
@@ -30,3 +31,5 @@ from .solids import (
     tube,
     wedge,
 )
+
+_guide(__name__)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Terms
+from ..algebra.names import guided
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, shown
 from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
@@ -17,6 +18,7 @@ from .inertia import Inertia, together
 ROUNDED = 1e-2
 
 
+@guided
 class Body:
     """A rigid body: mass, centre of mass, inertia matrix; or several, see :func:`composite`.
 

@@ -17,6 +17,7 @@ from typing import Any
 from ..algebra.errors import checked
 from ..algebra.jets import Moving
 from ..algebra.ledger import NamedTerms, Terms, latex_number
+from ..algebra.names import guided
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -37,6 +38,7 @@ from .admissibility import AXES, MassError, check
 from .principal_axes import Principal, Symmetry, principal, symmetry
 
 
+@guided
 class Inertia(Scaled, NamedTerms):
     """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13). ``A +
     B`` is that of two bodies together, about the point and in the frame of A; ``-A`` of a hole.

@@ -1,5 +1,6 @@
 """Answers, receipts and widgets of a student's notebook."""
 
+from ..algebra.names import guide as _guide
 from ..answers.forms import AnswerError, Form
 from ..answers.givens import given
 from ..answers.receipts import expect, receipt
@@ -9,3 +10,5 @@ from .widgets.interactive import interactive_figure
 from .widgets.messages import error_message
 from .widgets.pictures import show_figure
 from .widgets.sliders import Slider
+
+_guide(__name__)

@@ -1,4 +1,7 @@
 """Figures to scale and animations."""
 
+from ..algebra.names import guide as _guide
 from .animation import Animation, AnimationError, animate
 from .sketch import Sketch
+
+_guide(__name__)

@@ -26,6 +26,7 @@ from string import Template
 from typing import Any
 
 from ..algebra.errors import NewtonEulerError
+from ..algebra.names import guided
 from ..algebra.scalars import clipped, real, scalar, to_plain
 from .page.recorder import share_window, sketches_on
 
@@ -121,6 +122,7 @@ class Animation:
         return [f"t = {t:.{decimals}f} s" if decimals < 7 else f"t = {t:.7g} s" for t in self.times]
 
 
+@guided
 def animate(
     draw: Callable,
     times: Iterable[float],

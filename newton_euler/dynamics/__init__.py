@@ -1,5 +1,6 @@
 """Forces, constraints, Newton's and Euler's equations, work and energy (chapters 5, 6, 8, 11)."""
 
+from ..algebra.names import guide as _guide
 from .constraints import ConstraintError, degrees_of_freedom
 from .energy import (
     Audit,
@@ -54,3 +55,5 @@ from .potential import (
     weight_potential,
 )
 from .work import constant_force_work, pair_power, power, work_along, work_in_time, work_integral
+
+_guide(__name__)

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 
 from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import distinct
+from ..algebra.names import guided
 from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
@@ -84,6 +85,7 @@ class Couple:
         return f"{self.name}: {self.vector}"
 
 
+@guided
 class ForceSystem:
     """Forces and couples on one body.
 

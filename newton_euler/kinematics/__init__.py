@@ -1,5 +1,6 @@
 """Frames and points, rotations, coordinates, paths (chapters 2 to 4 and 10)."""
 
+from ..algebra.names import guide as _guide
 from .coordinates import (
     T_phi,
     T_theta,
@@ -43,3 +44,5 @@ from .rotations import (
     unwound,
 )
 from .triads import Triad
+
+_guide(__name__)

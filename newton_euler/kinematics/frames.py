@@ -12,8 +12,9 @@ from threading import Lock
 from typing import Any, TypeAlias
 from weakref import WeakValueDictionary, ref
 
-from ..algebra.jets import Moving, moving
+from ..algebra.jets import DERIVED, Moving, moving
 from ..algebra.ledger import Ledger
+from ..algebra.names import guided
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -52,6 +53,7 @@ _SENDING = Lock()
 _LOCAL = {"parent", "_above", "_relatives", "_memo", "_token"}
 
 
+@guided
 class Frame:
     """A frame of reference. ``Frame("ground")`` is the root of a tree; :meth:`rotate` and
     :meth:`translate` add frames to it.
@@ -123,13 +125,14 @@ class Frame:
 
     # -- making frames, points and vectors
 
+    @guided
     def rotate(
         self,
         name: str,
         axis: str | Vector | Sequence[Scalar],
         angle: Scalar = 0,
-        rate: Scalar = None,
-        acceleration: Scalar = None,
+        rate: Scalar = DERIVED,
+        acceleration: Scalar = DERIVED,
         origin: "Point | None" = None,
     ) -> "Frame":
         """A new frame turned from this one about ``axis``, right-handed.
@@ -148,6 +151,7 @@ class Frame:
             unit = self._unit_axis(axis, angle)
         return Frame(name, self, unit, angle, self._place(origin))
 
+    @guided
     def translate(self, name: str, origin: "Point") -> "Frame":
         """A new frame with its origin at a Point of this one, and axes that stay parallel.
 
@@ -158,12 +162,14 @@ class Frame:
         """
         return Frame(name, self, origin=self._place(origin))
 
+    @guided
     def point(self, name: str, x: Scalar, y: Scalar, z: Scalar) -> "Point":
         """The point at (x, y, z) from the origin; fixed in the frame unless they are moving."""
         if not isinstance(name, str):
             raise FrameError(f"a point has a name, as point('P', 1.0, 0, 0); got {clipped(name)}")
         return Point(name, self, _same_shape(map(moving, (x, y, z)), f"the coordinates of {name}"))
 
+    @guided
     def vector(self, x: Scalar, y: Scalar, z: Scalar) -> Vector:
         """The vector with these components; fixed in the frame unless they are :func:`moving`."""
         return _moving_vector(_same_shape(map(moving, (x, y, z)), "the components"), self)
@@ -449,7 +455,7 @@ class Point:
         """
         via = self._checked(observer, via, "velocity")
         if observer is self.frame and via is observer:
-            return _moving_vector(self.x, observer, 1)
+            return _moving_vector(self.x, observer, 1, _VELOCITY)
         if via is observer:
             return self.velocity(observer).expressed_in(observer)
         r = self._from(via)
@@ -481,7 +487,7 @@ class Point:
         """
         via = self._checked(observer, via, "acceleration")
         if observer is self.frame and via is observer:
-            return _moving_vector(self.x, observer, 2)
+            return _moving_vector(self.x, observer, 2, _ACCELERATION)
         if via is observer:
             return self.acceleration(observer).expressed_in(observer)
         omega, r = via._omega(observer), self._from(via)
@@ -553,7 +559,11 @@ def _origin_acceleration(via, observer):
     return Vector(sub3(sub3(turned, coriolis), origin), seat)
 
 
-def _moving_vector(x, frame, order=0):
+# of what is seen from a point's own frame, which is no sum
+_VELOCITY, _ACCELERATION = Ledger("velocity", "", None), Ledger("acceleration", "", None)
+
+
+def _moving_vector(x, frame, order=0, kind=None):
     """The vector whose components are the coordinates ``x``, or their rates of an order."""
 
     def own_rate():
@@ -564,7 +574,7 @@ def _moving_vector(x, frame, order=0):
         return _moving_vector(x, frame, order + 1)
 
     name = ("value", "rate", "acceleration")[order]
-    return Vector(_triple(getattr(v, name) for v in x), frame, own_rate)
+    return Vector(_triple(getattr(v, name) for v in x), frame, own_rate, kind)
 
 
 def _triple(values):

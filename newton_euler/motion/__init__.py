@@ -1,5 +1,6 @@
 """Models and the integration of their motion."""
 
+from ..algebra.names import guide as _guide
 from .events import Event
 from .integration import integrate, prepare
 from .methods.table import METHODS
@@ -14,3 +15,5 @@ from .solution import (
     StickingError,
     UnfitError,
 )
+
+_guide(__name__)

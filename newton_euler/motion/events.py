@@ -9,6 +9,7 @@ from math import nan
 from numbers import Real
 
 from ..algebra.errors import raised_by_the_engine
+from ..algebra.names import guided
 from ..algebra.portable import Portable
 from .chebyshev import EPS, root
 from .methods.base import Stepper
@@ -23,6 +24,7 @@ class EventError(ModelError):
     """Raised for an event whose function cannot be used with any method of integration."""
 
 
+@guided
 @dataclass(frozen=True)
 class Event(Portable):
     """A zero of ``function(s, p, t)`` to be located during a motion: impact, loss of contact, end

@@ -11,6 +11,7 @@ which leaves to a run each motion that is not accurate at once. A run makes traj
 from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
 
+from ..algebra.names import guided
 from .arguments import check_options, event_tuple, sample_request, start_state, time_span
 from .batch import Motions, integrate_many
 from .events import Event
@@ -21,6 +22,7 @@ from .run import Run, fast_run, usable
 from .solution import Motion
 
 
+@guided
 def integrate(
     model: Model,
     t: float | Sequence[float],
@@ -87,6 +89,7 @@ def integrate(
     return run.by_name(method)
 
 
+@guided
 def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
     """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0 as a
     tuple: one model for many runs, as under a slider.

@@ -19,6 +19,7 @@ from warnings import warn
 
 from ..algebra.compile import compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked, raised_by_the_engine
+from ..algebra.names import guided
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
@@ -93,6 +94,7 @@ class Neglected(Portable):
     of: str
 
 
+@guided
 @dataclass(frozen=True, eq=False)
 class Model(Portable):
     """The equations of motion of a scene: ``s' = rhs(s, p, t)``.
@@ -533,6 +535,7 @@ def real_numbers(x, what):
         raise ModelError(f"{what}; got {clipped(x)}{unit_advice(x)}") from error
 
 
+@guided
 def second_order(
     name: str, parameters: Mapping, coordinates: Sequence[str], accelerations: Callable, **more: Any
 ) -> Model:

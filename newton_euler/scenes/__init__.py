@@ -10,6 +10,7 @@
 from functools import cache
 from importlib import import_module
 
+from ..algebra.names import unknown as _unknown
 from ..motion.model import ModelError
 from . import catalogue
 from .ladders import Ladder, Rung, smallest
@@ -31,7 +32,7 @@ def _table(name):
 
 def __getattr__(name):
     if name not in ("SCENES", "LADDERS"):
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        _unknown(__name__, name)
     return _table(name)
 
 

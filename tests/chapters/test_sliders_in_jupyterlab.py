@@ -79,6 +79,23 @@ def quiet(page):
     return found
 
 
+def test_a_screen_reader_hears_the_name_and_the_value_of_every_slider(page):
+    from selenium.webdriver import Keys
+
+    said = """return [...document.querySelectorAll('[role=slider]')].map(h => [
+        h.getAttribute('aria-label'), h.getAttribute('aria-valuetext'),
+        h.closest('.newton-euler-slider').querySelector('.newton-euler-value').textContent])"""
+
+    def told():
+        found = page.driver.execute_script(said)
+        return found and all(f"{name} = {value}" == shown for name, value, shown in found)
+
+    page.wait(told, "names and values")
+    before = page.driver.execute_script(said)
+    page.all(".noUi-handle", 0)[0].send_keys(Keys.ARROW_RIGHT)
+    page.wait(lambda: page.driver.execute_script(said)[0] != before[0] and told(), "the next one")
+
+
 each_figure = pytest.mark.parametrize("n", range(len(FIGURES)), ids=list(FIGURES))
 
 

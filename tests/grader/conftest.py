@@ -159,4 +159,4 @@ def quick_courses(request, monkeypatch):
 
         request.getfixturevalue("one_harvester_for_all")
         monkeypatch.setattr(personal, "_draw", request.getfixturevalue("drawn_once"))
-        monkeypatch.setattr(personal, "ProcessPoolExecutor", _Here)
+        monkeypatch.setattr(personal, "process_pool", _Here)

@@ -313,7 +313,7 @@ def test_a_vector_is_equal_to_itself_there_and_back():
         assert v == back
         assert v != 1.00001 * back
         assert 2 * v != v
-    nan = ground.vector(float("nan"), 0, 0)
+    nan = 0.0 * ground.vector(float("inf"), 0, 0)
     assert nan != nan
     assert ground.vector(np.ones(2), 0, 0) != ground.vector(np.ones(3), 0, 0)
     # one instant that is small does not hide behind one that is large

@@ -70,13 +70,15 @@ class Practice:
     def table(self) -> Message:
         """What was tried of each problem and how well each section is known."""
         wide = max(len(title) for title, _ in self._file.titles.values())
-        text = [f"{'':6} {'':{wide}} {'section':8}" + "".join(f" {c:>11}" for c in COUNTS)]
+        heads = f"{'problem':8} {'title':{wide}}  {'section':8}"
+        text = [heads + "".join(f"  {c:>11}" for c in COUNTS)]
         rows = [f"| problem | title | section | {' | '.join(COUNTS)} |", f"|{' --- |' * 7}"]
         for p in self:
             title, section = self._file.titles[p]
             counts = self._progress.counts(p)
             cells = [str(counts[c] or "") for c in COUNTS]
-            text.append(f"{p:6} {title:{wide}} {section:8}" + "".join(f" {x:>11}" for x in cells))
+            row = f"{p:8} {title:{wide}}  {section:8}"
+            text.append(row + "".join(f"  {x:>11}" for x in cells))
             rows.append(f"| {p} | {title} | {section} | {' | '.join(cells)} |")
         notes = [f"section {s or '-'}: {words}" for s, words in self.mastery.items()]
         notes += [self._progress.note] if self._progress.note else []

@@ -7,6 +7,7 @@ from typing import Any
 
 from ...answers.forms import AnswerError, Form
 from .typed import typed
+from .ways import PRESSED
 
 INSTALL = (
     "p.form() needs ipywidgets: pip install ipywidgets; without it, p.check(...), "
@@ -46,7 +47,7 @@ class _Panel:
                  self._row(("Check step", self._check_step, "Check one step"))]  # fmt: skip
         rows = [self.top, *self.answers.values(), buttons, *(steps if p.steps else ()), self.below]
         self.box = widgets.VBox(rows)
-        self._show_problem()
+        self._pressed(self._show_problem)
 
     def _forms(self, texts):
         return [(key, Form.read(text)) for key, text in texts.items()]
@@ -65,8 +66,12 @@ class _Panel:
     def _button(self, text, action, tip):
         wide = self.widgets.Layout(width="auto", flex="0 0 auto")
         made = self.widgets.Button(description=text, tooltip=tip, layout=wide)
-        made.on_click(lambda _: action())
+        made.on_click(lambda _: self._pressed(action))
         return made
+
+    def _pressed(self, action):
+        with self.p.spoken_of(PRESSED):
+            action()
 
     def _expect(self, _=None):
         # never in the field of the value: a change there loses what is being typed

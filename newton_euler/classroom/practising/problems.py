@@ -1,12 +1,15 @@
 """A problem to practise: its numbers, checks of answers and steps, hints, and the solution."""
 
+import contextlib
 import math
 import textwrap
 from base64 import b64encode
+from collections.abc import Iterator
 from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from ...algebra.names import did_you_mean
 from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
 from ...answers.forms import AnswerError
@@ -19,6 +22,7 @@ from ...answers.verdicts import explain, judge, value_line
 from .files import HELP, PracticeFile
 from .numbers import KeptNumbers, Quantity
 from .progress import Progress
+from .ways import Ways
 
 WIDTH = 80  # of lines in a terminal
 
@@ -63,6 +67,7 @@ class PracticeProblem:
         self._page = file.page(problem)
         self.help: str = self._page.get("help", file.help)  # the most that is shown
         self.id: str = problem
+        self._ways = Ways()
         self._all = [Quantity.read(q) for q in self._page["quantities"]]
         self._take(0)
 
@@ -78,6 +83,7 @@ class PracticeProblem:
         self._found: dict[str, Any] = {}
         self._trees: dict[str, Any] = {}
         self._passed: set[str] = set()
+        self._shown: dict[str, int] = {}  # how much help was asked for, by quantity
 
     # -- the problem
 
@@ -136,7 +142,8 @@ class PracticeProblem:
         return "\n".join([*lines, "", self._count()])
 
     def _count(self):
-        return f"Numbers {self.number + 1} of {len(self._page['variants'])}; p.new() takes others."
+        count = f"Numbers {self.number + 1} of {len(self._page['variants'])}"
+        return f"{count}; {self._ways.new} takes others."
 
     def _repr_markdown_(self) -> str:
         head, _, rest = self._variant["statement"].partition("\n")
@@ -163,17 +170,26 @@ class PracticeProblem:
 
         return show_form(self)
 
+    @contextlib.contextmanager
+    def spoken_of(self, ways: Ways) -> Iterator[None]:
+        """A context in which hints and errors name these ways."""
+        before, self._ways = self._ways, ways
+        try:
+            yield
+        finally:
+            self._ways = before
+
     # -- checks
 
     def check(self, **answers: object) -> Checked:
         """Whether answers are right, and what explains a wrong one: ``p.check(v_D=[1, 2, 0])``."""
-        return self._check(answers, self.answers, "answer", "p.check_step")
+        return self._check(answers, self.answers, "answer", self._ways.step)
 
     def check_step(self, **steps: object) -> Checked:
         """The same for any of ``p.steps``. The message says so where one follows rightly from a
         wrong one.
         """
-        return self._check(steps, self.steps, "step", "p.check")
+        return self._check(steps, self.steps, "step", self._ways.answer)
 
     def _check(self, given, names, what, other):
         if not names:
@@ -182,9 +198,10 @@ class PracticeProblem:
             raise AnswerError(f"write a value for {_A[what]}: {', '.join(names)}")
         for key in given:
             if key not in names:
-                hint = f"; {key} is checked by {other}" if key in self._asked else ""
+                hint = f". {key} is checked {other.format(key)}" if key in self._asked else ""
                 raise AnswerError(
-                    f"{self.id} has no {what} {key!r}; it has {', '.join(names)}{hint}"
+                    f"{self.id} has no {what} {key!r}; it has {', '.join(names)}"
+                    f"{hint or did_you_mean(key, names)}"
                 )
         forms = {key: self._asked[key].form for key in given}
         trees, faults = record(forms, {}, given)
@@ -250,11 +267,10 @@ class PracticeProblem:
         waiting = [q for q in self._asked.values() if q.key not in self._passed
                    and getattr(self._found.get(q.key), "verdict", "") != "right"]  # fmt: skip
         if not waiting:
-            return _plain("nothing is left to find; p.new() takes other numbers")
+            return _plain(f"nothing is left to find; {self._ways.new} takes other numbers")
         q = waiting[0]
-        level = self._progress.entry(self.id, self.number, q.key)["help"] + 1
         most = 3 if self.help == HELP[2] else 2
-        level = min(level, most)
+        level = self._shown[q.key] = min(self._shown.get(q.key, 0) + 1, most)
         self._progress.helped(self.id, self.number, q.key, level)
         if level == 3:
             self._passed.add(q.key)
@@ -262,10 +278,10 @@ class PracticeProblem:
 
     def _hint(self, q, level, typeset):
         name = f"`{q.key}`" if typeset else q.key
-        how = "p.check_step" if q.step else "p.check"
+        how = (self._ways.step if q.step else self._ways.answer).format(q.key)
         where = f" Section {q.section}." if q.section else ""
         means = (q.means if typeset else q.plain).rstrip(".")
-        lines = [f"Find {name} ({_stated(q.form)}): {means}.{where} Try it by {how}({q.key}=...)."]
+        lines = [f"Find {name} ({_stated(q.form)}): {means}.{where} Try it {how}."]
         if level >= 2:
             lines += self._how(q, typeset)
         if level >= 3:

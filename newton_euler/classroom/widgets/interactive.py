@@ -12,6 +12,34 @@ from .stage import Stage, in_words
 
 MOST_SAMPLES = 90
 
+ROW, VALUE = "newton-euler-slider", "newton-euler-value"  # classes in the page
+# the handles of ipywidgets have no name for a screen reader, and their values no unit: both are in
+# the label beside, "φ = 30°"
+NAMED = f"""
+if (!window.newtonEulerSliders) {{
+  const set = (handle, name, text) =>
+    handle.getAttribute(name) === text || handle.setAttribute(name, text);
+  const describe = () => {{
+    for (const row of document.querySelectorAll('.{ROW}')) {{
+      const handle = row.querySelector('[role=slider]'), label = row.querySelector('.{VALUE}');
+      if (!handle || !label) continue;
+      const [name, value] = label.textContent.split(' = ');
+      set(handle, 'aria-label', name);
+      set(handle, 'aria-valuetext', value);
+    }}
+  }};
+  let asked = false;
+  const soon = () => {{
+    if (!asked) requestAnimationFrame(() => {{ asked = false; describe(); }});
+    asked = true;
+  }};
+  window.newtonEulerSliders = new MutationObserver(soon);
+  window.newtonEulerSliders.observe(document.body, {{
+    subtree: true, childList: true, attributes: true, attributeFilter: ['aria-valuetext'],
+  }});
+}}
+"""
+
 
 @checked_but("alt", "size", "panels", "title")
 def interactive_figure(
@@ -80,7 +108,7 @@ def _show_sliders(sliders, values, redraw):
         from ipywidgets import VBox
     except ImportError:
         return
-    from IPython.display import display
+    from IPython.display import Javascript, display
 
     values = dict(values)
 
@@ -88,6 +116,7 @@ def _show_sliders(sliders, values, redraw):
         values[name] = x
         redraw(dict(values))
 
+    display(Javascript(NAMED))
     display(VBox([_row(slider, moved) for slider in sliders]))
 
 
@@ -107,4 +136,5 @@ def _row(slider, moved):
         moved(slider.name, x)
 
     box.observe(on_change, "value")
-    return HBox([box, text])
+    text.add_class(VALUE)
+    return HBox([box, text]).add_class(ROW)

@@ -52,5 +52,5 @@ def test_what_a_course_has_comes_first_and_as_the_instructor_changed_it(tmp_path
     asked = as_asked(problem("4/3"), first.options)
     assert [(a.weight, a.rtol) for a in asked.answers] == [(3, 0.02), (1.0, 0.02)]
     assert ids(chosen("hw3", ["4/1"], course=course)) == ["4/1"]
-    with pytest.raises(CourseError, match=r"there is no hw4 in .*: it has hw3\. Build it"):
+    with pytest.raises(CourseError, match="has no assignment hw4; it has hw3"):
         chosen("hw4", course=course)

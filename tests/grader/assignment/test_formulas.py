@@ -6,6 +6,7 @@ import sympy
 from exercises.catalogue import problem
 from grader.assignment.derivations import derivations
 from grader.assignment.formulas import numerals, written
+from grader.assignment.lines import lines
 from grader.assignment.tidy import simplest
 
 a, b = sympy.symbols("a b", real=True)
@@ -71,3 +72,39 @@ def test_bars_stand_only_where_they_change_the_number(angle, has_bars):
     p = problem("3/11")
     formula = derivations(p, {**p.book_values, "angle": angle})["a_n"].formulas[0]
     assert formula.has(sympy.Abs) == has_bars
+
+
+def test_bars_around_what_is_negative_for_everyone_turn_its_sign():
+    p = problem("2/9")
+    assert str(derivations(p, p.book_values)["a_n"].formulas[0]) == "g*(1 - n)"
+
+
+def shown(name, key):
+    p = problem(name)
+    return [str(f) for f in derivations(p, p.book_values)[key].formulas]
+
+
+@pytest.mark.parametrize(("name", "key", "formulas"), [
+    ("A/16", "z", ["-known_PQ/p_3"]),  # one equation with one unknown is solved
+    ("6/17", "rho_C", ["v_C**2/g"]),  # also where the unknown is no quantity of the problem
+    ("2/30", "v_rel", ["0", "-v_A_y + v_B_y - v_rotation_y", "0"]),  # not -2 v_A, as v_B = -v_A
+    ("4/4", "a_P_coriolis", ["0", "2*n*v_r_x", "0"]),  # not v_P_x, which is equal
+    ("3/12", "v_theta", ["a*omega"]),  # a step that converts a given is used after it
+    ("2/11", "rho_top", ["v_top**2/g"]),  # an earlier quantity within a product
+    ("7/6", "I_xy", ["0"]),  # no round-off
+    ("2/5", "h", ["g*t_near**2/2 - t_near*v_0*cos(phi)", "g*t_far**2/2 - t_far*v_0*cos(phi)"]),
+])  # fmt: skip
+def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):
+    assert shown(name, key) == formulas
+
+
+def test_of_bodies_that_are_partly_equal_each_has_its_own_names():
+    used = " ".join(shown("7/9", "I_wall"))
+    assert "d_wall_y" in used
+    assert "d_base" not in used
+
+
+def test_a_step_stands_after_the_answer_that_it_is_found_from():
+    p = problem("A/16")
+    keys = [line.step.key for line in lines(p, p.book_values)]
+    assert keys.index("y") < keys.index("known_PR") < keys.index("x")

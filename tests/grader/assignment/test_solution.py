@@ -7,6 +7,7 @@ import pytest
 
 from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw, flat
+from grader.assignment.derivations import component
 from grader.assignment.lines import TOO_LONG, lines
 from grader.assignment.notebook import typeset
 from grader.assignment.solution import worked_solution
@@ -37,9 +38,35 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
         assert len(re.findall(r"\\left\b", formula)) == len(re.findall(r"\\right\b", formula))
     assert text.count("$") % 2 == 0
     own = text.partition("*Solution*")[2]
-    cited = {int(n) for n in re.findall(r"By equation \((\d+)\.", own)}
+    cited = {int(n) for n in re.findall(r"(?:By equation|section [\d.]+,) \((\d+)\.", own)}
     assert not cited or max(cited) <= int(p.id.partition("/")[0].replace("A", "1"))
     assert all(len(digits(x)) <= 6 for x in re.findall(r"\d*\.\d+", own)), own
+    before, above, _ = own.partition("from the equations above")
+    assert not above or re.search(r"[Ff]rom \$", before), "equations are solved that are not shown"
+    words = re.sub(r"\$[^$]*\$", "§", own)
+    assert re.findall(rf"§['/^]|[/^]§|§ [-+=<>x/] |\) x \b|{DOT}|{PRIME}", words) == []
+    for symbol, equal in re.findall(r"\$([^$=]*) = [^$]*\$ \$= ([^$]*)\$", own):
+        assert symbol != equal, own
+
+
+DOT, PRIME = r"\b[A-Z] \. [A-Z§]", r"\b[a-z]'+(?![a-z])"
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_no_two_numbers_have_one_name(p):
+    """As a given v_x along i beside the component v_x of a vector v in other axes."""
+    values = {**draw(p, b"one"), **p.sympy_symbols()}
+    known = {name: to_plain(values[name]) for name in p.givens}
+    for line in lines(p, values, formulas=False):
+        s = line.step
+        parts = [] if isinstance(s.value, str) or callable(s.value) else list(flat(s.value))
+        for n, x in enumerate(map(to_plain, parts)):
+            name = component(s.key, n, len(parts))
+            stated = p.units.get(name, s.unit)
+            factor = unit(stated).from_base(unit(s.unit).to_base(1.0, p.system), p.system)
+            if name in known and is_numeric(x) and is_numeric(known[name]):
+                assert factor * float(x) == pytest.approx(float(known[name])), name
+            known[name] = factor * x if is_numeric(x) else x
 
 
 def digits(number):

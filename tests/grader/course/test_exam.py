@@ -7,10 +7,12 @@ import pytest
 from sympy import symbols
 
 from exercises.catalogue import problem
+from grader.assignment import numbers
 from grader.assignment.numbers import keep_numbers, kept_numbers
 from grader.course import Course, CourseError
 from grader.course.creation import new_course
 from grader.course.exam import LateError, Window, is_exam, refuse_before_opening, set_exam
+from grader.practice.twins import sets_of_numbers
 from newton_euler.classroom import expect, receipt
 from tests.grader.courses import command, nbgrader, points, ran, read, total
 from tests.grader.submissions import work
@@ -56,7 +58,19 @@ def test_a_receipt_of_an_exam_doubts_nothing():
     assert "look again" not in repr(receipt("0/51", v=-1.0, n=2 * L))
 
 
-def test_its_numbers_are_on_no_other_sheet_and_need_a_secret_of_their_own(tmp_path):
+class Given:
+    """In place of the numbers that are drawn: those that are practised, and then others."""
+
+    def __init__(self, practised):
+        self.left, self.asked = [dict(x) for x in practised], 0
+
+    def __call__(self, assignment, student, problems):
+        self.asked += 1
+        values = self.left.pop() if self.left else problems[0].book_values | {"b": 5.5}
+        return {problems[0].id: values}
+
+
+def test_its_numbers_are_on_no_other_sheet_and_need_a_secret_of_their_own(tmp_path, monkeypatch):
     p = problem("4/16")
     with new_course(tmp_path / "mechanics") as course:
         as_homework = course.values("midterm", "ada", [p])
@@ -71,6 +85,13 @@ def test_its_numbers_are_on_no_other_sheet_and_need_a_secret_of_their_own(tmp_pa
         assert kept_numbers(course, "midterm", "ada", [p]) == second  # once handed out they stay
         (course.path / "numbers/midterm/ada.json").unlink()
         assert kept_numbers(course, "midterm", "ada", [p]) not in (drawn, second)
+        monkeypatch.setattr(numbers, "_taken", lambda folders: {})
+        practised = {tuple(sorted(x.items())) for x in sets_of_numbers(p, 10)}
+        monkeypatch.setattr(type(course), "values", given := Given(practised))
+        (course.path / "numbers/midterm/ada.json").unlink()
+        (last,) = kept_numbers(course, "midterm", "ada", [p]).values()
+        assert tuple(sorted(last.items())) not in practised
+        assert given.asked == len(practised) + 1
         with pytest.raises(CourseError, match="was handed out as homework"):
             set_exam(course, "hw1", None)
 

@@ -56,8 +56,8 @@ class Cluster:
         with Client(scheduler_file=str(self.file), set_as_default=False) as client:
             return ask(client)
 
-    def add_workers(self, count, **more):
-        start = len(self.workers)
+    def add_workers(self, count, living=None, **more):
+        start = len(self.workers) if living is None else living
         self.workers += [
             dask("worker", "--scheduler-file", self.file, "--nthreads", 1, "--no-nanny", **more)
             for _ in range(count)
@@ -189,3 +189,47 @@ def test_a_worker_that_sees_another_course_is_refused(fresh, two_workers, monkey
     monkeypatch.setattr(Course, "secret", b"another secret" * 3)
     with pytest.raises(CourseError, match=r"cannot grade: .* is not the course's folder there"):
         grade(Course(fresh.path), "ch04", scheduler=two_workers.address)
+
+
+def dying(cluster, count, monkeypatch):
+    """The next run's first check kills the first ``count`` of these workers."""
+    from grader.grading import cluster as grading
+
+    victims = [worker.pid for worker in cluster.workers[:count]]
+
+    def examine(shared):
+        if os.getpid() in victims:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return original(shared)
+
+    original = grading._examine
+    monkeypatch.setattr(grading, "_examine", examine)
+
+
+def test_a_worker_that_dies_in_its_first_check_does_not_stop_the_others(
+    fresh, tmp_path, course, monkeypatch
+):
+    cluster, said = Cluster(tmp_path), []
+    try:
+        cluster.add_workers(2)
+        dying(cluster, 1, monkeypatch)
+        results = grade(fresh, "ch04", scheduler=cluster.address, report=said.append)
+        assert not [r.problem for r in results if r.problem]
+        assert gradebook_rows(fresh) == gradebook_rows(course)
+        died = "it died in its first check, and the others do its work"
+        assert sorted(line.split(": ")[1] for line in said) == ["1 at a time, namespaces", died]
+
+        dying(cluster, 2, monkeypatch)
+        with pytest.raises(CourseError, match="every worker of the cluster died in its first che"):
+            grade(fresh, "ch04", scheduler=cluster.address)
+
+        monkeypatch.undo()
+        cluster.add_workers(1, living=0)
+        kill = [lambda _: os.kill(cluster.workers[-1].pid, signal.SIGKILL)]
+        with pytest.raises(CourseError, match=r"all workers of the cluster have died; .* are kept"):
+            grade(
+                fresh, "ch04", scheduler=cluster.address, force=True,
+                progress=lambda r: kill and kill.pop()(r),
+            )  # fmt: skip
+    finally:
+        cluster.end()

@@ -1,10 +1,15 @@
-"""Runs that are killed, and two at once: the gradebook is right after the next one."""
+"""Runs that are killed or stopped by Ctrl-C, and two at once: the gradebook is right after the next
+one, which goes on where the last one stopped.
+"""
 
+import os
 import random
+import re
 import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -13,10 +18,40 @@ from grader.grading import grade
 from grader.grading.lock import alone
 from tests.grader.courses import command, environment, forget, gradebook_rows, nbgrader, ran
 
+GRADER = (sys.executable, "-m", "grader")
 ROUTES = {
-    "grade": (sys.executable, "-m", "grader", "grade", "ch04", "--course", "."),
+    "grade": (*GRADER, "grade", "ch04", "--course", "."),
     "nbgrader autograde": ("nbgrader", "autograde", "ch04"),
 }
+
+
+def started(course, *arguments, output=subprocess.DEVNULL):
+    """The process of a command line, in a group of its own as in a terminal."""
+    return subprocess.Popen(
+        arguments, cwd=course.path, env=environment(), stdout=output, stderr=subprocess.STDOUT,
+        text=True, process_group=0,
+    )  # fmt: skip
+
+
+def wait_until(reached):
+    """Until the process is in the midst of it, not in the imports."""
+    until = time.monotonic() + 60
+    while not reached() and time.monotonic() < until:
+        time.sleep(0.01)
+
+
+def wait_for(course, pattern, count=1):
+    """Until so many such files of the course are there."""
+    wait_until(lambda: len(list(course.path.glob(pattern))) >= count)
+
+
+def stopped(process):
+    """What a process says when Ctrl-C reaches it and all that it has started, as in a terminal."""
+    os.killpg(process.pid, signal.SIGINT)
+    out, _ = process.communicate(timeout=60)
+    assert process.returncode == 130, out
+    assert "Traceback" not in out
+    return " ".join(out.split())
 
 
 @pytest.mark.parametrize("route", ROUTES)
@@ -25,14 +60,9 @@ ROUTES = {
 )
 def test_a_killed_run_is_completed_by_the_next(fresh, course, route, moment):
     forget(fresh)
-    process = subprocess.Popen(
-        ROUTES[route], cwd=fresh.path, env=environment(), stdout=-3, stderr=-3
-    )
+    process = started(fresh, *ROUTES[route])
     rng = random.Random(f"{route} {moment}")
-    until = time.monotonic() + 30
-    graded = fresh.path / "autograded"
-    while not list(graded.glob("*/ch04/*.ipynb")) and time.monotonic() < until:
-        time.sleep(0.02)  # in the midst of it, not in the imports
+    wait_for(fresh, "autograded/*/ch04/*.ipynb")
     time.sleep(rng.uniform(0, 0.5))
     process.send_signal(signal.SIGKILL)
     process.wait()
@@ -41,6 +71,66 @@ def test_a_killed_run_is_completed_by_the_next(fresh, course, route, moment):
     else:
         ran(nbgrader("autograde", "ch04", cwd=fresh.path))
     assert gradebook_rows(fresh) == gradebook_rows(course)
+
+
+def test_ctrl_c_says_how_far_the_grading_came_and_the_next_run_goes_on(fresh, course):
+    forget(fresh)
+    before = gradebook_rows(fresh)
+    process = started(fresh, *ROUTES["grade"], "--workers", "1", output=subprocess.PIPE)
+    wait_for(fresh, "scores/ch04/*.json", 2)
+    said = stopped(process)
+    far = re.search(
+        r"Stopped by Ctrl-C. grading: (\d) of 6. These are kept; the next run goes", said
+    )
+    assert far, said
+    assert gradebook_rows(fresh) == before
+    assert not list(fresh.path.rglob("*.partial"))
+    results = grade(fresh, "ch04")
+    assert int(far[1]) <= sum(r.unchanged for r in results) < 6
+    assert gradebook_rows(fresh) == gradebook_rows(course)
+
+
+@pytest.mark.integration
+def test_ctrl_c_in_a_build_leaves_nothing_and_in_feedback_what_is_done(fresh, tmp_path):
+    new = tmp_path / "new"
+    build = started(fresh, *GRADER, "build", "ch04", "--course", str(new), output=subprocess.PIPE)
+    wait_until(lambda: "_backend_agg" in Path(f"/proc/{build.pid}/maps").read_text())
+    time.sleep(0.5)
+    assert "Stopped by Ctrl-C. drawing figures: " in stopped(build)
+    assert not new.exists()
+
+    grade(fresh, "ch04")
+    route = ("nbgrader", "generate_feedback", "ch04")
+    process = started(fresh, *route, output=subprocess.PIPE)
+    wait_for(fresh, "feedback/*/ch04/*.html", 2)
+    said = stopped(process)
+    far = int(re.search(r"Stopped by Ctrl-C: (\d) of 6 are done and kept; the same comm", said)[1])
+    done = list(fresh.path.glob("feedback/*/ch04/*.html"))
+    assert 1 <= far <= len(done) < 6
+    times = {path: path.stat().st_mtime_ns for path in done}
+    ran(nbgrader("generate_feedback", "ch04", cwd=fresh.path))
+    assert len(list(fresh.path.glob("feedback/*/ch04/*.html"))) == 6
+    assert {path: path.stat().st_mtime_ns for path in done} == times
+
+
+@pytest.mark.integration
+def test_ctrl_c_in_a_release_releases_nothing_and_the_next_one_all(ungraded):
+    outbound = "exchange/*/outbound"
+    for path in ungraded.path.glob(f"{outbound}/*"):
+        path.rename(ungraded.path / path.name)
+    for path in ungraded.path.glob("personal/*/*/*.ipynb"):
+        path.unlink()
+    route = ("nbgrader", "release_assignment", "ch04")
+    process = started(ungraded, *route, output=subprocess.PIPE)
+    for line in process.stdout:
+        if "personal copies" in line:
+            time.sleep(0.2)
+            break
+    assert "Stopped by Ctrl-C: nothing is released; the same command" in stopped(process)
+    assert not list(ungraded.path.glob(f"{outbound}/ch04"))
+    ran(nbgrader("release_assignment", "ch04", cwd=ungraded.path))
+    assert list(ungraded.path.glob(f"{outbound}/ch04/ch04.ipynb"))
+    assert len(list(ungraded.path.glob("personal/ch04/*/*.ipynb"))) == 6
 
 
 def test_a_second_grader_at_the_same_time_is_reported(fresh):

@@ -11,6 +11,7 @@ from grader.grading import grade
 from grader.nbgrader_hooks.feedback_page import Sections, sanitized
 from tests.grader.courses import nbgrader, ran, read, submit
 from tests.grader.submissions import work
+from tests.jupyterlab import chromium
 
 VOID = {"meta", "img", "br", "hr", "link", "input"}
 
@@ -163,3 +164,23 @@ def test_questions_of_the_instructors_own_have_sections_and_no_test_is_shown():
     assert sections["test_sort"].points == 1
     assert "the key" not in str(sections)
     assert sections["draw"].score is None
+
+
+WIDE = (
+    "<section><p>$y$ <math><mrow>" + "<mi>x</mi><mo>+</mo>" * 60 + "</mrow></math></p>"
+    "<p>" + "long" * 60 + "</p><pre>" + "code " * 60 + "</pre><code>" + "x_" * 80 + "</code>"
+    "<table><tbody><tr><th>a</th><td><math><mrow>" + "<mn>12.345</mn><mo>,</mo>" * 20 + "</mrow>"
+    "</math></td><td>0 / 1</td><td>" + "word " * 30 + "</td></tr></tbody></table>"
+    "<div><table><tbody><tr>" + "<td>cell</td>" * 30 + "</tr></tbody></table></div></section>"
+)
+
+
+def test_a_phone_shows_the_page_without_scrolling_sideways(course, tmp_path):
+    text = (course.path / "feedback/ben/ch04/ch04.html").read_text()
+    (tmp_path / "page.html").write_text(text.replace("</main>", f"{WIDE}</main>"))
+    with chromium(tmp_path / "profile") as driver:
+        phone = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", phone)
+        driver.get((tmp_path / "page.html").as_uri())
+        driver.execute_script("document.querySelectorAll('details').forEach(d => d.open = true)")
+        assert driver.execute_script("return document.documentElement.scrollWidth") == 390

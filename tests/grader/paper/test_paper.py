@@ -11,7 +11,7 @@ import pytest
 from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw
 from grader.assignment.spec import spec_of
-from grader.paper import PaperError, write_papers
+from grader.paper import PaperError, write, write_papers
 from grader.paper.markup import formula, typst
 from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
 from grader.paper.write import NEEDED, pdf
@@ -122,6 +122,14 @@ def test_a_class_without_a_course_has_a_secret_of_its_own(tmp_path):
     assert other.sheets[0].read_bytes() != first.sheets[0].read_bytes()
     with pytest.raises(PaperError, match="--key-for bob: no such student"):
         write_papers(tmp_path / "a", spec, class_, key_for=["bob"], workers=1)
+
+
+def test_without_typst_it_says_what_to_install(monkeypatch):
+    monkeypatch.setattr(write, "NEEDED", ("typst", "no_such_wheel"))
+    with pytest.raises(
+        PaperError, match=r"no_such_wheel, not installed here: pip install -e '\.\[paper\]'"
+    ):
+        write.require_typst()
 
 
 def test_a_code_is_of_the_numbers_and_the_secret():

@@ -59,6 +59,43 @@ def test_hints_steps_solution_and_new_numbers_have_buttons(form):
     assert field(form, "its value").value == ""
 
 
+def test_the_form_speaks_of_its_own_buttons(form, capsys):
+    p, form = form
+    for text in ("[0, 0, 0]", ""):
+        field(form, "alpha_CD").value = text
+        press(form, "Next step")
+    field(form, "step").value = "alpha_CD"
+    field(form, "its value").value = "1"
+    press(form, "Check step")
+    p.solution()
+    press(form, "Next step")
+    press(form, "New numbers")
+    said = unescape(capsys.readouterr().out)
+    assert "Try it in the field of steps, as omega_CD with its value, by Check step." in said
+    assert "alpha_CD is checked in the field alpha_CD above, by Check" in said
+    assert "nothing is left to find; New numbers takes other numbers" in said
+    assert "p.check" not in said
+    assert "p.new" not in said
+    assert "p.new() takes others" in repr(p)  # who types is told what to type
+
+
+def test_help_begins_anew_with_each_problem_and_the_table_keeps_that_there_was_some(
+    practice_file, tmp_path
+):
+    for again in range(2):
+        p = practice(practice_file, progress=tmp_path / "kept.json")["4/16"]
+        assert "It is" not in p.next_step().text
+        assert "It is found by equation" in p.next_step().text
+        p.new()
+        assert "It is" not in p.next_step().text, again
+    table = practice(practice_file, progress=tmp_path / "kept.json").table.text.splitlines()
+    assert table[0].split("  ")[0] == "problem"
+    row = next(line for line in table if line.startswith("4/16"))
+    assert row.split()[-1] == "2"
+    heads = [h for h in table[0].split("  ") if h.strip()]
+    assert len(heads) == 7
+
+
 def test_a_step_that_there_is_not_is_said_with_those_that_there_are(form, capsys):
     _, form = form
     field(form, "step").value = "omega"
@@ -73,9 +110,11 @@ def test_a_word_is_typed_and_the_words_are_offered(practice_file):
     form = list(parts(p.form()))
     heading = field(form, "heading")
     assert heading.options == ("away", "toward", "across")
-    heading.value = "away"
-    press(form, "Check")
-    assert p._found["heading"].verdict == "right"
+    for text in ("away", " Away ", "AWAY", "'Away'"):
+        p.forget()
+        heading.value = text
+        press(form, "Check")
+        assert p._found["heading"].verdict == "right", text
 
 
 def test_there_is_no_list_that_takes_letters_from_the_notebook(form):
