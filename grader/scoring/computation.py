@@ -92,8 +92,14 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     }
     if of_steps:
         answers = {s.key: Traced(found.components[s.key], s.unit) for s in steps}
-    stages = [Stage(s.key, _where(p, s), found.components[s.key], _brief(s.means)) for s in steps]
+    stages = [Stage(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
     return Formulas(answers, p.units, p.system, stages, section(p.section), _means(p))
+
+
+def _named(step):
+    """What a step is in a few words: its name is not one of the text."""
+    term = f"{step.term[0]} term" if step.term else "quantity on the way"
+    return _brief(step.means) or term
 
 
 def _means(p):
