@@ -13,7 +13,7 @@ AT_THE_ROOT = {
 }  # fmt: skip
 KINDS = {
     ".css", ".html", ".in", ".ipynb", ".j2", ".js", ".json", ".md", ".py", ".pyi", ".svg",
-    ".toml", ".txt", ".typed", ".yaml", "",
+    ".toml", ".txt", ".typ", ".typed", ".yaml", "",
 }  # fmt: skip
 
 
