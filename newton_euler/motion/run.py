@@ -33,7 +33,16 @@ from .sizes import (
     small,
     worst_ratio,
 )
-from .solution import AccuracyError, Cost, FarError, Motion, MotionError, UnfitError
+from .solution import (
+    AccuracyError,
+    Cost,
+    FarError,
+    LongError,
+    Motion,
+    MotionError,
+    StickingError,
+    UnfitError,
+)
 from .trajectory import Trajectory
 
 # seconds of integrating one right-hand side after which importing and compiling heyoka would have
@@ -292,8 +301,8 @@ class Run:
         change their formula, if there are such places and it is more accurate.
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
-        long = isinstance(last.failed, LengthError)
-        if long or not (method.adaptive and self.system.traced.choices):
+        ended = last.failed and issubclass(last.refusal, (StickingError, LongError))
+        if ended or not (method.adaptive and self.system.traced.choices):
             return last, error
         comparison = method, 10 * tolerance, tolerance
         before = self.compared(*comparison, known, stopping=True)
