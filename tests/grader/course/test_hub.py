@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from grader.course.hub import closed_to_others
-from tests.grader.courses import environment, grader, nbgrader, ran, read
+from tests.grader.courses import REPOSITORY, environment, grader, nbgrader, ran, read
 
 # users of this machine need no entry to run a process
 ADA, BOB, TEACHER, ASSISTANT, STAFF = range(61001, 61006)
