@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from grader.course.hub import closed_to_others
-from tests.grader.courses import environment, grader, nbgrader, ran, read
+from tests.grader.courses import REPOSITORY, environment, grader, nbgrader, ran, read
 
 # users of this machine need no entry to run a process
 ADA, BOB, TEACHER, ASSISTANT, STAFF = range(61001, 61006)
@@ -47,8 +47,9 @@ def hub(tmp_path_factory):
     for folder in (top, *top.parents):
         if folder.owner() == "root" and "pytest" in str(folder):
             folder.chmod(folder.stat().st_mode | 0o011)
-    if closed_to_others(top):
-        pytest.skip(f"{closed_to_others(top)} cannot be entered by other users")
+    for needed in (top, sys.base_prefix, sys.prefix, REPOSITORY):
+        if shut := closed_to_others(needed):
+            pytest.skip(f"other users cannot enter {shut}, so they do not reach {needed}")
     return top
 
 
