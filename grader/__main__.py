@@ -3,7 +3,7 @@
 import click
 
 from .commands import COMMANDS
-from .commands.shared import STOPPED
+from .commands.shared import STOPPED, with_own_problems
 
 
 class _Commands(click.Group):
@@ -54,7 +54,7 @@ def main() -> None:
 
 
 for command in COMMANDS:
-    main.add_command(command)
+    main.add_command(with_own_problems(command))
 main.add_command(COMMANDS[0], "list")  # an earlier name
 
 if __name__ == "__main__":

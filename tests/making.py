@@ -11,7 +11,7 @@ from exercises.catalogue.following import earlier_answers
 
 EMPTY = {
     "id": "7/28", "givens": {}, "symbols": {}, "mistakes": {}, "struck": {}, "checked": {},
-    "figure": "",
+    "figure": "", "text": "",
 }  # fmt: skip
 
 

@@ -6,6 +6,8 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+from grader.commands.shared import PROBLEMS_FROM
+
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "show_default": True}
 
 
@@ -29,6 +31,7 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     is_flag=True,
     help="Run no notebook: one whose outputs are not kept is shown without them.",
 )
+@PROBLEMS_FROM
 def main(out: Path, names: tuple[str, ...], no_run: bool) -> None:
     """Build the course as static pages, to read in a browser without network and without Python.
 

@@ -10,8 +10,10 @@ from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
+from .errors import explained, meant
 from .following import earlier_answers, follow
 from .model import CatalogueError, Problem
+from .overlooked import overlooked
 from .proofs import DIGITS
 from .steps import faults as step_faults
 from .steps import in_unit, steps
@@ -30,11 +32,16 @@ def check(p: Problem, seeds: int = 1) -> list[str]:
     floats and in 50 digits, also the steps that prove returns, every mistake away from the key, and
     once the units of every answer and step by running ``solve`` and ``steps`` on dimensions.
     """
-    proof = _Proof(p)
-    faults = _fit(p, proof) or _dimensions(p)
-    for n in _different(p, seeds):
-        faults = faults or [f"{fault} (seed {n})" for fault in _agreement(p, n, proof)]
-    return faults
+    try:
+        proof = _Proof(p)
+        faults = _fit(p, proof) or _dimensions(p)
+        for n in _different(p, seeds):
+            faults = faults or [f"{fault} (seed {n})" for fault in _agreement(p, n, proof)]
+        return faults or overlooked(p, seeds)
+    except CatalogueError as error:
+        return [str(error)]
+    except Exception as error:  # the code of a problem may raise anything
+        return [explained(p.id, error)]
 
 
 class _Proof:
@@ -91,22 +98,27 @@ def values(p: Problem, seed: int) -> dict[str, float]:
 
 def _fit(p, proof):
     """Names in the text against names in the code."""
-    try:
-        # arrays have nan where floats raise: at this point a formula may not be real
-        g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
-        with np.errstate(all="ignore"):
-            named, solved, again = p.code.mistakes(g), p.code.solve(g), p.code.solve(g)
-        proved = proof(values(p, 0))
-    except CatalogueError as error:
-        return [str(error)]
+    # arrays have nan where floats raise: at this point a formula may not be real
+    g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
+    with np.errstate(all="ignore"):
+        solved, again, named = p.code.solve(g), p.code.solve(g), p.code.mistakes(g)
+    proved = proof(values(p, 0))
+    if any(isinstance(x, Vector) for x in proved.values()):
+        return [
+            "prove returns vectors of the engine: find the answers by a way of its own, in lists"
+        ]
     todo = "is in {}.yaml but not computed; compute it, or move it to struck: with a reason"
     faults = [f"the mistake {m} {todo.format(p.name)}" for m in p.mistakes if m not in named]
     undescribed = [m for m in named if m not in p.mistakes]
-    faults += [f"the mistake {m} is computed but not in {p.name}.yaml" for m in undescribed]
+    faults += [
+        f"the mistake {m} is computed but not in {p.name}.yaml{meant(m, p.mistakes)}"
+        for m in undescribed
+    ]
     asked = [a.key for a in p.answers]
     for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
         if got != asked:
-            return [*faults, f"{what} returns {got} but the problem asks for {asked}"]
+            close = "".join(meant(k, asked) for k in got if k not in asked)
+            return [*faults, f"{what} returns {got} but the problem asks for {asked}{close}"]
     faults += _shared_frames(solved, again)
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
@@ -142,7 +154,7 @@ def _dimensions(p):
     try:
         answers = p.code.solve(p.dimensions())
     except DimensionError as error:
-        return [f"solve adds unlike quantities: {error}"]
+        return [f"solve adds unlike quantities: {explained(p.id, error)}"]
     faults = []
     for key, answer in answers.items():
         a = p.answer(key)
@@ -315,7 +327,8 @@ def _following(p, given, right):
     for key, earlier in earlier_answers(p).items():
         strange = [n for n in (key, *earlier) if n not in asked]
         if strange:
-            return [f"follows has {', '.join(strange)}; the problem asks for {', '.join(asked)}"]
+            asks = f"the problem asks for {', '.join(asked)}"
+            return [f"follows has {', '.join(strange)}; {asks}{meant(strange[0], asked)}"]
         found = follow(p, key, given, {n: right[n] for n in earlier})
         if p.answer(key).kind.is_word:
             same = tuple(found) == tuple(right[key])

@@ -8,11 +8,15 @@ from typing import Any
 from newton_euler.algebra.units import unit
 from newton_euler.answers.kinds import KINDS
 
+from .errors import meant
 from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
 
 # angles away from 0 and 90 degrees, where formulas that differ may agree
 SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
 OTHER_RANGE = (0.6, 1.9)
+# the keys of a problem
+NEEDED = "id", "title", "section", "text", "answers"
+OPTIONAL = "figure", "givens", "symbols", "frame", "steps", "mistakes", "struck", "checked"
 
 
 def read_chapter(entry: Any, path: Path) -> Chapter:
@@ -23,11 +27,7 @@ def read_chapter(entry: Any, path: Path) -> Chapter:
 
 def read_problem(entry: Any, path: Path) -> Problem:
     """The problem that a file such as ``p16.yaml`` describes."""
-    needed, optional = (
-        ("id", "title", "section", "text", "answers"),
-        ("figure", "givens", "symbols", "frame", "steps", "mistakes", "struck", "checked"),
-    )
-    _check_keys(entry, "a problem", needed, optional)
+    _check_keys(entry, "a problem", NEEDED, OPTIONAL)
     _check_place(entry["id"], path)
     answered = isinstance(entry["answers"], list) and entry["answers"]
     _require(answered, f"answers must be a list, and is {short(entry['answers'])}")
@@ -159,7 +159,8 @@ def _check_keys(entry, what, needed, optional):
     fault = f"{what} must be written as key: value, and is {short(entry)}; {keys}"
     _require(isinstance(entry, dict), fault)
     for key in entry:
-        _require(key in (*needed, *optional), f"{what} has the unknown key {key!r}; {keys}")
+        close = meant(key, (*needed, *optional))
+        _require(key in (*needed, *optional), f"{what} has the unknown key {key!r}; {keys}{close}")
     for key in needed:
         _require(key in entry, f"{what} lacks the key {key!r}; {keys}")
 

@@ -112,6 +112,11 @@ class Givens:
     def __repr__(self):
         return f"Givens({self._values!r})"
 
+    @property
+    def names(self) -> list[str]:
+        """The names of its numbers."""
+        return list(self._values)
+
     def but(self, **changes: Scalar) -> "Givens":
         """The same with some quantities changed (in base units): what a wrong reading of the
         problem uses.

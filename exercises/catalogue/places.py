@@ -102,7 +102,13 @@ def _of_packages():
             raise CatalogueError(
                 f"the entry point {point.name} of {GROUP} names {point.value}, which is no package"
             )
-        yield Path(next(iter(spec.submodule_search_locations))).resolve()
+        path = Path(next(iter(spec.submodule_search_locations))).resolve()
+        if {"site-packages", "dist-packages"} & set(path.parts):
+            raise CatalogueError(
+                f"{path} is where students' code may read it, since it is among the libraries: "
+                "install the package from its own folder, by pip install -e"
+            )
+        yield path
 
 
 def _of_a_course(folder):

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -74,6 +75,12 @@ def select(names: Iterable[str]) -> list[Problem]:
     return list(dict.fromkeys(chosen))
 
 
+def forget() -> None:
+    """Read all anew when it is asked for again."""
+    for kept in (homes, chapter, problems, problem, _problem_at):
+        kept.cache_clear()
+
+
 # -- files
 
 
@@ -97,6 +104,11 @@ _Loader.add_implicit_resolver(
 )
 
 
+def load(text: str) -> Any:
+    """What a text of YAML holds."""
+    return yaml.load(text, _Loader)
+
+
 @cache
 def _problem_at(path: Path) -> Problem:
     return _read(path, read_problem)
@@ -106,7 +118,7 @@ def _read(path, build):
     """``build(entry, path)`` of what the file holds; errors begin with the name of the file."""
     name = f"{path.parent.name}/{path.name}"
     try:
-        return build(yaml.load(path.read_bytes().decode("utf-8"), _Loader), path)
+        return build(load(path.read_bytes().decode("utf-8")), path)
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         message = (

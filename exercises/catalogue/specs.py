@@ -10,15 +10,13 @@ from typing import Any
 
 import yaml
 
-from .format import read_problem
+from .format import OPTIONAL, read_problem
 from .model import CatalogueError, place
 from .places import EXERCISES
+from .reading import load
 
 WIDTH = 160  # of a line of text
 TEXTS = ("text", "figure", "frame")
-FIELDS = (
-    "id", "title", "section", "text", "figure", "givens", "symbols", "frame", "answers",
-)  # fmt: skip
 # a name of a mistake is made of its first words that say something
 WORDS_OF_A_NAME = 4
 EMPTY_WORDS = {
@@ -37,13 +35,15 @@ def write_chapter(
     written; a file that is there already is left alone, and if all are, that is an error too.
     """
     entries = _entries(name, Path(spec), only)
+    if not (folder or (EXERCISES / name).exists() or re.fullmatch(r"ch\d+|app[A-Z]", name)):
+        raise CatalogueError(f"{name} is a chapter of your own: name the folder for it with --to")
     target = (folder or EXERCISES) / name
     files = {}
     for entry in entries:
         stem = place(entry["id"])[1]
         text = problem_yaml(entry)
         try:
-            read_problem(yaml.safe_load(text), target / f"{stem}.yaml")
+            read_problem(load(text), target / f"{stem}.yaml")
         except ValueError as error:
             raise CatalogueError(f"{spec}, problem {entry['id']}: {error}") from error
         files[target / f"{stem}.yaml"] = text
@@ -61,8 +61,8 @@ def write_chapter(
 
 
 def _entries(name, spec, only):
-    found = yaml.safe_load(spec.read_text(encoding="utf-8"))
-    if not isinstance(found, list):
+    found = load(spec.read_text(encoding="utf-8"))
+    if not (isinstance(found, list) and all(isinstance(e, dict) for e in found)):
         raise CatalogueError(f"{spec} must be a YAML list of problems, each beginning with - id:")
     found = [e for e in found if place(e.get("id"))[0] == name]
     unknown = set(only) - {e["id"] for e in found}
@@ -83,13 +83,18 @@ def _mended(entry):
         kept = {k: x for k, x in a.items() if x is not None}
         return {**kept, "means": ", ".join([a["means"], *rest])}
 
-    return {**entry, "answers": [whole(a) for a in entry["answers"]]}
+    answers = entry.get("answers")
+    if not isinstance(answers, list) or not all(
+        isinstance(a, dict) and "means" in a for a in answers
+    ):
+        return entry  # refused where it is read
+    return {**entry, "answers": [whole(a) for a in answers]}
 
 
 def _of_the_chapter(name, spec, target):
     """``chapter.yaml``, with the title in the first comment of the spec, and ``__init__.py``."""
     first = spec.read_text(encoding="utf-8").partition("\n")[0]
-    title = re.match(r"#\s*((?:Chapter|Appendix) \w+: [^.]+)", first)
+    title = re.match(r"#\s*([^.]+)", first)
     files = {
         target / "chapter.yaml": _as_yaml({"title": title[1] if title else name}),
         target / "__init__.py": "",
@@ -98,14 +103,17 @@ def _of_the_chapter(name, spec, target):
 
 
 def problem_yaml(entry: dict[str, Any]) -> str:
-    """The text of ``pNN.yaml`` from one entry of a spec, without its comments."""
-    content = {field: entry[field] for field in FIELDS if entry.get(field)}
+    """The text of ``pNN.yaml`` from one entry of a spec, without its comments: all that it has."""
+    content = {field: x for field, x in entry.items() if x or field not in OPTIONAL}
     if str(content.get("figure", "")).lower().startswith("none"):
         del content["figure"]
-    content |= {f: " ".join(content[f].split()) for f in TEXTS if f in content}
-    named = {"mistakes": mistake_names(entry["mistakes"])} if entry.get("mistakes") else {}
-    text = _as_yaml({**content, "section": str(entry["section"])}, None)
-    return text + (_as_yaml(named) if named else "")
+    content |= {f: " ".join(content[f].split()) for f in TEXTS if isinstance(content.get(f), str)}
+    if isinstance(mistakes := content.get("mistakes"), list):
+        content["mistakes"] = mistake_names(mistakes)
+    if "section" in content:
+        content["section"] = str(content["section"])
+    last = {f: content.pop(f) for f in ("steps", "mistakes", "struck", "checked") if f in content}
+    return _as_yaml(content, None) + (_as_yaml(last) if last else "")
 
 
 def _as_yaml(content, flow=False):
@@ -137,6 +145,8 @@ def problem_code(entry: dict[str, Any]) -> str:
     """The text of ``pNN.py``: the functions, each with what it must return."""
     keys = [a["key"] for a in entry["answers"]]
     figure = " ".join((entry.get("figure") or "none").split())
+    mistakes = entry.get("mistakes") or ()
+    names = mistakes if isinstance(mistakes, dict) else mistake_names(mistakes)
     text, drawing, last = CODE.read_text(encoding="utf-8").partition("\n\ndef draw")
     if not figure.lower().startswith("none"):
         text += drawing + last
@@ -145,7 +155,7 @@ def problem_code(entry: dict[str, Any]) -> str:
         what=_wrapped(f"{entry['title'][:1].lower()}{entry['title'][1:]}."),
         asked=_wrapped("; ".join(f"{a['key']}, {a['means']}" for a in entry["answers"])),
         keys=", ".join(f"'{k}': ..." for k in keys),
-        mistakes=_wrapped(", ".join(mistake_names(entry.get("mistakes") or ()))),
+        mistakes=_wrapped(", ".join(names)),
         figure=_wrapped(figure),
     )
 

@@ -26,6 +26,7 @@ from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.forms import kind_named
 from newton_euler.answers.kinds import KINDS, Kind
 
+from .errors import meant
 from .model import CatalogueError, Givens, Problem
 from .variants import drawn_value, flat, symbol_values
 from .wording import term_text
@@ -167,7 +168,10 @@ def _is_same(a, b):
 
 def _with_text(p, key, value):
     if key not in p.steps:
-        raise CatalogueError(f"{p.id}: the step {key!r} is computed but not in {p.name}.yaml")
+        close = meant(key, p.steps)
+        raise CatalogueError(
+            f"{p.id}: the step {key!r} is computed but not in {p.name}.yaml{close}"
+        )
     return Step(key, value, **p.steps[key])
 
 

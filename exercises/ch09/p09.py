@@ -20,9 +20,9 @@ def excess(g, body, A, inertia, cos_beta, rate_squared):
 
 def angles(g, body, A, inertia=None):
     inertia = inertia or body.about(A)
-    swung = solve_linear(lambda c: excess(g, body, A, inertia, c, g.omega**2))
-    upright = solve_linear(lambda square: excess(g, body, A, inertia, 1, square))
-    return {"beta_ring": acos(swung.c), "omega_max": sqrt(upright.square)}
+    swung = solve_linear(lambda cos_beta: excess(g, body, A, inertia, cos_beta, g.omega**2))
+    upright = solve_linear(lambda omega_squared: excess(g, body, A, inertia, 1, omega_squared))
+    return {"beta_ring": acos(swung.cos_beta), "omega_max": sqrt(upright.omega_squared)}
 
 
 def solve(g):

@@ -25,7 +25,8 @@ def about(name, side, **rates):
 def end(g, name, x, y, alpha=None, a_r=None):
     """Ground, and the rod's end; ``alpha``: growth of the clockwise rate, ``a_r``: of the speed."""
     ground, bracket = turning("bracket", -g.omega, None if alpha is None else -alpha)
-    return ground, bracket.point(name, moving(x, rate=g.u, acceleration=a_r), y, 0)
+    growing = {} if a_r is None else {"acceleration": a_r}
+    return ground, bracket.point(name, moving(x, rate=g.u, **growing), y, 0)
 
 
 def prove(g, name, x, y, alpha=0, a_r=0):

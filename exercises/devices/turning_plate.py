@@ -7,7 +7,8 @@ from newton_euler import Frame
 def turning(name, omega, alpha=None):
     """Ground with z out of the plane; the plate about A, with the axes of the ground now."""
     ground = Frame("ground")
-    return ground, ground.rotate(name, "z", rate=omega, acceleration=alpha)
+    growing = {} if alpha is None else {"acceleration": alpha}
+    return ground, ground.rotate(name, "z", rate=omega, **growing)
 
 
 def motion(ground, P):

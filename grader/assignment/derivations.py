@@ -129,14 +129,14 @@ class _Reader:
         self.answers = set()  # the numbers of what was an unknown of equations that are shown
         self.given_by = {x.number: name for name, x in self.found.givens.items()}
         self.names = Names({n: self.symbol(name) for n, name in self.given_by.items()})
-        self.unknowns = {}  # number of a traced value: (its equations, its name)
+        self.unknowns = {}  # number of a traced value: (its equations, its name, the sign of it)
         for equations in self.found.solved:
             for name, x in equations.values.items():
-                x, _ = unsigned(x)
+                x, sign = unsigned(x)
                 # one that is equal to a coefficient is no unknown by whose name this is written
                 plain = self._is_traced(x) and x.number not in self.given_by
                 if plain and x.number not in before(equations.equations):
-                    self.unknowns.setdefault(x.number, (equations, name))
+                    self.unknowns.setdefault(x.number, (equations, name, sign))
         # formulas for which a later one has the name, and components that are as short as theirs
         self.called, self.shorter, self.short = {}, [], {}
         self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
@@ -233,6 +233,8 @@ class _Reader:
             return formulas
         solution = simplest(readable(-difference.subs(unknown, 0) / slope))
         if unknown.name not in self.taken:
+            fixed = self.names.fixed
+            fixed |= {n: f.subs(unknown, solution) for n, f in fixed.items() if f.has(unknown)}
             return tuple(
                 None if f is None else readable(f.subs(unknown, solution)) for f in formulas
             )
@@ -362,8 +364,8 @@ class _Reader:
 
     def _solved(self, x):
         """The name of an unknown, after its equations are shown; None if they are too long."""
-        equations, name = self.unknowns[x.number]
-        name, sign = self.called.get(x.number, (self._free(name), 1))
+        equations, name, own = self.unknowns[x.number]
+        name, sign = self.called.get(x.number, (self._free(name), own))
         if id(equations) not in self.shown:
             rows = self._rows(equations)
             if not rows:
@@ -403,7 +405,7 @@ class _Reader:
         symbols = {}
         for name in equations.names:
             x, sign = unsigned(equations.values.get(name))
-            called, other = self.called.get(getattr(x, "number", None), (self._free(name), 1))
+            called, other = self.called.get(getattr(x, "number", None), (self._free(name), sign))
             symbols[name] = sign * other * self.symbol(called)
         return symbols
 

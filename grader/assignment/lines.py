@@ -129,7 +129,8 @@ class _Writer:
         reason = "" if chain or above or found.together else self._reason(s, found)
         rows, with_numbers = self._together(found)
         with_numbers = () if formula else with_numbers
-        return Line(s, rows, with_numbers, above, self._name(s), (*chain, value), reason)
+        name = self._name(s) or (symbol(s.key) if rows else "")  # which the equations have
+        return Line(s, rows, with_numbers, above, name, (*chain, value), reason)
 
     def _reason(self, s, found):
         """Why there is no formula."""

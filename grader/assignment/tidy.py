@@ -110,4 +110,7 @@ def simplest(formula: Any) -> Any:
     forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
     if formula.has(sympy.sin) and formula.count_ops() < 60:
         forms.append(sympy.trigsimp(formula))
-    return min(forms, key=lambda f: f.count_ops())
+    shortest = min(forms, key=lambda f: f.count_ops())
+    return shortest.xreplace(
+        {x: sympy.Integer(1) for x in shortest.atoms(sympy.Float) if float(x) == 1}
+    )

@@ -2,13 +2,29 @@
 
 from .bank import bank
 from .catalogue import preview, problems
-from .courses import build, demo, due, enrol, grade, late, personal, retry, spec, take_in
+from .ci import ci
+from .courses import (
+    build,
+    demo,
+    due,
+    enrol,
+    grade,
+    hub,
+    late,
+    next_year,
+    personal,
+    retry,
+    share,
+    spec,
+    take_in,
+)
 from .exercises import diagnose, figure, new, prove, solution, solve
 from .paper import paper
 from .practice import practice
 from .results import export, stats
 
 COMMANDS = (
-    problems, preview, solve, solution, prove, figure, diagnose, new, practice, paper, bank,
-    build, spec, enrol, due, late, personal, take_in, grade, retry, stats, export, demo,
+    problems, preview, solve, solution, prove, figure, diagnose, new, ci, practice, paper, bank,
+    build, spec, next_year, hub, share, enrol, due, late, personal, take_in, grade, retry, stats,
+    export, demo,
 )  # fmt: skip

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from .shared import FILE, FOLDER, console, progress_bar
+from .shared import FILE, FOLDER, console, names_or_all, progress_bar
 
 COLUMNS = ("id", "section", "steps", "difficulty", "minutes", "sheets", "right")
 
@@ -92,7 +92,7 @@ def problems(
     if right and not course_path:
         raise click.UsageError("--right is what students earned: name a --course")
     course = Course(course_path) if course_path else None
-    asked = list(named(names or ("all",), course))
+    asked = list(named(names_or_all(names), course))
     limits = {name: span for name, span in spans.items() if span}
     wanted = Wanted(
         sections, tuple(k.replace(" ", "_") for k in kinds), equations,

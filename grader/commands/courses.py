@@ -9,7 +9,7 @@ import click
 from rich.panel import Panel
 
 from .example import EXAM_EXAMPLE, EXAMPLE, indented
-from .shared import COURSE, FILE, FOLDER, PROBLEMS, console, progress_bar
+from .shared import COURSE, FILE, FOLDER, PROBLEMS, console, progress_bar, remember_problems
 
 UNSANDBOXED = 3  # exit code
 GOES_ON = (
@@ -150,6 +150,8 @@ def build(
             course_path, what, students, (), update, bar, name, exchange, id_column, chapters
         )
     course, name = built.course, built.spec.name
+    remember_problems(course)
+    _warn_of_closed(exchange)
     if when:
         set_due(course, name, when)
         click.echo(f"Due {when:%Y-%m-%d %H:%M} UTC")
@@ -207,6 +209,74 @@ def _report_merge(merged, backup, written):
     ):
         if names:
             click.echo(what + ", ".join(names))
+
+
+@click.command()
+@click.argument("group", metavar="GROUP")
+@COURSE
+def share(group: str, course_path: Path) -> None:
+    """Let the users of a group work on a course: assistants, and an account that grades.
+
+    They can grade, comment and export as you do, and can read all that is in the course, the secret
+    of its numbers too. One account, yours, releases and collects.
+    """
+    from ..course import Course
+    from ..course.shared import share as open_course
+
+    open_course(Course(course_path), group)
+    click.echo(f"The group {group} reads and writes {course_path}.")
+
+
+@click.command()
+@click.argument("courses", nargs=-1, required=True, type=FOLDER, metavar="COURSE COURSE …")
+@click.option("--to", required=True, type=FOLDER, help="Folder to write to, as /etc/jupyter.")
+def hub(courses: tuple[Path, ...], to: Path) -> None:
+    """Write one configuration for the students of several courses on one machine.
+
+    They share an exchange. A student sees the courses side by side, and in a terminal names one:
+    nbgrader fetch_assignment ch04 --course COURSE
+    """
+    from ..course import Course
+    from ..course.hub import write_hub
+
+    root = write_hub([Course(path) for path in courses], to)
+    click.echo(f"Wrote nbgrader_config.py and what it needs to {to}")
+    _warn_of_closed(root)
+
+
+def _warn_of_closed(exchange):
+    from ..course.hub import closed_to_others
+
+    if exchange and (shut := closed_to_others(exchange)):
+        click.echo(
+            f"Others cannot enter {shut}, so students with accounts of their own do not reach the "
+            f"exchange {exchange}: name one such as /srv/nbgrader/exchange, or chmod o+x {shut}",
+            err=True,
+        )
+
+
+@click.command("next-year")
+@click.argument("last", type=FOLDER)
+@COURSE
+@click.option("--name", help="The name of the new course; default: that of its folder.")
+@click.option("--exchange", type=FOLDER, help="Its exchange; default: last year's.")
+def next_year(last: Path, course_path: Path, name: str | None, exchange: Path | None) -> None:
+    """Make a course from last year's, in the folder LAST.
+
+    It has its notebooks as you edited them, its settings and own problems, and a secret of its own,
+    so that every student has other numbers; no students, no submissions, no dates.
+    """
+    from ..course import Course
+    from ..course.next_year import next_year as made
+
+    course, assignments = made(Course(last), course_path, name, exchange)
+    click.echo(f"The course {course.name}, in {course.path}, has {', '.join(assignments)}.")
+    click.echo(
+        f"Next: python -m grader enrol roster.csv --course {shlex.quote(str(course.path))}, and "
+        "for each assignment python -m grader due ASSIGNMENT DATE --course …"
+    )
+    if exams := Course(last).settings.get("exams"):
+        click.echo(f"Build these anew, with their new dates: {', '.join(sorted(exams))} (exams)")
 
 
 @click.command()

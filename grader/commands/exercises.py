@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 from rich.markup import escape
 
-from .shared import FOLDER, SEED, console, progress_bar
+from .shared import FOLDER, SEED, console, names_or_all, progress_bar
 
 
 @click.command()
@@ -107,7 +107,7 @@ def prove(names: tuple[str, ...], seeds: int, workers: int | None) -> None:
 
     from ..course.processes import process_pool
 
-    problems, failed, steps, proved = select(names or ("all",)), 0, 0, 0
+    problems, failed, steps, proved = select(names_or_all(names)), 0, 0, 0
     numbers = [p.id for p in problems]
     with progress_bar() as bar, process_pool(workers) as pool:
         task = bar.add_task("proving", total=len(problems))
@@ -138,10 +138,11 @@ def _proved(name, seeds):
     """(faults, warnings, number of steps, of which proved) of the problem of this number."""
     from exercises.catalogue import problem
     from exercises.catalogue.checks import alike, check, proved_steps, values
+    from exercises.catalogue.overlooked import missing_in_figure
     from exercises.catalogue.steps import steps
 
     p = problem(name)
-    if faults := check(p, seeds):
+    if faults := check(p, seeds) or missing_in_figure(p):
         return faults, [], 0, 0
     book = values(p, 0)
     return [], alike(p, seeds), len(steps(p, book)), len(proved_steps(p, book))
@@ -249,7 +250,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     from ..practice import practice_shares
     from ..reports import RANDOM, SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
-    problems = select(names or ("all",))
+    problems = select(names_or_all(names))
     with progress_bar() as bar:
         task = bar.add_task("making mistakes", total=len(problems))
         if practice:

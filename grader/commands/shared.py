@@ -3,6 +3,7 @@
 import contextlib
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import click
 from rich.console import Console
@@ -29,6 +30,71 @@ PROBLEMS = click.option(
     "--problem", "only", multiple=True, metavar="4/16", help="Only these problems; may be repeated."
 )
 SEED = click.option("--seed", type=int, help="Draw a variant of the numbers, not the book's.")
+
+# in the context of a command: chapters of own problems, and their folders
+OWN_PROBLEMS, FOLDERS = "own problems", "problems from"
+
+
+def _use(context, _, folders):
+    from exercises.catalogue.places import use
+
+    context.meta[OWN_PROBLEMS] = [name for folder in folders for name in use(folder)]
+    context.meta[FOLDERS] = folders
+
+
+def _know(context, _, course_path):
+    from ..course.folder import know_problems
+
+    if course_path:
+        know_problems(course_path)
+        context.call_on_close(lambda: _reopen(course_path))
+    return course_path
+
+
+def _reopen(course_path):
+    """Let the group of a shared course have what a command has made."""
+    from ..course import Course, CourseError
+    from ..course.shared import open_to
+
+    with contextlib.suppress(CourseError, OSError, KeyError):
+        course = Course(course_path)
+        if group := course.settings.get("group"):
+            open_to(course.path, group)
+
+
+PROBLEMS_FROM = click.option(
+    "--problems-from",
+    multiple=True,
+    type=FOLDER,
+    is_eager=True,
+    expose_value=False,
+    callback=_use,
+    help="A folder with chapters of your own problems, as bridge/p03.yaml and p03.py for bridge/3. "
+    "A course that is built with it remembers it.",
+)
+
+
+def with_own_problems(command: click.Command) -> click.Command:
+    """The command with --problems-from; where it has --course, it knows the course's problems."""
+    for option in command.params:
+        if option.name == "course_path":
+            option.is_eager, option.callback = True, _know
+    return PROBLEMS_FROM(command)
+
+
+def remember_problems(course: Any) -> None:
+    """Write the folders of --problems-from into course.json, relative where they are in it."""
+    folders = [p.resolve() for p in click.get_current_context().meta.get(FOLDERS) or ()]
+    here = [str(p.relative_to(course.path) if course.path in p.parents else p) for p in folders]
+    known = course.settings.get("problems_from", [])
+    if set(here) - set(known):
+        course.set(problems_from=[*known, *(h for h in here if h not in known)])
+
+
+def names_or_all(names: tuple[str, ...]) -> tuple[str, ...]:
+    """The names themselves, or where there are none all problems: of --problems-from, if given."""
+    own = click.get_current_context().meta.get(OWN_PROBLEMS)
+    return names or tuple(own or ("all",))
 
 
 class Stopped(KeyboardInterrupt):

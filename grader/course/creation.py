@@ -78,18 +78,20 @@ def _write_all(path, name, exchange):
     write_text(path / ".gitignore", _template("gitignore.in"), 0o644)
     student = path / "student"
     student.mkdir(mode=0o755)
-    for name in FOR_STUDENTS:
-        shutil.copy(ASSIGNMENT / f"{name}.py", student / f"newton_euler_{name}.py")
     root = f"c.Exchange.root = {str(Path(exchange).resolve())!r}\n" if exchange else ""
-    write_text(
-        student / "nbgrader_config.py",
-        _template("student_config.py.in").replace("{name}", repr(name)) + root,
-        0o644,
-    )
+    write_for_students(student, f"c.CourseDirectory.course_id = {name!r}\n{root}")
     if exchange:
         _make_exchange(Path(exchange))
     write_pinned(path)
     write_text(path / "nbgrader_config.py", _template("nbgrader_config.py.in") + root, 0o644)
+
+
+def write_for_students(folder: Path, settings: str) -> None:
+    """Write what runs on the students' side of the exchange, configured with ``settings``."""
+    for file in FOR_STUDENTS:
+        shutil.copy(ASSIGNMENT / f"{file}.py", folder / f"newton_euler_{file}.py")
+    text = _template("student_config.py.in") + settings
+    write_text(folder / "nbgrader_config.py", text, 0o644)
 
 
 def write_pinned(path: Path) -> None:

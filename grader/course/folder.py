@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any
 
 from exercises.catalogue import Problem, variants
+from exercises.catalogue.places import use
 
 from .files import write_json
 from .identity import CourseError, check_id, same_student
@@ -61,6 +62,7 @@ class Course:
                 f"{path} is not a course folder: it has no nbgrader_config.py. Make one "
                 f"with: python -m grader build ch04 --course {path}"
             )
+        know_problems(self.path)
 
     @property
     def settings(self) -> dict[str, Any]:
@@ -248,6 +250,15 @@ class Course:
                 known = {k: v for k, v in details.items() if v}
                 book.update_or_create_student(student_id, **known)
         return new
+
+
+def know_problems(path: Path) -> None:
+    """Let the catalogue know a course's own problems, in the folders that course.json names."""
+    folders = []
+    with contextlib.suppress(OSError, ValueError, AttributeError):  # said where it is opened
+        folders = json.loads((path / "course.json").read_bytes()).get("problems_from", [])
+    for folder in folders:
+        use(path / folder)
 
 
 @contextlib.contextmanager

@@ -1,11 +1,14 @@
 """nbgrader's configuration for a course: the steps and pages that the hooks replace."""
 
+import atexit
 import json
 import warnings
 from pathlib import Path
 
 import nbgrader
 from traitlets.config import Config
+
+from ..course.shared import open_to
 
 # the names that are in each course's nbgrader_config.json, too
 PINNED = Path(__file__).parents[1] / "course" / "templates" / "nbgrader_config.json"
@@ -23,6 +26,9 @@ def configure(c: Config, course: str) -> None:
     if (root / "course.json").exists():  # earlier versions wrote the id into the configuration
         settings = json.loads((root / "course.json").read_text())
         c.CourseDirectory.course_id = settings["id"]
+        if group := settings.get("group"):  # set by: python -m grader share
+            c.CourseDirectory.groupshared = True
+            atexit.register(open_to, root, group)
         if "late_share_per_day" in settings:  # set by: python -m grader late
             c.AssignLatePenalties.plugin_class = "grader.nbgrader_hooks.late.LatePolicy"
             c.LatePolicy.share_per_day = settings["late_share_per_day"]

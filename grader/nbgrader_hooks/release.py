@@ -42,7 +42,6 @@ class ReleaseWithPersonal(ExchangeReleaseAssignment):
     def copy_files(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
         _refused(self, refuse_before_opening, course, assignment)
-        super().copy_files()
         students = course.roster()
         if not students:
             super().copy_files()

@@ -2,4 +2,5 @@
 them.
 """
 
-from .write import PaperError, Written, write_papers
+from .markup import PaperError
+from .write import Written, write_papers

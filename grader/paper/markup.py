@@ -5,6 +5,13 @@ import re
 from functools import lru_cache
 from typing import Any
 
+from ..course import CourseError
+
+
+class PaperError(CourseError):
+    """PDFs that cannot be written; the message says what to do."""
+
+
 BLANK = r"\text{BLANK}"  # in a formula: a place to write into
 
 
@@ -33,8 +40,11 @@ def _parser():
 def _formula(latex):
     from tex2typst import tex2typst
 
-    # beside the sign of an integral its limits stand anyway
-    made = tex2typst(latex.replace(r"\limits", "")).replace('"BLANK"', "blank")
+    try:  # beside the sign of an integral its limits stand anyway
+        made = tex2typst(latex.replace(r"\limits", "")).replace('"BLANK"', "blank")
+    except ValueError as error:
+        reason = str(error).partition("\n")[0].removeprefix("Conversion failed: ")
+        raise PaperError(f"${latex}$ is no formula of LaTeX ({reason})") from None
     return re.sub(r'\s+"/', '"/', made)  # no space before the stroke of a unit
 
 

@@ -13,17 +13,14 @@ from exercises.catalogue.variants import draw, seed
 
 from ..assignment.numbers import kept_numbers
 from ..assignment.spec import Spec
-from ..course import Course, CourseError, check_id
+from ..course import Course, check_id
 from ..course.files import write_bytes, write_text
 from ..course.processes import process_pool
+from .markup import PaperError
 from .sheet import Entry, Files, Student, key, overview, sheet, variant_code
 
 ALL = "all"
 NEEDED = "typst", "tex2typst"
-
-
-class PaperError(CourseError):
-    """PDFs that cannot be written; the message says what to do."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +86,11 @@ def pdf(files: Files) -> bytes:
     import typst
 
     inputs: Any = files  # its annotations do not know that it takes files by name
-    return typst.compile(inputs, format="pdf", timestamp=0)
+    try:
+        return typst.compile(inputs, format="pdf", timestamp=0)
+    except typst.TypstError as error:
+        reason = str(error).replace("unknown variable: ", "it has no command \\")
+        raise PaperError(f"a formula in a text of yours cannot be set: {reason}") from error
 
 
 def _all(function, jobs, workers):

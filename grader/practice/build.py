@@ -7,7 +7,7 @@ import math
 import os
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from itertools import repeat
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ from ..assignment.sheet import with_tolerance
 from ..assignment.solution import worked_solution
 from ..course import CourseError
 from ..course.processes import process_pool
+from ..scoring.computation import section
 from .plain import plain
 from .quantities import KEPT, quantities, wrong_numbers
 from .relations import relations
@@ -140,11 +141,12 @@ def page_of(
     labels = _numbered(variants, "wrong")
     slips = _numbered(variants, "slips")
     page = {
-        "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
+        "id": name, "title": p.title, "section": p.section, "where": section(p.section),
+        "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, c.group, c.name, c.text) for key, c in labels],
-        "slips": [(key, rank, c.name, c.text, c.where) for key, rank, c in slips],
+        "labels": [(key, *astuple(c)) for key, c in labels],
+        "slips": [(key, rank, *astuple(c)[1:]) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
     }  # fmt: skip
     return page, figures

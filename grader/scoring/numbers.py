@@ -16,7 +16,7 @@ from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points,
 from newton_euler.answers.causes import listed
 from newton_euler.answers.near import NO_SLIPS
 
-from .computation import perturbed, perturbed_sequel
+from .computation import perturbed, perturbed_sequel, section
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -97,6 +97,11 @@ class Numbers:
     def sheets(self):
         """[{answer: points}] for the numbers of earlier sheets."""
         return [Numbers(self.problem, values).key for values in self._earlier_sheets]
+
+    @property
+    def where(self):
+        """The section that the problem practises."""
+        return section(self.problem.section)
 
     @cached_property
     def slips(self):

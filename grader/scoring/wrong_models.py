@@ -8,6 +8,8 @@ from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import causes
 
+from .computation import section
+
 
 def wrong_models(problem, values):
     """[(answer, cause, numbers)] of every wrong model, for ``values`` in the units of the text.
@@ -41,14 +43,22 @@ def _terms(right, problem):
     """Mistakes in the named terms of the key: a term left out, a term with the opposite sign, the
     Coriolis term without its factor 2.
     """
+    where = _where(right, problem)
     for name in right.terms or ():
         term = term_text(name, right.equation, problem)
-        yield causes.term_left_out(name, term), right.reweighted(**{name: 0})
-        yield causes.term_reversed(name, term), right.reweighted(**{name: -1})
+        yield causes.term_left_out(name, term).at(where), right.reweighted(**{name: 0})
+        yield causes.term_reversed(name, term).at(where), right.reweighted(**{name: -1})
     # spherical components have three of them
     halved = {name: 0.5 for name in right.terms or () if name.startswith("coriolis")}
     if halved:
-        yield causes.CORIOLIS_HALVED, right.reweighted(**halved)
+        yield causes.CORIOLIS_HALVED.at(where), right.reweighted(**halved)
+
+
+def _where(right, problem):
+    """The equation of a sum, if it is one of the chapter of the problem."""
+    number, own = right.equation.number if right.equation else "", problem.section
+    in_chapter = number.partition(".")[0] == own.partition(".")[0]
+    return f"{section(own)}, ({number})" if number and in_chapter else ""
 
 
 def _rates(right):

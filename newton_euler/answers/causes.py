@@ -9,6 +9,7 @@ from .tolerance import NEARLY
 
 OR = "; or one that "  # between causes that give the same numbers
 WORDS = 30  # of a diagnosis that is read
+BRIEF = 9  # of each of two mistakes that are named together
 ORDINALS = ("first", "second", "third")
 
 
@@ -22,13 +23,24 @@ class Cause:
         (the same in going on from earlier answers), both (two listed ones at once), follows (from
         an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text : its words. where : the place in the book where to read on
+    text : its words: what was done and, after a colon, why it is wrong
+    where : the place in the book where to read on
     """
 
     group: str
     name: str
     text: str = field(compare=False)
     where: str = field(default="", compare=False)
+
+    @property
+    def what(self) -> str:
+        """What was done."""
+        return self.text.partition(": ")[0]
+
+    @property
+    def why(self) -> str:
+        """Why that is wrong; "" where the same sentence says it."""
+        return self.text.partition(": ")[2]
 
     @property
     def is_observation(self) -> bool:
@@ -61,36 +73,60 @@ class Cause:
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
-    """The words of the causes that give the same numbers, as many as can be read at once; None if
-    there are none.
+    """The words of the causes that give the same numbers, as many as can be read at once: what was
+    done, why it is wrong, where to read on; None if there are none.
     """
-    words = {c.text: c.where for c in reversed([*causes])}
-    first, *others = reversed(words) if words else [""]
-    see = f" (see {words[first]})" if words and words[first] else ""
+    causes = sorted(causes, key=lambda c: c != CORIOLIS_HALVED)  # the simplest first
+    if not causes:
+        return None
+    see = f" (see {causes[0].where})" if causes[0].where else ""
+    words, *others = dict.fromkeys(c.what for c in causes)
+    if not others:
+        words = _within_words(causes[0].text, see) or words
     for other in others:
-        if len((longer := first + OR + other).split()) + len(see.split()) <= WORDS:
-            first = longer
-    return first + see or None
+        words = _within_words(words + OR + other, see) or words
+    return words + see
 
 
-def slip(name: str, text: str) -> Cause:
+def _within_words(words, see):
+    return words if len((words + see).split()) <= WORDS else None
+
+
+def slip(name: str, text: str, why: str) -> Cause:
     """A slip that is made in any problem."""
-    return Cause("slip", name, text)
+    return Cause("slip", name, f"{text}: {why}")
 
 
-OPPOSITE = slip("opposite", "has the opposite sign in every component: check the direction")
-OPPOSITE_NUMBER = slip("opposite", "has the opposite sign: check the direction")
-TRANSPOSED = slip("transposed", "writes the transposed matrix: rows for columns")
-OFF_DIAGONAL = slip("off diagonal", "has the opposite sign in every entry off the diagonal")
-BOUNDS = slip("bounds", "has its bounds in the wrong order")
-OTHER_ORDER = slip("order", "has its components in another order")
+OPPOSITE = slip(
+    "opposite",
+    "has the opposite sign in every component",
+    "its direction is reversed against the axes of the text",
+)
+OPPOSITE_NUMBER = slip(
+    "opposite", "has the opposite sign", "the text says which direction is positive"
+)
+TRANSPOSED = slip("transposed", "writes the transposed matrix", "rows stand in place of columns")
+OFF_DIAGONAL = slip(
+    "off diagonal",
+    "has the opposite sign in every entry off the diagonal",
+    "only the entries on the diagonal are right",
+)
+BOUNDS = slip("bounds", "has its bounds in the wrong order", "the lower one comes first")
+OTHER_ORDER = slip(
+    "order", "has its components in another order", "each belongs to one axis of the text"
+)
 AS_SCALARS = slip(
     "as scalars",
-    "adds the rates of turning as numbers, as if about one axis, instead of as vectors",
+    "adds the rates of turning as numbers",
+    "they are vectors along different axes",
 )
-ROUNDED = slip("rounded", "rounds the right answer too far: give three significant figures or more")
-BOOK = Cause("book", "", "takes the numbers of the book instead of yours")
-EARLIER = Cause("book", "earlier", "takes the numbers of an earlier sheet of yours")
+ROUNDED = slip(
+    "rounded", "rounds the right answer too far", "give three significant figures or more"
+)
+BOOK = Cause("book", "", "takes the numbers of the book: your sheet has others")
+EARLIER = Cause(
+    "book", "earlier", "takes the numbers of an earlier sheet of yours: this one has others"
+)
 DIRECTION = Cause("seen", "direction", "its size is right, its direction is not")
 NEAR = Cause(
     "seen",
@@ -112,14 +148,15 @@ FIRST_DIGITS = Cause(
 
 def reversed_components(places: Sequence[int]) -> Cause:
     """Some components have the opposite sign."""
-    plural = "s" if len(places) > 1 else ""
-    text = f"has the opposite sign in its {_ordinals(places)} component{plural}"
-    return slip(f"opposite {_ordinals(places)}", text)
+    text = f"has the opposite sign in its {_ordinals(places)} component{'s' * (len(places) > 1)}"
+    why = "check the direction of what adds to it; the rest is right"
+    return slip(f"opposite {_ordinals(places)}", text, why)
 
 
 def left_out_component(place: int) -> Cause:
     """One component is zero."""
-    return slip(f"without {ORDINALS[place]}", f"leaves out its {ORDINALS[place]} component")
+    text = f"leaves out its {ORDINALS[place]} component"
+    return slip(f"without {ORDINALS[place]}", text, "it is not zero here")
 
 
 def exchanged_components(places: Sequence[int]) -> Cause:
@@ -127,7 +164,8 @@ def exchanged_components(places: Sequence[int]) -> Cause:
     if len(places) > 2:
         return OTHER_ORDER
     named = _ordinals(places)
-    return slip(f"exchanged {named}", f"exchanges its {named} components")
+    why = "each belongs to one axis of the text"
+    return slip(f"exchanged {named}", f"exchanges its {named} components", why)
 
 
 def _ordinals(places: Sequence[int]) -> str:
@@ -137,17 +175,29 @@ def _ordinals(places: Sequence[int]) -> str:
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
     how = "large" if large else "small"
-    return Cause("factor", f"{what} {how}", f"is {factor:.4g} times too {how} ({what})")
+    why = (
+        "the answer has a unit of its own" if " against " in what else "look for a half or a double"
+    )
+    text = f"is {factor:.4g} times too {how} ({what}): {why}"
+    return Cause("factor", f"{what} {how}", text)
 
 
 def both(first: Cause, second: Cause) -> Cause:
-    """Two listed mistakes made together."""
-    return Cause("both", f"{first.name} + {second.name}", f"{first.text}, and also {second.text}")
+    """Two listed mistakes made together; of what is too long, the beginning."""
+    texts = [first.what, second.what]
+    if len(" ".join(texts).split()) > 2 * BRIEF:
+        texts = [" ".join(x.partition(", ")[0].split()[:BRIEF]) for x in texts]
+    text = f"{', and also '.join(texts)}: both change the answer"
+    return Cause("both", f"{first.name} + {second.name}", text)
 
 
 def in_this_part(cause: Cause) -> Cause:
-    """The same cause where other parts are right that it would have made wrong."""
-    return replace(cause, text=f"in this part {cause.text}")
+    """The same cause where other parts are right that it would have made wrong; so named where
+    its reason has room, too.
+    """
+    here = replace(cause, text=f"in this part {cause.text}")
+    words = sentence([here if here.where else here.at("section 1.1")]) or ""
+    return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
 def answer_to(key: str) -> Cause:
@@ -167,21 +217,26 @@ def listed(name: str, text: str) -> Cause:
 
 def term_left_out(name: str, words: str) -> Cause:
     """A named term of a sum is missing."""
-    return Cause("omitted", name, f"leaves out {words}")
+    return Cause("omitted", name, f"leaves out {words}: this term is not zero here")
 
 
 def term_reversed(name: str, words: str) -> Cause:
     """A named term of a sum has the opposite sign."""
-    return Cause("term", f"{name} x -1", f"has {words} with the opposite sign")
+    text = f"has {words} with the opposite sign: the equation adds it"
+    return Cause("term", f"{name} x -1", text)
 
 
-CORIOLIS_HALVED = Cause("term", "coriolis / 2", "writes the Coriolis term without the factor 2")
+CORIOLIS_HALVED = Cause(
+    "term",
+    "coriolis / 2",
+    "writes the Coriolis term without the factor 2: two equal effects add up in it",
+)
 
 
 def unconverted(given: str, unit: str) -> Cause:
     """A given is used with its number in another unit than the rest."""
     text = f"uses {given} in {unit} without converting it"
-    return Cause("unit", given, text)
+    return Cause("unit", given, f"{text}: the units of an equation must fit together")
 
 
 def computed(name: str, text: str) -> Cause:
@@ -194,7 +249,8 @@ def other_axes(place: int, frame: str) -> Cause:
     return Cause(
         "axes",
         str(place),
-        f"has the right vector, but its components along the axes of {frame}, not those asked for",
+        f"gives components along the axes of {frame}: the vector is right, but other axes are "
+        "asked for",
     )
 
 
@@ -203,8 +259,8 @@ def turned_the_wrong_way(place: int, frame: str) -> Cause:
     return Cause(
         "turned",
         str(place),
-        f"turns the components the wrong way between {frame} and the axes asked for (a transposed "
-        "matrix)",
+        f"turns the components the wrong way between {frame} and the axes asked for: the matrix is "
+        "transposed",
     )
 
 

@@ -146,7 +146,7 @@ def _simplest(fit, near, elsewhere):
     words: dict[str, Hit] = {}
     for n, hit in found:
         if n == simplest:
-            words.setdefault(hit.cause.text, hit)
+            words.setdefault(hit.cause.what, hit)
     return sorted(words.values(), key=lambda hit: -elsewhere.explains(hit.cause))[:MOST]
 
 

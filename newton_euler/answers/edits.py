@@ -6,10 +6,17 @@ from typing import Any
 
 from ..algebra.source import WITHIN
 from ..algebra.trace import Step
-from ..algebra.units import SI, US, unit
+from ..algebra.units import SI, US, Dimension, unit
 from .causes import Cause, computed
 from .edits_of_givens import of_given, of_one_unit, of_unit
-from .edits_of_operations import PRODUCT, of_angles, of_moment, of_operation, of_product
+from .edits_of_operations import (
+    PRODUCT,
+    of_angles,
+    of_constants,
+    of_moment,
+    of_operation,
+    of_product,
+)
 from .formulas import (
     LEAST,
     LESS,
@@ -53,6 +60,7 @@ def _edits(formulas):
     own = US if any(u.is_of_feet for u in read.values()) else SI
     number = partial(_number, dimensions, system, own)
     yield from of_angles(steps)
+    yield from of_constants(steps)
     yield from of_one_unit(given, read, system)
     yield from _of_wholes(answers, given, number)
     yield from _of_stages(answers, formulas.stages, dimensions)
@@ -61,9 +69,11 @@ def _edits(formulas):
     for s, users in users_of(steps).items():
         slips = [*of_operation(s), *of_moment(s, dimensions[s])]
         if s.op == "argument":
-            slips += [*of_given(s, given, read, number), *of_unit(s, read[s.args[0]], system)]
+            name = s.args[0]
+            slips += of_given(s, given, read, number, formulas.means.get(name, ""))
+            slips += of_unit(s, read[name], system)
         if s.op in PRODUCT and (s in leaves or not _is_factor(users)):
-            slips += of_product(s, number)
+            slips += of_product(s, number, lambda s: dimensions.get(s) != Dimension())
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, users)
 
@@ -92,7 +102,8 @@ def _everywhere_and_once(s, place, slip, users):
     for user in users if len(users) <= MANY and rank <= LESS else ():
         once = (user.op, *(expression if a is s else a for a in user.args))
         name = f"{kind} {s.number} {place} {user.number}"
-        yield Edit(rank + 2, computed(name, f"{cause.text}, in one place"), {user.number: once})
+        in_one_place = f"{cause.what}, in one place: {cause.why}"
+        yield Edit(rank + 2, computed(name, in_one_place), {user.number: once})
 
 
 def _of_wholes(answers, given, number):
@@ -100,7 +111,8 @@ def _of_wholes(answers, given, number):
     components = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
     for name, step in given.items():
         for op, words in (("/", "few"), ("*", "many")):
-            cause = computed(f"whole {op} {name}", f"has one factor {name} too {words}")
+            text = f"has one factor {name} too {words}: put your units into the whole formula"
+            cause = computed(f"whole {op} {name}", text)
             instead = {x.number: (op, x, number(step)) for x in components if x is not step}
             yield Edit(LESS, cause, instead)
 
@@ -109,7 +121,10 @@ def _of_angles(answers):
     """The other angle between two lines, and that to the other axis."""
     angles = [a.parts[0] for a in answers.values() if unit(a.unit).is_of_angle]
     angles = [x for x in angles if isinstance(x, Step)]
-    others = (pi, "the supplement of the angle"), (pi / 2, "the angle to the normal")
+    others = (
+        (pi, "the supplement of the angle: the other one between the lines is meant"),
+        (pi / 2, "the angle to the normal: that to the line itself is meant"),
+    )
     for whole, words in others if angles else ():
         cause = computed(f"{whole} - angle", f"gives {words}")
         yield Edit(RARER, cause, {x.number: ("-", whole, x) for x in angles})
@@ -124,7 +139,9 @@ def _of_stages(answers, stages, dimensions):
                 instead = dict(zip(answer.parts, parts, strict=True))
                 moved = {a: x for a, x in instead.items() if isinstance(a, Step) and a is not x}
                 if moved and all(_are_alike(a, x, dimensions) for a, x in instead.items()):
-                    cause = computed(f"{what} {stage.name} {key}", f"gives {what}{stage.name} here")
+                    named = f"the {stage.means}" if stage.means else stage.name
+                    text = f"gives {what}{named} here: {key} is asked for"
+                    cause = computed(f"{what} {stage.name} {key}", text)
                     yield Edit(rank, cause, {a.number: x for a, x in moved.items()})
 
 

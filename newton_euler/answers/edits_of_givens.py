@@ -20,26 +20,39 @@ Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, what stands for 
 
 
 def of_given(
-    s: Step, given: Mapping[str, Step], read: Mapping[str, Unit], number: Callable[[Step], Any]
+    s: Step,
+    given: Mapping[str, Step],
+    read: Mapping[str, Unit],
+    number: Callable[[Step], Any],
+    means: str,
 ) -> Iterator[Slip]:
-    """One given for another, twice or half of it, its sign, weight for mass."""
+    """One given for another, twice or half of it, its sign, weight for mass; ``means`` are its
+    words in the text.
+    """
     name, own = s.args[0], read[s.args[0]]
+    is_it = f"{name} is the {means}" if means else f"the formula has {name} there"
+    not_one = "it is not 1 here" if own.dimension == Dimension() else "then the units do not fit"
     for other, step in given.items():
         if other != name and read[other].dimension == own.dimension:
             rank = RARER if read[other].text == own.text else LESS
-            yield rank, f"given {other}", f"takes {other} for {name}", step
+            yield rank, f"given {other}", f"takes {other} for {name}: {is_it}", step
     if own.dimension != MASS:
-        yield RARER, "sign", f"takes {name} with the opposite sign", ("neg", s)
+        words = f"takes {name} with the opposite sign: the text gives its sense"
+        yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
-    yield rank, "doubled", f"takes twice {name}", ("*", s, 2.0)
-    yield rank, "halved", f"takes half of {name}", ("*", s, 0.5)
-    yield LESS, "zero", f"leaves out {name}", ("*", s, 0.0)
-    yield LESS, "one", f"leaves out the factor {name}", ("/", s, number(s))
+    yield rank, "doubled", f"takes twice {name}: {is_it}", ("*", s, 2.0)
+    yield rank, "halved", f"takes half of {name}: {is_it}", ("*", s, 0.5)
+    yield LESS, "zero", f"leaves out {name}: it is not zero here", ("*", s, 0.0)
+    yield LESS, "one", f"leaves out the factor {name}: {not_one}", ("/", s, number(s))
     if own.dimension in (MASS, FORCE):
         g = next((number(x) for n, x in given.items() if read[n].dimension == GRAVITY), G)
-        words = f"takes {name} for a mass" if own.dimension == FORCE else f"multiplies {name} by g"
-        yield RARER, "g", f"{words}: mass and weight are exchanged", ("*", s, g)
-        yield LESS, "g", f"divides {name} by g: mass and weight are exchanged", ("/", s, g)
+        is_weight = own.dimension == FORCE
+        words = (
+            f"takes {name} for a mass: it is a weight" if is_weight else f"multiplies {name} by g"
+        )
+        yield RARER, "g", words if is_weight else f"{words}: it is a mass already", ("*", s, g)
+        why = "it is a force already" if is_weight else "it is a mass, not a weight"
+        yield LESS, "g", f"divides {name} by g: {why}", ("/", s, g)
 
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
@@ -47,7 +60,7 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     name, factor = s.args[0], own.to_base(1.0, system)
     for ratio in _ratios(own, system):
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
-        words = f"converts {name} from {own.text} the wrong way"
+        words = f"converts {name} from {own.text} the wrong way: its factor is inverted"
         yield LESS, "wrong way", words, ("*", s, ratio * ratio)
     if own.is_of_turning and abs(factor - pi / 180) > 1e-9:
         words = f"leaves out 2*pi in {name}: a revolution is 2*pi radians"
@@ -55,11 +68,11 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     for part in own.parts:
         if part in CONFUSED:
             other = CONFUSED[part]
-            words = f"takes {other} for {part} in {name}"
+            words = f"takes {other} for {part} in {name}: it is given in {own.text}"
             ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
             yield LESS, f"confused {part}", words, ("*", s, ratio)
-        if part != own.text:
-            words = f"does not convert the {part} in {name}"
+        if part != own.text and unit(part).to_base(1.0, system) != 1:
+            words = f"does not convert the {part} in {name}: the rest is in other units"
             yield LESS, f"part {part}", words, ("*", s, 1 / unit(part).to_base(1.0, system))
             yield LESS, f"part {part}", words, ("*", s, unit(part).to_base(1.0, system))
 

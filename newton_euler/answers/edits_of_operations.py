@@ -9,13 +9,14 @@ from typing import Any
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
 from .causes import computed
-from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
+from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
 from .typed import Product, described, typed
 
 Slip = tuple[int, str, str, Any]
 AREA, INERTIA = Dimension(0, 2), Dimension(1, 2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 PRODUCT = ("*", "/")
+RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
 BODIES = {
     Fraction(1): "a ring", Fraction(1, 2): "a disk about its axis",
     Fraction(1, 4): "a disk about a diameter", Fraction(1, 3): "a rod about its end",
@@ -36,6 +37,7 @@ def _of_nothing(s):
 def _of_sum(s):
     a, b = s.args
     minus = s.op == "-"
+    signs = "one of the two terms there is subtracted" if minus else "both terms there are added"
     turned_first = ("neg", ("+", a, b)) if minus else ("-", b, a)
     for term, left, turned in (
         (a, ("neg", b) if minus else b, turned_first),
@@ -43,11 +45,11 @@ def _of_sum(s):
     ):
         several = isinstance(term, Step) and term.op in ("+", "-")
         rank, what = LESS if several else SIMPLE, _term(term, s)
-        yield rank, "sign", f"has {what} with the opposite sign", turned
-        yield rank, "term", f"leaves out {what}", left
+        yield rank, "sign", f"has {what} with the opposite sign: {signs}", turned
+        yield rank, "term", f"leaves out {what}: it is not zero here", left
         for factor, kind in ((2.0, "doubles"), (0.5, "halves")) if not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
-            yield LESS, kind, f"{kind} {what}", (s.op, *scaled)
+            yield LESS, kind, f"{kind} {what}: it counts once", (s.op, *scaled)
 
 
 def _term(term, whole):
@@ -57,23 +59,40 @@ def _term(term, whole):
     return described(term, "the term") or "one term of a sum"
 
 
-def of_product(s: Step, number: Callable[[Step], Any]) -> Iterator[Slip]:
+def of_product(
+    s: Step, number: Callable[[Step], Any], has_unit: Callable[[Step], bool]
+) -> Iterator[Slip]:
     """The slips in a product with all its factors; ``number`` of a factor, in a student's units."""
+
+    def why(factor):
+        return ": then the units do not fit" if has_unit(factor) else ": it is not 1 here"
+
     product = Product(s)
-    of = f" of {whole}" if (whole := typed(s)) else ""
+    whole = typed(s)
+    of = (
+        f" of {whole}"
+        if whole
+        else f" of {in_it}"
+        if (in_it := described(s, "the product"))
+        else ""
+    )
     for factor, power in product.powers.items():
         if described(factor):
-            yield from _of_factor(s, factor, power, number(factor), of)
+            yield from _of_factor(s, factor, power, number(factor), of, why(factor))
     for part, op in _parts(s, "/"):
-        words = f"leaves out {described(part, 'the factor') or 'a factor'}{of}"
+        named = described(part, "the factor") or "a factor"
+        words = f"leaves out {named}{f' of {whole}' if whole else ''}{why(part)}"
         yield LESS, "factor", words, (op, s, number(part))
     powers = product.powers.values()
     if min(powers, default=0) < 0 < max(powers):
-        yield LESS, "inverse", f"inverts {whole or 'a quotient'}", ("/", 1.0, s)
+        yield LESS, "inverse", f"inverts {whole or 'a quotient'}{why(s)}", ("/", 1.0, s)
     c = abs(product.coefficient)
     if product.is_exact and c != 1 and c.denominator < 100:
+        for other in (c / 2, 2 * c):
+            words = f"takes the factor {other} for {c}{of}: the formula has {c}"
+            yield LESS, f"constant for {other}", words, ("*", s, float(other / c))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
-            words = f"leaves out the factor {lost}{of}"
+            words = f"leaves out the factor {lost}{of}: the formula has it"
             yield SIMPLE, f"constant {lost}", words, ("/", s, float(lost))
 
 
@@ -86,53 +105,71 @@ def _parts(s, op):
             yield from _parts(a, inner)
 
 
-def _of_factor(s, x, power, factor, of):
+def _of_factor(s, x, power, factor, of, why):
     named, the_factor = described(x), described(x, "the factor")
     if power == 2:
         of = "" if of == f" of {named}^2" else of
-        yield SIMPLE, "square", f"does not square {named}{of}", ("/", s, factor)
+        yield SIMPLE, "square", f"does not square {named}{of}{why}", ("/", s, factor)
     elif power == -2:
-        yield SIMPLE, "square", f"divides by {named}, not by its square", ("*", s, factor)
+        yield SIMPLE, "square", f"divides by {named}, not by its square{why}", ("*", s, factor)
     elif power > 0:
-        yield LESS, "factor", f"leaves out {the_factor}{of}", ("/", s, factor)
-        yield LEAST, "squared", f"squares {named}{of}", ("*", s, factor)
-        words = f"divides by {named} and does not multiply"
+        yield LESS, "factor", f"leaves out {the_factor}{of}{why}", ("/", s, factor)
+        yield LEAST, "squared", f"squares {named}{of}{why}", ("*", s, factor)
+        words = f"divides by {named} instead of multiplying{why}"
         yield LEAST, "divided", words, ("/", ("/", s, factor), factor)
     else:
-        yield LESS, "factor", f"does not divide by {named}", ("*", s, factor)
-        words = f"multiplies by {named} and does not divide"
+        yield LESS, "factor", f"does not divide by {named}{why}", ("*", s, factor)
+        words = f"multiplies by {named} instead of dividing{why}"
         yield LEAST, "multiplied", words, ("*", ("*", s, factor), factor)
 
 
 def _of_power(s):
     a, _ = s.args
-    yield SIMPLE, "power", f"leaves out the power of {described(a) or 'a factor'}", a
+    yield (
+        SIMPLE,
+        "power",
+        f"leaves out the power of {described(a) or 'a factor'}: the formula has it",
+        a,
+    )
 
 
 def _of_root(s):
-    yield SIMPLE, "root", f"leaves out the square root of {typed(s.args[0]) or 'a sum'}", s.args[0]
+    (x,) = s.args
+    words = f"leaves out the square root of {typed(x) or 'a sum'}: its square was found"
+    yield SIMPLE, "root", words, x
+    if isinstance(x, Step) and x.op == "+" and all(Product(a).is_square for a in x.args):
+        words = "adds two components as numbers: they are at right angles"
+        yield SIMPLE, "components", words, ("+", *(("sqrt", a) for a in x.args))
 
 
 def _of_function(s):
     (x,) = s.args
     twin, inside = COFUNCTIONS[s.op], typed(x) or "..."
-    words = f"takes {twin}({inside}) for {s.op}({inside}): check its triangle"
+    words = f"takes {twin}({inside}) for {s.op}({inside}): that is the other side of its triangle"
     yield SIMPLE, "cofunction", words, (twin, x)
     if s.op in ("cos", "acos"):
-        other = "with the opposite sign" if s.op == "cos" else "of the other sign: its supplement"
-        yield LESS, "supplement", f"has {s.op}({inside}) {other}", _turned(s)
+        words, turned = _SUPPLEMENT[s.op]
+        yield LESS, "supplement", words.format(f"{s.op}({inside})"), turned(s)
 
 
-def _turned(s):
-    return ("neg", s) if s.op == "cos" else ("acos", ("neg", s.args[0]))
+_SUPPLEMENT = {
+    "cos": ("has {} with the opposite sign: that is of the supplement", lambda s: ("neg", s)),
+    "acos": ("gives the supplement of {}: a cosine has the opposite sign",
+             lambda s: ("acos", ("neg", s.args[0]))),
+}  # fmt: skip
 
 
 def _of_tangent(s):
-    yield LESS, "cotangent", "inverts a tangent: check its triangle", ("/", 1.0, s)
+    yield (
+        LESS,
+        "cotangent",
+        "inverts a tangent: the two legs of its triangle are exchanged",
+        ("/", 1.0, s),
+    )
 
 
 def _of_atan(s):
-    words = "takes the angle from the other side of its triangle"
+    words = "takes the angle from the other axis: the legs of its triangle are exchanged"
     other = ("atan2", *reversed(s.args)) if s.op == "atan2" else ("atan", ("/", 1.0, *s.args))
     yield SIMPLE, "cofunction", words, other
 
@@ -149,14 +186,29 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
     sines = {s.args[0]: s for s in steps if s.op == "sin"}
     cosines = {s.args[0]: s for s in steps if s.op == "cos"}
     for x, s in sines.items():
+        if not any(inner.op == "argument" for inner in needed([x])):
+            continue  # a constant
         named = typed(x) or "an angle"
         if x in cosines:
             words = f"measures {named} from the other axis: sine and cosine are exchanged"
             c = cosines[x]
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
-        words = f"takes {named} the other way round"
+        words = f"takes {named} the other way round: its positive sense is the opposite one"
         yield Edit(SIMPLE, computed(f"turned {s.number}", words), {s.number: ("neg", s)})
+
+
+def of_constants(steps: Sequence[Step]) -> Iterator[Edit]:
+    """One constant left out wherever it is a factor, as both halves of (x/2, y/2)."""
+    found: dict[tuple, dict[int, Any]] = {}
+    for s in steps:
+        if s.op in PRODUCT and isinstance(s.args[0], Step) and not isinstance(s.args[1], Step):
+            found.setdefault((s.op, abs(s.args[1])), {})[s.number] = s.args[0]
+    for (op, x), instead in found.items():
+        if len(instead) > 1 and x != 1:
+            lost = f"{'1/' * (op == '/')}{x:g}"
+            words = f"leaves out the factor {lost} in several places: the formulas have it"
+            yield Edit(LESS, computed(f"everywhere {op} {x}", words), instead)
 
 
 def of_moment(s: Step, dimension: Dimension | None) -> Iterator[Slip]:
@@ -165,8 +217,10 @@ def of_moment(s: Step, dimension: Dimension | None) -> Iterator[Slip]:
         return
     product = Product(s)
     own = product.coefficient if product.is_exact else Fraction(0)
-    rods = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
-    bodies = BODIES.keys() if dimension == INERTIA else rods
-    for other in sorted(bodies - {own}) if own in bodies else ():
-        words = f"takes {other} for {own} in a moment of inertia: that is {BODIES[other]}"
+    alike = RODS if own in RODS else BODIES.keys() - RODS
+    known = own in RODS or (own in BODIES and dimension == INERTIA)
+    for other in sorted(alike - {own}) if known else ():
+        words = (
+            f"takes the factor {other} for {own} in a moment of inertia: that is {BODIES[other]}"
+        )
         yield RARER, f"body {other}", words, ("*", s, float(other / own))

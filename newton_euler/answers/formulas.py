@@ -25,11 +25,14 @@ class Traced(NamedTuple):
 
 
 class Stage(NamedTuple):
-    """A quantity on the way to the answers: its name, where the book has it, its components."""
+    """A quantity on the way to the answers: its name, where the book has it, its components, and
+    what it is in words.
+    """
 
     name: str
     where: str
     parts: Sequence[Any]
+    means: str = ""
 
 
 class Formulas(NamedTuple):
@@ -37,6 +40,7 @@ class Formulas(NamedTuple):
 
     units : of the givens and symbols, which are the arguments, in base units of the ``system``
     where : the section of the problem
+    means : of the givens, in a few words
     """
 
     answers: Mapping[str, Traced]
@@ -44,6 +48,7 @@ class Formulas(NamedTuple):
     system: System
     stages: Sequence[Stage] = ()
     where: str = ""
+    means: Mapping[str, str] = {}
 
 
 class Edit(NamedTuple):

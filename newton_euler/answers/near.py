@@ -63,14 +63,17 @@ class Slips:
 
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
         """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
+        import numpy as np
+
         ranked = self.ranked(key)
         if ranked is None or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
             return []
-        places = (
-            _formulas_near(self.at(key, fit.index), fit)
-            if kind.is_formula
-            else _numbers_near(self.at(key, 0), fit, kind, ranked)
-        )
+        with np.errstate(all="ignore"):  # a student may write 1e300
+            places = (
+                _formulas_near(self.at(key, fit.index), fit)
+                if kind.is_formula
+                else _numbers_near(self.at(key, 0), fit, kind, ranked)
+            )
         return [
             (level // 2, cause, kind.like(self._points(key, n), fit.given))
             for n in places

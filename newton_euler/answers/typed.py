@@ -69,7 +69,7 @@ def described(x: Any, noun: str = "") -> str:
     if written := typed(x):
         return f"{noun} {written}".strip()
     names = list(_names(x, {}))
-    return f"{noun or 'what is'} in {', '.join(names)}" if 0 < len(names) <= NAMES else ""
+    return f"{noun or 'an expression'} in {', '.join(names)}" if 0 < len(names) <= NAMES else ""
 
 
 def _names(x, seen):
@@ -85,6 +85,8 @@ def _sum(x):
     if not isinstance(x, Step) or x.op not in ("+", "-"):
         return _product(x)
     a, b = map(_sum, x.args)
+    if a and a == b and " " not in a:
+        return f"2*{a}" if x.op == "+" else ""
     if b and x.op == "-" and isinstance(x.args[1], Step) and x.args[1].op in ("+", "-"):
         b = f"({b})"
     sign, b = (" - ", b[1:]) if (b.startswith("-") and x.op == "+") else (f" {x.op} ", b)

@@ -65,6 +65,10 @@ class Numbers(Protocol):
         """{later answer: names of the earlier ones from which it follows}."""
 
     @property
+    def where(self) -> str:
+        """The place in the book where the problem is at home, as "section 4.10"."""
+
+    @property
     def slips(self) -> Slips:
         """The slips in the computation of the answers."""
 
@@ -147,6 +151,7 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     # in what follows, a slip that gives the same numbers was made before
     slips = () if earlier else (partial(_slips, asked, found, numbers),)
     causes = _causes(asked, given, found, numbers, *slips)
+    causes = tuple(c if c.where else c.at(numbers.where) for c in causes)
     for cause, whose in OTHER_NUMBERS.items():
         if cause in causes:
             message = f"not right: this is the answer for {whose}; yours are others"

@@ -14,10 +14,19 @@ unknowns of :func:`newton_euler.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ..algebra.errors import checked, checked_but
+from ..algebra.errors import checked
 from ..algebra.ledger import distinct
 from ..algebra.names import guided
-from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
+from ..algebra.scalars import (
+    Scalar,
+    clipped,
+    is_numeric,
+    max_abs,
+    min_abs,
+    scalar,
+    short,
+    to_plain,
+)
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
 
@@ -28,7 +37,6 @@ class ForceError(FrameError):
     """Not a force or couple, or a system that does not have the requested result."""
 
 
-@checked_but("vector", "point")
 @dataclass(frozen=True)
 class Force:
     """A force, ``vector`` in N, at the Point ``point`` of its line of action."""
@@ -38,7 +46,7 @@ class Force:
     name: str = "force"
 
     def __post_init__(self):
-        object.__setattr__(self, "vector", _vector(self.vector, "force"))
+        object.__setattr__(self, "vector", _vector(self.vector, "force", self.name))
         object.__setattr__(self, "point", place(self.point, self.name))
 
     @checked
@@ -65,7 +73,6 @@ class Force:
         return f"{self.name}: {self.vector} at {self.point.name}"
 
 
-@checked_but("vector")
 @dataclass(frozen=True)
 class Couple:
     """A couple: ``vector``, its moment in N m, the same about every point."""
@@ -74,7 +81,7 @@ class Couple:
     name: str = "couple"
 
     def __post_init__(self):
-        object.__setattr__(self, "vector", _vector(self.vector, "couple"))
+        object.__setattr__(self, "vector", _vector(self.vector, "couple", self.name))
 
     @checked
     def moment(self, about: object = None) -> Vector:
@@ -244,11 +251,13 @@ def _parts(name, part):
     return [Force(part.vector, part.point, name or part.name)]
 
 
-def _vector(v, what):
+def _vector(v, what, name):
     if not isinstance(v, Vector):
         raise ForceError(
             f"the vector of a {what} is a Vector, as ground.vector(0, 0, -9.81); got {v!r}"
         )
+    if not isinstance(name, str):
+        raise ForceError(f"the name of a {what} is a text; got {clipped(name)}")
     return v
 
 

@@ -32,6 +32,7 @@ from ..algebra.scalars import (
     is_comparable,
     is_zero,
     promote,
+    real_scalar,
     scalar,
     to_plain,
 )
@@ -293,7 +294,7 @@ class Model(Portable):
     def _time(self, t):
         """The time ``t`` as a number of any kind; :class:`ModelError` for anything else."""
         try:
-            return t if type(t) is float else to_plain(scalar(t))
+            return t if type(t) is float else to_plain(real_scalar(t))
         except ScalarError as error:
             raise ModelError(
                 f"t is a time of {self.name!r}, a number (float, array, mpf or expression); got "

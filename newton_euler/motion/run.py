@@ -33,7 +33,16 @@ from .sizes import (
     small,
     worst_ratio,
 )
-from .solution import AccuracyError, Cost, FarError, Motion, MotionError, UnfitError
+from .solution import (
+    AccuracyError,
+    Cost,
+    FarError,
+    LongError,
+    Motion,
+    MotionError,
+    StickingError,
+    UnfitError,
+)
 from .trajectory import Trajectory
 
 # seconds of integrating one right-hand side after which importing and compiling heyoka would have
@@ -43,6 +52,7 @@ FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate en
 MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
+UNLUCKY = 10.0  # times its estimate by which a run across kinks may be off
 
 
 def usable(name: str, system: PreparedModel, t0: float = 0.0) -> Method:
@@ -291,8 +301,8 @@ class Run:
         change their formula, if there are such places and it is more accurate.
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
-        long = isinstance(last.failed, LengthError)
-        if long or not (method.adaptive and self.system.traced.choices):
+        ended = last.failed and issubclass(last.refusal, (StickingError, LongError))
+        if ended or not (method.adaptive and self.system.traced.choices):
             return last, error
         comparison = method, 10 * tolerance, tolerance
         before = self.compared(*comparison, known, stopping=True)
@@ -301,9 +311,9 @@ class Run:
             before = self.compared(*comparison, known, stopping=True)
         trajectory = self.trajectory(method, tolerance, known, stopping=True)
         found = max(forced, self.error(before, trajectory))
-        if trajectory.failed or not (last.failed or trajectory.difference(last) <= error > found):
-            return last, error
-        return trajectory, found
+        alike = last.failed or trajectory.difference(last) <= UNLUCKY * error
+        better = alike and not trajectory.failed and (last.failed or found < error)
+        return (trajectory, found) if better else (last, error)
 
     def far_error(self, method, motion, known):
         """The error to be raised where round-off is too much for states that are small."""

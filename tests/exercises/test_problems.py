@@ -61,8 +61,7 @@ def test_problem(p, seeds, monkeypatch):
 def test_a_proof_by_the_engine_is_refused(monkeypatch):
     p = problem("4/16")
     monkeypatch.setattr(p.code, "prove", without_the_engine(p.code.solve))
-    with pytest.raises(AssertionError, match="the proof makes a frame"):
-        check(p)
+    assert "the proof makes a frame" in check(p)[0]
 
 
 @cache

@@ -15,7 +15,7 @@ from ...answers.forms import kind_named
 from ...answers.messages import one_line
 from .programs import OPERATIONS
 
-FORMAT = 3
+FORMAT = 4
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
@@ -103,9 +103,9 @@ VARIANT = {
     "program": dict | None, "slips": [(int, list)],
 }  # fmt: skip
 PAGE = {
-    **dict.fromkeys(("id", "title", "section", "chapter", "preamble", "figure"), str),
-    "book": bool, "quantities": [QUANTITY], "labels": [(str, str, str, str)], "variants": [VARIANT],
-    "slips": [(str, int, str, str, str)],
+    **dict.fromkeys(("id", "title", "section", "where", "chapter", "preamble", "figure"), str),
+    "book": bool, "quantities": [QUANTITY], "variants": [VARIANT],
+    "labels": [(str,) * 5], "slips": [(str, int, *(str,) * 3)],
 }  # fmt: skip
 PROGRAM = {"operations": [list], "quantities": {str: list}, "earlier": {str: [str]}}
 
@@ -147,7 +147,7 @@ def _is_whole(page):
         and all(set(q) - {"rtol"} == set(QUANTITY) for q in page["quantities"])
         and all(_fits(q.get("rtol", 0.0), NUMBER) for q in page["quantities"])
         and not any(kind.is_formula for kind in kinds.values())
-        and all(group != "axes" or place.isdecimal() for _, group, place, _ in page["labels"])
+        and all(group != "axes" or place.isdecimal() for _, group, place, *_ in page["labels"])
         and all(_is_variant(v, kinds, page) for v in page["variants"])
     )  # fmt: skip
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from ...answers.causes import Cause, computed
+from ...answers.causes import Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
 from ...answers.near import NO_SLIPS, Ranked, Slips
@@ -47,10 +47,11 @@ class KeptNumbers:
 
     sheets = ()
 
-    def __init__(self, quantities, labels, variant, book=None, slips=()):
+    def __init__(self, quantities, labels, variant, book=None, slips=(), where=""):
         self.answers = [q for q in quantities if q.key in variant["right"]]
         self._labels, self._variant, self._book = labels, variant, book
         self.program = Program(variant["program"])
+        self.where = where
         self.tried: Collection[str] = ()
         self.slips = KeptSlips(slips, variant.get("slips", ()))
         self.symbols: dict[str, Any] = {}  # all is numbers in practice
@@ -104,15 +105,15 @@ class KeptNumbers:
 
 
 class KeptSlips(Slips):
-    """The slips of one variant: ``labels`` of all, [key, rank, name, text, where], and the numbers
-    that these make, [place among the labels, numbers].
+    """The slips of one variant: ``labels`` of all, [key, rank, name, text, where], and the
+    numbers that these make, [place among the labels, numbers].
     """
 
     def __init__(self, labels, kept):
         self._found: dict[str, list] = {}
         for n, numbers in kept:
-            key, rank, name, text, where = labels[n]
-            slip = rank, computed(name, text).at(where)
+            key, rank, *words = labels[n]
+            slip = rank, Cause("computed", *words)
             self._found.setdefault(key, []).append((slip, numbers))
 
     def ranked(self, key: str) -> Ranked | None:

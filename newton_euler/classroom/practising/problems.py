@@ -77,7 +77,8 @@ class PracticeProblem:
         self._variant = variants[number]
         book = variants[0] if number and self._page["book"] else None
         labels, slips = self._page["labels"], self._page["slips"]
-        self._numbers = KeptNumbers(self._all, labels, self._variant, book, slips)
+        where = self._page["where"]
+        self._numbers = KeptNumbers(self._all, labels, self._variant, book, slips, where)
         self._asked = {q.key: q for q in self._numbers.answers}
         self._found: dict[str, Any] = {}
         self._trees: dict[str, Any] = {}

@@ -37,6 +37,7 @@ if (!window.newtonEulerSliders) {{
   window.newtonEulerSliders.observe(document.body, {{
     subtree: true, childList: true, attributes: true, attributeFilter: ['aria-valuetext'],
   }});
+  soon();
 }}
 """
 
@@ -116,8 +117,8 @@ def _show_sliders(sliders, values, redraw):
         values[name] = x
         redraw(dict(values))
 
-    display(Javascript(NAMED))
     display(VBox([_row(slider, moved) for slider in sliders]))
+    display(Javascript(NAMED))
 
 
 def _row(slider, moved):

@@ -45,20 +45,15 @@ def write(tmp_path, monkeypatch):
 
     home = tmp_path / "exercises"
 
-    def forget():
-        places.homes.cache_clear()
-        for name in ("chapter", "problems", "problem", "_problem_at"):
-            getattr(reading, name).cache_clear()
-
     def put(name, text):
         (home / "ch77").mkdir(parents=True, exist_ok=True)
         (home / "ch77" / name).write_bytes(text if isinstance(text, bytes) else text.encode())
-        forget()
+        reading.forget()
 
     monkeypatch.setattr(places, "EXERCISES", home)
     yield put
     monkeypatch.undo()
-    forget()
+    reading.forget()
 
 
 @pytest.mark.parametrize("name", chapters())
@@ -311,7 +306,7 @@ def test_a_chapter_without_its_file_or_its_title_is_told(write):
     write("chapter.yaml", "titel: Wheels")
     assert refused(chapter, "ch77") == (
         "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and, "
-"where wanted, preamble"
+"where wanted, preamble; did you mean title?"
     )  # fmt: skip
 
 

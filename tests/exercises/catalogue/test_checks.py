@@ -85,7 +85,7 @@ def renamed(wrong, g):
         (mistaken(lambda wrong, g: {**wrong, "no_coriolis": {"a_C": wrong["no_coriolis"]["a_D"]}}), "the mistake no_coriolis must give some of ['alpha_CD', 'v_D', 'a_D'], and gives ['a_C']"),
         (mistaken(lambda wrong, g: {**wrong, "no_coriolis": {"a_D": SOLVE(g)["a_D"]}}), "the mistake no_coriolis gives nearly the right a_D: ("),
         ({"follows": {"a_D": lambda g, alpha_CD: 2 * alpha_CD}}, "a_D does not follow from alpha_CD: follows gives ("),
-        ({"follows": {"a_D": lambda g, alpha: alpha}}, "follows has alpha; the problem asks for alpha_CD, v_D, a_D (seed 0)"),
+        ({"follows": {"a_D": lambda g, alpha: alpha}}, "follows has alpha; the problem asks for alpha_CD, v_D, a_D; did you mean alpha_CD? (seed 0)"),
     ],
 )  # fmt: skip
 def test_a_fault_is_caught(tamper, functions, fault):

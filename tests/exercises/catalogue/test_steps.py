@@ -126,7 +126,8 @@ def test_steps_in_code_and_text_are_the_same(monkeypatch):
     monkeypatch.setattr(p.code, "steps", lambda g: {"m": g.W / g.g, "I_G": g.W / g.g * g.L**2})
     assert faults(p, p.book_values) == ["the step a_G is in p03.yaml but not computed"]
     monkeypatch.setattr(p.code, "steps", lambda g: {"a_C": g.g})
-    assert faults(p, p.book_values) == ["8/3: the step 'a_C' is computed but not in p03.yaml"]
+    told = "8/3: the step 'a_C' is computed but not in p03.yaml; did you mean a_G?"
+    assert faults(p, p.book_values) == [told]
 
 
 def proving(monkeypatch, **found):

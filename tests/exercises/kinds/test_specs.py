@@ -5,9 +5,13 @@ import ast
 import pytest
 import yaml
 
-from exercises.catalogue import CatalogueError
+from exercises.catalogue import CatalogueError, select
 from exercises.catalogue.format import read_problem
-from exercises.catalogue.specs import mistake_names, write_chapter
+from exercises.catalogue.places import home
+from exercises.catalogue.reading import load
+from exercises.catalogue.specs import mistake_names, problem_yaml, write_chapter
+
+PROBLEMS = select(["all"])
 
 SPEC = """\
 # Chapter 2: planar kinematics. Problems 2/1 .. 2/2.
@@ -104,6 +108,40 @@ def test_a_problem_that_does_not_fit_the_format_is_told_and_nothing_is_written(s
     with pytest.raises(CatalogueError, match=r"problem 2/1: a: kind 'nmber' is none of"):
         written(spec)
     assert not (spec.parent / "to").exists()
+
+
+@pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: p.id.replace("/", "_"))
+def test_a_spec_loses_nothing_that_a_problem_has(p, tmp_path):
+    """Each problem of the book as an entry of a spec: what is written is read as the same."""
+    path = home(p.chapter) / f"{p.name}.yaml"
+    entry = load(path.read_text())
+    assert vars(read_problem(load(problem_yaml(entry)), path)) == vars(read_problem(entry, path))
+
+
+@pytest.mark.parametrize(("right", "wrong", "told"), [
+    ("  title: Gradient", "  titel: Gradient", "unknown key 'titel'.*; did you mean title"),
+    ("  mistakes: []", "  mistake: []", "unknown key 'mistake'.*; did you mean mistakes"),
+    ("kind: expression", "kin: expression", "unknown key 'kin'.*; did you mean kind"),
+    ("  answers: [{key: g", "  answer: [{key: g", "unknown key 'answer'.*; did you mean answers"),
+])  # fmt: skip
+def test_an_unknown_key_of_a_spec_is_refused(spec, right, wrong, told):
+    assert SPEC.count(right) == 1
+    spec.write_text(SPEC.replace(right, wrong))
+    with pytest.raises(CatalogueError, match=told):
+        written(spec)
+
+
+def test_a_chapter_of_a_course_wants_its_folder(tmp_path):
+    spec = tmp_path / "bridge.yaml"
+    spec.write_text(
+        SPEC.replace('"2/', '"bridge/').replace("# Chapter 2: planar", "# Bridges: planar")
+    )
+    with pytest.raises(
+        CatalogueError, match="a chapter of your own: name the folder for it with --to"
+    ):
+        write_chapter("bridge", spec)
+    write_chapter("bridge", spec, folder=tmp_path / "own")
+    assert "Bridges: planar kinematics" in (tmp_path / "own/bridge/chapter.yaml").read_text()
 
 
 def test_names_of_mistakes_are_identifiers_and_differ():

@@ -92,6 +92,7 @@ def shown(name, key):
     ("3/12", "v_theta", ["a*omega"]),  # a step that converts a given is used after it
     ("2/11", "rho_top", ["v_top**2/g"]),  # an earlier quantity within a product
     ("7/6", "I_xy", ["0"]),  # no round-off
+    ("11/17", "T_rot", ["I_C*omega**2/2"]),  # the unknown w is no quantity of the problem
     ("2/5", "h", ["g*t_near**2/2 - t_near*v_0*cos(phi)", "g*t_far**2/2 - t_far*v_0*cos(phi)"]),
 ])  # fmt: skip
 def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):
@@ -108,3 +109,14 @@ def test_a_step_stands_after_the_answer_that_it_is_found_from():
     p = problem("A/16")
     keys = [line.step.key for line in lines(p, p.book_values)]
     assert keys.index("y") < keys.index("known_PR") < keys.index("x")
+
+
+def test_an_unknown_has_its_sign_in_the_equations():
+    p = problem("11/26")
+    ((left, right),) = derivations(p, p.book_values)["v_b"].together
+    assert {str(left), str(right)} == {"T_b + c*g*m", "T_b*ratio + b*g*m"}
+
+
+def test_a_result_has_no_factor_1():
+    x = sympy.Symbol("x")
+    assert str(simplest(1.0 * x**2 + 0.5)) == "x**2 + 0.5"

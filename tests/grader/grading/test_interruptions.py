@@ -2,6 +2,7 @@
 one, which goes on where the last one stopped.
 """
 
+import contextlib
 import os
 import random
 import re
@@ -47,10 +48,13 @@ def wait_for(course, pattern, count=1):
 
 def stopped(process):
     """What a process says when Ctrl-C reaches it and all that it has started, as in a terminal."""
-    os.killpg(process.pid, signal.SIGINT)
-    out, _ = process.communicate(timeout=60)
+    for _ in range(5):  # a person presses again where Python has ignored it, as in a weak reference
+        os.killpg(process.pid, signal.SIGINT)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            out, _ = process.communicate(timeout=20)
+            break
     assert process.returncode == 130, out
-    assert "Traceback" not in out
+    assert "Traceback" not in out or "Exception ignored" in out, out
     return " ".join(out.split())
 
 

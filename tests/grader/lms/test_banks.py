@@ -2,6 +2,7 @@
 tolerance, and every listed mistake with its diagnosis.
 """
 
+import doctest
 import itertools
 import xml.etree.ElementTree as ET
 import zipfile
@@ -13,7 +14,7 @@ from exercises.catalogue.variants import flat
 from grader.assignment.spec import Item, Spec, spec_of
 from grader.commands import bank
 from grader.course import CourseError
-from grader.lms import FORMATS, write_bank
+from grader.lms import FORMATS, pages, write_bank
 from grader.lms.pages import html
 from grader.lms.write import variants_of
 from grader.practice.plain import plain
@@ -22,9 +23,9 @@ from grader.scoring.margins import margins
 from tests.grader.courses import grader
 from tests.grader.lms.platforms import PLATFORMS
 
-# numbers, vectors, a direction beside a vector, a choice beside a count, formulas, matrices, bounds,
+# mistakes too near to each other, vectors, a direction beside a vector, a choice beside a count, formulas, matrices, bounds,
 # one number alone, one choice alone
-FEW = "4/3", "4/16", "A/19", "5/26", "7/1", "3/27", "2/4", "2/8"
+FEW = "4/1", "4/16", "A/19", "5/26", "7/1", "3/27", "2/4", "2/8"
 SEED = "tests"
 
 
@@ -109,7 +110,7 @@ def _mistakes(judge, p, values, asked, right):
 
 @pytest.mark.parametrize("form", FORMATS)
 def test_a_bank_judges_as_our_grading_does(form, tmp_path):
-    assert check(FEW, form, tmp_path) > 200
+    assert check(FEW, form, tmp_path, count=1) > 100
 
 
 @pytest.mark.slow
@@ -165,6 +166,10 @@ def test_the_numbers_of_the_book_and_of_practice_are_not_in_a_bank():
     p, sets = numbers_of("4/16", 10)
     assert p.book_values not in sets
     assert not [v for v in sets_of_numbers(p, 10) if v in sets]
+
+
+def test_examples_in_docstrings():
+    assert doctest.testmod(pages).failed == 0
 
 
 def test_texts_are_html_whose_formulas_mathjax_finds():

@@ -1,6 +1,7 @@
 """Sheets and keys as PDF: what they show, for whom they are, and that every problem can be printed."""
 
 import csv
+import doctest
 import hashlib
 import importlib.util
 import re
@@ -11,7 +12,7 @@ import pytest
 from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw
 from grader.assignment.spec import spec_of
-from grader.paper import PaperError, write, write_papers
+from grader.paper import PaperError, markup, write, write_papers
 from grader.paper.markup import formula, typst
 from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
 from grader.paper.write import NEEDED, pdf
@@ -36,7 +37,7 @@ def raw(files):
     formulas = re.findall(r"\$([^$]*)\$", text)
     outside = re.sub(r"\$[^$]*\$", "", text)
     return re.findall(r"\$|\\|\*\*|`", outside) + [
-        f for f in formulas if re.search(r"\\[A-Za-z]|\\text|\blimits\b", f)
+        f for f in formulas if re.search(r"\\[A-Za-z]|\\text|\blimits", f)
     ]
 
 
@@ -82,6 +83,21 @@ def test_figures_are_vectors_of_the_students_own_numbers():
     assert figure("ada") == figure("ada") != figure("emmy")
     assert b"<path" in figure("ada")
     assert b"<image" not in figure("ada")
+    assert b"<text" not in figure("ada")  # its fonts need not be there
+
+
+def test_a_changed_text_has_the_students_numbers():
+    _, student = of("4/16")
+    text = "## Mine\n\nOurs turns at $\\omega = 0.6$ always."
+    shown = sheet("Homework", [Entry("4/16", text, 2)], student)["main.typ"].decode()
+    assert f"$omega = {student.values['4/16']['omega']:g}$" in shown
+
+
+def test_what_is_the_same_for_everybody_stands_once_in_the_overview():
+    entries, student = of("4/3", "5/26")
+    shown = overview("Homework", entries, [student] * 5)["main.typ"].decode()
+    assert shown.count('"ABCD-1234"') == 5
+    assert shown.count('"all"') == 1
 
 
 def test_what_a_user_types_is_shown_and_never_run():
@@ -92,6 +108,15 @@ def test_what_a_user_types_is_shown_and_never_run():
     assert pdf(files).startswith(b"%PDF")
     outside = re.sub(r'"(?:[^"\\]|\\.)*"', "", files["main.typ"].decode())
     assert "read" not in outside
+    assert "\\u0000" not in files["main.typ"].decode()  # a string of Typst has no such escape
+
+
+def test_a_formula_that_cannot_be_set_is_named():
+    _, student = of("4/3")
+    with pytest.raises(PaperError, match=r"\\frac\{1\$ is no formula of LaTeX \(Unmatched"):
+        typst(r"so $x = \frac{1$")
+    with pytest.raises(PaperError, match=r"cannot be set: it has no command \\foo"):
+        pdf(sheet("Homework", [Entry(text=r"so $\foo x$")], student))
 
 
 def test_markdown_of_an_instructor_is_typeset():
@@ -100,6 +125,10 @@ def test_markdown_of_an_instructor_is_typeset():
     for piece in ("heading(level: 1)", "#enum", "#emph", "#strong", "#link", "#terms-table", "$1/2$",
                   "#line", "#raw(block: true", "words"):  # fmt: skip
         assert piece in made
+
+
+def test_examples_in_docstrings():
+    assert doctest.testmod(markup).failed == 0
 
 
 def test_the_stroke_of_a_unit_follows_its_number():

@@ -7,7 +7,7 @@ import pytest
 
 from exercises.catalogue import problem
 from grader.scoring import score_receipt
-from grader.scoring.computation import perturbed
+from grader.scoring.computation import perturbed, perturbed_steps
 from newton_euler.answers.formulas import SIMPLE
 from newton_euler.classroom import practice
 
@@ -37,6 +37,23 @@ def test_a_simple_slip_is_named_as_in_grading(practice_file, name):
         assert {c.name for c in checked} <= {c.name for c in graded.causes} or not graded.causes
         assert checked or all(c.group not in ("listed", "computed") for c in graded.causes)
     assert named > 2
+
+
+@pytest.mark.parametrize("name", ["2/18", "4/16"])
+def test_a_simple_slip_in_a_step_is_named(practice_file, name):
+    p = practice(practice_file, progress=None)[name].new()
+    slips, named, made = perturbed_steps(problem(name), p.givens), 0, 0
+    for key in p.steps:
+        if (ranked := slips.ranked(key)) is None:
+            continue
+        right = slips.at(key, 0)[-1]
+        for (rank, _), x in zip(ranked.slips, slips.at(key, 0), strict=True):
+            if rank == SIMPLE and abs(x - right).max() > 0.1 * abs(right).max():
+                p.forget()
+                found = p.check_step(**{key: x.tolist() if len(x) > 1 else float(x[0])})
+                made += 1
+                named += bool(found.explained[key])
+    assert named >= 0.8 * made > 0
 
 
 def test_a_file_holds_what_slips_give_and_not_the_formulas(practice_file):

@@ -282,7 +282,7 @@ def test_of_equal_causes_the_one_that_explains_the_other_parts_is_told():
     alone = part_of(p, given, "alpha_CD", answers["alpha_CD"])
     assert [c.group for c in alone.causes].count("listed") == 2
     parts = score_receipt(p, given, {"answers": answers}).parts
-    assert {part.diagnosis for part in parts} == {p.mistakes["CD_outward"]}
+    assert {part.diagnosis for part in parts} == {p.mistakes["CD_outward"] + " (see section 4.10)"}
 
 
 def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():

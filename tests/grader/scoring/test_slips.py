@@ -14,7 +14,7 @@ from exercises.catalogue.variants import draw
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
 from newton_euler.algebra.units import unit
-from newton_euler.answers.causes import AS_SCALARS, BOOK, DIRECTION, NEAR
+from newton_euler.answers.causes import AS_SCALARS, BOOK, DIRECTION, NEAR, both
 from newton_euler.answers.tolerance import NOISE
 from tests.grader.scoring.answered import right_trees
 
@@ -197,13 +197,13 @@ def test_two_listed_mistakes_at_once_are_both_named():
         for n in range(5):
             numbers = numbers_of(p, draw(p, f"pairs {n}".encode()))
             for a in p.answers:
-                listed = [(c.text, x) for c, x in numbers.wrong(a.key) if c.group == "listed"]
+                listed = [(c, x) for c, x in numbers.wrong(a.key) if c.group == "listed"]
                 if a.kind.name != "vector":
                     continue
                 for (first, (x,)), (second, (y,)) in itertools.combinations(listed, 2):
-                    both = [s + t - k for s, t, k in zip(x, y, numbers.key[a.key][0], strict=True)]
-                    words = f"{first}, and also {second}"
-                    found[judged(p, numbers, a, words, both, {})] += 1
+                    sum_ = [s + t - k for s, t, k in zip(x, y, numbers.key[a.key][0], strict=True)]
+                    words = both(first, second).what
+                    found[judged(p, numbers, a, words, sum_, {})] += 1
     print("\n", found.most_common(6))
     assert found["named"] >= 0.9 * sum(found.values())
 

@@ -95,7 +95,7 @@ def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_s
     A, B, C = (listed(name, name.upper()) for name in "abc")
     found = diagnose(given, key, [(A, a), (B, b)])
     assert found == (both(A, B),)
-    assert sentence(found) == "A, and also B"
+    assert sentence(found) == "A, and also B: both change the answer"
     twin = [(A, a), (B, b), (listed("a too", "A too"), a)]
     assert diagnose(given, key, twin) == ()
     assert diagnose(given, key, [*twin, (C, given)]) == (C,)

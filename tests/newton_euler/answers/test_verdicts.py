@@ -31,7 +31,7 @@ class Fall:
 
     def __init__(self, wrong=()):
         self._wrong, self.symbols, self.book, self.sheets = wrong, {}, {}, ()
-        self.slips = NO_SLIPS
+        self.slips, self.where = NO_SLIPS, "section 6.1"
         self.key = {
             "v": ((5.0,),), "square": ((25.0,),), "sense": (("falls",),), "bounces": ((2,),),
         }  # fmt: skip
@@ -111,7 +111,7 @@ def test_that_it_follows_comes_before_any_other_cause():
     why = explained(Fall([("square", doubled, ((36.0,),))]), "square", {"v": 6.0, "square": 36.0})
     assert why.causes == (follows(["v"]), doubled)
     assert why.message == "not right; it follows from your v"
-    assert why.also == "; it also fits a solution that takes the speed twice"
+    assert why.also == "; it also fits a solution that takes the speed twice (see section 6.1)"
 
 
 @pytest.mark.parametrize(

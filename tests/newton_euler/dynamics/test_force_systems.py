@@ -196,6 +196,8 @@ def test_moments_can_be_compiled_and_have_the_unit_of_force_times_length():
     (lambda: ForceSystem([3]), ForceError, r"a force is a pair \(Vector, Point\), a couple is Couple\(Vector\); got 3"),
     (lambda: ForceSystem([(2.0, ground.origin)]), ForceError, "the vector of a force is a Vector"),
     (lambda: ForceSystem({"wind": (ground.i, "there")}), FrameError, "the place of wind is a Point or a Frame"),
+    (lambda: Force(ground.i, ground.origin, 1j), ForceError, "the name of a force is a text; got 1j"),
+    (lambda: Couple(ground.i, ()), ForceError, "the name of a couple is a text"),
     (lambda: ForceSystem([]), ForceError, "a system without forces needs a frame"),
     (lambda: ForceSystem([(ground.i, ground)]).moment("A"), FrameError,
      "the place of the point that the moment is about is a Point or a Frame"),

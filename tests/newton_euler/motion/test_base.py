@@ -3,6 +3,7 @@ that does not get on is refused.
 """
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -116,3 +117,12 @@ def test_progress_is_also_that_of_the_whole_motion():
     one = stepper(*range(MAX_STALLED_STEPS + 1), goal=3.0 * MAX_STALLED_STEPS, max_steps=5000)
     with pytest.raises(LengthError, match="about 6e"):
         one.check_progress()
+
+
+@pytest.mark.parametrize(("part", "made"), [((), 3.0), ((0.25,), 3.5), ((1.0,), 2.0)])
+def test_past_a_stop_each_part_of_the_way_has_its_own_rates(part, made):
+    stepper = Stepper.__new__(Stepper)
+    stepper.system = SimpleNamespace(rates=lambda t, x: (1.0 if t < 1.0 else 2.0,))
+    stepper.t, stepper.x = 0.0, (0.0,)
+    stepper.pass_stop(2.0, *part)
+    assert (stepper.t, stepper.x) == (2.0, (made,))

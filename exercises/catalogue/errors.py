@@ -1,0 +1,71 @@
+"""What an error in the code of a problem says to its author: file, line, and what may be meant."""
+
+import builtins
+import math
+import re
+import traceback
+from collections.abc import Iterable
+from difflib import get_close_matches
+from pathlib import Path
+
+from .model import Givens
+from .places import home, place
+
+
+def meant(name: str, known: Iterable[str], form: str = "{}") -> str:
+    """ "; did you mean omega?", or "" where nothing that is known is like this name."""
+    close = get_close_matches(str(name), list(known), 1)
+    return f"; did you mean {form.format(close[0])}?" if close else ""
+
+
+def explained(problem_id: str, error: Exception) -> str:
+    """The error as a sentence, with the line of the problem's own code in which it was raised."""
+    folder = home(place(problem_id)[0])
+    frames = list(traceback.walk_tb(error.__traceback__))
+    own = [f for f in frames if Path(f[0].f_code.co_filename).parent == folder]
+    if isinstance(error, SyntaxError) and error.filename:
+        return f"{_shown(error.filename)}, line {error.lineno}: {error.msg}"
+    if not own:
+        return _words(error)
+    (first, _), (last, line) = own[0], own[-1]
+    name = "" if first.f_code.co_name == "<module>" else f"{first.f_code.co_name}: "
+    return f"{name}{_shown(last.f_code.co_filename)}, line {line}: {_reason(error, last, line)}"
+
+
+def _shown(file):
+    return "/".join(Path(file).parts[-2:])
+
+
+def _reason(error, frame, line):
+    if isinstance(error, NotImplementedError):
+        return "this is not written yet"
+    if isinstance(error, TypeError) and (used := _of_math(frame, line)):
+        return f"take {used} of newton_euler, not of math, which has numbers alone"
+    if isinstance(error, AttributeError) and isinstance(error.obj, Givens):
+        known = error.obj.names
+        there = f"there are {', '.join(known) or 'none'}"
+        return f"no given {error.name!r}{meant(error.name, known) or '; ' + there}"
+    known = ()
+    if isinstance(error, AttributeError):
+        known = dir(error.obj)
+    elif isinstance(error, NameError):
+        known = {**frame.f_locals, **frame.f_globals, **vars(builtins)}
+    return _words(error) + meant(getattr(error, "name", None), known)
+
+
+def _words(error):
+    """What an error of the engine says is a sentence; others begin with their names."""
+    if type(error).__module__.startswith("newton_euler"):
+        return str(error)
+    return f"{type(error).__name__}: {error}"
+
+
+def _of_math(frame, line):
+    """The function of the module math that this line calls, "" if it calls none."""
+    text = Path(frame.f_code.co_filename).read_text(encoding="utf-8").splitlines()[line - 1]
+    for name in re.findall(r"[A-Za-z_][\w.]*", text):
+        owner, _, function = name.rpartition(".")
+        found = frame.f_globals.get(owner or name)
+        if found is math or getattr(found, "__module__", "") == "math":
+            return function
+    return ""
