@@ -95,9 +95,13 @@ def _calm(stepper, arguments, first):
     for kind, a, b in zip(arguments.kinds, columns, columns, strict=False):
         row = [x - y for x, y in zip(a, b, strict=True)]
         d = [y - x for x, y in pairwise(row)]
+        before = [d[0], *(x * r for x, r in zip(d, ratios, strict=False))]
+        after = [*(x / r for x, r in zip(d[1:], ratios, strict=True)), d[-1]]
         # of the steps beside the first and the last one nothing is known
-        before = [-d[1], *(x * r for x, r in zip(d, ratios, strict=False))]
-        after = [*(x / r for x, r in zip(d[1:], ratios, strict=True)), -d[-2]]
+        if row[0] * row[1] > 0:
+            before[0] = -after[0]
+        if row[-1] * row[-2] > 0:
+            after[-1] = -before[-1]
         limit = LIMITS[kind][0]
         crossed += kind == "jump" and min(row) <= 0 <= max(row)
         for x, y, k, change, m in zip(row, row[1:], before, d, after, strict=False):
@@ -195,7 +199,7 @@ class _Path:
             # where the rates jump once in a step, its end shows it
             crossed = of.jumps & (a * b <= 0)
             turns = k * m <= 0
-            turns[:, [0, -1]] = True  # for all that is known
+            turns[:, [0, -1]] |= (a * b > 0)[:, [0, -1]]  # for all that is known
             much &= ~of.jumps | (crossed.sum(axis=0) > 1) | turns
             much |= crossed & much.any(axis=0)
         return much | (much & of.phases).any(axis=0)
