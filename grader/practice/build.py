@@ -205,7 +205,11 @@ def _variant(p, values, described, right, help):
         "text": _plain(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
-        "slips": [(*label, [float(f"{part:.{KEPT}g}") for part in x]) for *label, x in slips],
+        "slips": [
+            (key, *label, [float(f"{part:.{KEPT}g}") for part in x])
+            for key, *label, x in slips
+            if key in shown
+        ],
         "program": relations(p, values) if help != "check" else None,
         "terms": _terms(p, values) if help != "check" else {},
         "solution": solution,

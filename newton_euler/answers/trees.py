@@ -8,7 +8,7 @@ from operator import add, mul
 from typing import Any, TypeAlias
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.scalars import FUNCTIONS, function, is_numeric, pi, where
+from ..algebra.scalars import FUNCTIONS, ScalarError, function, is_numeric, pi, where
 from ..algebra.units import Dimension, DimensionError, UnitError, unit
 
 Tree: TypeAlias = Any  # a number, the name of a symbol, or [operator, tree, ...], as JSON has it
@@ -165,6 +165,8 @@ def dimension_hints(tree: Tree, form: Any, symbols: Mapping[str, str]) -> list[s
             got = evaluate(part, dimensions)
         except DimensionError as error:
             hints.append(f"{where} adds unlike quantities ({error})")
+            continue
+        except ScalarError:  # its numbers have no real value, and so no dimension
             continue
         got = got if isinstance(got, Dimension) else Dimension()
         if got != asked and part != 0:  # 0 has every dimension

@@ -21,6 +21,8 @@ from tests.exercises.kinds.thrown import (
 )
 from tests.making import made as made
 
+PLACE = " (see section 4.10)"  # of the made problem
+
 
 @pytest.fixture(autouse=True)
 def scored_problem(made, monkeypatch):
@@ -41,8 +43,8 @@ def scored(p, **answers):
 
 def test_a_listed_wrong_word_is_named(made):
     part = scored(ball(made), sense="falls")["sense"]
-    assert (part.verdict, part.points, part.diagnosis) == ("wrong", 0, SLIPS["downward"])
-    assert part.message == "not right; it fits a solution that takes downward as positive"
+    assert (part.verdict, part.points, part.diagnosis) == ("wrong", 0, SLIPS["downward"] + PLACE)
+    assert part.message == f"not right; it fits a solution that takes downward as positive{PLACE}"
 
 
 def test_a_listed_wrong_count_is_named_with_all_mistakes_that_give_it(made):
@@ -54,7 +56,7 @@ def test_a_listed_wrong_count_is_named_with_all_mistakes_that_give_it(made):
         mistakes=slips,
     )
     assert scored(p, dof=3)["dof"].verdict == "right"
-    assert scored(p, dof=2)["dof"].diagnosis == OR.join(slips.values())
+    assert scored(p, dof=2)["dof"].diagnosis == OR.join(slips.values()) + PLACE
     assert scored(p, dof=7)["dof"].diagnosis is None
     assert scored(p, dof=True)["dof"].diagnosis is None
 
