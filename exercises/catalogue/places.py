@@ -7,6 +7,7 @@ and those that it starts, and the packages that name themselves under the entry 
 
 import os
 import re
+import sys
 from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import entry_points
@@ -136,6 +137,5 @@ def _natural(name):
 
 def _importable(folders: Iterable[Path]) -> None:
     """Let ``exercises.bridge.p03`` be the code of bridge/3."""
-    import exercises
-
-    exercises.__path__ += [str(p) for p in folders if str(p) not in exercises.__path__]
+    path = sys.modules["exercises"].__path__
+    path += [str(p) for p in folders if str(p) not in path]

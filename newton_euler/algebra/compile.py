@@ -209,7 +209,8 @@ class Compiled:
 
     def _other(self, args):
         for a in args:
-            scalar(a)  # raises ScalarError if it is not a number
+            if getattr(a, "size", 1):  # of an array without entries the values are one, too
+                scalar(a)  # raises ScalarError if it is not a number
         # pi has the kind and the digits of the most exact number among them
         if any(isinstance(a, _Own) for a in args):
             values = [without_rates(a) for a in args]

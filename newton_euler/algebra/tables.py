@@ -134,7 +134,8 @@ class Table:
     def __call__(self, x: Scalar) -> Scalar:
         """The value at ``x``, a number of any kind."""
         if type(x) is not float:
-            x = to_plain(scalar(x) if getattr(x, "shape", ()) else real_scalar(x))
+            if getattr(x, "size", 1):  # of an array without entries the values are one, too
+                x = to_plain(scalar(x) if getattr(x, "shape", ()) else real_scalar(x))
             if isinstance(x, _Own):
                 return x._of_table(self) if hasattr(x, "_of_table") else self._dimension(x)
             if is_expression(x):

@@ -72,8 +72,9 @@ def narrow_arguments(traced, of_event=False):
         below = [depends.get(a.number, set()) for a in s.args if isinstance(a, Step)]
         depends[s.number] = {s.args[0]} if s.op == "argument" else set().union(*below)
     found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, depends)))
-    known = clocked(traced)
-    found += [("table", tuple(s.args)) for s in steps if s.op == "table" and s not in known]
+    known = {s.number for s in clocked(traced)}
+    read = (s for s in steps if s.op == "table" and s.number not in known)
+    found += [("table", tuple(s.args)) for s in read]
     for leaf in traced.rhs.leaves if of_event else ():
         factors_of = [x for x in _places_of_sign(leaf, 0.0) if depends.get(x.number)]
         found += [("jump", (x, 0.0)) for x in factors_of]
