@@ -65,6 +65,7 @@ def test_one_change_is_made_in_a_copy():
     assert ast.unparse(tree) == "x = a + b\ny = a + b"
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="forks need POSIX")
 def test_what_must_be_killed_is_and_what_is_equivalent_survives(tmp_path):
     (tmp_path / "small.py").write_text(MODULE)

@@ -102,7 +102,7 @@ build.build_assignment(sys.argv[1], "ch04", sys.argv[3], ("4/1",))
 """
 
 
-@pytest.mark.parametrize("when", ["source", "enrol"])
+@pytest.mark.parametrize("when", ["source", pytest.param("enrol", marks=pytest.mark.slow)])
 def test_what_a_killed_build_leaves_is_made_anew_by_the_next(tmp_path, when):
     roster = tmp_path / "roster.csv"
     roster.write_text("id\nada\n")
