@@ -50,11 +50,13 @@ def public(room: str) -> dict[str, list[str]]:
 
 
 def _imported(tree):
-    """{module: names} of what a file imports from its own package."""
+    """{module: public names} of what a file imports from its own package."""
     found = {}
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.level == 1 and node.module:
-            found.setdefault(node.module, []).extend(alias.name for alias in node.names)
+            names = [alias.asname or alias.name for alias in node.names]
+            if shown := [name for name in names if not name.startswith("_")]:
+                found.setdefault(node.module, []).extend(shown)
     return found
 
 

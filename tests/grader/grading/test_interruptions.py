@@ -28,10 +28,15 @@ ROUTES = {
 
 def started(course, *arguments, output=subprocess.DEVNULL):
     """The process of a command line, in a group of its own as in a terminal."""
-    return subprocess.Popen(
-        arguments, cwd=course.path, env=environment(), stdout=output, stderr=subprocess.STDOUT,
-        text=True, process_group=0,
-    )  # fmt: skip
+    # where these tests run in the background, Ctrl-C is ignored, and by what they start as well
+    kept = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        return subprocess.Popen(
+            arguments, cwd=course.path, env=environment(), stdout=output, stderr=subprocess.STDOUT,
+            text=True, process_group=0,
+        )  # fmt: skip
+    finally:
+        signal.signal(signal.SIGINT, kept)
 
 
 def wait_until(reached):
