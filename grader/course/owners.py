@@ -10,8 +10,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import permutations, takewhile
 from pathlib import PurePosixPath
+from typing import TYPE_CHECKING
 
-from nbgrader.api import Student
+if TYPE_CHECKING:  # importing it takes longer than most commands
+    from nbgrader.api import Student
+
 
 # how platforms name work: ``who`` handed it in, with nothing else but for the ``title`` of the
 # assignment, ``number`` is the platform's own of that person; what comes after it the student chose
@@ -48,7 +51,7 @@ class Person:
     number: str  # by which the platform knows the student, "" if the roster has none
 
     @classmethod
-    def read(cls, student: Student) -> "Person":
+    def read(cls, student: "Student") -> "Person":
         """What the roster has of a student."""
         mail, number = student.email or "", student.lms_user_id or ""
         ids = tuple(w for x in (student.id, number, mail.partition("@")[0]) if (w := words(x)))

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable, Iterable
 from functools import wraps
 from importlib import import_module
+from importlib.util import find_spec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -87,7 +88,8 @@ def guide(package: str) -> None:
 
 def unknown(package: str, name: str) -> None:
     """Raise the error for a name that a module does not have: where it lives, or the nearest."""
-    if name.startswith("__"):
+    # what is asked before a module of that name is imported needs no rooms, which take a second
+    if name.startswith("_") or find_spec(f"{package}.{name}"):
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
     top = import_module(package.partition(".")[0])
     homes = {n: f"{top.__name__}.{r}" for r in sorted(top.ROOMS) for n in _public(top, r)}

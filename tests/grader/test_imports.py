@@ -4,6 +4,8 @@ which the docstrings of the packages name them.
 
 import ast
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -98,3 +100,13 @@ def test_the_checks_see_what_they_forbid():
     ]  # fmt: skip
     assert private("grader.course.due", source) == ["grader.scoring.score._score_part"]
     assert by_text(source) == [".run"]
+
+
+def test_problems_and_a_course_are_there_without_nbgrader_and_pictures():
+    """Their imports take longer than most commands."""
+    needed = "grader.__main__, grader.course, exercises.catalogue.sections"
+    program = f"import sys, {needed}; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    heavy = {"nbgrader", "matplotlib", "sympy", "newton_euler.accuracy"}
+    assert heavy & set(done.stdout.split()) == set()

@@ -141,7 +141,7 @@ def commands(workflow):
 
 
 @pytest.mark.integration
-@pytest.mark.parametrize("forge", ["github", "gitlab"])
+@pytest.mark.parametrize("forge", ["github", pytest.param("gitlab", marks=pytest.mark.slow)])
 def test_the_workflow_passes_good_problems_and_stops_at_a_slip(tmp_path, forge):
     shutil.copytree(GOOD, tmp_path / "problems", ignore=shutil.ignore_patterns("__pycache__"))
     path = ran(grader("ci", forge, "--to", tmp_path)).strip()
