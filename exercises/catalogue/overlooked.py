@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from .errors import explained, meant
 from .model import Problem
 from .sections import headings
-from .variants import at_points, distance, drawn_value, flat, objection
+from .variants import Hides, at_points, distance, drawn_value, flat, objection
 
 DRAWS = 4  # sets of numbers for each that is proved; none where that is the book's alone
 MANY = 0.5  # of them without an answer: the ranges want another look
@@ -126,10 +126,10 @@ def _over_draws(p: Problem, number: int) -> Iterator[str]:
     # where most are refused, so few are left that four times as many are drawn
     while len(drawn) < number or (refused.count(None) < number / 2 and len(drawn) < 4 * number):
         drawn.append({n: drawn_value(g, rng) for n, g in p.givens.items()})
-        refused.append(objection(p, drawn[-1]) or None)
+        refused.append(objection(p, drawn[-1]))
     number = len(drawn)
     why = list(filter(None, refused))
-    without = [reason for reason in why if not reason.startswith("hides")]
+    without = [reason for reason in why if not isinstance(reason, Hides)]
     if len(without) > MANY * number or len(why) > MOST * number:
         usual = max(set(without or why), key=why.count)
         yield (

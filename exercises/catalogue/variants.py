@@ -104,6 +104,10 @@ def _round_step(x):
     return max(m for m in (1, 2, 5) if m * power <= x * (1 + 1e-9)) * power
 
 
+class Hides(str):
+    """An objection to numbers for which a mistake gives nearly the right answer."""
+
+
 def objection(p: Problem, values: Mapping[str, Scalar]) -> str | None:
     """Why these values make a bad problem, or None: not finite, ill-conditioned, a component that
     could be left out, or a mistake that gives nearly the right answer.
@@ -119,7 +123,8 @@ def objection(p: Problem, values: Mapping[str, Scalar]) -> str | None:
         for key, points in answers.items():
             kind = p.answer(key).kind
             if not kind.is_word and not apart(kind.like(points, right[key]), right[key]):
-                return f"hides the mistake {name}: its {key} is within {SEPARATION:.0%} of the key"
+                near = f"its {key} is within {SEPARATION:.0%} of the key"
+                return Hides(f"hides the mistake {name}: {near}")
     return _ill_conditioned(p, values, right)
 
 

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import click
 
-from .paper import ONLY
-from .shared import FILE, FOLDER, progress_bar
+from .shared import FILE, FOLDER, ONLY, progress_bar
 
 
 @click.command()

@@ -9,7 +9,17 @@ import click
 from rich.panel import Panel
 
 from .example import EXAM_EXAMPLE, EXAMPLE, indented
-from .shared import COURSE, FILE, FOLDER, PROBLEMS, console, progress_bar, remember_problems
+from .shared import (
+    COURSE,
+    FILE,
+    FOLDER,
+    ONLY,
+    POINTS,
+    PROBLEMS,
+    console,
+    progress_bar,
+    remember_problems,
+)
 
 UNSANDBOXED = 3  # exit code
 GOES_ON = (
@@ -57,20 +67,8 @@ and midterm.yaml:
     help="The roster: a CSV file as Canvas, Moodle, Gradescope or a registrar exports it.",
 )
 @ID_COLUMN
-@click.option(
-    "--problems",
-    "--problem",
-    "only",
-    multiple=True,
-    metavar="4/3 4/16 11/1-11/6",
-    help="These problems, of any chapters.",
-)
-@click.option(
-    "--points",
-    multiple=True,
-    metavar="4/3=10",
-    help="The points of a problem; may be repeated. Default: one for each answer.",
-)
+@ONLY
+@POINTS
 @click.option(
     "--due",
     "--closes",

@@ -5,21 +5,13 @@ from pathlib import Path
 import click
 
 from .courses import ID_COLUMN
-from .shared import FOLDER, progress_bar
+from .shared import FOLDER, ONLY, POINTS, progress_bar
 
 COURSE_OR_NONE = click.option(
     "--course",
     "course_path",
     type=FOLDER,
     help="The course: its assignment as it is now, its students, the numbers of their sheets.",
-)
-ONLY = click.option(
-    "--problems",
-    "--problem",
-    "only",
-    multiple=True,
-    metavar="4/3 4/16 11/1-11/6",
-    help="These problems, of any chapters.",
 )
 
 
@@ -34,9 +26,7 @@ ONLY = click.option(
 @ID_COLUMN
 @COURSE_OR_NONE
 @ONLY
-@click.option(
-    "--points", multiple=True, metavar="4/3=10", help="The points of a problem; may be repeated."
-)
+@POINTS
 @click.option(
     "--key-for",
     multiple=True,

@@ -26,6 +26,20 @@ COURSE = click.option(
     "--course", "course_path", required=True, type=FOLDER, help="The course folder."
 )
 
+ONLY = click.option(
+    "--problems",
+    "--problem",
+    "only",
+    multiple=True,
+    metavar="4/3 4/16 11/1-11/6",
+    help="These problems, of any chapters.",
+)
+POINTS = click.option(
+    "--points",
+    multiple=True,
+    metavar="4/3=10",
+    help="The points of a problem; may be repeated. Default: one for each answer.",
+)
 PROBLEMS = click.option(
     "--problem", "only", multiple=True, metavar="4/16", help="Only these problems; may be repeated."
 )
