@@ -110,8 +110,8 @@ class _Drawing:
         """A band over the times of the repeats of a run, whose median is the point."""
         for p in points:
             if self.cost == "cost" and p.repeats:
-                ends, height = [min(p.repeats), max(p.repeats)], max(p.error, self.floor)
-                self.ax.plot(ends, [height] * 2, color=colour, lw=4, alpha=0.35, zorder=1)
+                height, ends = max(p.error, self.floor), (min(p.repeats), max(p.repeats))
+                self.ax.hlines(height, *ends, color=colour, lw=4, alpha=0.35, zorder=1)
 
     def preparations(self, points):
         """A bar from the time of a run to that of the first run, where it can be seen."""

@@ -85,7 +85,8 @@ def _of_best(best, points):
     if len(best) == 1:
         return
     if len(equal) > 1:
-        yield f"Of these {listed(p.method for p in points if p in equal)} cost about the same, least."
+        names = listed(p.method for p in points if p in equal)
+        yield f"Of these {names} cost about the same, least."
         return
     yield f"Of these {best[0].method} is the cheapest."
     ratio = about_times(best[1].cost / best[0].cost)

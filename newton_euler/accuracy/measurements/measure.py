@@ -26,8 +26,8 @@ ALIKE = (
 
 @dataclass(frozen=True)
 class Measured:
-    """A point of a chart: ``method``, ``cost`` in seconds, the median of ``repeats`` where these are
-    known, relative ``error``, and ``setting`` as "h = 1e-3". The points of one method are joined.
+    """A point of a chart: ``method``, ``cost`` in seconds, the median of the ``repeats`` of a run,
+    relative ``error``, and ``setting`` as "h = 1e-3". The points of one method are joined.
 
     asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and
         the largest drift of an invariant; else None
@@ -83,7 +83,7 @@ def timings(
     shortest: float = 1e-3,
     clock: Callable[[], float] = perf_counter,
 ) -> list[tuple[float, ...]]:
-    """For each function the seconds of a call in each of ``runs`` runs, as :func:`timed` makes them."""
+    """For each function the seconds of a call in each of ``runs`` runs, made as by :func:`timed`."""
     timers = [(Timer(f, timer=clock), _enough_calls(f, shortest, clock)) for f in calls]
     rounds = [[timer.timeit(n) / n for timer, n in timers] for _ in range(runs)]
     return list(zip(*rounds, strict=True))
