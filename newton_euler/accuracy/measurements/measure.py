@@ -83,7 +83,7 @@ def timings(
     shortest: float = 1e-3,
     clock: Callable[[], float] = perf_counter,
 ) -> list[tuple[float, ...]]:
-    """For each function the seconds of a call in each of ``runs`` runs, made as by :func:`timed`."""
+    """For each function the seconds of a call in each of its runs, as :func:`timed` makes them."""
     timers = [(Timer(f, timer=clock), _enough_calls(f, shortest, clock)) for f in calls]
     rounds = [[timer.timeit(n) / n for timer, n in timers] for _ in range(runs)]
     return list(zip(*rounds, strict=True))
