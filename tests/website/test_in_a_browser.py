@@ -232,3 +232,24 @@ def test_problems_are_chosen_by_what_is_asked_for(driver, address):
     assert all(number.startswith("4/") for number in found)
     assert "4/16" not in driver.execute_script(ask, {"equation": "4.18", "kind": "number"})
     assert complaints(driver) == []
+
+
+def test_a_prediction_is_made_opens_its_meaning_and_is_counted_and_asked_again(driver, address):
+    sample(driver, address)
+    driver.execute_script("localStorage.clear()")
+    sample(driver, address)
+    tally = "document.querySelector('.prediction-tally').textContent"
+    assert driver.execute_script(f"return {tally}") == "0 of 2 predictions made."
+    choices = "[...document.querySelector('.prediction').querySelectorAll('.choice')]"
+    driver.execute_script(f"{choices}[0].querySelector('summary').click()")
+    assert driver.execute_script(f"return {choices}.map(c => c.open)") == [True, True]
+    form = "document.querySelector('.prediction form')"
+    driver.execute_script(f"{form}.firstChild.value = '4 m'; {form}.requestSubmit()")
+    chosen = "document.querySelector('.mistake.chosen').textContent"
+    assert "Twice too many" in driver.execute_script(f"return {chosen}")
+    sample(driver, address)  # it is kept
+    assert driver.execute_script(f"return {tally}") == "2 of 2 predictions made: 0 right, 2 wrong."
+    assert driver.execute_script(f"return {choices}[0].matches('.chosen')")
+    again = "document.querySelectorAll('.predictions-again .prediction').length"
+    assert driver.execute_script(f"return {again}") == 2
+    assert complaints(driver) == []
