@@ -2,17 +2,14 @@
 
 import base64
 import json
-import shutil
-import threading
 import time
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
+from tests.website.browser import complaints, requests, wait
+
 pytestmark = pytest.mark.integration
 
-LONG = 60  # seconds: for a busy machine
 PHONE = {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True}
 
 # what is wrong on a page, once its formulas are set
@@ -44,69 +41,6 @@ for (const e of document.querySelectorAll("article *"))
 if (document.documentElement.scrollWidth > wide) found.push("the page: " + document.documentElement.scrollWidth);
 return found.slice(0, 5);
 """
-
-
-class Quiet(SimpleHTTPRequestHandler):
-    """A server of files that prints nothing."""
-
-    def log_message(self, *_):
-        pass
-
-
-@pytest.fixture(scope="module")
-def address(site):
-    """The site on this machine: "http://127.0.0.1:PORT"."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(site)))
-    thread = threading.Thread(target=server.serve_forever)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_port}"
-    server.shutdown()
-    server.server_close()
-    thread.join()
-
-
-@pytest.fixture(scope="module")
-def driver(tmp_path_factory):
-    """A browser without a screen."""
-    webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
-    if not (shutil.which("chromium") and shutil.which("chromedriver")):
-        pytest.skip("no browser: apt-get install chromium chromium-driver")
-    options = webdriver.ChromeOptions()
-    options.binary_location = shutil.which("chromium")
-    for flag in (
-        "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
-        "--disable-component-update", "--disable-sync", "--no-first-run", "--window-size=1300,900",
-        f"--user-data-dir={tmp_path_factory.mktemp('browser')}",
-    ):  # fmt: skip
-        options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
-    driver = webdriver.Chrome(options=options, service=service)
-    driver.set_script_timeout(LONG)
-    yield driver
-    driver.quit()
-
-
-def complaints(driver):
-    """What the console has said since it was asked before."""
-    return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]
-
-
-def requests(driver):
-    """The addresses that were asked for since the last time."""
-    messages = (json.loads(x["message"])["message"] for x in driver.get_log("performance"))
-    sent = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
-    return [p["request"]["url"] for p in sent]
-
-
-def wait(driver, script, what):
-    """What a script gives as soon as it gives something."""
-    end = time.monotonic() + LONG
-    while time.monotonic() < end:
-        if found := driver.execute_script(f"return {script}"):
-            return found
-        time.sleep(0.05)
-    return pytest.fail(f"not seen within {LONG} s: {what}")
 
 
 def every_page(site, address):
