@@ -24,7 +24,7 @@ from .practice import practice, sets
 from .results import export, stats
 
 COMMANDS = (
-    problems, preview, solve, solution, prove, figure, diagnose, new, ci, practice, sets, paper, bank,
-    build, spec, next_year, hub, share, enrol, due, late, personal, take_in, grade, retry, stats,
-    export, demo,
+    problems, preview, solve, solution, prove, figure, diagnose, new, ci, practice, sets, paper,
+    bank, build, spec, next_year, hub, share, enrol, due, late, personal, take_in, grade, retry,
+    stats, export, demo,
 )  # fmt: skip

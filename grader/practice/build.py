@@ -164,6 +164,7 @@ def page_of(
         "labels": [(key, *astuple(c)) for key, c in labels],
         "slips": [(key, rank, *astuple(c)[1:]) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
+        "symbols": {n: p.notation[n] for n in p.givens},
     }  # fmt: skip
     return page, figures
 

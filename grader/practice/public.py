@@ -1,5 +1,5 @@
-"""What everyone may practise: a practice file for each chapter, of numbers that are no course's. They
-go with the engine's wheel and with the site, and are made there: none is kept in the repository.
+"""What everyone may practise: a practice file for each chapter, of numbers that are no course's.
+They come with the wheel and with the site, and are made there: none is kept in the repository.
 """
 
 from collections.abc import Callable, Collection

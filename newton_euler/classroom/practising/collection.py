@@ -97,7 +97,11 @@ class Practice:
         return Message(found.sentence, found.sentence)
 
     def _may_err(self, problem):
-        return causes_of(self._files[problem].page(problem))
+        return causes_of(self.page(problem))
+
+    def page(self, problem: str) -> dict[str, Any]:
+        """What the file has of a problem."""
+        return self._files[problem].page(problem)
 
     @property
     def table(self) -> Message:

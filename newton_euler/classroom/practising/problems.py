@@ -44,11 +44,12 @@ class Message:
 @dataclass(frozen=True, repr=False)
 class Checked(Message):
     """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``explained``
-    is {key: the causes that explain a wrong one}.
+    is {key: the causes that explain a wrong one}, ``said`` is {key: the sentence}.
     """
 
     verdicts: dict[str, str]
     explained: dict[str, tuple[Cause, ...]]
+    said: dict[str, str]
 
     @property
     def causes(self) -> dict[str, str | None]:
@@ -91,6 +92,11 @@ class PracticeProblem:
     def givens(self) -> dict[str, float]:
         """The numbers of the problem, by name, in the units of its text."""
         return {n: x for n, (x, *_) in self._variant["givens"].items()}
+
+    @property
+    def symbols(self) -> dict[str, str]:
+        """How the text writes them, in LaTeX, by name."""
+        return self._page.get("symbols", {})
 
     @property
     def answers(self) -> dict[str, str]:
@@ -255,6 +261,7 @@ class PracticeProblem:
                       for key, text, _ in found),
             verdicts,
             explained,
+            {key: text for key, text, _ in found},
         )  # fmt: skip
 
     def _read(self, key):

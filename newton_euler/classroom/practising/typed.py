@@ -71,12 +71,18 @@ def _tree(node, names):
 
 
 def _negative(x):
-    return -x if isinstance(x, float) else ["*", -1.0, x]
+    return -x if isinstance(x, float) else _product(-1.0, x)
+
+
+def _product(a, b):
+    """The product of two trees, of all their factors in a row."""
+    first, second = (x[1:] if isinstance(x, list) and x[0] == "*" else [x] for x in (a, b))
+    return ["*", *first, *second]
 
 
 _BETWEEN: dict[type, Any] = {
     ast.Add: lambda a, b: ["+", a, b], ast.Sub: lambda a, b: ["+", a, _negative(b)],
-    ast.Mult: lambda a, b: ["*", a, b], ast.Div: lambda a, b: ["/", a, b],
+    ast.Mult: _product, ast.Div: lambda a, b: ["/", a, b],
     ast.Pow: lambda a, b: ["^", a, b],
 }  # fmt: skip
 
