@@ -14,6 +14,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
+from newton_euler.classroom.widgets.on_pages import ASKED
 from website.build import CACHE
 from website.execution import keep
 from website.notebooks import Chapter
@@ -236,6 +237,7 @@ def executed(path, where, missing=()):
                 **os.environ,
                 "PYTHONPATH": str(where),
                 "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+                ASKED: "yes",  # the outputs are kept for the site
             }
         )
     return notebook
