@@ -32,7 +32,50 @@ class Fit:
         return [(cause, points) for cause, points in models if not abs(points[n][0] - x) > reach]
 
     @cached_property
-    def rounding(point: Sequence[float]) -> float:
+    def rounding(self) -> float:
+        """How much a student may have rounded the answer by; a formula has all its digits."""
+        if len(self.key) > 1:
+            return 0.0
+        return min(rounding(self.given[0]), self.rtol * math.hypot(*self.given[0]))
+
+    @property
+    def first(self) -> tuple[Point, Point, float]:
+        """(answer, key, size of the key) at the first point where the key has a value."""
+        assert self.index is not None
+        return self.given[self.index], self.key[self.index], self.sizes[self.index]
+
+    def __call__(self, numbers: Points, rtol: float | None = None, apart: bool = True) -> int:
+        """``EXACT`` if the model differs by round-off only, ``CLOSE`` if by what the answer was
+        rounded by, ``LOOSE`` if by less than ``rtol`` of its size, 0 if it does not fit.
+        """
+        level = self._near(numbers, self.rtol if rtol is None else rtol)
+        return level if level and (not apart or is_apart(numbers, self.key)) else 0
+
+    def _near(self, numbers, rtol):
+        level = 0  # while no point has a value
+        for x, given, size in zip(numbers, self.given, self.sizes, strict=True):
+            own = math.hypot(*x)
+            if not (math.isfinite(own) and math.isfinite(size)):
+                continue
+            gap = math.dist(x, given)
+            if not gap <= max(self.rtol * own, NOISE * size):
+                return 0
+            here = self._closeness(gap, own, size, rtol)
+            if not here:
+                return 0
+            # as for the key: a component with the wrong sign is not near, however small it is
+            if any(abs(a - b) > abs(a) / 2 + NOISE * (own + size) for a, b in zip(x, given)):  # noqa: B905
+                return 0
+            level = min(level or here, here)
+        return level
+
+    def _closeness(self, gap, own, size, rtol):
+        if gap <= max(ROUND_OFF * own, NOISE * size):
+            return EXACT
+        return CLOSE if gap <= self.rounding else LOOSE if gap <= rtol * own else 0
+
+
+def rounding(point: Sequence[float]) -> float:
     """How much a student may have rounded this point by: half of the last digits written. A single
     number has three at least: as a float, 2.50 has lost its zero.
     """
