@@ -4,7 +4,7 @@ the first name of it is used.
 
 import builtins
 import sys
-from importlib import import_module
+from importlib import import_module, invalidate_caches
 from importlib.util import find_spec
 from types import ModuleType
 
@@ -26,6 +26,7 @@ class Late(ModuleType):
         top = self.__name__.partition(".")[0]
         if name.startswith("__"):
             raise AttributeError(name)
+        invalidate_caches()
         if find_spec(top) is None:
             raise MissingError(
                 f"this needs {TITLES[top]}, which the page does not have. In an installed notebook "
