@@ -54,7 +54,8 @@ def interactive_figure(
     """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments. Without a
     kernel or ipywidgets the first picture stands alone.
 
-    draw : draws on one matplotlib Axes, by a Sketch or by its own plots, whose limits it sets
+    draw : draws by a Sketch on one panel of a page; or by its own plots, whose limits it sets, on
+        one matplotlib Axes, which it gets instead if it asks for what a panel does not have
     alt : what can be seen in it, in 8 words or more; or a function of the values that returns it
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one
@@ -72,7 +73,7 @@ def interactive_figure(
 
     def picture(values, png=False):
         words = alt_text(_for_values(alt, values))
-        image = stage.picture(values, _for_values(title, values))
+        image = stage.picture(values, _for_values(title, values), words)
         return bundle(image, words, stage.css_size, stage.png() if png else None)
 
     shown = show(picture(start, png=True), display_id=True)
