@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.website import sample
+from tests.website.browser import chromium, served
 
 # it measures for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}
@@ -27,3 +28,17 @@ def site(tmp_path_factory):
     sample.write(folder / "sample.ipynb")
     build(out, folder=folder, run=lambda chapter: chapter.stem not in NOT_RUN)
     return out
+
+
+@pytest.fixture(scope="module")
+def address(site):
+    """The site on this machine."""
+    with served(site) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory):
+    """A browser without a screen."""
+    with chromium(tmp_path_factory.mktemp("browser")) as found:
+        yield found
