@@ -56,7 +56,8 @@ def interactive_figure(
     """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments. Without a
     kernel or ipywidgets the first picture stands alone.
 
-    draw : draws on one matplotlib Axes, by a Sketch or by its own plots, whose limits it sets
+    draw : draws by a Sketch on one panel of a page; or by its own plots, whose limits it sets, on
+        one matplotlib Axes, which it gets instead if it asks for what a panel does not have
     alt : what can be seen in it, in 8 words or more; or a function of the values that returns it
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one
@@ -93,7 +94,7 @@ class MovingFigure:
     def picture(self, values: Mapping[str, float]) -> tuple[bytes, str]:
         """The picture for these values, and what it shows, in words."""
         words = alt_text(_for_values(self.alt, values))
-        return self.stage.picture(values, _for_values(self.title, values)), words
+        return self.stage.picture(values, _for_values(self.title, values), words), words
 
 
 # who shows figures in place of a notebook, as a page does that has sliders of its own
