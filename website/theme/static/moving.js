@@ -48,7 +48,9 @@ const moving = (() => {
         done = asked;
         try {
           const page = location.pathname, cells = sources(), cell = numberOf(holder);
-          show(await engine.call("cells.picture", { page, cells, number: cell, figure: number, values: { ...values } }));
+          const given = { ...values };
+          show(await engine.call("cells.picture", { page, cells, number: cell, figure: number, values: given }));
+          holder.dataset.drawn = JSON.stringify(given);
           note.textContent = "";
         } catch (error) {
           note.textContent = `No picture: ${error.message}`;
