@@ -2,13 +2,12 @@
 
 from fractions import Fraction
 
-import matplotlib.pyplot as plt
-
 from newton_euler import Frame
 from newton_euler.bodies.solids import box, cone, cylinder
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch
 
+from .late import plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

@@ -4,8 +4,6 @@ by observers who are carried round.
 
 import math
 
-import numpy as np
-
 from newton_euler import Frame, at, cylindrical, integrate, moving, polar, spherical
 from newton_euler.applications.earth import (
     coriolis_acceleration,
@@ -21,6 +19,7 @@ from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
+from .late import np
 from .sliding import with_sliders
 
 O = (0, 0, 0)

@@ -7,9 +7,6 @@ the frame of the body, whose parent is the frame {i, j, k} that does not spin.
 
 import math
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 from newton_euler import Frame, euler_frame, integrate
 from newton_euler.applications.gyroscopes import (
     free_precession,
@@ -23,6 +20,7 @@ from newton_euler.drawing import Sketch, animate
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.top import euler
 
+from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

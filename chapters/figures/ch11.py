@@ -2,9 +2,6 @@
 
 import math
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 from newton_euler import Frame, integrate, prepare, sin, work_along
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
@@ -12,6 +9,7 @@ from newton_euler.dynamics.energy import gyroscope_energy
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
 
+from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)
