@@ -3,10 +3,10 @@
 import math
 
 from newton_euler import Frame
+from newton_euler.algebra.late import np, plt
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch
 
-from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

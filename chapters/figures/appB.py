@@ -3,11 +3,11 @@
 from fractions import Fraction
 
 from newton_euler import Frame
+from newton_euler.algebra.late import plt
 from newton_euler.bodies.solids import box, cone, cylinder
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch
 
-from .late import plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

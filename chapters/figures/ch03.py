@@ -3,13 +3,13 @@
 import math
 
 from newton_euler import Frame, at, cos, cylindrical, sin, spherical
+from newton_euler.algebra.late import mpmath
 from newton_euler.chapters.examples.ch03 import Spring, screw_jack_ball, screw_jack_time
 from newton_euler.classroom import Slider
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics import frenet_along
 from newton_euler.kinematics.paths import along
 
-from .late import mpmath
 from .sliding import with_sliders
 
 O = (0, 0, 0)

@@ -3,11 +3,11 @@
 import math
 
 from newton_euler import Frame, axis_angle, euler_frame, rotation_matrix
+from newton_euler.algebra.late import mpmath, np, plt
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics.rotations import apply, in_sequence, product, transpose
 
-from .late import mpmath, np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

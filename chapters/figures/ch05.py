@@ -3,11 +3,11 @@
 import math
 
 from newton_euler import Frame
+from newton_euler.algebra.late import np, plt
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics import gravity_at_height
 
-from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

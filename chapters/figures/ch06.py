@@ -5,6 +5,7 @@ by observers who are carried round.
 import math
 
 from newton_euler import Frame, at, cylindrical, integrate, moving, polar, spherical
+from newton_euler.algebra.late import np
 from newton_euler.applications.earth import (
     coriolis_acceleration,
     earth_frame,
@@ -19,7 +20,6 @@ from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
-from .late import np
 from .sliding import with_sliders
 
 O = (0, 0, 0)

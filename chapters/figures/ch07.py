@@ -3,12 +3,12 @@
 import math
 
 from newton_euler import Frame, composite, particle
+from newton_euler.algebra.late import np
 from newton_euler.bodies import plate
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 
-from .late import np
 from .sliding import with_sliders
 
 O = (0, 0, 0)

@@ -3,12 +3,12 @@
 import math
 
 from newton_euler import Frame
+from newton_euler.algebra.late import np, plt
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics import angular_momentum, resultant_moment
 
-from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

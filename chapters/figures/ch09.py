@@ -8,11 +8,11 @@ bearings A and B, and the body.
 import math
 
 from newton_euler import Frame, composite, particle
+from newton_euler.algebra.late import np, plt
 from newton_euler.applications.rotors import balancing_masses, reactions
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
 
-from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

@@ -8,6 +8,7 @@ the frame of the body, whose parent is the frame {i, j, k} that does not spin.
 import math
 
 from newton_euler import Frame, euler_frame, integrate
+from newton_euler.algebra.late import np, plt
 from newton_euler.applications.gyroscopes import (
     free_precession,
     gyro_momentum,
@@ -20,7 +21,6 @@ from newton_euler.drawing import Sketch, animate
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.top import euler
 
-from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)

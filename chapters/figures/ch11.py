@@ -3,13 +3,13 @@
 import math
 
 from newton_euler import Frame, integrate, prepare, sin, work_along
+from newton_euler.algebra.late import np, plt
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics.energy import gyroscope_energy
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
 
-from .late import np, plt
 from .sliding import with_sliders
 
 O = (0, 0, 0)
