@@ -18,6 +18,8 @@ class _Late:
         return getattr(found, name) if name else found
 
     def __getattr__(self, name):
+        if name.startswith("__"):  # as inspect asks of everything
+            raise AttributeError(name)
         return getattr(self._found(), name)
 
     def __call__(self, *args, **named):
