@@ -4,6 +4,7 @@ Imports go down in this list only, and everything below it may import the grader
 
     command         the command line
     build           the steps of a build
+    engine          Python and the engine beside the pages; from npm, its packages kept and checked
     contents        the first page
     reference       one page for each room of the engine, and the dictionary of its symbols
     problem_index   all problems in one table, to choose from

@@ -8,6 +8,7 @@ import pytest
 
 from tests.once import once
 from tests.website import sample
+from tests.website.browser import chromium, served
 
 # it measures for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}
@@ -30,3 +31,17 @@ def site(tmp_path_factory):
         build(out / "pages", folder=folder, run=lambda chapter: chapter.stem not in NOT_RUN)
 
     return once(tmp_path_factory, "site", make)[0] / "pages"
+
+
+@pytest.fixture(scope="module")
+def address(site):
+    """The site on this machine."""
+    with served(site) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory):
+    """A browser without a screen."""
+    with chromium(tmp_path_factory.mktemp("browser")) as found:
+        yield found

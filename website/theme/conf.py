@@ -60,6 +60,8 @@ html_theme_options: dict[str, list[str]] = {"top_of_page_buttons": []}
 
 def setup(app: Any) -> None:
     """Connect our own steps."""
+    if app.tags.has("engine"):  # it lies beside the pages
+        app.add_js_file("engine.js", defer="defer")
     app.connect("autodoc-process-docstring", docstring)
     app.connect("doctree-read", formulas)
     app.connect("doctree-read", problem_links)

@@ -84,7 +84,7 @@ def _explained(chart, found, island):
     text = f'The island of "{island.choice}" at {place} lies between {number(low)} and '
     text += f"{number(high)} of {_letter(chart.y)}: "
     if _height(chart, low, high) < _height(chart, float(edges[n]), float(edges[n + 1])):
-        return text + "a strip thinner than a cell, so that most columns miss it."
+        return text + "a strip thinner than a cell, which some columns miss."
     return text + "a region of its own."
 
 

@@ -141,12 +141,8 @@ def _draw_rung(ax, n, p, low, high):
         ax.annotate(side, (p.cost, height), (0, end), ha="center", arrowprops=arrow, **text)
 
 
-def _drops(p, most=3):
-    if not p.drops:
-        return "the fullest, drops nothing"
-    more = len(p.drops) - most
-    parts = [*p.drops[:most], *([f"{more} more"] if more > 0 else [])]
-    return "drops " + ",\n    ".join(parts)
+def _drops(p):
+    return "drops " + ",\n    ".join(p.drops) if p.drops else "the fullest, drops nothing"
 
 
 def _unit(ladder):

@@ -120,7 +120,8 @@ def _answer(name, reference, method, rtol):
         return motion, float(motion.error)  # which may take a second run
 
     try:
-        (motion, estimate), cost, _ = timed_run(run, method)
+        (motion, estimate), repeats, _ = timed_run(run, method)
+        cost = median(repeats)
     except ModelError as error:
         return Answer(method, math.nan, math.nan, absent=REFUSED, words=str(error), **about)
     estimate = None if math.isnan(estimate) else estimate
