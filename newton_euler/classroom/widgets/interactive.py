@@ -7,6 +7,7 @@ from itertools import product
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked_but
+from .on_pages import for_site
 from .pictures import alt_text, bundle, show
 from .sliders import Slider
 from .stage import Stage, in_words
@@ -108,7 +109,9 @@ def _show(figure):
         image, words = figure.picture(values)
         return bundle(image, words, figure.stage.css_size, figure.stage.png() if png else None)
 
-    shown = show(picture(figure.start, png=True), display_id=True)
+    ends = for_site(figure)
+    data, about = picture(figure.start, png=True)
+    shown = show(({**data, **ends}, about), display_id=True)
     _show_sliders(figure.sliders, figure.start, lambda values: _update(shown, picture, values))
 
 
