@@ -27,6 +27,7 @@ def build(
     cache: Path = CACHE,
     progress: Callable[[str, int, int], object] = lambda step, done, number: None,
     with_engine: bool = True,
+    packages: str = "",
 ) -> list[str]:
     """Build the site in the folder ``out``; returns what is not in it: the engine, the outputs of
     chapters.
@@ -37,6 +38,7 @@ def build(
     cache : folder of the outputs and figures that are kept
     progress : called with a step, and how much of it is done of how much
     with_engine : puts Python and the engine beside the pages, where npm or ``cache`` has Pyodide
+    packages : address of Pyodide's other packages, of which a reader may ask for NumPy
     """
     python = engine.pyodide(cache / "npm") if with_engine else None
     found, wanted = chapters(names, folder), problem_pages.names(names)
@@ -50,7 +52,7 @@ def build(
         _write_source(source, found, ran, wanted, pictures, pages / "moving" if python else None)
         _sphinx(source, pages, bool(names), progress, ["engine"] if python else [])
         if python:
-            engine.write(pages, python)
+            engine.write(pages, python, packages)
         (pages / ".nojekyll").touch()  # else GitHub leaves out folders like _static
         shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
     without = [f"outputs of {c.stem}" for c in found if ran[c.stem] is None]
