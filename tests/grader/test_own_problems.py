@@ -57,19 +57,20 @@ def test_an_own_problem_is_built_graded_and_taken_into_the_next_year(course, tmp
     edited = read(course / "source/hw1/hw1.ipynb")
     edited["cells"][0]["source"] += "\nMine."
     (course / "source/hw1/hw1.ipynb").write_text(json.dumps(edited))
-    out = ran(command("next-year", course, "--course", tmp_path / "m27"))
-    assert "The course m27" in out
-    assert "hw1" in out
-    assert read(tmp_path / "m27/source/hw1/hw1.ipynb")["cells"][0]["source"].endswith("Mine.")
     with place(tmp_path / "mine"):
+        out = ran(command("next-year", course, "--course", tmp_path / "m27"))
+        assert "The course m27" in out
+        assert "hw1" in out
+        notebook = read(tmp_path / "m27/source/hw1/hw1.ipynb")
+        assert notebook["cells"][0]["source"].endswith("Mine.")
         new = Course(tmp_path / "m27")
         assert new.roster() == []
         assert new.secret != c.secret
         assert new.values("hw1", "ada", [problem("bead/1")])["bead/1"] != numbers["bead/1"]
+        again = command("next-year", course, "--course", tmp_path / "x", "--name", "m26")
+        assert "another --name" in again[1]
     kept = {p.name for p in (tmp_path / "m27").iterdir()}
     assert kept.isdisjoint({"submitted", "scores", "personal", "numbers", "autograded", "backup"})
-    again = command("next-year", course, "--course", tmp_path / "x", "--name", "m26")
-    assert "another --name" in again[1]
     assert not (tmp_path / "x").exists()
     ran(nbgrader("generate_assignment", "hw1", cwd=tmp_path / "m27"))
 
