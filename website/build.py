@@ -70,8 +70,8 @@ def _counter(progress, step, number):
     return count
 
 
-def _write_source(source, found, ran, wanted, pictures, ends):
-    _write_chapters(source / "chapters", found, ran, ends)
+def _write_source(source, found, ran, wanted, pictures, moving):
+    _write_chapters(source / "chapters", found, ran, moving)
     _write_problems(source / "problems", wanted, found, pictures)
     pages = reference.pages()
     for name, text in pages.items():
@@ -95,10 +95,10 @@ def _write(path, text):
     path.write_text(text, encoding="utf-8")
 
 
-def _write_chapters(folder, found, ran, ends):
+def _write_chapters(folder, found, ran, moving):
     for c in found:
         notebook = ran[c.stem] or nbformat.read(c.path, as_version=4)
-        page = chapter_pages.page(notebook, ran[c.stem] is not None, ends)
+        page = chapter_pages.page(notebook, ran[c.stem] is not None, moving)
         _write(folder / c.path.name, nbformat.writes(page))
 
 

@@ -13,7 +13,7 @@ WHAT = """\
 
 Courseware for the dynamics of particles and rigid bodies in three dimensions: a notebook for each chapter, problems of the
 book, and an engine in Python that computes and says how each number comes about. These pages hold the notebooks with all that they
-print and draw. They need no network; films play here, sliders want the notebook itself.
+print and draw. They need no network; films play here, and sliders and cells work from any web server.
 
 """  # noqa: E501  # a text for readers
 RUN = """

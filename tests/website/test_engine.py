@@ -15,13 +15,12 @@ CALL = """
 const [name, args, done] = arguments;
 engine.call(name, args).then((value) => done({value}), (error) => done({error: error.message}));
 """
-# press a key on each slider of the first figure
+# move the first slider of a figure
 DRAG = """
-const holder = document.querySelector("[data-moving]"), input = holder.querySelector("input");
-input.value = arguments[0] === "end" ? input.max : +input.value + +input.step * (input.value < input.max ? 1 : -1);
+const holder = document.querySelectorAll("[data-moving]")[arguments[0]], input = holder.querySelector("input");
+input.value = arguments[1] === "end" ? input.max : +input.value + +input.step * (+input.value < +input.max ? 1 : -1);
 for (const kind of ["input", "change"]) input.dispatchEvent(new Event(kind, {bubbles: true}));
-const about = JSON.parse(holder.dataset.moving);
-return [about.sliders[0].name, +input.value];
+return [JSON.parse(holder.dataset.moving).sliders[0].name, +input.value];
 """
 # run cells by their buttons: [number, text built before, text now, error] of those that print
 RUN = """
@@ -54,15 +53,19 @@ def called(driver, name, **arguments):
     return driver.execute_async_script(CALL, name, arguments)
 
 
-def drag(driver, where="a step"):
-    """Move the first slider of the page, until the engine has drawn its picture."""
-    name, x = driver.execute_script(DRAG, where)
-    drawn = wait(driver, "document.querySelector('[data-drawn]')?.dataset.drawn", "a picture")
-    assert json.loads(drawn)[name] == x
-    stage = "document.querySelector('.moving .stage > svg[role=img]')"
-    assert len(driver.execute_script(f"return {stage}.getAttribute('aria-label')").split()) >= 8
-    said = driver.execute_script("return document.querySelector('.moving .said').textContent")
-    assert " = " in said
+def drag(driver, figure=0, where="a step"):
+    """Move the first slider of a figure; whether the engine draws it, without arrays and plots."""
+    name, x = driver.execute_script(DRAG, figure, where)
+    holder = f"document.querySelectorAll('[data-moving]')[{figure}]"
+    wait(driver, f"{holder}.dataset.drawn || {holder}.dataset.failed", "a picture")
+    if failed := driver.execute_script(f"return {holder}.dataset.failed"):
+        assert "this needs" in failed
+        return False
+    assert json.loads(driver.execute_script(f"return {holder}.dataset.drawn"))[name] == x
+    label = f"{holder}.querySelector('.stage > svg[role=img]').getAttribute('aria-label')"
+    assert len(driver.execute_script(f"return {label}").split()) >= 8
+    assert " = " in driver.execute_script(f"return {holder}.querySelector('.said').textContent")
+    return True
 
 
 def test_the_engine_answers_in_words_and_comes_back_offline_with_its_figures_and_cells(
@@ -86,23 +89,21 @@ def test_the_engine_answers_in_words_and_comes_back_offline_with_its_figures_and
         wait(driver, "!!navigator.serviceWorker.controller", "the service worker")
         assert complaints(driver) == []
     driver.get(page)
-    drag(driver)
+    assert drag(driver)
     assert "error" not in called(driver, "cells.run", page="a", cells=["1 + 1"], number=0)
 
 
 def test_a_slider_of_each_chapter_moves_its_figure_and_until_then_an_end_answers(
     site, driver, address
 ):
-    moved = []
+    moved = set()
     for path in sorted(site.glob("chapters/*.html")):
         driver.get(f"{address}/chapters/{path.name}")
-        if driver.execute_script("return !!document.querySelector('[data-moving]')"):
-            drag(driver, "end" if moved else "a step")
-            moved.append(path.stem)
+        count = driver.execute_script("return document.querySelectorAll('[data-moving]').length")
+        if any(drag(driver, n, "end" if moved else "a step") for n in range(count)):
+            moved.add(path.stem[:4])
     assert complaints(driver) == []
-    assert {name[:4] for name in moved} >= {
-        *(f"ch{n:02d}" for n in range(1, 12)), "appA", "appB",
-    }  # fmt: skip
+    assert moved >= {*(f"ch{n:02d}" for n in range(1, 12)), "appA", "appB"}
 
 
 def test_the_cells_of_a_chapter_run_by_their_buttons_and_print_what_was_built(driver, address):
