@@ -96,14 +96,15 @@ def test_the_engine_answers_in_words_and_comes_back_offline_with_its_figures_and
 def test_a_slider_of_each_chapter_moves_its_figure_and_until_then_an_end_answers(
     site, driver, address
 ):
-    moved = set()
+    moved, still = [], []
     for path in sorted(site.glob("chapters/*.html")):
         driver.get(f"{address}/chapters/{path.name}")
         count = driver.execute_script("return document.querySelectorAll('[data-moving]').length")
-        if any(drag(driver, n, "end" if moved else "a step") for n in range(count)):
-            moved.add(path.stem[:4])
+        if count:
+            drawn = any(drag(driver, n, "end" if moved else "a step") for n in range(count))
+            (moved if drawn else still).append(path.stem)
     assert complaints(driver) == []
-    assert moved >= {*(f"ch{n:02d}" for n in range(1, 12)), "appA", "appB"}
+    assert (bool(moved), still) == (True, [])
 
 
 def test_the_cells_of_a_chapter_run_by_their_buttons_and_print_what_was_built(driver, address):
