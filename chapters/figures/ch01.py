@@ -139,7 +139,7 @@ def merry_go_round_film(build):
 )
 def clocks(ax, build, speed):
     """Figure 1.3: the velocities of three clocks, seen from the stars, from ``build(speed)``."""
-    stars, earth, *three = build(speed)
+    stars, _, *three = build(speed)
     s = Sketch(ax, stars, azimuth=-90, elevation=90)
     s.disk(O, stars.k, 6.371e6 * 0.87)
     s.turn(O, stars.k, r"$\omega$", radius=1.5e6)
