@@ -13,6 +13,7 @@ from itertools import pairwise
 import nbformat
 import pytest
 
+from newton_euler.classroom.widgets.on_pages import ASKED
 from tests.chapters.notebooks import (
     CHAPTERS,
     COMPANION,
@@ -206,6 +207,7 @@ def executed(path, where, missing=(), afterwards=lambda client, notebook: None):
         **os.environ,
         "PYTHONPATH": str(where),
         "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+        ASKED: "yes",  # the outputs are kept for the site
     }
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", module=r"zmq|jupyter_client|nbclient|asyncio|traitlets")
