@@ -67,7 +67,7 @@ def build(
     )
     with tempfile.TemporaryDirectory() as work:
         source, pages = Path(work) / "source", Path(work) / "pages"
-        _write_source(source, found, ran, wanted, pictures)
+        _write_source(source, found, ran, wanted, pictures, pages / "moving" if python else None)
         _sphinx(source, pages, bool(names), progress, ["engine"] if python else [])
         if python:
             engine.write(pages, python)
@@ -77,9 +77,7 @@ def build(
         (pages / ".nojekyll").touch()  # else GitHub leaves out folders like _static
         shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
     without = [f"outputs of {c.stem}" for c in found if ran[c.stem] is None]
-    return (
-        [*without, "engine (npm does not reach Pyodide)"] if with_engine and not python else without
-    )
+    return without + ["engine (npm does not reach Pyodide)"] * (with_engine and not python)
 
 
 def _counter(progress, step, number):
@@ -93,8 +91,8 @@ def _counter(progress, step, number):
     return count
 
 
-def _write_source(source, found, ran, wanted, pictures):
-    _write_chapters(source / "chapters", found, ran)
+def _write_source(source, found, ran, wanted, pictures, ends):
+    _write_chapters(source / "chapters", found, ran, ends)
     _write_problems(source / "problems", wanted, found, pictures)
     pages = reference.pages()
     for name, text in pages.items():
@@ -118,10 +116,10 @@ def _write(path, text):
     path.write_text(text, encoding="utf-8")
 
 
-def _write_chapters(folder, found, ran):
+def _write_chapters(folder, found, ran, ends):
     for c in found:
         notebook = ran[c.stem] or nbformat.read(c.path, as_version=4)
-        page = chapter_pages.page(notebook, ran[c.stem] is not None)
+        page = chapter_pages.page(notebook, ran[c.stem] is not None, ends)
         _write(folder / c.path.name, nbformat.writes(page))
 
 

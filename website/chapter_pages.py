@@ -3,11 +3,14 @@ widgets, which need a kernel.
 """
 
 import re
+from pathlib import Path
 
 from nbformat import NotebookNode
 
 from exercises.catalogue.sections import section_anchor
 from newton_euler.classroom.predicting.page import STATIC, inline
+
+from . import moving
 
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
 WIDGET = "application/vnd.jupyter.widget-view+json"
@@ -16,8 +19,11 @@ TRY = "**Try problem {number}.** In the notebook the cell at this place checks y
 NO_OUTPUTS = "*The cells of this page have not been run.*"
 
 
-def page(notebook: NotebookNode, ran: bool = True) -> NotebookNode:
-    """The notebook as input of Sphinx."""
+def page(notebook: NotebookNode, ran: bool = True, ends: Path | None = None) -> NotebookNode:
+    """The notebook as input of Sphinx.
+
+    ends : folder of the pictures at the ends of sliders; without it figures stand still
+    """
     notebook.metadata.pop("widgets", None)
     cells = notebook.cells
     for cell, after in zip(cells, [*cells[1:], {}], strict=True):
@@ -29,6 +35,8 @@ def page(notebook: NotebookNode, ran: bool = True) -> NotebookNode:
             _fold(cell)
             cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
             _without_kernel(cell)
+            if ends:
+                moving.mark(cell, ends)
             _describe(cell, caption(after.get("source", "")))
     if not ran:
         cells[0].source += f"\n\n{NO_OUTPUTS}"

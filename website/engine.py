@@ -4,6 +4,7 @@ import hashlib
 import io
 import json
 import zipfile
+from importlib.util import find_spec
 from pathlib import Path
 
 from .kept import ROOT
@@ -35,13 +36,26 @@ def write(out: Path, found: dict[str, bytes]) -> None:
     (folder / python).mkdir(parents=True)
     for name, contents in found.items():
         (folder / python / name).write_bytes(contents)
-    package = packed(ROOT / "newton_euler")
-    name = f"newton_euler-{hashlib.sha256(package).hexdigest()[:12]}.zip"
-    (folder / name).write_bytes(package)
-    sizes = sum(map(len, found.values())) + len(package)
-    about = {"python": f"{python}/", "package": name, "bytes": sizes}
+    package = _put(ROOT / "newton_euler", folder)
+    sizes = sum(map(len, found.values())) + (folder / package).stat().st_size
+    later = {name: [_put(path, folder) for path in paths] for name, paths in _later().items()}
+    about = {"python": f"{python}/", "package": package, "bytes": sizes, "later": later}
     (folder / "engine.json").write_text(json.dumps(about))
     (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # it keeps what lies beside it and below
+
+
+def _later():
+    """{package in Python alone that cells may ask for: its folder, and those that it needs}."""
+    folders = {name: Path(str(find_spec(name).origin)).parent for name in ("mpmath", "sympy")}
+    return {"mpmath": [folders["mpmath"]], "sympy": [*folders.values()]}
+
+
+def _put(package, folder):
+    """Put a package as a zip into the folder; its name."""
+    contents = packed(package)
+    name = f"{package.name}-{hashlib.sha256(contents).hexdigest()[:12]}.zip"
+    (folder / name).write_bytes(contents)
+    return name
 
 
 def packed(package: Path) -> bytes:
@@ -50,7 +64,7 @@ def packed(package: Path) -> bytes:
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         # newton_euler/chapters is a link, which rglob does not follow
         for path in sorted([*package.rglob("*"), *(package / "chapters").rglob("*")]):
-            if path.is_file() and path.suffix not in LEFT_OUT:
+            if path.suffix not in LEFT_OUT and "tests" not in path.parts and path.is_file():
                 name = zipfile.ZipInfo(str(path.relative_to(package.parent)))
                 name.compress_type = zipfile.ZIP_DEFLATED
                 archive.writestr(name, path.read_bytes())

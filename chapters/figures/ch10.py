@@ -7,10 +7,8 @@ the frame of the body, whose parent is the frame {i, j, k} that does not spin.
 
 import math
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 from newton_euler import Frame, euler_frame, integrate
+from newton_euler.algebra.late import np, plt
 from newton_euler.applications.gyroscopes import (
     free_precession,
     gyro_momentum,

@@ -6,7 +6,7 @@ from decimal import Decimal
 from functools import cached_property
 from typing import Any
 
-from .tolerance import NOISE, ROUND_OFF, Point, Points, is_apart
+from .tolerance import DIGITS, NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
 
@@ -76,8 +76,12 @@ class Fit:
 
 
 def rounding(point: Sequence[float]) -> float:
-    """How much a student may have rounded this point by: half of the last digits written."""
-    return math.hypot(*(0.5 * 10.0 ** written(x)[1] for x in point if x))
+    """How much a student may have rounded this point by: half of the last digits written. A single
+    number has three at least: as a float, 2.50 has lost its zero.
+    """
+    least = DIGITS if len(point) == 1 else 0
+    digits = [written(x) for x in point if x]
+    return math.hypot(*(0.5 * 10.0 ** (place - max(least - n, 0)) for n, place in digits))
 
 
 def most_digits(point: Sequence[float]) -> int:

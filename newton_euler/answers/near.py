@@ -4,7 +4,7 @@
 rounded by. Of the slips that are as simple or simpler, ``n`` are within a quarter of the size of
 the answer; a random answer of ``d`` components at this place would be as near to one of them with
 the chance ``n (gap / a quarter)^d``. A slip is named where that is at most :data:`CHANCE`. Counted
-over all places, random numbers are named in less than half a percent.
+over all places, random numbers are named in a quarter of a percent.
 """
 
 import math

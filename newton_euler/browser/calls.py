@@ -5,11 +5,13 @@ from importlib import import_module
 from types import FunctionType
 
 from ..algebra.errors import NewtonEulerError
+from .late import MissingError
 
 
 def answer(name: str, arguments: str = "{}") -> str:
     """What the function ``name`` of this room, "module.function", returns for these arguments by
-    name: a JSON object {"value": …}, or {"error": words} where it fails.
+    name: a JSON object {"value": …}, or {"error": words} where it fails, with {"needs": package}
+    where one is not here.
 
     >>> answer("about.version")[:10]
     '{"value": '
@@ -20,6 +22,8 @@ def answer(name: str, arguments: str = "{}") -> str:
         return json.dumps({"value": _function(name)(**json.loads(arguments))}, allow_nan=False)
     except NewtonEulerError as error:
         return json.dumps({"error": str(error)})
+    except MissingError as error:
+        return json.dumps({"needs": error.name, "error": str(error)})
     except Exception as error:
         return json.dumps({"error": f"{type(error).__name__}: {error}"})
 

@@ -4,8 +4,7 @@ the first name of it is used.
 
 import builtins
 import sys
-from collections.abc import Callable
-from importlib import import_module
+from importlib import import_module, invalidate_caches
 from importlib.util import find_spec
 from types import ModuleType
 
@@ -15,7 +14,9 @@ TITLES = {
 }  # fmt: skip
 WHERE = "__main__", "newton_euler.chapters."  # cells, and what draws their figures
 
-fetch: Callable[[str], bool] | None = None  # of the page: gets a package; whether it is here now
+
+class MissingError(ModuleNotFoundError):
+    """A package is not here; ``name`` says which."""
 
 
 class Late(ModuleType):
@@ -25,8 +26,9 @@ class Late(ModuleType):
         top = self.__name__.partition(".")[0]
         if name.startswith("__"):
             raise AttributeError(name)
-        if find_spec(top) is None and not (fetch and fetch(top)):
-            raise ModuleNotFoundError(
+        invalidate_caches()
+        if find_spec(top) is None:
+            raise MissingError(
                 f"this needs {TITLES[top]}, which the page does not have. In an installed notebook "
                 "it runs.",
                 name=top,

@@ -2,7 +2,7 @@
 
 import ast
 import symtable
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -59,7 +59,7 @@ def _free(table):
         yield from _free(inner)
 
 
-def _changed(node) -> Iterator[str]:
+def _changed(node):
     """The names of objects that are changed in place."""
     for part in ast.walk(node):
         stored = isinstance(part, (ast.Attribute, ast.Subscript)) and not isinstance(

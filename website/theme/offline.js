@@ -1,7 +1,7 @@
 // a service worker, which keeps what a reader has seen: pages are asked for first, so that new ones
 // are shown; files of the engine have names that change with their contents, and are kept for good
 const KEPT = "newton-euler";
-const LASTING = /\/engine\/(pyodide|newton_euler)-[^/]+/;
+const LASTING = /\/engine\/(\w+)-[^/]+/;
 
 addEventListener("install", () => skipWaiting());
 addEventListener("activate", (event) => event.waitUntil(clients.claim()));

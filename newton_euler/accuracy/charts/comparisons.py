@@ -4,8 +4,7 @@ from dataclasses import replace
 from itertools import groupby
 from operator import attrgetter
 
-from matplotlib.ticker import EngFormatter
-
+from ...algebra.late import EngFormatter
 from ..measurements.measure import (
     ALIKE,
     EQUAL_WITHIN,

@@ -4,8 +4,7 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 
-import numpy as np
-
+from ...algebra.late import np
 from ...motion.integration import integrate
 from ...motion.prepared import prepared_model
 from ..measurements.measure import EQUAL_WITHIN, Measured, of_equal_cost

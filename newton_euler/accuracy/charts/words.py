@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable
 
-from matplotlib.ticker import EngFormatter
+from ...algebra.late import EngFormatter
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 

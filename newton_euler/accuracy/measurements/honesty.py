@@ -17,8 +17,7 @@ from os import PathLike
 from statistics import fmean, median
 from typing import NamedTuple
 
-from matplotlib.ticker import EngFormatter
-
+from ...algebra.late import EngFormatter
 from ...motion.methods.table import METHODS
 from ...motion.model import ModelError
 from ...motion.prepared import PreparedModel

@@ -7,6 +7,7 @@ from itertools import product
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked_but
+from .on_pages import for_site
 from .pictures import alt_text, bundle, show
 from .sliders import Slider
 from .stage import Stage, in_words
@@ -55,7 +56,8 @@ def interactive_figure(
     """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments. Without a
     kernel or ipywidgets the first picture stands alone.
 
-    draw : draws on one matplotlib Axes, by a Sketch or by its own plots, whose limits it sets
+    draw : draws by a Sketch on one panel of a page; or by its own plots, whose limits it sets, on
+        one matplotlib Axes, which it gets instead if it asks for what a panel does not have
     alt : what can be seen in it, in 8 words or more; or a function of the values that returns it
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one
@@ -92,7 +94,7 @@ class MovingFigure:
     def picture(self, values: Mapping[str, float]) -> tuple[bytes, str]:
         """The picture for these values, and what it shows, in words."""
         words = alt_text(_for_values(self.alt, values))
-        return self.stage.picture(values, _for_values(self.title, values)), words
+        return self.stage.picture(values, _for_values(self.title, values), words), words
 
 
 # who shows figures in place of a notebook, as a page does that has sliders of its own
@@ -107,7 +109,9 @@ def _show(figure):
         image, words = figure.picture(values)
         return bundle(image, words, figure.stage.css_size, figure.stage.png() if png else None)
 
-    shown = show(picture(figure.start, png=True), display_id=True)
+    ends = for_site(figure)
+    data, about = picture(figure.start, png=True)
+    shown = show(({**data, **ends}, about), display_id=True)
     _show_sliders(figure.sliders, figure.start, lambda values: _update(shown, picture, values))
 
 

@@ -8,20 +8,31 @@ onmessage = async ({ data: { root, id, name, text } }) => {
     answer(load(new URL("engine/", root)));
     engine.then(() => tell("ready"), (error) => tell("failed", `The engine cannot be loaded: ${error.message}`));
   } else {
-    const call = await engine;
-    tell("answer", { id, text: call(name, text) });
+    const { call, get } = await engine;
+    let found = call(name, text);
+    // a cell has used a package that comes later
+    while (found.startsWith('{"needs"') && (await get(JSON.parse(found).needs))) found = call(name, text);
+    tell("answer", { id, text: found });
   }
 };
 
 async function load(folder) {
   const about = await (await fetch(new URL("engine.json", folder))).json();
   countBytes(about.bytes);
-  const archive = fetch(new URL(about.package, folder)).then((response) => response.arrayBuffer());
+  const bytes = async (file) => (await fetch(new URL(file, folder))).arrayBuffer();
+  const archive = bytes(about.package);
   const home = new URL(about.python, folder).href;
   const { loadPyodide } = await import(`${home}pyodide.mjs`);
   const python = await loadPyodide({ indexURL: home });
   python.unpackArchive(await archive, "zip");
-  return python.runPython("from newton_euler.browser import answer; answer");
+  const got = new Set();
+  const get = async (name) => {
+    if (got.has(name) || !about.later[name]) return false;
+    got.add(name);
+    for (const file of about.later[name]) python.unpackArchive(await bytes(file), "zip");
+    return true;
+  };
+  return { get, call: python.runPython("from newton_euler.browser import answer; answer") };
 }
 
 // every fetch from now on tells how much of all has come
@@ -33,7 +44,8 @@ function countBytes(all) {
     if (!response.ok) throw new Error(`${response.status} for ${response.url}`);
     const counter = new TransformStream({
       transform(chunk, out) {
-        tell("progress", Math.min(0.99, (come += chunk.length) / all));
+        come += chunk.length;
+        if (come < all) tell("progress", come / all);
         out.enqueue(chunk);
       },
     });

@@ -49,6 +49,15 @@
       if (url.startsWith(root.href)) fetch(url).catch(() => {});
   };
 
+  // ends what runs; the next call starts anew, with nothing of what was computed
+  const stop = () => {
+    worker?.terminate();
+    worker = undefined;
+    progress(0);
+    for (const { reject } of asked.values()) reject(new Error("stopped; cells that were run are forgotten"));
+    asked.clear();
+  };
+
   const call = (name, args = {}) =>
     new Promise((resolve, reject) => {
       start();
@@ -63,6 +72,8 @@
     call,
     ready,
     start,
+    stop,
+    root,
     // called with the part that is loaded, 0 to 1, now and whenever it grows
     progress: (callback) => (watching.add(callback), callback(loaded)),
   };
