@@ -14,6 +14,7 @@ from . import (
     chapter_pages,
     contents,
     engine,
+    landing,
     practice_sets,
     problem_index,
     problem_pages,
@@ -97,7 +98,8 @@ def _write_source(source, found, ran, wanted, pictures, ends):
     pages = reference.pages()
     for name, text in pages.items():
         _write(source / "reference" / f"{name}.rst", text)
-    _write(source / "index.md", contents.page(found, wanted, reference.titles(pages)))
+    question = landing.question() if "ch04" in wanted else ""
+    _write(source / "index.md", contents.page(found, wanted, reference.titles(pages), question))
 
 
 def _emptied(folder):
