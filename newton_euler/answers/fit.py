@@ -38,6 +38,15 @@ class Fit:
             return 0.0
         return min(rounding(self.given[0]), self.rtol * math.hypot(*self.given[0]))
 
+    @cached_property
+    def nearest(self) -> float:
+        """The same, of a single number written in three digits at least: as a float, 2.50 has lost
+        its zero.
+        """
+        x, *others = self.given[0]
+        asked = 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) + 1 - DIGITS) if x else 0.0
+        return self.rounding if others else min(self.rounding, asked)
+
     @property
     def first(self) -> tuple[Point, Point, float]:
         """(answer, key, size of the key) at the first point where the key has a value."""
@@ -72,16 +81,12 @@ class Fit:
     def _closeness(self, gap, own, size, rtol):
         if gap <= max(ROUND_OFF * own, NOISE * size):
             return EXACT
-        return CLOSE if gap <= self.rounding else LOOSE if gap <= rtol * own else 0
+        return CLOSE if gap <= self.nearest else LOOSE if gap <= rtol * own else 0
 
 
 def rounding(point: Sequence[float]) -> float:
-    """How much a student may have rounded this point by: half of the last digits written. A single
-    number has three at least: as a float, 2.50 has lost its zero.
-    """
-    least = DIGITS if len(point) == 1 else 0
-    digits = [written(x) for x in point if x]
-    return math.hypot(*(0.5 * 10.0 ** (place - max(least - n, 0)) for n, place in digits))
+    """How much a student may have rounded this point by: half of the last digits written."""
+    return math.hypot(*(0.5 * 10.0 ** written(x)[1] for x in point if x))
 
 
 def most_digits(point: Sequence[float]) -> int:

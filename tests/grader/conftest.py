@@ -35,10 +35,8 @@ def pytest_collection_modifyitems(items):
 @pytest.fixture(scope="session", autouse=True)
 def schema_asked_once():
     """nbgrader starts a process of three seconds to ask for its own newest schema."""
-    from grader.course.folder import _without_slow_imports
+    from nbgrader import api
 
-    with _without_slow_imports():
-        from nbgrader import api
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(api, "get_alembic_version", functools.cache(api.get_alembic_version))
         yield

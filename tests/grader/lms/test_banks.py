@@ -20,7 +20,7 @@ from grader.lms.write import variants_of
 from grader.practice.plain import plain
 from grader.practice.twins import sets_of_numbers, twin
 from grader.scoring.margins import margins
-from tests.grader.courses import grader
+from tests.grader.courses import command, ran
 from tests.grader.lms.platforms import PLATFORMS
 
 # mistakes too near to each other, vectors, a direction beside a vector, a choice beside a count, formulas, matrices, bounds,
@@ -227,10 +227,10 @@ def test_the_command_offers_every_format():
 
 
 @pytest.mark.integration
-def test_the_command_writes_a_bank_and_what_it_leaves_out(tmp_path):
-    code, said = grader("bank", "hw3", "--problems", "4/16", "A/19", "--format", "canvas", "--variants", 2,
-                        cwd=tmp_path)  # fmt: skip
-    assert code == 0, said
+def test_the_command_writes_a_bank_and_what_it_leaves_out(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    options = "--format", "canvas", "--variants", 2
+    said = ran(command("bank", "hw3", "--problems", "4/16", "A/19", *options))
     assert "4 questions of 2 problems" in said
     assert "A/19 n left out" in (tmp_path / "hw3-canvas.zip.txt").read_text()
     assert zipfile.is_zipfile(tmp_path / "hw3-canvas.zip")
