@@ -48,7 +48,7 @@ def test_a_problem_has_a_field_for_each_component_and_other_numbers_when_asked(o
     assert first["figure"].startswith("data:image/png;base64,")
     for _ in range(2):
         shown("4/16", new=True)
-    assert shown("4/16")["names"] == second["names"]
+    assert shown("4/16")["names"] == first["names"]
     assert "error" in call("show", problem="9/99")
 
 
