@@ -23,12 +23,12 @@ TERMS = {
     "centripetal": "centripetal, ω × (ω × r)",
 }
 ALT = (
-    "A rod is hinged to an arm that turns about the vertical; the slider turns the rod about its "
-    "hinge."
+    "A rod is hinged to an arm that turns about the vertical; the angle beta between them is {} "
+    "degrees."
 )
 MOVING = """\
 <div class="landing">
-<div class="figure" aria-label="{alt}" role="img">{frames}</div>
+<div class="figure">{frames}</div>
 <p><label for="turn">Turn the rod: angle β = <output for="turn">{first}°</output></label>
 <input id="turn" type="range" min="0" max="{last}" value="{middle}" step="1"></p>
 <p class="terms">The acceleration of its end, by its terms:</p>
@@ -57,7 +57,7 @@ def moving() -> str:
     p, values = _asked()
     stage = Stage(lambda ax, beta_1: p.code.draw(_base(p, values, beta_1), ax), (5.2, 3.6), (1, 1))
     stage.rehearse([{"beta_1": angle} for angle in ANGLES])
-    frames = [stage.picture({"beta_1": angle}).decode() for angle in ANGLES]
+    frames = [stage.picture({"beta_1": angle}, alt=ALT.format(angle)).decode() for angle in ANGLES]
     sizes = [_terms(p, {**values, "beta_1": angle}) for angle in ANGLES]
     most, middle = max(max(x.values()) for x in sizes), len(ANGLES) // 2
     shown = "".join(
@@ -68,7 +68,7 @@ def moving() -> str:
     )
     data = {"angles": list(ANGLES), "most": most, "sizes": [list(x.values()) for x in sizes]}
     return MOVING.format(
-        alt=ALT, frames=shown, first=ANGLES[middle], last=len(ANGLES) - 1, middle=middle,
+        frames=shown, first=ANGLES[middle], last=len(ANGLES) - 1, middle=middle,
         rows=rows, data=json.dumps(data),
     )  # fmt: skip
 

@@ -105,7 +105,7 @@ def test_five_problems_are_worked_by_keyboard_alone_and_their_progress_is_taken_
             typed(phone, key, texts, check=False)
         press(phone, Keys.ENTER)
         wait(phone, "document.querySelector('.practice .next').textContent", "what to do next")
-        verdicts = "[...document.querySelectorAll('form:first-of-type .verdict')].map(v => v.textContent[0])"
+        verdicts = "[...document.querySelectorAll('.practice > div > form .verdict')].map(v => v.textContent[0])"
         assert set(phone.execute_script(f"return {verdicts}")) == {"✓"}, number
         assert phone.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
     tab_to(phone, "details.steps > summary")
