@@ -19,7 +19,7 @@ from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.cells import Values
-from ..assignment.figures import drawing_values, figure_png
+from ..assignment.figures import figure_for_page, figure_png
 from ..assignment.notebook import frame_heading, number, slug, statement, typeset
 from ..assignment.options import HELP as LEVELS
 from ..assignment.sheet import with_tolerance
@@ -44,11 +44,8 @@ def png(p: Problem, values: Values) -> tuple[str, bytes] | None:
 
 def svg(p: Problem, values: Values) -> tuple[str, bytes] | None:
     """The same as (".svg", …)."""
-    from newton_euler.drawing import svg_of
-
-    if not p.figure:
-        return None
-    return ".svg", svg_of(p.code.draw, p.base(drawing_values(p, values))).encode()
+    found = figure_for_page(p, values)
+    return (".svg", found) if found else None
 
 
 class PracticeError(CourseError):
