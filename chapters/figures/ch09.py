@@ -205,7 +205,7 @@ def draw_masses(s, shaft, spots, planes, weights):
 
 
 @with_sliders(
-    Slider("x1", -10, -18, -6, 1, label="plane 1 at x", unit="cm"),
+    Slider("x1", -10, -16, -6, 1, label="plane 1 at x", unit="cm"),
     Slider("x2", 20, 10, 28, 1, label="plane 2 at x", unit="cm"),
     alt="The rotor with its two heavy spots and the two balancing weights, one in each plane, "
     "drawn larger the heavier they are. The weight of a plane that is moved away becomes smaller.",

@@ -132,3 +132,14 @@ if (choose) {
   choose.hidden = false;
   show();
 }
+
+// for those who do not see or point: the margin's headings have a level, a summary is called what it
+// says, and the keyboard reaches what scrolls within itself
+for (const caption of document.querySelectorAll(".caption[role=heading]")) caption.setAttribute("aria-level", "2");
+for (const summary of document.querySelectorAll("summary[aria-label]")) summary.removeAttribute("aria-label");
+const reachable = () => {
+  for (const e of document.querySelectorAll("article :is(pre, div.math, table.docutils, .table-wrapper, div.problems, .output, span.math mjx-container)"))
+    if (e.scrollWidth > e.clientWidth || e.scrollHeight > e.clientHeight) e.tabIndex = 0;
+};
+addEventListener("load", () => Promise.resolve(window.MathJax?.startup?.promise).then(reachable));
+addEventListener("resize", reachable);
