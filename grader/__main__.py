@@ -1,9 +1,15 @@
 """The command line of the grader: ``python -m grader --help``."""
 
+import sys
+
 import click
 
 from .commands import COMMANDS
 from .commands.shared import STOPPED, with_own_problems
+
+# jsonschema, which nbgrader imports, would build a grammar of internationalised addresses: a second
+# of each command, and notebooks have no such addresses to check
+sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
 
 
 class _Commands(click.Group):

@@ -4,11 +4,13 @@ Imports go down in this list only, and everything below it may import the grader
 
     command         the command line
     build           the steps of a build
+    engine          Python and the engine beside the pages; from npm, its packages kept and checked
     contents        the first page
     reference       one page for each room of the engine, and the dictionary of its symbols
     problem_index   all problems in one table, to choose from
     problem_pages   the statements of the problems, with figures; no answers
     chapter_pages   an executed notebook made ready for Sphinx
+    moving          figures with sliders, which the engine in the page draws
     execution       notebooks run in clean kernels, their outputs kept
     notebooks       which chapters there are, in the order of the book
     kept            the folder in which results are kept, and what they depend on

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import nbformat
 
-from . import chapter_pages, contents, problem_index, problem_pages, reference
+from . import chapter_pages, contents, engine, problem_index, problem_pages, reference
 from .execution import WebsiteError, with_outputs
 from .kept import ROOT
 from .notebooks import FOLDER, Chapter, chapters
@@ -26,15 +26,19 @@ def build(
     folder: Path = FOLDER,
     cache: Path = CACHE,
     progress: Callable[[str, int, int], object] = lambda step, done, number: None,
+    with_engine: bool = True,
 ) -> list[str]:
-    """Build the site in the folder ``out``; returns the chapters that are in it without outputs.
+    """Build the site in the folder ``out``; returns what is not in it: the engine, the outputs of
+    chapters.
 
     names : of chapters, as "ch04"; by default all
     run : function of a chapter, whether its notebook may be run where no outputs are kept
     folder : of the notebooks
     cache : folder of the outputs and figures that are kept
     progress : called with a step, and how much of it is done of how much
+    with_engine : puts Python and the engine beside the pages, where npm or ``cache`` has Pyodide
     """
+    python = engine.pyodide(cache / "npm") if with_engine else None
     found, wanted = chapters(names, folder), problem_pages.names(names)
     ran = with_outputs(found, cache / "executed", run, _counter(progress, "notebooks", len(found)))
     count = sum(bool(p.figure) for name in wanted for p in problem_pages.problems(name))
@@ -43,10 +47,14 @@ def build(
     )
     with tempfile.TemporaryDirectory() as work:
         source, pages = Path(work) / "source", Path(work) / "pages"
-        _write_source(source, found, ran, wanted, pictures)
-        _sphinx(source, pages, bool(names), progress)
+        _write_source(source, found, ran, wanted, pictures, pages / "moving" if python else None)
+        _sphinx(source, pages, bool(names), progress, ["engine"] if python else [])
+        if python:
+            engine.write(pages, python)
+        (pages / ".nojekyll").touch()  # else GitHub leaves out folders like _static
         shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
-    return [c.stem for c in found if ran[c.stem] is None]
+    without = [f"outputs of {c.stem}" for c in found if ran[c.stem] is None]
+    return without + ["engine (npm does not reach Pyodide)"] * (with_engine and not python)
 
 
 def _counter(progress, step, number):
@@ -60,8 +68,8 @@ def _counter(progress, step, number):
     return count
 
 
-def _write_source(source, found, ran, wanted, pictures):
-    _write_chapters(source / "chapters", found, ran)
+def _write_source(source, found, ran, wanted, pictures, ends):
+    _write_chapters(source / "chapters", found, ran, ends)
     _write_problems(source / "problems", wanted, found, pictures)
     pages = reference.pages()
     for name, text in pages.items():
@@ -85,10 +93,10 @@ def _write(path, text):
     path.write_text(text, encoding="utf-8")
 
 
-def _write_chapters(folder, found, ran):
+def _write_chapters(folder, found, ran, ends):
     for c in found:
         notebook = ran[c.stem] or nbformat.read(c.path, as_version=4)
-        page = chapter_pages.page(notebook, ran[c.stem] is not None)
+        page = chapter_pages.page(notebook, ran[c.stem] is not None, ends)
         _write(folder / c.path.name, nbformat.writes(page))
 
 
@@ -102,7 +110,7 @@ def _write_problems(folder, names, found, pictures):
         (folder / "figures" / name).write_bytes(png)
 
 
-def _sphinx(source, out, partial, progress):
+def _sphinx(source, out, partial, progress, tags):
     """Call Sphinx; every warning is an error, except for links out of a part of the site."""
     from sphinx.application import Sphinx
 
@@ -111,7 +119,8 @@ def _sphinx(source, out, partial, progress):
     progress("pages", 0, 1)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # Sphinx's extensions warn about each other
-        app = Sphinx(source, THEME, out, out.parent / "doctrees", "html", changed, None, output)
+        trees = out.parent / "doctrees"
+        app = Sphinx(source, THEME, out, trees, "html", changed, None, output, tags=tags)
         app.build(force_all=True)
     progress("pages", 1, 1)
     warned = re.sub(r"\x1b\[[\d;]*m", "", output.getvalue()).replace(f"{source}/", "").strip()

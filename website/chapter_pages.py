@@ -3,10 +3,14 @@ widgets, which need a kernel.
 """
 
 import re
+from pathlib import Path
 
 from nbformat import NotebookNode
 
 from exercises.catalogue.sections import section_anchor
+from newton_euler.classroom.predicting.page import STATIC, inline
+
+from . import moving
 
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
 WIDGET = "application/vnd.jupyter.widget-view+json"
@@ -15,8 +19,11 @@ TRY = "**Try problem {number}.** In the notebook the cell at this place checks y
 NO_OUTPUTS = "*The cells of this page have not been run.*"
 
 
-def page(notebook: NotebookNode, ran: bool = True) -> NotebookNode:
-    """The notebook as input of Sphinx."""
+def page(notebook: NotebookNode, ran: bool = True, ends: Path | None = None) -> NotebookNode:
+    """The notebook as input of Sphinx.
+
+    ends : folder of the pictures at the ends of sliders; without it figures stand still
+    """
     notebook.metadata.pop("widgets", None)
     cells = notebook.cells
     for cell, after in zip(cells, [*cells[1:], {}], strict=True):
@@ -27,6 +34,9 @@ def page(notebook: NotebookNode, ran: bool = True) -> NotebookNode:
         elif cell.cell_type == "code":
             _fold(cell)
             cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
+            _without_kernel(cell)
+            if ends:
+                moving.mark(cell, ends)
             _describe(cell, caption(after.get("source", "")))
     if not ran:
         cells[0].source += f"\n\n{NO_OUTPUTS}"
@@ -43,17 +53,7 @@ def markdown(text: str) -> str:
 
 
 def _summary(match):
-    inner = re.sub(r"\$([^$]+)\$", _inline, match[1].strip())
-    inner = re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", inner)
-    inner = re.sub(r"\*(.+?)\*", r"<i>\1</i>", inner)
-    inner = re.sub(r"`(.+?)`", r"<code>\1</code>", inner)
-    return f"\n\n<summary>{inner}</summary>\n\n"
-
-
-def _inline(match):
-    """A formula as the pages have it, where Markdown does not read it."""
-    formula = match[1].replace("&", "&amp;").replace("<", "&lt;")
-    return rf'<span class="math notranslate nohighlight">\({formula}\)</span>'
+    return f"\n\n<summary>{inline(match[1].strip())}</summary>\n\n"
 
 
 def _say_where(cell, number):
@@ -68,6 +68,13 @@ def _fold(cell):
     hidden = cell.metadata.get("jupyter", {}).get("source_hidden", False)
     if hidden and "hide-input" not in tags:
         tags.append("hide-input")
+
+
+def _without_kernel(cell):
+    """Give predictions the form that needs no kernel, without their code: it has the answers."""
+    for data in (x.data for x in cell.outputs if STATIC in x.get("data", {})):
+        data["text/html"] = data.pop(STATIC)
+        cell.metadata.tags.append("remove-input")
 
 
 def caption(text: str) -> str:

@@ -31,8 +31,9 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     is_flag=True,
     help="Run no notebook: one whose outputs are not kept is shown without them.",
 )
+@click.option("--engine/--no-engine", default=True, help="Put Python and the engine beside them.")
 @PROBLEMS_FROM
-def main(out: Path, names: tuple[str, ...], no_run: bool) -> None:
+def main(out: Path, names: tuple[str, ...], no_run: bool, engine: bool) -> None:
     """Build the course as static pages, to read in a browser without network and without Python.
 
     The pages are the chapters with all that their cells print and draw, films included; the
@@ -49,6 +50,9 @@ def main(out: Path, names: tuple[str, ...], no_run: bool) -> None:
       python -m website --chapters ch04 --out _ch04     one chapter with its problems
       python -m website --no-run                        the texts as they are now, at once
 
+    Python for the browser (Pyodide, 14 MB) comes from npm, once; readers load it when they touch
+    what computes, and it works from a web server only.
+
     An error in a cell or a broken link ends the build; its place is reported.
     """
     from . import build as steps
@@ -60,13 +64,15 @@ def main(out: Path, names: tuple[str, ...], no_run: bool) -> None:
         raise click.UsageError(f"there is no chapter {unknown[0]}; there are {_list(chapters())}")
     try:
         with _bar() as bar:
-            left = steps.build(out, names, run=lambda c: not no_run, progress=_shown(bar))
+            left = steps.build(
+                out, names, lambda c: not no_run, progress=_shown(bar), with_engine=engine
+            )
     except WebsiteError as error:
         raise click.ClickException(str(error)) from None
     pages = sum(1 for _ in out.rglob("*.html"))
     click.echo(f"{pages} pages, {_megabytes(out):.0f} MB; open {out / 'index.html'}")
     if left:
-        click.echo(f"not run, so without outputs: {', '.join(left)}")
+        click.echo(f"left out: {', '.join(left)}")
 
 
 def _list(found):

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import nbformat
 
+from newton_euler.classroom.widgets.on_pages import ASKED
+
 from .kept import ROOT, fingerprint, kept_name, store
 from .notebooks import Chapter
 
@@ -81,6 +83,7 @@ def _environment(folder):
         **os.environ,
         "PYTHONPATH": folder,
         "IPYTHONDIR": f"{folder}/ipython",
+        ASKED: "yes",
         "MPLBACKEND": "module://matplotlib_inline.backend_inline",
     }
 

@@ -2,10 +2,8 @@
 
 import math
 
-import numpy as np
-from matplotlib.figure import Figure
-
 from newton_euler import Frame
+from newton_euler.algebra.late import np, plt
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch
 
@@ -323,7 +321,7 @@ def two_observers(axes, turn):
 def hill(height, slope):
     """Figure A.12: level lines of ``height(x, y)``, its gradient ``slope(x, y)``, and a walk."""
     x, y = np.meshgrid(np.linspace(-2, 2, 25), np.linspace(-1.5, 1.5, 19))
-    levels = Figure().subplots().contour(x, y, height(x, y), 6).allsegs
+    levels = plt.Figure().subplots().contour(x, y, height(x, y), 6).allsegs
     lines = [[(*place, 0) for place in line] for level in levels for line in level if len(line) > 1]
 
     def draw(ax, across, way):

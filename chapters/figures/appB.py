@@ -2,9 +2,8 @@
 
 from fractions import Fraction
 
-import matplotlib.pyplot as plt
-
 from newton_euler import Frame
+from newton_euler.algebra.late import plt
 from newton_euler.bodies.solids import box, cone, cylinder
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch

@@ -2,9 +2,8 @@
 
 import math
 
-import mpmath
-
 from newton_euler import Frame, at, cos, cylindrical, sin, spherical
+from newton_euler.algebra.late import mpmath
 from newton_euler.chapters.examples.ch03 import Spring, screw_jack_ball, screw_jack_time
 from newton_euler.classroom import Slider
 from newton_euler.drawing import Sketch, animate

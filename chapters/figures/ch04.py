@@ -2,11 +2,8 @@
 
 import math
 
-import matplotlib.pyplot as plt
-import mpmath
-import numpy as np
-
 from newton_euler import Frame, axis_angle, euler_frame, rotation_matrix
+from newton_euler.algebra.late import mpmath, np, plt
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics.rotations import apply, in_sequence, product, transpose

@@ -4,9 +4,8 @@ by observers who are carried round.
 
 import math
 
-import numpy as np
-
 from newton_euler import Frame, at, cylindrical, integrate, moving, polar, spherical
+from newton_euler.algebra.late import np
 from newton_euler.applications.earth import (
     coriolis_acceleration,
     earth_frame,

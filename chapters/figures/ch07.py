@@ -2,9 +2,8 @@
 
 import math
 
-import numpy as np
-
 from newton_euler import Frame, composite, particle
+from newton_euler.algebra.late import np
 from newton_euler.bodies import plate
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.classroom import Slider, interactive_figure

@@ -2,10 +2,8 @@
 
 import math
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 from newton_euler import Frame
+from newton_euler.algebra.late import np, plt
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
@@ -118,6 +116,46 @@ def three_spins(times, runs):
     )
 
 
+def attitudes(times, rates):
+    """The attitude of a body at these times, as (axis, angle), from the components of omega on its
+    own axes: in each step it turns about the mean omega.
+    """
+    q, found = np.array([1.0, 0, 0, 0]), []
+    means = (rates[1:] + rates[:-1]) / 2
+    for step in [np.zeros(3), *(means * np.diff(times)[:, None])]:
+        half = np.linalg.norm(step) / 2
+        c, v = math.cos(half), step * np.sinc(half / math.pi) / 2
+        q = np.append(c * q[0] - v @ q[1:], c * q[1:] + q[0] * v + np.cross(q[1:], v))
+        found.append((q[1:] if half else (0, 0, 1.0), 2 * math.atan2(np.linalg.norm(q[1:]), q[0])))
+    return found
+
+
+def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
+    """A film: a T-handle spins about its stem, flips over, flips back; ``rates``: its omega."""
+    shift = stem / 8  # of G from the bar, a quarter of the way to the middle of the stem
+    turned = dict(zip(times, attitudes(times, rates), strict=True))
+
+    def draw(t, ax):
+        ground = Frame("ground")
+        axis, angle = turned[t]
+        body = ground.rotate("handle", axis=tuple(axis), angle=angle)
+        s = Sketch(ax, ground, azimuth=-60, elevation=22)
+        ends = [body.point("", -shift, y, 0) for y in (-bar / 2, bar / 2)]
+        s.rod(*ends)
+        s.rod(body.point("", -shift, 0, 0), body.point("", stem - shift, 0, 0))
+        s.dot(ends[1])
+        s.line((-0.09, 0, 0), (0.09, 0, 0), style="centre")
+        s.vector(O, ground.i * 0.085, r"$\mathbf{H}$", kind="plain")
+
+    return animate(
+        draw,
+        times[::every],
+        speed=0.25,
+        alt="A T-shaped handle spins about its stem, which points along H. Then it turns over, so "
+        "that the stem points against H, spins on steadily, and turns over again. Nothing acts on it.",
+    )
+
+
 def turning_rods(build, words, azimuth=-60):
     """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
     ground, body, point; ``words`` says about which axis, ``azimuth`` whence it is seen.
@@ -127,6 +165,7 @@ def turning_rods(build, words, azimuth=-60):
         ground, body, about = build(rate, acceleration)
         frame, P = body.frame, about
         s = Sketch(ax, ground, azimuth=azimuth, elevation=22, arrows=110)
+        s.axes(P, frame, length=0.35)
         for A, B in RODS:
             s.rod(frame.point("", *A), frame.point("", *B))
         axis = frame.angular_velocity(ground)
@@ -221,7 +260,7 @@ def sphere(axes, v0, mu, g, radius, t, spin):
     turned = _turned(t, given)
     end = (radius * math.cos(turned), radius + radius * math.sin(turned), 0)
     s.disk(C, ground.k, radius, spoke=end)
-    s.vector(C, ground.i * v, "$v$", size="m/s")
+    s.vector(C, ground.i * v, f"$v$ = {v:.2f} m/s")
     slips = abs(slip) > 1e-9
     s.vector(O, ground.i * (-math.copysign(2.0, slip) if slips else 0.0), "$F$", kind="force")
     axes[0].set_title(f"{'slides' if slips else 'rolls'}; x = {x:.2f} m", fontsize=11)

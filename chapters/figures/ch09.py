@@ -7,10 +7,8 @@ bearings A and B, and the body.
 
 import math
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 from newton_euler import Frame, composite, particle
+from newton_euler.algebra.late import np, plt
 from newton_euler.applications.rotors import balancing_masses, reactions
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate

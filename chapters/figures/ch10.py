@@ -7,10 +7,8 @@ the frame of the body, whose parent is the frame {i, j, k} that does not spin.
 
 import math
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 from newton_euler import Frame, euler_frame, integrate
+from newton_euler.algebra.late import np, plt
 from newton_euler.applications.gyroscopes import (
     free_precession,
     gyro_momentum,
@@ -135,19 +133,19 @@ def pendulum(ax, momentum, theta, phi, spin):
 
 
 @with_sliders(
-    Slider("spin", 6, -12, 12, 1, label="spin", unit="rad/s"),
-    Slider("precession", 4, 0, 8, 0.5, label="precession", unit="rad/s"),
+    Slider("spin", 6, -6, 8, 1, label="spin", unit="rad/s"),
+    Slider("precession", 4, 0, 5, 0.5, label="precession", unit="rad/s"),
     alt="A top with the axes x, y, z that do not spin: x level, z along the axis of the top. "
     "Drawn: the angular velocity Omega of these axes along Z, omega of the body, which has the "
     "spin in addition, and the angular momentum H, all in the plane of y and z.",
 )
 def spinning_top(ax, build, I0, I, spin, precession):
-    """Figure 10.4: a top with Omega, omega and H."""
+    """Figure 10.4: a top with Omega, omega and H; small, so that the arrows are long beside it."""
     ground, body = build(precession=precession, spin=spin)
-    s = sketch(ax, ground)
-    draw_top(s, body)
-    s.axes(O, ground, length=0.6, labels=["", "", "Z"])
-    s.axes(O, body.parent, length=0.55)
+    s = sketch(ax, ground, azimuth=-15, arrows=260)
+    draw_top(s, body, 0.3, 0.14)
+    s.axes(O, ground, length=0.5, labels=["", "", "Z"])
+    s.axes(O, body.parent, length=0.5)
     s.vector(O, body.parent.angular_velocity(ground), r"$\Omega$", kind="rate", size="rad/s")
     s.vector(O, body.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
     s.vector(O, gyro_momentum(body, ground, I0, I), r"$\mathbf{H}_B$")
@@ -235,7 +233,7 @@ def steady_top(ax, build, I0, I, theta, spin):
     draw_top(s, body)
     s.vector(O, H, r"$\mathbf{H}_B$")
     s.vector(O, H.rate(ground), r"$\mathbf{M}_B=\dot{\mathbf{H}}_B$", "force", size="N m")
-    s.vector(body.point("G", 0, 0, 0.55), ground.k * -1, r"$m\mathbf{g}$", kind="acceleration")
+    s.vector(body.point("G", 0, 0, 0.55), ground.k * -1, r"$m\mathbf{g}$", kind="force")
     s.turn(ground.k * 0.9, ground.k * rate, rf"$\dot\psi$ = {rate:.2f} rad/s")
     s.line(O, ground.k, style="centre")
 
@@ -363,22 +361,50 @@ def three_at_right_angles(ax, build, spin, precession):
 
 
 @with_sliders(
-    Slider("rotor", 0, 0, 1200, 100, label="rotor", unit="rad/s"),
-    alt="A car from behind in a turn to the left. Without the rotor nearly the whole weight is "
+    Slider("angle", 0, 0, 330, 30, label="the dark particle is past the top by", unit="°"),
+    alt="A wheel with a level axle that turns to the left under a moment. The forces on the particles of its "
+    "rim are largest at the top and at the bottom, to opposite sides; their velocities along the "
+    "axle are largest a quarter of a turn later, at the sides, where no force acts.",
+    size=(7.6, 4.2),
+    panels=(1, 2),
+)
+def rim(axes, build, angle):
+    """Figure 10.11: forces and velocities along the axle of the particles of a rim."""
+    ground, particles = build()
+    for panel, kind, of in zip(axes, ("force", "velocity"), (2, 3), strict=True):
+        s = Sketch(panel, ground, azimuth=25, elevation=15, arrows=70)
+        s.disk(O, (0, 1, 0), 0.3)
+        for particle in particles:
+            place = particle[1].position(ground)
+            s.vector(place, particle[of], kind=kind)
+            if round(particle[0]) == angle:
+                s.dot(place)
+        panel.set_title(f"{kind} along the axle", fontsize=11)
+
+
+@with_sliders(
+    Slider("rotor", 500, 0, 1200, 100, label="rotor", unit="rad/s"),
+    alt="A car from behind in a turn to the left, with its rotor on a level axle. The level forces of the "
+    "road act to the left, below G. Without the rotor nearly the whole weight is "
     "on the outer wheels, on the right; with the rotor at 1000 rad/s both sides carry half.",
     size=(6.2, 4.4),
 )
 def car(ax, loads, rotor):
-    """Figure 10.11: a car in a left turn from behind, with the loads of its wheels."""
+    """Figure 10.12: a car in a left turn from behind, its rotor, and the forces of the road."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="yz", arrows=90)
     inner, outer = loads(rotor)
     s.box((0, 0, 3.7), ground, (8, 5.8, 3.4))
+    s.plate([(0, y, z) for y, z in ((-0.5, 2.4), (0.5, 2.4), (0.5, 5), (-0.5, 5))], shade="dark")
+    s.line((0, -1.6, 3.7), (0, 1.6, 3.7), style="centre")
+    s.label((0, 1.6, 3.7), "rotor", offset=(4, 4), bold=False)
+    level = 3000 / 32.2 * 100**2 / 500
     for y, load, name in ((2.5, outer, "outer"), (-2.5, inner, "inner")):
         s.plate(
             [(0, y + w, z) for w, z in ((-0.4, 0), (0.4, 0), (0.4, 2), (-0.4, 2))], shade="dark"
         )
         s.vector((0, y, 0), ground.k * load, f"{name} {load:.0f} lb", kind="force")
+        s.vector((0, y, 0), ground.j * (-level * load / 3000), "$F_H$", kind="force")
     s.dot((0, 0, 4))
     s.label((0, 0, 4), "G")
     s.road([(0, -4.5, 0), (0, 4.5, 0)])
@@ -391,7 +417,7 @@ def car(ax, loads, rotor):
     size=(6.4, 3.6),
 )
 def compass_swings(ax, I0, I, omega_z, earth_rate, latitude):
-    """Figure 10.12: azimuth of a gyrocompass against time, for a latitude."""
+    """Figure 10.13: azimuth of a gyrocompass against time, for a latitude."""
     times = np.linspace(0, 120, 400)
     model = gyrocompass(I0, I, omega_z, earth_rate, math.radians(latitude))
     found = integrate(model, 120.0, (1.0, 0.0)).at(times)

@@ -2,10 +2,8 @@
 
 import math
 
-import matplotlib.pyplot as plt
-import numpy as np
-
 from newton_euler import Frame, integrate, prepare, sin, work_along
+from newton_euler.algebra.late import np, plt
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics.energy import gyroscope_energy
@@ -349,13 +347,13 @@ def pair_in_a_body(ax, turn):
 
 @with_sliders(
     Slider("turn", 330, 0, 360, 10, label="place of the particle", unit="°"),
-    alt="A round body with its centre of mass G. A particle i lies at rho from G and at r from "
+    alt="A round body with its mass centre G. A particle i lies at rho from G and at r from "
     "the origin O; its velocity is that of G plus omega cross rho, which turns with the "
     "particle and cancels over the whole body.",
     size=(6.6, 4.2),
 )
 def particle_of_a_body(ax, turn):
-    """Figure 11.9: a particle of a rigid body from the centre of mass, and its velocity."""
+    """Figure 11.9: a particle of a rigid body from the mass centre, and its velocity."""
     ground = Frame("ground")
     G = (1.2, 0.7, 0)
     body = ground.rotate("body", "z", angle=math.radians(turn), origin=ground.point("G", *G))
@@ -377,7 +375,7 @@ def particle_of_a_body(ax, turn):
 def rolling_sphere(energy, speed, m, R, slope):
     """Figure 11.10: a sphere rolls down; ``energy(v)`` has terms, ``speed`` is that after a drop."""
     down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
-    length = 2.0
+    length = 1.0
 
     def draw(axes, s):
         drop = s * math.sin(slope)
@@ -410,7 +408,7 @@ def rolling_sphere(energy, speed, m, R, slope):
 
     interactive_figure(
         draw,
-        Slider("s", 0.8, 0, length, 0.1, label="distance", unit="m"),
+        Slider("s", 0.4, 0, length, 0.05, label="distance", unit="m"),
         alt="Left: a sphere rolls down an incline, with the velocity of its centre, its weight and "
         "the contact force at C, which is at rest. Right: bars of the energies of translation and "
         "rotation, always as 5 to 2, and of the potential energy.",
@@ -459,7 +457,7 @@ def top_energies(I0, I, mgr, spin):
     s = motion.states
     axle = spin - s["psi_rate"] * np.cos(s["theta"])
     T = gyroscope_energy(I0, I, s["theta"], s["theta_rate"], s["psi_rate"], axle).terms
-    V = mgr * np.cos(s["theta"])
+    V = mgr * (np.cos(s["theta"]) - math.cos(0.6))  # zero at the start: so its fall can be seen
     curves = {
         "transverse": T["transverse"],
         "weight": V,
@@ -468,7 +466,8 @@ def top_energies(I0, I, mgr, spin):
     fig, ax = plt.subplots(figsize=(6.6, 3.4))
     for (name, y), colour, style in zip(curves.items(), COLOURS, STYLES, strict=False):
         ax.plot(motion.times, y, color=colour, ls=style, label=name)
-    ax.set(xlabel="t (s)", ylabel="J", ylim=(0, 0.55))
+    ax.set(xlabel="t (s)", ylabel="J")
+    ax.margins(y=0.25)  # room for the legend
     ax.legend(frameon=False, loc="upper right", ncols=3, fontsize=9)
     show_figure(
         fig,

@@ -3,9 +3,9 @@
 import random
 from itertools import combinations
 
-import numpy as np
 from mpmath import mp, mpc, mpf
 
+from newton_euler.algebra.late import np
 from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector

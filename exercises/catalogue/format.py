@@ -156,11 +156,11 @@ def _require(holds, fault):
 def _check_keys(entry, what, needed, optional):
     """Refuses all but a mapping with the ``needed`` keys and perhaps ``optional`` ones."""
     keys = f"its keys are {', '.join(needed)} and, where wanted, {', '.join(optional)}"
-    fault = f"{what} must be written as key: value, and is {short(entry)}; {keys}"
-    _require(isinstance(entry, dict), fault)
-    for key in entry:
-        close = meant(key, (*needed, *optional))
-        _require(key in (*needed, *optional), f"{what} has the unknown key {key!r}; {keys}{close}")
+    if not isinstance(entry, dict):
+        raise CatalogueError(f"{what} must be written as key: value, and is {short(entry)}; {keys}")
+    if unknown := [key for key in entry if key not in (*needed, *optional)]:
+        close = meant(unknown[0], (*needed, *optional))
+        raise CatalogueError(f"{what} has the unknown key {unknown[0]!r}; {keys}{close}")
     for key in needed:
         _require(key in entry, f"{what} lacks the key {key!r}; {keys}")
 

@@ -7,8 +7,7 @@ import random
 from functools import cache
 from typing import TypeAlias
 
-import numpy as np
-
+from newton_euler.algebra.late import np
 from newton_euler.answers.sanity import KINETIC, MAGNITUDE
 
 from .model import Problem

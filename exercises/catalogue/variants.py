@@ -11,9 +11,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from newton_euler import compiled
+from newton_euler.algebra.late import np
 from newton_euler.algebra.scalars import Scalar
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.tolerance import MAJORITY, SEPARATION, distance
@@ -64,7 +63,7 @@ def symbol_values(p: Problem, rng: random.Random) -> dict[str, float]:
 
 
 @cache
-def symbol_points(p: Problem) -> dict[str, np.ndarray]:
+def symbol_points(p: Problem) -> dict[str, Any]:
     """The points at which formulas of problem ``p`` are compared, the same for all students:
     {symbol: array}.
     """

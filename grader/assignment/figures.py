@@ -4,6 +4,7 @@ import io
 from collections.abc import Callable, Iterable
 
 from exercises.catalogue import Problem
+from newton_euler.drawing import svg_of
 
 from .cells import Values
 
@@ -33,6 +34,14 @@ def figure_svg(problem: Problem, values: Values) -> bytes | None:
         drawn = _drawn(problem, values, SIZE).figure
         drawn.savefig(out, format="svg", bbox_inches="tight", metadata={"Date": None})
     return out.getvalue()
+
+
+def figure_for_page(problem: Problem, values: Values) -> bytes | None:
+    """The same as SVG with texts in the fonts of the page that shows it, in few bytes."""
+    if not problem.figure:
+        return None
+    given = problem.base(drawing_values(problem, values))
+    return svg_of(problem.code.draw, given, size=SIZE, alt=problem.figure).encode()
 
 
 def figure_faults(problem: Problem, values: Values) -> list[str]:

@@ -127,7 +127,8 @@ def spec_of(
 
 
 def in_range(text: str) -> list[Problem]:
-    """The problems that "4/3", "11/1-11/6", "11/1-6" or "ch04" stands for."""
+    """The problems that "4/3", "11/1-11/6", "11/1 – 6" or "ch04" stands for."""
+    text = re.sub(r"\s*[-–]\s*", "-", text.strip())
     if "/" not in text:
         return list(problems(text))
     first, _, last = text.partition("-")

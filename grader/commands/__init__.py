@@ -20,11 +20,11 @@ from .courses import (
 )
 from .exercises import diagnose, figure, new, prove, solution, solve
 from .paper import paper
-from .practice import practice
+from .practice import practice, sets
 from .results import export, stats
 
 COMMANDS = (
-    problems, preview, solve, solution, prove, figure, diagnose, new, ci, practice, paper, bank,
-    build, spec, next_year, hub, share, enrol, due, late, personal, take_in, grade, retry, stats,
-    export, demo,
+    problems, preview, solve, solution, prove, figure, diagnose, new, ci, practice, sets, paper,
+    bank, build, spec, next_year, hub, share, enrol, due, late, personal, take_in, grade, retry,
+    stats, export, demo,
 )  # fmt: skip

@@ -3,6 +3,7 @@
 import shlex
 import sys
 from dataclasses import replace
+from datetime import timedelta
 from pathlib import Path
 
 import click
@@ -258,21 +259,35 @@ def _warn_of_closed(exchange):
 @COURSE
 @click.option("--name", help="The name of the new course; default: that of its folder.")
 @click.option("--exchange", type=FOLDER, help="Its exchange; default: last year's.")
-def next_year(last: Path, course_path: Path, name: str | None, exchange: Path | None) -> None:
+@click.option(
+    "--later",
+    type=click.IntRange(0),
+    metavar="DAYS",
+    help="Carry the due dates on, this many days later: 364 keeps the day of the week.",
+)
+def next_year(
+    last: Path, course_path: Path, name: str | None, exchange: Path | None, later: int | None
+) -> None:
     """Make a course from last year's, in the folder LAST.
 
     It has its notebooks as you edited them, its settings and own problems, and a secret of its own,
-    so that every student has other numbers; no students, no submissions, no dates.
+    so that every student has other numbers; no students, no submissions, due dates by --later.
     """
     from ..course import Course
+    from ..course.due import due_dates
     from ..course.next_year import next_year as made
 
-    course, assignments = made(Course(last), course_path, name, exchange)
+    days = None if later is None else timedelta(later)
+    course, assignments = made(Course(last), course_path, name, exchange, days)
     click.echo(f"The course {course.name}, in {course.path}, has {', '.join(assignments)}.")
-    click.echo(
-        f"Next: python -m grader enrol roster.csv --course {shlex.quote(str(course.path))}, and "
-        "for each assignment python -m grader due ASSIGNMENT DATE --course …"
-    )
+    click.echo(f"Next: python -m grader enrol roster.csv --course {shlex.quote(str(course.path))}")
+    for assignment, due in due_dates(course).items():
+        click.echo(f"{assignment} is due {due:%Y-%m-%d %H:%M} UTC")
+    if without := [a for a in assignments if a not in due_dates(course)]:
+        click.echo(
+            f"Without a due date: {', '.join(without)}; python -m grader due ASSIGNMENT DATE "
+            "--course … sets one"
+        )
     if exams := Course(last).settings.get("exams"):
         click.echo(f"Build these anew, with their new dates: {', '.join(sorted(exams))} (exams)")
 

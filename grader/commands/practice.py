@@ -1,10 +1,10 @@
-"""The command that writes a practice file."""
+"""The commands that write practice files."""
 
 from pathlib import Path
 
 import click
 
-from .shared import FILE, console, progress_bar
+from .shared import FILE, FOLDER, console, progress_bar
 
 
 @click.command()
@@ -74,3 +74,30 @@ def practice(
         f'Students: from newton_euler.classroom import practice; practice("{path.name}")'
         f'["{next(p.id for p in problems if p.id not in {x.problem for x in left})}"]'
     )
+
+
+@click.command()
+@click.option("-o", "--to", "folder", type=FOLDER, help="The folder; by default within the engine.")
+@click.option(
+    "--course",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    help="Leave out what is near the numbers that this course grades.",
+)
+def sets(folder: Path | None, course: Path | None) -> None:
+    """Write what everyone may practise: a practice file for each chapter.
+
+    They go into the engine of this checkout, where try_problem and practice() find them and a wheel
+    takes them along. Their numbers are drawn from a seed that no course has.
+    """
+    from exercises.catalogue import select
+
+    from ..practice.public import SETS, write_public
+
+    folder = folder or SETS
+    with progress_bar() as bar:
+        task = bar.add_task("solving and drawing", total=len(select(["all"])))
+        left = write_public(folder, course=course, done=lambda: bar.advance(task))
+    for x in left:
+        console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
+    size = sum(path.stat().st_size for path in folder.glob("*.practice"))
+    click.echo(f"{folder}: {size / 1e6:.1f} MB")

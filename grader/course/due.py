@@ -43,6 +43,12 @@ def set_due(course: Course, assignment: str, when: datetime | None) -> None:
         book.update_or_create_assignment(assignment, duedate=due)
 
 
+def due_dates(course: Course) -> dict[str, datetime]:
+    """{assignment: its due date, in UTC without a zone} of those that have one."""
+    with course.gradebook() as book:
+        return {a.name: a.duedate for a in book.assignments if a.duedate}
+
+
 def set_own_due(
     course: Course, assignment: str, students: Iterable[str], when: datetime | None
 ) -> None:

@@ -189,8 +189,7 @@ class Course:
     @contextlib.contextmanager
     def gradebook(self) -> Iterator[Any]:
         """nbgrader's gradebook, as a context manager; :class:`CourseError` if it cannot be used."""
-        with _without_slow_imports():
-            from nbgrader.api import Gradebook
+        from nbgrader.api import Gradebook
         from sqlalchemy.exc import DatabaseError
 
         # nbgrader runs `alembic` by name; it is installed in the folder of the running Python
@@ -259,20 +258,3 @@ def know_problems(path: Path) -> None:
         folders = json.loads((path / "course.json").read_bytes()).get("problems_from", [])
     for folder in folders:
         use(path / folder)
-
-
-@contextlib.contextmanager
-def _without_slow_imports():
-    """Import nbgrader without the grammar of internationalised addresses, which jsonschema imports
-    where it is installed: building it takes longer than all else, and notebooks have no such
-    addresses to check.
-    """
-    name = "rfc3987_syntax"
-    if name in sys.modules:
-        yield
-        return
-    sys.modules[name] = None  # type: ignore[assignment]  # makes its import fail
-    try:
-        yield
-    finally:
-        del sys.modules[name]

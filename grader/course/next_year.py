@@ -2,9 +2,11 @@
 
 import os
 import shutil
+from datetime import timedelta
 from pathlib import Path
 
 from .creation import new_course
+from .due import due_dates, set_due
 from .files import write_text
 from .folder import Course
 from .identity import CourseError
@@ -14,13 +16,18 @@ WRITTEN = "source", "built"  # the notebooks as edited, and as built, by which a
 
 
 def next_year(
-    last: Course, path: str | Path, name: str | None = None, exchange: str | Path | None = None
+    last: Course,
+    path: str | Path,
+    name: str | None = None,
+    exchange: str | Path | None = None,
+    later: timedelta | None = None,
 ) -> tuple[Course, list[str]]:
     """(a new course in the folder ``path``, its assignments): the notebooks, settings and own
     problems of ``last``, another id and secret, and so other numbers for every student; without
-    its students, their work, dates and grades.
+    its students, their work and grades.
 
     name, exchange : as for a new course; by default its exchange is that of ``last``
+    later : how much later assignments are due, exams apart; None: they have no due dates
     """
     settings = last.settings
     if not settings:
@@ -48,7 +55,11 @@ def next_year(
     for folder in settings.get("problems_from", ()):
         if not os.path.isabs(folder):
             shutil.copytree(last.path / folder, path / folder, ignore=_no_checkpoints)
-    return Course(path), sorted(p.parent.name for p in path.glob("source/*/*.ipynb"))
+    made, exams = Course(path), settings.get("exams", {})
+    for assignment, due in due_dates(last).items() if later is not None else ():
+        if made.source(assignment).exists() and assignment not in exams:
+            set_due(made, assignment, due + later)
+    return made, sorted(p.parent.name for p in path.glob("source/*/*.ipynb"))
 
 
 def _exchange(course):

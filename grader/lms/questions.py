@@ -100,12 +100,16 @@ class Question:
     points: float
 
 
-def question(p: Problem, values: Values, number: int, points: float, text: str = "") -> Question:
+def question(
+    p: Problem, values: Values, number: int, points: float, text: str = "", diagnosed: bool = True
+) -> Question:
     """Variant ``number`` of a problem without symbols; ``text`` is what an instructor has made of
-    the problem's. Without the parts that no platform can judge, see :func:`left_out`.
+    the problem's; ``diagnosed``: with its listed mistakes. Without the parts that no platform can
+    judge, see :func:`left_out`.
     """
     described, right = quantities(p, values)
-    wrong = [w for w in wrong_numbers(p, values, described, right) if w[1].group == "listed"]
+    every = wrong_numbers(p, values, described, right) if diagnosed else ()
+    wrong = [w for w in every if w[1].group == "listed"]
     parts = tuple(_part(p, a, right[a.key], wrong) for a in p.answers if not left_out(a))
     shown = statement_with(p, text, values) if text else statement(p, values, False, code=False)
     shown = shown.partition("\n")[2].strip()  # its heading is the name of the question

@@ -55,10 +55,13 @@ def write_bank(
     done : called after each problem
     """
     write, _ = FORMATS[form]
+    no_help = {"help": "none"} if spec.late else {}  # of an exam
     jobs = [
-        (p.id, i.text, i.options, (graded or {}).get(p.id)) for i in spec.items if (p := i.problem)
+        (p.id, i.text, {**i.options, **no_help}, (graded or {}).get(p.id))
+        for i in spec.items
+        if (p := i.problem)
     ]
-    notes: list[str] = []
+    notes = [*_of_sheet(spec)]
     questions: list[Question] = []
     problems = 0
     with process_pool(workers) as pool:
@@ -76,6 +79,14 @@ def write_bank(
     return Bank(path, problems, len(questions), tuple(notes))
 
 
+def _of_sheet(spec):
+    """What a sheet does and a bank does not."""
+    if any(len(p.answers) > 1 for p in spec.problems):
+        yield "each answer is judged by itself: one that follows from a wrong one earns nothing"
+    if spec.late:
+        yield "the window of the exam and the one attempt in it are for you to set on the platform"
+
+
 def variants_of(
     job: tuple[str, str, Mapping[str, Any], Sequence[Values] | None], count: int, seed: str
 ) -> tuple[list[Question], list[str]]:
@@ -89,6 +100,9 @@ def variants_of(
     changed = p is not asked
     if changed:
         notes.append(f"{name} asks for formulas on a sheet: asked with numbers for its symbols")
+    diagnosed = options.get("help") != "none"
+    if not diagnosed:
+        notes.append(f"{name} has no diagnoses of wrong answers, since its sheet gives no help")
     sets = sets_of_numbers(
         p, count, graded or (), seed, book=not any(g.vary for g in p.givens.values())
     )
@@ -98,7 +112,9 @@ def variants_of(
         return [], [f"{name} left out: its {' and '.join(same)} would give away a graded answer"]
     if len(sets) < count:
         notes.append(f"{name} has {len(sets)} of {count} variants: there are no more numbers")
-    made = [question(p, v, n, points, "" if changed else text) for n, v in enumerate(sets, 1)]
+    made = [
+        question(p, v, n, points, "" if changed else text, diagnosed) for n, v in enumerate(sets, 1)
+    ]
     return made, notes
 
 

@@ -5,8 +5,9 @@ models and worked solutions, for a student who has the engine alone.
 from .build import HELP, LeftOut, PracticeError, write_practice
 from .graded import graded_numbers, rules_of
 from .measure import practice_shares
+from .public import write_public
 
 __all__ = [
     "HELP", "LeftOut", "PracticeError", "graded_numbers", "practice_shares", "rules_of",
-    "write_practice",
+    "write_practice", "write_public",
 ]  # fmt: skip

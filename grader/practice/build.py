@@ -19,7 +19,7 @@ from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.cells import Values
-from ..assignment.figures import figure_png
+from ..assignment.figures import figure_for_page, figure_png
 from ..assignment.notebook import frame_heading, number, slug, statement, typeset
 from ..assignment.options import HELP as LEVELS
 from ..assignment.sheet import with_tolerance
@@ -34,6 +34,18 @@ from .slips import slip_numbers
 from .twins import sets_of_numbers, twin
 
 COLOURS = 64  # of a figure: a quarter of the bytes, and nobody sees it
+
+
+def png(p: Problem, values: Values) -> tuple[str, bytes] | None:
+    """(".png", the figure of a problem) in few bytes, None where it has none."""
+    found = figure_png(p, values)
+    return (".png", _smaller(found)) if found else None
+
+
+def svg(p: Problem, values: Values) -> tuple[str, bytes] | None:
+    """The same as (".svg", …)."""
+    found = figure_for_page(p, values)
+    return (".svg", found) if found else None
 
 
 class PracticeError(CourseError):
@@ -57,6 +69,7 @@ def write_practice(
     workers: int | None = None,
     done: Callable[[], object] | None = None,
     rules: Mapping[str, Mapping[str, Any]] | None = None,
+    draw: Callable[[Problem, Values], tuple[str, bytes] | None] = png,
 ) -> list[LeftOut]:
     """Write the practice file of ``problems``; returns the :class:`LeftOut` ones.
 
@@ -68,13 +81,14 @@ def write_practice(
     done : called after each problem
     rules : {problem id: {"tolerance", "help"}} of the sheets that ask for it: less help than there
         is on them is what counts
+    draw : the figure of a problem with these numbers, :func:`png` or :func:`svg`
     """
     if help not in HELP:
         raise PracticeError(f"the help is one of {', '.join(HELP)}, not {help!r}")
     graded, left, pages = graded or {}, [], []
     names = [p.id for p in problems]
     own = [(rules or {}).get(name, {}) for name in names]
-    given = repeat(count), repeat(help), [graded.get(name) for name in names], own
+    given = repeat(count), repeat(help), [graded.get(name) for name in names], own, repeat(draw)
     with process_pool(workers) as pool:
         for found in pool.map(page_of, names, *given):
             if isinstance(found, LeftOut):
@@ -99,8 +113,10 @@ def _write(path, pages, help):
         archive.writestr("practice.json", json.dumps(head))
         for page, figures in pages:
             archive.writestr(f"{slug(page['id'])}.json", json.dumps(page, separators=(",", ":")))
-            for name, png in figures.items():
-                archive.writestr(zipfile.ZipInfo(name), png)  # a PNG is compressed already
+            for name, figure in figures.items():
+                # a PNG is compressed already
+                packed = zipfile.ZIP_STORED if name.endswith(".png") else zipfile.ZIP_DEFLATED
+                archive.writestr(zipfile.ZipInfo(name), figure, packed)
     os.replace(beside, path)
 
 
@@ -110,7 +126,7 @@ def page_of(
     help: str,
     graded: Sequence[Values] | None = None,
     rules: Mapping[str, Any] | None = None,
-    draw: Callable[..., bytes | None] = figure_png,
+    draw: Callable[[Problem, Values], tuple[str, bytes] | None] = png,
 ) -> Any:
     """(page, figures) of the problem of this number, or why it is :class:`LeftOut`.
 
@@ -133,10 +149,10 @@ def page_of(
     figures, variants = {}, []
     for values, (described, right) in zip(sets, computed, strict=True):
         variants.append(_variant(p, values, described, right, help))
-        if png := draw(p, values):
-            png = _smaller(png)
-            file = f"{slug(name)}-{hashlib.sha256(png).hexdigest()[:12]}.png"
-            figures[file] = png  # a figure without numbers is there once
+        if drawn := draw(p, values):
+            suffix, figure = drawn
+            file = f"{slug(name)}-{hashlib.sha256(figure).hexdigest()[:12]}{suffix}"
+            figures[file] = figure  # a figure without numbers is there once
             variants[-1]["figure"] = file
     labels = _numbered(variants, "wrong")
     slips = _numbered(variants, "slips")
@@ -148,6 +164,7 @@ def page_of(
         "labels": [(key, *astuple(c)) for key, c in labels],
         "slips": [(key, rank, *astuple(c)[1:]) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
+        "symbols": {n: p.notation[n] for n in p.givens},
     }  # fmt: skip
     return page, figures
 

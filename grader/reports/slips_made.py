@@ -272,6 +272,7 @@ def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterato
             yield from _spread(kind, _changed(f, base, right, edit), right, rng)
     yield from _of_other_numbers(p, f, right, rng)
     yield from _following(f, base, right, rng)
+    yield from _going_on(f, base, right, rng)
     yield from _listed(p, values, right, rng)
     yield from _in_other_places(p, values, right)
 
@@ -314,17 +315,40 @@ def _of_other_numbers(p, f, right, rng):
 
 def _following(f, base, right, rng):
     """A wrong number in one answer, and those that are computed from it."""
-    keys = list(right)
-    for key in keys[:-1]:
-        parts = [x for x, _ in f.answers[key]]
-        if not all(isinstance(x, Step) and x.op != "argument" for x in parts):
-            continue
-        factor = rng.choice((0.61, 0.83, 1.37, 1.71))
-        edit = tuple(Edit(x, ("*", x, factor)) for x in parts)
-        wrong = _changed(f, base, {k: right[k] for k in keys[keys.index(key) :]}, edit)
-        later = tuple(k for k in wrong if k != key and not _same(wrong[k], right[k]))
+    for key, edit in _wrong_numbers(f, right, rng):
+        wrong, later = _later(f, base, right, key, edit)
         if later:
             yield Made("follows", {**right, **wrong}, later)
+
+
+def _going_on(f, base, right, rng):
+    """The same with a slip in what is computed from it."""
+    choices = [e for every in edits(f, base).values() for e in every]
+    for key, edit in _wrong_numbers(f, right, rng):
+        follows, later = _later(f, base, right, key, edit)
+        before = {s.number for s in _used(x for x, _ in f.answers[key])}
+        after = [e for e in choices if e[0].step.number not in before]
+        for slip in rng.sample(after, min(2, len(after))) if later else ():
+            wrong, _ = _later(f, base, right, key, (*edit, *slip))
+            changed = tuple(k for k in later if k in wrong and not _same(wrong[k], follows[k]))
+            if changed:
+                yield Made("slip in going on", {**right, **follows, **wrong}, changed)
+
+
+def _wrong_numbers(f, right, rng):
+    """(answer, the edits that make it wrong) of the answers from which others may follow."""
+    for key in list(right)[:-1]:
+        parts = [x for x, _ in f.answers[key]]
+        if all(isinstance(x, Step) and x.op != "argument" for x in parts):
+            factor = rng.choice((0.61, 0.83, 1.37, 1.71))
+            yield key, tuple(Edit(x, ("*", x, factor)) for x in parts)
+
+
+def _later(f, base, right, key, edit):
+    """What an edit makes of an answer and of those after it; the later ones that it changes."""
+    keys = list(right)
+    wrong = _changed(f, base, {k: right[k] for k in keys[keys.index(key) :]}, edit)
+    return wrong, tuple(k for k in wrong if k != key and not _same(wrong[k], right[k]))
 
 
 LISTED = "listed, in one part"

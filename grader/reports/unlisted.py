@@ -94,7 +94,7 @@ def _outcome(asked, judged, numbers, exact, slip):
     if slip.kind == LISTED:
         right = any((c.group, c.name) == ("listed", slip.name) for c in causes)
     else:
-        right = _gives(causes, exact, asked, numbers)
+        right = _gives(causes, exact, asked, numbers, judged)
     return "named" if right else "misnamed"
 
 
@@ -103,7 +103,7 @@ def _causes(asked, judged, numbers):
     return [c for c in why.causes if not c.is_observation], why.earlier
 
 
-def _gives(causes, exact, asked, numbers):
+def _gives(causes, exact, asked, numbers, judged):
     """True if one of these causes gives these numbers, to all digits."""
     key, kind = numbers.key[asked.key], asked.kind
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
@@ -112,4 +112,13 @@ def _gives(causes, exact, asked, numbers):
     models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
     models += [(c, numbers.book[asked.key]) for c in causes if c.group == "book"]
     models += [(c, numbers.key[c.name]) for c in causes if c.group == "exchanged"]
-    return any(fit(kind.like(x, exact)) == EXACT for cause, x in models if cause in causes)
+    gives = any(fit(kind.like(x, exact)) == EXACT for cause, x in models if cause in causes)
+    return gives or any(c in causes for c in _going_on(asked, numbers, fit, judged))
+
+
+def _going_on(asked, numbers, fit, judged):
+    """The slips in going on from earlier answers, as these were written, that are near."""
+    names = numbers.earlier.get(asked.key, ())
+    earlier = {n: judged[n].given for n in names if n in judged}
+    found = numbers.sequel(asked.key, earlier).near(asked.key, fit, asked.kind) if names else ()
+    return [cause.after(()) for _, cause, _ in found]

@@ -3,7 +3,7 @@ lists.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
@@ -14,8 +14,10 @@ from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow_in_base
 from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, flat
-from newton_euler.algebra.trace import Trace
-from newton_euler.answers.formulas import Formulas, Stage, Traced
+from newton_euler.algebra.compile import Compiled
+from newton_euler.algebra.trace import Step, Trace
+from newton_euler.algebra.units import unit
+from newton_euler.answers.formulas import Formulas, Stage, Traced, needed, with_arguments
 from newton_euler.answers.perturbed import Computation, Perturbed
 
 FEW = 7  # words that say what a quantity is
@@ -39,31 +41,95 @@ def perturbed_sequel(
     """The slips in computing the answer ``key`` from a student's ``earlier`` answers, {answer:
     points}.
     """
-    columns = {
+    return Perturbed(_sequel(problem.id, key), {**sample, **columns(problem, earlier)})
+
+
+def columns(problem: Problem, earlier: Mapping[str, Any]) -> dict[str, Any]:
+    """{name of a component: its points} of earlier answers."""
+    return {
         n: column
         for name, points in earlier.items()
-        for n, column in zip(_names(problem, name), np.array(points, float).T, strict=True)
+        for n, column in zip(names(problem, name), np.array(points, float).T, strict=True)
     }
-    return Perturbed(_sequel(problem.id, key), {**sample, **columns})
 
 
 @cache
 def _sequel(problem_id, key):
+    return Computation(_following(find_problem(problem_id), key))
+
+
+def _following(p, key):
     """How an answer follows from earlier ones, their components named as givens are."""
-    p, trace = find_problem(problem_id), Trace()
-    stated = {n: p.answer(e).unit for e in earlier_answers(p)[key] for n in _names(p, e)}
-    units, asked = {**p.units, **stated}, p.answer(key)
-    base = {n: trace.new("argument", n) for n in units}
+    if key not in earlier_answers(p):
+        return followed(p.id)[key]
+    trace = Trace()
+    stated = {n: p.answer(e).unit for e in earlier_answers(p)[key] for n in names(p, e)}
+    base = {n: trace.new("argument", n) for n in (*p.units, *stated)}
     g = p.base(dict.fromkeys(p.units, 1.0)).but(**{n: base[n] for n in p.units})
-    earlier = {e: tuple(base[n] for n in _names(p, e)) for e in earlier_answers(p)[key]}
-    answer = Traced(
-        flat(follow_in_base(p, key, g, earlier)), asked.unit, POINTS if asked.kind.is_formula else 1
-    )
-    return Computation(Formulas({key: answer}, units, p.system, (), section(p.section), _means(p)))
+    earlier = {e: tuple(base[n] for n in names(p, e)) for e in earlier_answers(p)[key]}
+    return _of_one(p, key, flat(follow_in_base(p, key, g, earlier)), stated)
 
 
-def _names(p, key):
-    """The names of the components of an answer."""
+def _of_one(p, key, parts, stated):
+    asked = p.answer(key)
+    answers = {key: Traced(parts, asked.unit, POINTS if asked.kind.is_formula else 1)}
+    return Formulas(answers, {**p.units, **stated}, p.system, (), section(p.section), _means(p))
+
+
+@cache
+def followed(problem_id: str) -> Mapping[str, Formulas]:
+    """{later answer: how it is computed from earlier ones} as the computation of the problem goes
+    through these, of the answers for which its ``follows`` says nothing.
+    """
+    p = find_problem(problem_id)
+    found, before = {}, dict[int, str]()
+    components = traced_quantities(p).components if len(p.answers) > 1 else {}
+    for key in (a.key for a in p.answers if a.key in components):
+        leaves = with_arguments(components[key], before)
+        used = {s.args[0] for s in needed(leaves) if s.op == "argument"} - p.units.keys()
+        if used and key not in earlier_answers(p) and any(map(_is_computed, leaves)):
+            earlier = [a for a in p.answers if used & {*names(p, a.key)}]
+            stated = {n: a.unit for a in earlier for n in names(p, a.key)}
+            found[key] = _of_one(p, key, leaves, stated)
+        for n, x in zip(names(p, key), components[key], strict=True):
+            if _is_computed(x) and n not in p.units:
+                before.setdefault(x.number, n)
+    return found
+
+
+def earlier_of(p: Problem) -> dict[str, tuple[str, ...]]:
+    """{later answer: names of the earlier ones from which it follows}."""
+    found = {
+        key: tuple(a.key for a in p.answers if names(p, a.key)[0] in formulas.units)
+        for key, formulas in followed(p.id).items()
+    }
+    return found | earlier_answers(p)
+
+
+@cache
+def sequel_of(problem_id: str, key: str) -> Callable[..., list[Any]]:
+    """An answer of :func:`followed` from the values and the components of earlier ones by name."""
+    f = followed(problem_id)[key]
+    (answer,) = f.answers.values()
+    to_base = {
+        s.args[0]: unit(f.units[s.args[0]]).to_base(1.0, f.system)
+        for s in needed(answer.parts)
+        if s.op == "argument"
+    }
+    trace = next(x.trace for x in answer.parts if isinstance(x, Step))
+    run = Compiled("sequel", list(to_base), trace, answer.parts)
+    factor = unit(answer.unit).from_base(1.0, f.system)
+    return lambda values: [factor * x for x in run(*(values[n] * u for n, u in to_base.items()))]
+
+
+def _is_computed(x):
+    while isinstance(x, Step) and x.op == "neg":
+        x = x.args[0]
+    return isinstance(x, Step) and x.op != "argument"
+
+
+def names(p: Problem, key: str) -> list[str]:
+    """The names of the components of an answer in how others follow from it."""
     length = p.answer(key).kind.length
     return [key] if length == 1 else [f"{key}_{n}" for n in range(1, length + 1)]
 

@@ -16,7 +16,7 @@ from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points,
 from newton_euler.answers.causes import listed
 from newton_euler.answers.near import NO_SLIPS
 
-from .computation import perturbed, perturbed_sequel, section
+from .computation import columns, earlier_of, perturbed, perturbed_sequel, section, sequel_of
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -39,7 +39,7 @@ class Numbers:
     @property
     def earlier(self):
         """{later answer: names of the earlier ones from which it follows}."""
-        return earlier_answers(self.problem)
+        return _earlier(self.problem.id)
 
     @property
     def symbols(self):
@@ -112,19 +112,31 @@ class Numbers:
         """The slips in computing ``key`` from a student's ``earlier`` answers, {answer: points}."""
         if not earlier or any(self.problem.answer(n).kind.is_word for n in (key, *earlier)):
             return NO_SLIPS
+        written = key in earlier_answers(self.problem)
+        if not written and all(self._is_right(*x) for x in earlier.items()):
+            return NO_SLIPS  # the same as from the givens
         return perturbed_sequel(self.problem, key, self.sample, earlier)
+
+    def _is_right(self, key, points):
+        a = self.problem.answer(key)
+        return a.kind.is_right(points, self.key[key], a.atol, a.rtol)
 
     def following(self, key, earlier):
         """The points of the answer ``key`` that follows from a student's ``earlier`` answers,
         {answer: points}; None if there is no such answer.
         """
-        numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
-        run = _traced_following(self.problem.id, key)
         try:
             with np.errstate(all="ignore"):
-                return points_of(self.problem.answer(key), run(*self.sample.values(), *numbers))
+                return points_of(self.problem.answer(key), self._following(key, earlier))
         except (ArithmeticError, ValueError):  # a student's number may be one that has no sequel
             return None
+
+    def _following(self, key, earlier):
+        if key not in earlier_answers(self.problem):
+            run = sequel_of(self.problem.id, key)
+            return run({**self.sample, **columns(self.problem, earlier)})
+        numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
+        return _traced_following(self.problem.id, key)(*self.sample.values(), *numbers)
 
 
 def numbers_of(problem, values, earlier_sheets=()):
@@ -132,6 +144,11 @@ def numbers_of(problem, values, earlier_sheets=()):
     if not problem.givens:
         return _without_givens(problem.id)
     return Numbers(problem, values, earlier_sheets)
+
+
+@cache
+def _earlier(problem_id):
+    return earlier_of(find_problem(problem_id))
 
 
 @cache

@@ -5,9 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, partial
 
-from matplotlib.figure import Figure
-
 from ..algebra.errors import ArgumentError
+from ..algebra.late import Figure
 from ..scenes import LADDERS, SCENES, ladder
 from .charts.comparisons import comparison_caption, draw_comparison, points_table
 from .charts.drawn import DrawnChart

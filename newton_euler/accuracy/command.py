@@ -5,10 +5,10 @@ from functools import partial
 from pathlib import Path
 
 import click
-from matplotlib.figure import Figure
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn
 
+from ..algebra.late import Figure
 from ..scenes import SCENES
 from .atlas import write_atlas
 from .catalogue import KINDS, MODEL, MODELS, charts, slug

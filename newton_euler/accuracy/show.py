@@ -2,9 +2,8 @@
 
 from collections.abc import Callable, Mapping, Sequence
 
-from matplotlib.figure import Figure
-
 from ..algebra.errors import ArgumentError, checked
+from ..algebra.late import Figure
 from ..algebra.scalars import Scalar
 from .catalogue import MODEL, chart_named
 from .charts.axes import chart

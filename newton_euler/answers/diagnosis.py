@@ -12,7 +12,7 @@ from .causes import ROUNDED, Cause, both, in_this_part
 from .fit import CLOSE, EXACT, Fit
 from .kinds import KINDS, Kind
 from .slips import is_rounded, multiples, pairs, rates_as_scalars
-from .tolerance import LISTED_RTOL, NOISE, NUMBER_RTOL, Points, is_apart
+from .tolerance import NOISE, NUMBER_RTOL, Points, is_apart
 
 MOST = 3  # causes that are named together: more would explain nothing
 
@@ -182,8 +182,8 @@ def _stages(
         return [model for model in models if model[0].group == name]
 
     rounded = [Hit(EXACT, ROUNDED, fit.given)] if _is_surely_rounded(fit) else []
-    single, listed_alone = (NUMBER_RTOL, LISTED_RTOL) if kind.is_met_by_chance else (None, None)
-    yield [*of(group("listed"), listed_alone), *of(group("book"), single, apart=False), *rounded]
+    single = NUMBER_RTOL if kind.is_met_by_chance else None
+    yield [*of(group("listed"), single), *of(group("book"), single, apart=False), *rounded]
     yield of([*group("omitted"), *group("term")])
     yield of(group("unit"), single)
     yield [

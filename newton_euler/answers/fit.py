@@ -6,7 +6,7 @@ from decimal import Decimal
 from functools import cached_property
 from typing import Any
 
-from .tolerance import NOISE, ROUND_OFF, Point, Points, is_apart
+from .tolerance import DIGITS, NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
 
@@ -37,6 +37,15 @@ class Fit:
         if len(self.key) > 1:
             return 0.0
         return min(rounding(self.given[0]), self.rtol * math.hypot(*self.given[0]))
+
+    @cached_property
+    def nearest(self) -> float:
+        """The same, of a single number written in three digits at least: as a float, 2.50 has lost
+        its zero.
+        """
+        x, *others = self.given[0]
+        asked = 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) + 1 - DIGITS) if x else 0.0
+        return self.rounding if others else min(self.rounding, asked)
 
     @property
     def first(self) -> tuple[Point, Point, float]:
@@ -72,7 +81,7 @@ class Fit:
     def _closeness(self, gap, own, size, rtol):
         if gap <= max(ROUND_OFF * own, NOISE * size):
             return EXACT
-        return CLOSE if gap <= self.rounding else LOOSE if gap <= rtol * own else 0
+        return CLOSE if gap <= self.nearest else LOOSE if gap <= rtol * own else 0
 
 
 def rounding(point: Sequence[float]) -> float:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from ..algebra import scalars
 from ..algebra.scalars import NewtonEulerError
 from ..algebra.source import operations
-from ..algebra.trace import Step
+from ..algebra.trace import Step, Trace
 from ..algebra.units import Dimension, System, Unit
 from .causes import Cause
 
@@ -76,6 +76,19 @@ def needed(leaves: Iterable[Any]) -> list[Step]:
             found[s.number] = s
             waiting += steps_in(s)
     return [found[n] for n in sorted(found)]
+
+
+def with_arguments(leaves: Iterable[Any], names: Mapping[int, str]) -> list[Any]:
+    """The same in a trace of its own, where the steps of these numbers are arguments."""
+    leaves, trace, found = [*leaves], Trace(), dict[int, Any]()
+
+    def now(x):
+        return found[x.number] if isinstance(x, Step) else x
+
+    for s in needed(leaves):
+        op, args = ("argument", [names[s.number]]) if s.number in names else (s.op, s.args)
+        found[s.number] = trace.new(op, *map(now, args))
+    return [now(x) for x in leaves]
 
 
 def users_of(steps: Iterable[Step]) -> dict[Step, list[Step]]:

@@ -4,7 +4,7 @@
 rounded by. Of the slips that are as simple or simpler, ``n`` are within a quarter of the size of
 the answer; a random answer of ``d`` components at this place would be as near to one of them with
 the chance ``n (gap / a quarter)^d``. A slip is named where that is at most :data:`CHANCE`. Counted
-over all places, random numbers are named in less than half a percent.
+over all places, random numbers are named in a quarter of a percent.
 """
 
 import math
@@ -33,11 +33,9 @@ class Ranked:
             self.places.setdefault(cause, []).append(n)
 
     @cached_property
-    def ranks(self) -> Any:
-        """Their ranks, as an array."""
-        import numpy as np
-
-        return np.array([rank for rank, _ in self.slips])
+    def ranks(self) -> list[int]:
+        """Their ranks."""
+        return [rank for rank, _ in self.slips]
 
 
 class Slips:
@@ -52,7 +50,9 @@ class Slips:
         return 1
 
     def at(self, key: str, point: int) -> Any:
-        """What such an answer is with each slip at a point: an array (slips, components)."""
+        """What such an answer is with each slip at a point: an array (slips, components), or of
+        numbers a list of rows.
+        """
         raise NotImplementedError
 
     def of(self, key: str, cause: Cause) -> list[Points]:
@@ -63,17 +63,14 @@ class Slips:
 
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
         """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
-        import numpy as np
-
         ranked = self.ranked(key)
         if ranked is None or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
             return []
-        with np.errstate(all="ignore"):  # a student may write 1e300
-            places = (
-                _formulas_near(self.at(key, fit.index), fit)
-                if kind.is_formula
-                else _numbers_near(self.at(key, 0), fit, kind, ranked)
-            )
+        places = (
+            _formulas_near(self.at(key, fit.index), fit)
+            if kind.is_formula
+            else _numbers_near(self.at(key, 0), fit, kind, ranked)
+        )
         return [
             (level // 2, cause, kind.like(self._points(key, n), fit.given))
             for n in places
@@ -82,7 +79,7 @@ class Slips:
 
     def _points(self, key, place):
         """The points of an answer with one slip."""
-        return tuple(tuple(self.at(key, n)[place].tolist()) for n in range(self.points(key)))
+        return tuple(tuple(map(float, self.at(key, n)[place])) for n in range(self.points(key)))
 
 
 NO_SLIPS = Slips()
@@ -90,40 +87,47 @@ NO_SLIPS = Slips()
 
 def _formulas_near(rows, fit):
     """Of formulas: those near at the first point where the key has a value; few are, by chance."""
-    import numpy as np
-
-    given = np.array(fit.given[fit.index])
-    gaps = _lengths(rows - given)
-    return np.flatnonzero(gaps <= fit.rtol * math.hypot(*given)).tolist()
+    given = fit.given[fit.index]
+    most = fit.rtol * math.hypot(*given)
+    return [n for n, gap in enumerate(_gaps(rows, given)) if gap <= most]
 
 
 def _numbers_near(rows, fit, kind, ranked):
-    import numpy as np
-
-    given, key = np.array(fit.given[0]), np.array(fit.key[0])
+    given, key = fit.given[0], fit.key[0]
     if not kind.has_size:
-        rows = np.array([kind.like((row,), fit.given)[0] for row in rows.tolist()])
+        rows = [kind.like((tuple(row),), fit.given)[0] for row in rows]
     size = math.hypot(*given)
-    gaps = _lengths(rows - given)
-    if not (gaps <= fit.rtol * size).any():  # of most answers
+    gaps = _gaps(rows, given)
+    close = [n for n, gap in enumerate(gaps) if gap <= fit.rtol * size]
+    if not close:  # of most answers
         return []
-    around = (gaps <= AROUND * size) & (_lengths(rows - key) > NOISE * size)
+    around = {
+        n: tuple(round(x / size, 9) for x in map(float, rows[n]))
+        for n, gap in enumerate(gaps)
+        if gap <= AROUND * size and math.dist(rows[n], key) > NOISE * size
+    }
     nearest = max(fit.rounding, ROUND_OFF * size)
-    there = int((abs(key) > NOISE * fit.sizes[0]).sum()) or 1
-    wrong = int((abs(given - key) > max(nearest, NOISE * fit.sizes[0])).sum())
+    there = sum(abs(k) > NOISE * fit.sizes[0] for k in key) or 1
+    least = max(nearest, NOISE * fit.sizes[0])
+    wrong = sum(abs(x - k) > least for x, k in zip(given, key, strict=True))
     found = []
-    for n in np.flatnonzero(around & (gaps <= fit.rtol * size)):
-        others = rows[around & (ranked.ranks <= ranked.ranks[n])]
-        count = len(np.unique(np.round(others / size, 9), axis=0))
+    for n in filter(around.__contains__, close):
+        count = len({row for m, row in around.items() if ranked.ranks[m] <= ranked.ranks[n]})
         share = max(gaps[n], nearest) / (AROUND * size)
         limit = CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
         if count * share**there <= limit and count * share**wrong <= CHANCE_BESIDE:
-            found.append(int(n))
+            found.append(n)
     return found
 
 
-def _lengths(rows):
-    """The length of each row."""
-    if rows.shape[1] == 1:
-        return abs(rows[:, 0])
-    return (rows * rows).sum(axis=1) ** 0.5
+def _gaps(rows, given):
+    """How far each row is from what was given."""
+    if isinstance(rows, list):
+        return [math.dist(row, given) for row in rows]
+    import numpy as np
+
+    with np.errstate(all="ignore"):  # a student may write 1e300
+        gaps = rows - np.array(given)
+        if gaps.shape[1] == 1:
+            return abs(gaps[:, 0]).tolist()
+        return ((gaps * gaps).sum(axis=1) ** 0.5).tolist()

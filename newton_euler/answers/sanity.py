@@ -101,20 +101,32 @@ def _is_inertia(text):
 
 def _inertia(points, whole):
     """What no body can have; of formulas only the symmetry, which holds for all symbols."""
-    import numpy as np
-
-    matrices = np.array(points).reshape(-1, 3, 3)
-    scale = np.abs(matrices).max(axis=(1, 2))
-    if (np.abs(matrices - matrices.transpose(0, 2, 1)).max(axis=(1, 2)) > ROOM * scale).any():
+    scales = [max(map(abs, point)) for point in points]
+    across = ((1, 3), (2, 6), (5, 7))
+    if any(
+        abs(point[i] - point[j]) > ROOM * scale
+        for point, scale in zip(points, scales, strict=True)
+        for i, j in across
+    ):
         yield "an inertia matrix is symmetric"
         return
     if not whole:
         return
-    least, middle, most = np.linalg.eigvalsh(matrices[0])
-    if least < -ROOM * scale[0]:
+    point, spread = points[0], sum(points[0][::4]) * (1 + ROOM) / (2 + ROOM)
+    if not _is_positive(point, ROOM * scales[0], 1):
         yield "the moment of inertia about some axis would be negative: look at the signs"
-    elif most > (least + middle) * (1 + ROOM):
+    elif not _is_positive(point, spread, -1):
         yield (
             "no body has these moments of inertia: the largest principal one is at most the sum of "
             "the others"
         )
+
+
+def _is_positive(point, d, sign):
+    """True if no eigenvalue of d 1 + sign I is negative: none of its principal minors is."""
+    xx, _, _, xy, yy, _, xz, yz, zz = (
+        sign * x + d * (n % 4 == 0) for n, x in enumerate(point)
+    )  # fmt: skip
+    pairs = xx * yy - xy * xy, yy * zz - yz * yz, zz * xx - xz * xz
+    whole = xx * pairs[1] - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz)
+    return min(xx, yy, zz, *pairs, whole) >= 0

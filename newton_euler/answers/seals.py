@@ -59,8 +59,10 @@ def seal(
 
 
 def is_known(sealed: Mapping[str, Any]) -> bool:
-    """False for a seal that another version of this module made."""
-    return sealed.get("version") in (VERSION, OF_OWN_TOLERANCE)
+    """False for a seal that another version of this module made, and where Python has no scrypt, as
+    in a browser: an answer is recorded there, and not compared.
+    """
+    return hasattr(hashlib, "scrypt") and sealed.get("version") in (VERSION, OF_OWN_TOLERANCE)
 
 
 def opens(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> bool:

@@ -2,6 +2,9 @@
 
 from ..algebra.names import guide as _guide
 from .animation import Animation, AnimationError, animate
+from .page.paper import NeedsMatplotlib, Page, Panel
+from .page.svg import dark_css, svg
 from .sketch import Sketch
+from .writing import svg_of
 
 _guide(__name__)

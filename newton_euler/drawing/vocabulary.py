@@ -1,8 +1,6 @@
 """Everything that a sketch can draw, with the lines that draw it, as a page."""
 
-import base64
 import html
-import io
 import re
 from functools import cache
 from pathlib import Path
@@ -10,6 +8,7 @@ from string import Template
 from typing import Any, NamedTuple
 
 from .sketch import Sketch
+from .writing import svg_of
 
 HERE = Path(__file__).parent
 
@@ -68,16 +67,9 @@ def page() -> str:
 
 
 def _figure(entry):
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(2.8, 2.1), dpi=140)
-    draw(entry, figure.add_axes((0.02, 0.02, 0.96, 0.96)))
-    out = io.BytesIO()
-    figure.savefig(out, format="png")
-    data = base64.b64encode(out.getvalue()).decode()
-    alt = html.escape(f"Drawing: {entry.shows}.", quote=True)
+    picture = svg_of(draw, entry, size=(2.8, 2.1), alt=f"Drawing: {entry.shows}.")
     return (
-        f'<figure><img alt="{alt}" width="280" src="data:image/png;base64,{data}">'
+        f"<figure>{picture}"
         f"<figcaption>{html.escape(entry.shows)}</figcaption>"
         f"<pre>{html.escape(_lines(entry))}</pre></figure>\n"
     )

@@ -15,7 +15,7 @@ from .coordinates import (
     spherical_frame,
 )
 from .curvilinear_systems import curvilinear, gradient
-from .frames import Frame, Point
+from .frames import AngleWarning, Frame, Point
 from .paths import Frenet, along, at_speed, flexure, frenet, frenet_along, speed_rate
 from .rectilinear import from_place, from_speed, from_time
 from .rotations import (

@@ -5,7 +5,9 @@ orientation, angular velocity and acceleration (4.20), (4.25), velocity (4.17), 
 acceleration (4.18), (4.29) of any point seen from any frame, without differentiating expressions.
 """
 
+import math
 import os
+import warnings
 from collections.abc import Sequence
 from itertools import combinations
 from threading import Lock
@@ -44,6 +46,7 @@ from ..algebra.vectors import (
 )
 
 _AXES = {"x": 0, "y": 1, "z": 2}
+_TURN = 2 * math.pi
 _REST = Moving(ZERO)
 # pickled frames by their tokens: a frame that comes back from another process is recognised, so
 # that vectors computed there can be added to those computed here
@@ -51,6 +54,21 @@ _SENT: WeakValueDictionary = WeakValueDictionary()
 _SENDING = Lock()
 # attributes that belong to this process and are not pickled
 _LOCAL = {"parent", "_above", "_relatives", "_memo", "_token"}
+
+
+class AngleWarning(UserWarning):
+    """An angle looks like degrees where radians are expected."""
+
+
+def _ask_radians(name, angle):
+    """Warn of an angle that is typed as a whole number beyond a turn, as 30 or 90.0."""
+    if isinstance(angle, (int, float)) and abs(angle) > _TURN and angle % 1 == 0:
+        warnings.warn(
+            f"the angle of {name} is {angle:g} rad, {abs(angle) / _TURN:.1f} turns. Did you mean "
+            f"degrees? Write radians({angle:g}), from newton_euler import radians",
+            AngleWarning,
+            stacklevel=4,
+        )
 
 
 @guided
@@ -141,7 +159,10 @@ class Frame:
         angle, rate, acceleration : rad, rad/s, rad/s^2; ``angle`` may be moving (see
             :func:`moving`, :func:`at`), or a SymPy expression in the symbol ``t``, with its rates
         origin : a Point of this frame, the origin of the new one; default: the origin of this frame
+
+        Warns (:class:`AngleWarning`) of a whole number beyond a turn: it may be meant in degrees.
         """
+        _ask_radians(name, angle)
         angle = moving(angle, rate, acceleration)
         _same_shape((angle,), f"the angle of {name} and its rates")
         unit: Any

@@ -5,47 +5,35 @@ bottom for a student who has only the wheel.
 import ast
 import os
 import re
-import tomllib
 import warnings
+from copy import deepcopy
 from datetime import datetime
 from itertools import pairwise
-from pathlib import Path
 
 import nbformat
 import pytest
 
+from newton_euler.classroom.widgets.on_pages import ASKED
+from tests.chapters.notebooks import (
+    CHAPTERS,
+    COMPANION,
+    CONTENTS,
+    ROOT,
+    code,
+    each_chapter,
+    number,
+    prose,
+    read,
+    sections_of,
+)
 from website.build import CACHE
 from website.execution import keep
 from website.notebooks import Chapter
 
-ROOT = Path(__file__).parents[2]
-CHAPTERS = sorted((ROOT / "chapters").glob("*.ipynb"))
-CONTENTS = tomllib.loads((Path(__file__).parent / "contents.toml").read_text(encoding="utf-8"))
-COMPANION = "speed_and_accuracy"
 NOTES = sorted((ROOT / "chapters" / "instructors").glob("*.ipynb"))
 DEADLINE_S, CELL_S = 60, 10
 
 each_notebook = pytest.mark.parametrize("path", CHAPTERS + NOTES, ids=lambda path: path.stem)
-each_chapter = pytest.mark.parametrize(
-    "path", [path for path in CHAPTERS if path.stem != COMPANION], ids=lambda path: path.stem
-)
-
-
-def read(path):
-    return nbformat.read(path, as_version=nbformat.NO_CONVERT)
-
-
-def number(path):
-    """Of ch04_relative_motion: "ch04"."""
-    return path.stem.partition("_")[0]
-
-
-def code(notebook):
-    return [cell for cell in notebook.cells if cell.cell_type == "code"]
-
-
-def prose(notebook):
-    return "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
 
 
 def test_there_are_chapters():
@@ -94,22 +82,6 @@ def headings(text):
     return re.findall(r"^#+ (.+)$", text, re.M)
 
 
-def sections_of(path):
-    """{number of a section: its cells}, in the order of the notebook."""
-    found, current = {}, None
-    for cell in read(path).cells:
-        if cell.cell_type == "markdown":
-            for part in re.split(r"^(?=#+ )", cell.source, flags=re.M):
-                if level_two := re.match(r"## (.+)", part):
-                    numbered = re.match(r"((?:\d+|[AB])\.\d+) ", level_two[1])
-                    current = found.setdefault(numbered[1], []) if numbered else None
-                if current is not None:
-                    current.append(part)
-        elif current is not None:
-            current.append(cell)
-    return found
-
-
 @each_chapter
 def test_every_section_of_the_book_stands_in_its_order(path):
     assert list(sections_of(path)) == CONTENTS[number(path)]["sections"]
@@ -138,23 +110,36 @@ def test_the_opening_says_what_for_what_before_and_how_long(path):
 
 
 def is_prediction(cell):
-    return cell.cell_type == "code" and cell.source.startswith("# Your prediction")
+    return cell.cell_type == "code" and (is_asked(cell) or cell.source.startswith(EMPTY))
+
+
+def is_asked(cell):
+    """True for a prediction that a reader clicks or types."""
+    return cell.cell_type == "code" and re.search(r"^(\w+ = )?predict\(", cell.source, re.M)
+
+
+EMPTY = "# Your prediction:"
 
 
 @each_chapter
-def test_each_section_asks_twice_for_a_prediction(path):
+def test_each_section_asks_for_a_prediction(path):
     for section, parts in sections_of(path).items():
-        asked = [part for part in parts if not isinstance(part, str) and is_prediction(part)]
-        assert len(asked) >= 2, section
+        assert any(not isinstance(part, str) and is_prediction(part) for part in parts), section
 
 
 @each_chapter
 def test_a_prediction_is_a_question_an_empty_cell_and_a_folded_answer(path):
     for before, cell, after in zip(*(read(path).cells[n:] for n in range(3)), strict=False):
-        if is_prediction(cell):
-            assert cell.source.strip() == "# Your prediction:", cell.id
+        if is_prediction(cell) and not is_asked(cell):
+            assert cell.source.strip() == EMPTY, cell.id
             assert re.search(r"\*\*Predict( \d)?\.\*\*[^#]+$", before.source), cell.id
             assert after.source.startswith("<details><summary>"), cell.id
+
+
+@each_chapter
+def test_the_code_of_a_prediction_is_folded_since_it_has_the_answer(path):
+    for cell in filter(is_asked, read(path).cells):
+        assert cell.metadata.get("jupyter", {}).get("source_hidden"), cell.id
 
 
 @each_notebook
@@ -203,8 +188,10 @@ def test_every_formula_is_closed(path):
                 )
 
 
-def executed(path, where, missing=()):
-    """The notebook, run in a clean kernel that finds the engine and nothing else."""
+def executed(path, where, missing=(), afterwards=lambda client, notebook: None):
+    """The notebook, run in a clean kernel that finds the engine and nothing else, and what
+    ``afterwards`` returns, which is called while the kernel is there.
+    """
     client = pytest.importorskip("nbclient").NotebookClient
     (where / "newton_euler").symlink_to(ROOT / "newton_euler", target_is_directory=True)
     absent = "".join(f"sys.modules[{name!r}] = None\n" for name in missing)
@@ -216,24 +203,65 @@ def executed(path, where, missing=()):
         kernel_name="python3",
         resources={"metadata": {"path": str(where)}},
     )
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(where),
+        "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+        ASKED: "yes",  # the outputs are kept for the site
+    }
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", module=r"zmq|jupyter_client|nbclient|asyncio|traitlets")
-        runner.execute(
-            env={
-                **os.environ,
-                "PYTHONPATH": str(where),
-                "MPLBACKEND": "module://matplotlib_inline.backend_inline",
-            }
-        )
-    return notebook
+        with runner.setup_kernel(env=environment):
+            for n, cell in enumerate(notebook.cells):
+                runner.execute_cell(cell, n)
+            runner.set_widgets_metadata()
+            return notebook, afterwards(runner, notebook)
+
+
+def printed(cell):
+    """What a cell printed."""
+    return "".join(o.text for o in cell.outputs if o.output_type == "stream")
+
+
+def printed_again(client, notebook):
+    """What the printing cells print if they are run once more, the last one first, so that none
+    finds what the cells above it have made anew: {id: text}.
+    """
+    found = {}
+    client.allow_errors = True
+    for n, cell in reversed(list(enumerate(notebook.cells))):
+        if cell.cell_type == "code" and printed(cell):
+            again = client.execute_cell(deepcopy(cell), n, store_history=False)
+            errors = [o.ename for o in again.outputs if o.output_type == "error"]
+            found[cell.id] = printed(again) + "".join(errors)
+    return found
 
 
 @pytest.fixture(scope="module", params=CHAPTERS, ids=lambda path: path.stem)
-def run(request, tmp_path_factory):
-    """The notebook that was run; kept, so that the site need not run it again."""
-    notebook = executed(request.param, tmp_path_factory.mktemp(request.param.stem))
-    keep(Chapter(request.param), nbformat.writes(notebook), CACHE / "executed")
-    return notebook
+def run_twice(request, tmp_path_factory):
+    """The notebook that was run, and what its cells then print again. It is kept, so that the site
+    need not run it.
+    """
+    path = request.param
+    notebook, again = executed(path, tmp_path_factory.mktemp(path.stem), afterwards=printed_again)
+    keep(Chapter(path), nbformat.writes(notebook), CACHE / "executed")
+    return notebook, again
+
+
+@pytest.fixture(scope="module")
+def run(run_twice):
+    """The notebook that was run."""
+    return run_twice[0]
+
+
+def test_a_cell_that_is_run_again_prints_the_same(run_twice, request):
+    notebook, again = run_twice
+    other = [
+        cell.id for cell in code(notebook) if cell.id in again and printed(cell) != again[cell.id]
+    ]
+    assert other == CONTENTS.get(number(request.node.callspec.params["run_twice"]), {}).get(
+        "changed", []
+    )
 
 
 def is_picture(output):
@@ -298,12 +326,12 @@ def test_every_chapter_has_notes_for_instructors():
 
 @pytest.mark.parametrize("path", NOTES, ids=lambda path: path.stem)
 def test_the_notes_for_instructors_run_without_warnings(path, tmp_path):
-    notebook = executed(path, tmp_path)
+    notebook, _ = executed(path, tmp_path)
     assert not stderr_of(notebook)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 def test_a_notebook_runs_where_widgets_and_heyoka_are_missing(path, tmp_path):
-    notebook = executed(path, tmp_path, missing=("ipywidgets", "heyoka", "symengine"))
+    notebook, _ = executed(path, tmp_path, missing=("ipywidgets", "heyoka", "symengine"))
     assert any(is_picture(output) for cell in code(notebook) for output in cell.outputs)

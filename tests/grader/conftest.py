@@ -11,6 +11,7 @@ import pytest
 
 from tests.grader.courses import change_source, copy_of, emptied, grader
 from tests.grader.instructors_cells import OWN
+from tests.once import once
 
 PROBLEMS = ("4/1", "4/2", "4/10", "4/16", "4/31")
 NBGRADER = (  # what nbgrader 0.9 on SQLAlchemy 2.1 and nbconvert say, without harm
@@ -26,8 +27,7 @@ NBGRADER = (  # what nbgrader 0.9 on SQLAlchemy 2.1 and nbconvert say, without h
 def pytest_collection_modifyitems(items):
     for item in items:
         if item.path.is_relative_to(Path(__file__).parent):
-            for text in NBGRADER:
-                item.add_marker(pytest.mark.filterwarnings(text))
+            item.add_marker(pytest.mark.filterwarnings(*NBGRADER))
             if "demo_course" in item.fixturenames:
                 item.add_marker(pytest.mark.integration)
 
@@ -35,10 +35,8 @@ def pytest_collection_modifyitems(items):
 @pytest.fixture(scope="session", autouse=True)
 def schema_asked_once():
     """nbgrader starts a process of three seconds to ask for its own newest schema."""
-    from grader.course.folder import _without_slow_imports
+    from nbgrader import api
 
-    with _without_slow_imports():
-        from nbgrader import api
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(api, "get_alembic_version", functools.cache(api.get_alembic_version))
         yield
@@ -47,13 +45,14 @@ def schema_asked_once():
 @pytest.fixture(scope="session")
 def demo_course(tmp_path_factory):
     """The demo on five problems, graded; {"course", "said", "code"}."""
-    folder = tmp_path_factory.mktemp("demo") / "mechanics"
     only = [x for p in PROBLEMS for x in ("--problem", p)]
-    code, said = grader("demo", "--course", folder, *only)
+    folder, (code, said) = once(
+        tmp_path_factory, "demo", lambda f: grader("demo", "--course", f / "mechanics", *only)
+    )
     from grader.course import Course
 
     with contextlib.suppress(Exception):
-        return {"course": Course(folder), "code": code, "said": said}
+        return {"course": Course(folder / "mechanics"), "code": code, "said": said}
     pytest.fail(said)
 
 
@@ -78,9 +77,12 @@ def ungraded(fresh):
 @pytest.fixture(scope="session")
 def mixed_course(course, tmp_path_factory):
     """The course before anybody has handed in, with an instructor's cells of every kind."""
-    mixed = emptied(copy_of(course, tmp_path_factory.mktemp("mixed") / course.path.name))
-    change_source(mixed, lambda cells: cells.extend(copy.deepcopy(OWN)))
-    return mixed
+
+    def make(folder):
+        mixed = emptied(copy_of(course, folder / course.path.name))
+        change_source(mixed, lambda cells: cells.extend(copy.deepcopy(OWN)))
+
+    return type(course)(once(tmp_path_factory, "mixed", make)[0] / course.path.name)
 
 
 @pytest.fixture

@@ -57,21 +57,20 @@ def test_an_own_problem_is_built_graded_and_taken_into_the_next_year(course, tmp
     edited = read(course / "source/hw1/hw1.ipynb")
     edited["cells"][0]["source"] += "\nMine."
     (course / "source/hw1/hw1.ipynb").write_text(json.dumps(edited))
-    out = ran(grader("next-year", course, "--course", tmp_path / "m27"))
-    assert "The course m27" in out
-    assert "hw1" in out
-    assert read(tmp_path / "m27/source/hw1/hw1.ipynb")["cells"][0]["source"].endswith("Mine.")
     with place(tmp_path / "mine"):
+        out = ran(command("next-year", course, "--course", tmp_path / "m27"))
+        assert "The course m27" in out
+        assert "hw1" in out
+        notebook = read(tmp_path / "m27/source/hw1/hw1.ipynb")
+        assert notebook["cells"][0]["source"].endswith("Mine.")
         new = Course(tmp_path / "m27")
         assert new.roster() == []
         assert new.secret != c.secret
         assert new.values("hw1", "ada", [problem("bead/1")])["bead/1"] != numbers["bead/1"]
+        again = command("next-year", course, "--course", tmp_path / "x", "--name", "m26")
+        assert "another --name" in again[1]
     kept = {p.name for p in (tmp_path / "m27").iterdir()}
     assert kept.isdisjoint({"submitted", "scores", "personal", "numbers", "autograded", "backup"})
-    assert (
-        "another --name"
-        in grader("next-year", course, "--course", tmp_path / "x", "--name", "m26")[1]
-    )
     assert not (tmp_path / "x").exists()
     ran(nbgrader("generate_assignment", "hw1", cwd=tmp_path / "m27"))
 
@@ -144,7 +143,7 @@ def commands(workflow):
 @pytest.mark.parametrize("forge", ["github", pytest.param("gitlab", marks=pytest.mark.slow)])
 def test_the_workflow_passes_good_problems_and_stops_at_a_slip(tmp_path, forge):
     shutil.copytree(GOOD, tmp_path / "problems", ignore=shutil.ignore_patterns("__pycache__"))
-    path = ran(grader("ci", forge, "--to", tmp_path)).strip()
+    path = ran(command("ci", forge, "--to", tmp_path)).strip()
     lines = commands(yaml.safe_load(Path(path).read_text()))
     assert [line for line in lines if "grader" not in line] == lines[:2]
     for line in lines[2:]:
@@ -154,7 +153,7 @@ def test_the_workflow_passes_good_problems_and_stops_at_a_slip(tmp_path, forge):
     code, out = run("bash", "-c", lines[2], cwd=tmp_path)
     assert code == 1
     assert "{gamma} is no given" in out
-    assert "is there already" in grader("ci", forge, "--to", tmp_path)[1]
+    assert "is there already" in command("ci", forge, "--to", tmp_path)[1]
 
 
 def test_without_names_prove_takes_the_own_problems_alone():

@@ -6,12 +6,13 @@ import tests.honesty.families
 import tests.honesty.holdout  # noqa: F401
 from tests.honesty.cases import draw
 from tests.honesty.references import reference
+from tests.once import common
 
 
 @pytest.fixture(scope="session")
 def cache(tmp_path_factory):
-    """The folder of the references of this session."""
-    return tmp_path_factory.mktemp("references")
+    """The folder of the references of this run."""
+    return common(tmp_path_factory) / "references"
 
 
 @pytest.fixture

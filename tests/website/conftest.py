@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.once import once
 from tests.website import sample
+from tests.website.browser import chromium, served
 
 # it measures for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}
@@ -21,9 +23,25 @@ def site(tmp_path_factory):
     from website.build import build
     from website.notebooks import FOLDER
 
-    folder, out = tmp_path_factory.mktemp("notebooks"), tmp_path_factory.mktemp("site") / "pages"
-    for path in FOLDER.glob("*.ipynb"):
-        shutil.copy(path, folder)
-    sample.write(folder / "sample.ipynb")
-    build(out, folder=folder, run=lambda chapter: chapter.stem not in NOT_RUN)
-    return out
+    def make(out):
+        folder = tmp_path_factory.mktemp("notebooks")
+        for path in FOLDER.glob("*.ipynb"):
+            shutil.copy(path, folder)
+        sample.write(folder / "sample.ipynb")
+        build(out / "pages", folder=folder, run=lambda chapter: chapter.stem not in NOT_RUN)
+
+    return once(tmp_path_factory, "site", make)[0] / "pages"
+
+
+@pytest.fixture(scope="module")
+def address(site):
+    """The site on this machine."""
+    with served(site) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory):
+    """A browser without a screen."""
+    with chromium(tmp_path_factory.mktemp("browser")) as found:
+        yield found

@@ -39,6 +39,11 @@ PICTURE = "import matplotlib.pyplot as plt\n\nplt.plot([0, 1], [0, 1])\nplt.show
 CAPTION = "*Figure 1. A straight line from $0$ to 1.* It rises."
 SLIDER = "from ipywidgets import FloatSlider\n\nFloatSlider()"
 TRY = 'try_problem("4/12")'
+PREDICT = """\
+from newton_euler.classroom import predict, predict_again, tally
+
+predict("Which is $x$?", {"one": "That is $y$.", "two": "Right."}, "two")"""
+NUMBER = 'predict("How many?", {4.0: "Twice too many."}, 2.0, "m", within=0.1, why="Count.")'
 VECTOR = 'Frame("ground").vector(1, 2, 3)'
 
 
@@ -50,6 +55,8 @@ def notebook():
         new_code_cell(FILM, metadata=folded), new_code_cell(PICTURE), new_markdown_cell(CAPTION),
         new_code_cell(SLIDER), new_code_cell(VECTOR),
         new_code_cell("from newton_euler.classroom import try_problem"), new_code_cell(TRY),
+        new_code_cell(PREDICT), new_code_cell(NUMBER), new_code_cell("tally()"),
+        new_code_cell("predict_again()"),
     ]  # fmt: skip
     kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
     return new_notebook(cells=cells, metadata={"kernelspec": kernel})

@@ -2,17 +2,14 @@
 
 import base64
 import json
-import shutil
-import threading
 import time
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
+from tests.website.browser import complaints, requests, wait
+
 pytestmark = pytest.mark.integration
 
-LONG = 60  # seconds: for a busy machine
 PHONE = {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True}
 
 # what is wrong on a page, once its formulas are set
@@ -44,69 +41,6 @@ for (const e of document.querySelectorAll("article *"))
 if (document.documentElement.scrollWidth > wide) found.push("the page: " + document.documentElement.scrollWidth);
 return found.slice(0, 5);
 """
-
-
-class Quiet(SimpleHTTPRequestHandler):
-    """A server of files that prints nothing."""
-
-    def log_message(self, *_):
-        pass
-
-
-@pytest.fixture(scope="module")
-def address(site):
-    """The site on this machine: "http://127.0.0.1:PORT"."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(site)))
-    thread = threading.Thread(target=server.serve_forever)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_port}"
-    server.shutdown()
-    server.server_close()
-    thread.join()
-
-
-@pytest.fixture(scope="module")
-def driver(tmp_path_factory):
-    """A browser without a screen."""
-    webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
-    if not (shutil.which("chromium") and shutil.which("chromedriver")):
-        pytest.skip("no browser: apt-get install chromium chromium-driver")
-    options = webdriver.ChromeOptions()
-    options.binary_location = shutil.which("chromium")
-    for flag in (
-        "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
-        "--disable-component-update", "--disable-sync", "--no-first-run", "--window-size=1300,900",
-        f"--user-data-dir={tmp_path_factory.mktemp('browser')}",
-    ):  # fmt: skip
-        options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
-    driver = webdriver.Chrome(options=options, service=service)
-    driver.set_script_timeout(LONG)
-    yield driver
-    driver.quit()
-
-
-def complaints(driver):
-    """What the console has said since it was asked before."""
-    return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]
-
-
-def requests(driver):
-    """The addresses that were asked for since the last time."""
-    messages = (json.loads(x["message"])["message"] for x in driver.get_log("performance"))
-    sent = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
-    return [p["request"]["url"] for p in sent]
-
-
-def wait(driver, script, what):
-    """What a script gives as soon as it gives something."""
-    end = time.monotonic() + LONG
-    while time.monotonic() < end:
-        if found := driver.execute_script(f"return {script}"):
-            return found
-        time.sleep(0.05)
-    return pytest.fail(f"not seen within {LONG} s: {what}")
 
 
 def every_page(site, address):
@@ -231,4 +165,25 @@ def test_problems_are_chosen_by_what_is_asked_for(driver, address):
     assert "4/16" in found
     assert all(number.startswith("4/") for number in found)
     assert "4/16" not in driver.execute_script(ask, {"equation": "4.18", "kind": "number"})
+    assert complaints(driver) == []
+
+
+def test_a_prediction_is_made_opens_its_meaning_and_is_counted_and_asked_again(driver, address):
+    sample(driver, address)
+    driver.execute_script("localStorage.clear()")
+    sample(driver, address)
+    tally = "document.querySelector('.prediction-tally').textContent"
+    assert driver.execute_script(f"return {tally}") == "0 of 2 predictions made."
+    choices = "[...document.querySelector('.prediction').querySelectorAll('.choice')]"
+    driver.execute_script(f"{choices}[0].querySelector('summary').click()")
+    assert driver.execute_script(f"return {choices}.map(c => c.open)") == [True, True]
+    form = "document.querySelector('.prediction form')"
+    driver.execute_script(f"{form}.firstChild.value = '4 m'; {form}.requestSubmit()")
+    chosen = "document.querySelector('.mistake.chosen').textContent"
+    assert "Twice too many" in driver.execute_script(f"return {chosen}")
+    sample(driver, address)  # it is kept
+    assert driver.execute_script(f"return {tally}") == "2 of 2 predictions made: 0 right, 2 wrong."
+    assert driver.execute_script(f"return {choices}[0].matches('.chosen')")
+    again = "document.querySelectorAll('.predictions-again .prediction').length"
+    assert driver.execute_script(f"return {again}") == 2
     assert complaints(driver) == []

@@ -60,6 +60,9 @@ html_theme_options: dict[str, list[str]] = {"top_of_page_buttons": []}
 
 def setup(app: Any) -> None:
     """Connect our own steps."""
+    if app.tags.has("engine"):  # it lies beside the pages
+        for name in ("engine.js", "moving.js", "cells.js"):
+            app.add_js_file(name, defer="defer")
     app.connect("autodoc-process-docstring", docstring)
     app.connect("doctree-read", formulas)
     app.connect("doctree-read", problem_links)

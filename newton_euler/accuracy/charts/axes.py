@@ -59,7 +59,8 @@ def chart(
 ) -> list[Measured]:
     """The fronts of the points, which are drawn on the Matplotlib axes ``ax``: cost to the right,
     error upwards. Each family has a front, with rings and steps, of points that have a right digit.
-    A grey bar is the time to prepare the first run.
+    A band goes from the least to the largest time of its repeats; a grey bar is the time to prepare
+    the first run.
 
     floor : smaller errors are drawn there, with an arrow down and their value
     cost : "cost", the time, or "calls"
@@ -78,6 +79,7 @@ def chart(
     log_log(ax, "cost of one evaluation", "relative error")
     drawing = _Drawing(ax, float(floor), cost)
     drawing.methods(points, order)
+    drawing.bands(points)
     drawing.preparations(points)
     best = fronts([p for p in points if p.error < USELESS], cost)
     drawing.fronts(best)
@@ -103,6 +105,15 @@ class _Drawing:
             own = [p for p in points if p.method == method]
             if own:
                 self.ax.plot(*self.places(own), ms=7, lw=0.8, label=method, **marker_style(n))
+
+    def bands(self, points):
+        """A band over the times of the repeats of a run, whose median is the point."""
+        colours = {line.get_label(): line.get_color() for line in self.ax.lines}
+        for p in points:
+            if self.cost == "cost" and p.repeats:
+                height, ends = max(p.error, self.floor), [min(p.repeats), max(p.repeats)]
+                look = {"color": colours[p.method], "lw": 4, "alpha": 0.35, "zorder": 1}
+                self.ax.plot(ends, [height] * 2, **look)
 
     def preparations(self, points):
         """A bar from the time of a run to that of the first run, where it can be seen."""

@@ -4,11 +4,17 @@ from dataclasses import replace
 from itertools import groupby
 from operator import attrgetter
 
-from matplotlib.ticker import EngFormatter
-
-from ..measurements.measure import EQUAL_COST, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost
+from ...algebra.late import EngFormatter
+from ..measurements.measure import (
+    ALIKE,
+    EQUAL_WITHIN,
+    ROUND_OFF,
+    cheapest,
+    of_equal_cost,
+    repeated,
+)
 from .axes import COLOURS, MARKERS, chart, log_log
-from .words import listed, number, seconds, times
+from .words import about_times, agreed, listed, number, seconds
 
 WRONG = 1e-2  # a relative error
 NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
@@ -60,32 +66,42 @@ def points_table(points, error="relative", cost="time", unit="s"):
 
 
 def ways_caption(points):
-    """The cheapest and the most accurate of several ways to one result."""
+    """The cheapest and the most accurate of several ways to one result: what each repeat says."""
+    return agreed(map(_of_ways, repeated(points)))
+
+
+def _of_ways(points):
     floor = max(min(p.error for p in points), ROUND_OFF)
     best = cheapest(points, EQUAL_WITHIN * floor)
-    text = [_of_best(best, len(points)), _cheaper(points, best), _prepared(points)]
-    return " ".join(filter(None, [*text, *_beaten(points, best)]))
+    yield from _of_best(best, points)
+    yield from (_cheaper(points, best), _prepared(points), _beaten(points, best))
 
 
-def _of_best(best, count):
-    equal = of_equal_cost(best)
+def _of_best(best, points):
+    equal = of_equal_cost(best, ALIKE)
     error = f"(error {number(max(*(p.error for p in best), ROUND_OFF))} or less)"
-    text = f"Most accurate {error}: {listed(p.method for p in best)}."
+    yield f"Most accurate {error}: {listed(p.method for p in points if p in best)}."
     if len(best) == 1:
-        return f"{text[:-1]}, which takes {seconds(best[0].cost)}."
+        return
     if len(equal) > 1:
-        return f"{text} Of these {listed(p.method for p in equal)} cost about the same, least."
-    text += f" Of these {best[0].method} is the cheapest, {seconds(best[0].cost)}"
-    return f"{text}; next comes {best[1].method}, {times(best[1].cost / best[0].cost)} as long."
+        names = listed(p.method for p in points if p in equal)
+        yield f"Of these {names} cost about the same, least."
+        return
+    yield f"Of these {best[0].method} is the cheapest."
+    ratio = about_times(best[1].cost / best[0].cost)
+    yield f"{best[1].method} takes {ratio} as long as {best[0].method}."
 
 
 def _cheaper(points, best):
     """What costs less than the most accurate, and what that loses."""
     least = min(points, key=lambda p: p.cost)
-    if len(of_equal_cost([least, best[0]])) > 1:
+    if least in best:
         return ""
-    text = f"{least.method} takes {seconds(least.cost)}, {times(best[0].cost / least.cost)} less"
-    return f"{text.replace('times less', 'times faster')}, with an error of {number(least.error)}."
+    alike = len(of_equal_cost([least, best[0]], ALIKE)) > 1
+    cost = (
+        "costs about the same" if alike else f"is {about_times(best[0].cost / least.cost)} faster"
+    )
+    return f"{least.method} {cost}, with an error of {number(least.error)}."
 
 
 def _prepared(points):
@@ -97,16 +113,16 @@ def _prepared(points):
 
 def _beaten(points, best):
     """Those that cost more than the best and are less accurate."""
-    accurate, limit = {p.method for p in best}, EQUAL_COST * best[0].cost
+    accurate, limit = {p.method for p in best}, ALIKE * best[0].cost
     lost = dict.fromkeys(p.method for p in points if p.cost > limit and p.method not in accurate)
-    if lost:
-        yield f"Dearer and less accurate than {best[0].method}: {listed(lost)}."
+    return f"Dearer and less accurate than {best[0].method}: {listed(lost)}." if lost else ""
 
 
 def comparison_caption(comparison, points):
     """For each question the ways right at every setting, their cheapest, and where others fail."""
-    return " ".join(
-        _answer(q, [p for p in points if p.question is q]) for q in comparison.questions
+    return agreed(
+        [s for q in comparison.questions for s in _answer(q, [p for p in again if p.question is q])]
+        for again in repeated(points)
     )
 
 
@@ -118,21 +134,21 @@ def _answer(question, points):
     methods = [[p for p in points if p.method == name] for name in question.methods]
     worst = [_worst(own) for own in methods]
     right = [p for p in worst if p.error <= max(NEAR, EQUAL_WITHIN * min(q.error for q in worst))]
-    text = _right(sorted(right, key=lambda p: p.cost))
+    first, *more = _right(right)
+    yield f"{question.what[0].upper()}{question.what[1:]}: {first}"
+    yield from more
     names = {p.method for p in right}
-    others = [_others(question, own) for own in methods if own[0].method not in names]
-    return f"{question.what[0].upper()}{question.what[1:]}: {'. '.join([text, *others])}."
+    yield from (f"{_others(question, own)}." for own in methods if own[0].method not in names)
 
 
 def _right(right):
     error = number(max(*(p.error for p in right), ROUND_OFF))
-    text = f"{_quoted(right)} {'are' if len(right) > 1 else 'is'} within {error} at every setting"
-    equal = of_equal_cost(right)
-    if len(equal) > 1:
-        return f"{text}, {_quoted(equal)} at about the same cost"
-    if len(right) > 1:
-        return f"{text}, and {_quoted(equal)} is the cheapest of them, {seconds(right[0].cost)}"
-    return f"{text}, {seconds(right[0].cost)}"
+    yield f"{_quoted(right)} {'are' if len(right) > 1 else 'is'} within {error} at every setting."
+    least = of_equal_cost(sorted(right, key=lambda p: p.cost), ALIKE)
+    if len(least) > 1:
+        yield f"{_quoted(p for p in right if p in least)} cost about the same."
+    elif len(right) > 1:
+        yield f"{_quoted(least)} is the cheapest of them."
 
 
 def _others(question, own):

@@ -4,9 +4,7 @@ import math
 from dataclasses import dataclass
 from statistics import median
 
-from matplotlib.lines import Line2D
-from matplotlib.ticker import EngFormatter
-
+from ...algebra.late import EngFormatter, Line2D
 from ..measurements.honesty import REFUSED, comparable, cost_text, percent, tallies, times
 
 # limits of true over asked, and of estimate over true; what lies beyond is drawn at the edge

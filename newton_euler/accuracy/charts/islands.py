@@ -5,12 +5,11 @@ measured again, and smoothed if they stay small; elsewhere they are explained by
 from collections import Counter
 from dataclasses import dataclass
 
-import numpy as np
-
+from ...algebra.late import np
 from .words import number
 
 SPECK = 4  # cells; an island of times that is no larger is taken for noise
-TOUCHING = np.ones((3, 3))  # cells that touch at a corner belong together
+TOUCHING = [[1] * 3] * 3  # cells that touch at a corner belong together
 CLOSER = 40  # looks at the height of three cells
 
 
@@ -84,7 +83,7 @@ def _explained(chart, found, island):
     text = f'The island of "{island.choice}" at {place} lies between {number(low)} and '
     text += f"{number(high)} of {_letter(chart.y)}: "
     if _height(chart, low, high) < _height(chart, float(edges[n]), float(edges[n + 1])):
-        return text + "a strip thinner than a cell, so that most columns miss it."
+        return text + "a strip thinner than a cell, which some columns miss."
     return text + "a region of its own."
 
 

@@ -2,8 +2,7 @@
 
 from textwrap import fill
 
-import numpy as np
-
+from ...algebra.late import np
 from .axes import COLOURS
 from .islands import explained, parts
 from .words import number

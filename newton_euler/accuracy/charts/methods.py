@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from ..measurements.measure import EQUAL_COST, ROUND_OFF, cheapest, fronts, of_equal_cost
+from ..measurements.measure import ALIKE, ROUND_OFF, cheapest, of_equal_cost, repeated
 from ..measurements.work_precision import NAMES, STEPPING
 from .axes import FLOOR, GREY, chart, log_log, marker_style
-from .words import listed, number, seconds, times
+from .words import about, about_times, agreed, listed, number, seconds, times
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
 SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
@@ -58,64 +58,66 @@ def _draw_drift(methods, auto, ax):
 
 
 def methods_caption(found):
-    """What the chart of :func:`draw_methods` shows, in sentences that follow from the points."""
+    """What the chart of :func:`draw_methods` shows: the sentences that each repeat would write."""
+    again = (replace(found, points=tuple(points)) for points in repeated(found.points))
+    return agreed(map(_sentences, again))
+
+
+def _sentences(found):
     points = [p for p in found.points if p.method != "auto"]
     stepping = [p for p in points if p.family == STEPPING]
     closed = [p for p in points if p.family != STEPPING]
-    text = [_cheapest_within(stepping, error) for error in OF_INTEREST]
-    text += [_front(stepping), _closed_form(closed, stepping), _preparing(found, stepping)]
-    return " ".join(filter(None, [*text, _small_drift(points), _left_out(found)]))
+    for error in OF_INTEREST:
+        yield from _cheapest_within(stepping, error)
+    yield from _closed_form(closed, stepping)
+    yield from _preparing(found, stepping)
+    yield from (_small_drift(points), *_left_out(found))
 
 
 def _cheapest_within(points, error):
     found = cheapest(points, error)
     if not found:
-        return f"No stepping method that was measured is right to {number(error)}."
-    equal = of_equal_cost(found)
-    text = f"Within an error of {number(error)}, {listed(p.method for p in equal)}"
-    if len(equal) > 1:
-        text += f" cost the same among the stepping methods, about {seconds(equal[0].cost)}"
-    else:
-        text += f" is the cheapest stepping method, at {seconds(equal[0].cost)}"
-    others = found[len(equal) :]
-    if others:
-        text += f"; next comes {others[0].method}, {times(others[0].cost / equal[0].cost)} as long"
-    return f"{text}."
-
-
-def _front(points):
-    names = dict.fromkeys(p.method for best in fronts(points).values() for p in best)
-    return f"Front of the stepping methods: {listed(names)}." if len(names) > 1 else ""
+        yield f"No stepping method that was measured is right to {number(error)}."
+        return
+    equal = of_equal_cost(found, ALIKE)
+    names = [p.method for p in sorted(equal, key=points.index)]
+    what = "is the cheapest stepping method" if len(equal) == 1 else "cost about the same, least"
+    yield f"Within an error of {number(error)}, {listed(names)} {what}."
+    for other in found[len(equal) :][:1]:
+        ratio = about_times(other.cost / found[0].cost)
+        yield f"There {other.method} takes {ratio} as long as {found[0].method}."
 
 
 def _closed_form(closed, stepping):
     if not closed or not stepping:
-        return "" if closed else "There is no closed form."
+        yield "" if closed else "There is no closed form."
+        return
     best, rival = (min(own, key=lambda p: p.cost) for own in (closed, stepping))
-    error = number(max(best.error, ROUND_OFF))
-    text = f"The closed form takes {seconds(best.cost)} and is right to {error}: "
-    if len(of_equal_cost(sorted([best, rival], key=lambda p: p.cost))) > 1:
-        return f"{text}as cheap as the cheapest stepping method."
-    if best.cost < rival.cost:
-        return f"{text}cheaper than every stepping method at any error."
-    return f"{text}{times(best.cost / rival.cost)} as long as {rival.method} at its coarsest."
+    error = number(max(ROUND_OFF, *(p.error for p in closed)))
+    yield f"The closed form is right to {error}."
+    if len(of_equal_cost(sorted([best, rival], key=lambda p: p.cost), ALIKE)) > 1:
+        yield "It costs about as much as the cheapest stepping method."
+    elif best.cost < rival.cost:
+        yield "It is cheaper than every stepping method at any error."
+    else:
+        ratio = about_times(best.cost / rival.cost)
+        yield f"It takes {ratio} as long as {rival.method} at its coarsest."
 
 
 def _preparing(found, stepping):
     """The method that takes longest to prepare, and after how many runs that has paid."""
     above = {m: s for m, s in found.preparing.items() if m != "auto" and s > SHORT}
     if not above:
-        return ""
+        return
     method = max(above, key=above.get)
-    text = f"{method} takes {seconds(above[method])} to prepare its first run"
+    yield f"{method} takes {seconds(above[method])} to prepare its first run."
     within = cheapest(stepping, OF_INTEREST[0])
     own = next((p for p in within if p.method == method), None)
     rival = next((p for p in within if above.get(p.method, 0.0) < above[method] / 2), None)
-    if own and rival and rival.cost > EQUAL_COST * own.cost:
+    if own and rival and rival.cost > ALIKE * own.cost:
         runs = (above[method] - above.get(rival.method, 0.0)) / (rival.cost - own.cost)
-        count = "one run" if runs < 1.5 else f"{runs:.0f} runs"
-        text += f", earned back against {rival.method} by {count} to {number(OF_INTEREST[0])}"
-    return f"{text}."
+        count = "the first run" if runs < 1 else f"about {number(about(runs))} runs"
+        yield f"Against {rival.method} that is earned back by {count} to {number(OF_INTEREST[0])}."
 
 
 def _small_drift(points):
@@ -132,6 +134,5 @@ def _small_drift(points):
 
 def _left_out(found):
     slow, unable = found.too_slow, found.unable
-    text = f"Too slow to be asked for all digits: {listed(slow)}. " if slow else ""
-    text += f"Cannot reach all tolerances: {listed(unable)}." if unable else ""
-    return text.strip()
+    yield f"Too slow here to be asked for all digits: {listed(slow)}." if slow else ""
+    yield f"Cannot reach all tolerances: {listed(unable)}." if unable else ""

@@ -4,8 +4,7 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 
-import numpy as np
-
+from ...algebra.late import np
 from ...motion.integration import integrate
 from ...motion.prepared import prepared_model
 from ..measurements.measure import EQUAL_WITHIN, Measured, of_equal_cost
@@ -141,12 +140,8 @@ def _draw_rung(ax, n, p, low, high):
         ax.annotate(side, (p.cost, height), (0, end), ha="center", arrowprops=arrow, **text)
 
 
-def _drops(p, most=3):
-    if not p.drops:
-        return "the fullest, drops nothing"
-    more = len(p.drops) - most
-    parts = [*p.drops[:most], *([f"{more} more"] if more > 0 else [])]
-    return "drops " + ",\n    ".join(parts)
+def _drops(p):
+    return "drops " + ",\n    ".join(p.drops) if p.drops else "the fullest, drops nothing"
 
 
 def _unit(ladder):

@@ -1,8 +1,9 @@
 """Numbers and lists in the words of a caption: plain text, with the signs of Unicode."""
 
+import math
 from collections.abc import Iterable
 
-from matplotlib.ticker import EngFormatter
+from ...algebra.late import EngFormatter
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -21,22 +22,51 @@ def number(x: float) -> str:
     return raised if digits == "1" else f"{digits} × {raised}"
 
 
+def about(x: float) -> float:
+    """The nearest of 1, 3, 10, 30 ...: the size of a time that differs from run to run.
+
+    >>> about(1.7), about(1.8), about(54.3)
+    (1.0, 3.0, 30.0)
+    """
+    power = 10.0 ** math.floor(math.log10(x))
+    return min((power, 3 * power, 10 * power), key=lambda y: abs(math.log(y / x)))
+
+
 def seconds(x: float) -> str:
-    """A time in two digits with the prefix of its unit.
+    """The size of a time with the prefix of its unit.
 
     >>> seconds(1.234e-5)
-    '12 µs'
+    'about 10 µs'
     """
-    return EngFormatter(unit="s")(float(f"{x:.2g}"))
+    return f"about {EngFormatter(unit='s')(float(f'{about(x):.0g}'))}"
 
 
 def times(ratio: float) -> str:
-    """How many times as much.
+    """How many times as much, of what was counted.
 
     >>> times(1.34), times(2.0), times(54.3)
     ('1.3 times', 'twice', '54 times')
     """
     return "twice" if f"{ratio:.2g}" == "2" else f"{number(ratio)} times"
+
+
+def about_times(ratio: float) -> str:
+    """How many times as much, of what was timed.
+
+    >>> about_times(7.2), about_times(54.3)
+    ('about 10 times', 'about 30 times')
+    """
+    return f"about {number(about(ratio))} times"
+
+
+def agreed(texts: Iterable[Iterable[str]]) -> str:
+    """The sentences of the first text that all others have too: what no repeat contradicts.
+
+    >>> agreed([["a is fast.", "b is slow."], ["b is slow."]])
+    'b is slow.'
+    """
+    first, *others = map(list, texts)
+    return " ".join(s for s in first if s and all(s in other for other in others))
 
 
 def listed(names: Iterable[str]) -> str:

@@ -5,12 +5,10 @@ from functools import cache, reduce
 from itertools import repeat
 from operator import mul
 
-import mpmath as mp
-import numpy as np
-from scipy.spatial.transform import Rotation
-
 from ...algebra.compile import compiled
 from ...algebra.jets import moving
+from ...algebra.late import Rotation, np
+from ...algebra.late import mpmath as mp
 from ...algebra.scalars import cos, sin, sqrt
 from ...applications.gyroscopes import steady_precession
 from ...bodies.body import composite

@@ -1,14 +1,14 @@
 """Comparisons of methods where nothing is integrated, by :mod:`.baselines`."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from timeit import Timer
 
 from ...algebra.errors import ArgumentError
 from ...algebra.scalars import sqrt
 from . import baselines
-from .measure import Measured, timed
+from .measure import Measured, of_repeats, timings
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,10 +36,11 @@ class Question:
         for n, x in enumerate(settings):
             if n == 0 or self.timed_each:
                 calls = [partial(method, x) for method in self.methods.values()]
-                costs = timed(*calls, runs=3, shortest=1e-3)
-            for (name, method), cost in zip(self.methods.items(), costs, strict=True):
+                costs = timings(calls)
+            for (name, method), repeats in zip(self.methods.items(), costs, strict=True):
                 error, setting = float(self.error(method(x), x)), f"{self.across[0]} = {x:.3g}"
-                yield ComparisonPoint(name, cost, error, setting, question=self, x=x)
+                point = ComparisonPoint(name, 0.0, error, setting, question=self, x=x)
+                yield replace(point, **of_repeats(repeats))
 
 
 @dataclass(frozen=True)
@@ -75,11 +76,10 @@ class Comparison:
 def measured_ways(ways, exact):
     """The times of several ways, {name: function}, and distances from the ``exact`` result."""
     prepared = {name: Timer(way).timeit(1) for name, way in ways.items()}
-    costs = timed(*ways.values(), runs=5, shortest=1e-3)
-    costs = dict(zip(ways, costs if len(ways) > 1 else (costs,), strict=True))
+    costs = map(of_repeats, timings(list(ways.values())))
     return [
-        Measured(name, costs[name], _distance(way(), exact), prepared=prepared[name] - costs[name])
-        for name, way in ways.items()
+        Measured(name, error=_distance(way(), exact), prepared=prepared[name] - c["cost"], **c)
+        for (name, way), c in zip(ways.items(), costs, strict=True)
     ]
 
 

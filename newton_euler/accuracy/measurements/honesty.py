@@ -17,8 +17,7 @@ from os import PathLike
 from statistics import fmean, median
 from typing import NamedTuple
 
-from matplotlib.ticker import EngFormatter
-
+from ...algebra.late import EngFormatter
 from ...motion.methods.table import METHODS
 from ...motion.model import ModelError
 from ...motion.prepared import PreparedModel
@@ -120,7 +119,8 @@ def _answer(name, reference, method, rtol):
         return motion, float(motion.error)  # which may take a second run
 
     try:
-        (motion, estimate), cost, _ = timed_run(run, method)
+        (motion, estimate), repeats, _ = timed_run(run, method)
+        cost = median(repeats)
     except ModelError as error:
         return Answer(method, math.nan, math.nan, absent=REFUSED, words=str(error), **about)
     estimate = None if math.isnan(estimate) else estimate

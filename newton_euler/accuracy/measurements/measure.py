@@ -3,9 +3,10 @@ point one on the (Pareto) *front* is cheaper and no less accurate.
 """
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from operator import attrgetter
+from statistics import median
 from time import perf_counter
 from timeit import Timer
 from typing import Any
@@ -17,13 +18,16 @@ from ...algebra.vectors import dot3, sub3
 # errors that differ by less than this factor count as equal: round-off is not known better
 EQUAL_WITHIN = 2.0
 ROUND_OFF = 2.0**-52  # smaller relative errors are luck
-EQUAL_COST = 1.2  # times that differ by less count as equal: they vary so from run to run
+EQUAL_COST = 1.2  # counts of operations that differ by less count as equal
+ALIKE = (
+    3.0  # times that differ by less are "about the same" in words: so they vary on a busy machine
+)
 
 
 @dataclass(frozen=True)
 class Measured:
-    """A point of a chart: ``method``, ``cost`` in seconds, relative ``error``, and ``setting`` as
-    "h = 1e-3". The points of one method are joined.
+    """A point of a chart: ``method``, ``cost`` in seconds, the median of the ``repeats`` of a run,
+    relative ``error``, and ``setting`` as "h = 1e-3". The points of one method are joined.
 
     asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and
         the largest drift of an invariant; else None
@@ -43,6 +47,13 @@ class Measured:
     drift: float | None = None
     family: str = ""
     prepared: float = 0.0
+    repeats: tuple[float, ...] = ()
+
+
+def repeated(points: Sequence[Measured]) -> Iterator[list[Measured]]:
+    """The points as each of their repeats alone would have them."""
+    for n in range(max((len(p.repeats) for p in points), default=0) or 1):
+        yield [replace(p, cost=p.repeats[n]) if n < len(p.repeats) else p for p in points]
 
 
 @checked
@@ -60,12 +71,27 @@ def timed(
     >>> len(seconds), min(seconds) > 0
     (2, True)
     """
-    timers = [(Timer(f, timer=clock), _enough_calls(f, shortest, clock)) for f in calls]
-    rounds = [[timer.timeit(n) / n for timer, n in timers] for _ in range(runs)]
     # the least: other work of the machine can only add to a time (measured on a busy machine: the
     # medians of two measurements differed by up to a factor of four, the minima by a tenth)
-    times = tuple(map(min, zip(*rounds, strict=True)))
+    times = tuple(map(min, timings(calls, runs, shortest, clock)))
     return times[0] if len(calls) == 1 else times
+
+
+def timings(
+    calls: Sequence[Callable[[], object]],
+    runs: int = 5,
+    shortest: float = 1e-3,
+    clock: Callable[[], float] = perf_counter,
+) -> list[tuple[float, ...]]:
+    """For each function the seconds of a call in each of its runs, as :func:`timed` makes them."""
+    timers = [(Timer(f, timer=clock), _enough_calls(f, shortest, clock)) for f in calls]
+    rounds = [[timer.timeit(n) / n for timer, n in timers] for _ in range(runs)]
+    return list(zip(*rounds, strict=True))
+
+
+def of_repeats(repeats: Sequence[float]) -> dict[str, Any]:
+    """The cost and the repeats of a point that was timed."""
+    return {"cost": median(repeats), "repeats": tuple(repeats)}
 
 
 def _enough_calls(f, shortest, clock):
@@ -134,6 +160,6 @@ def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
     return list(best.values())
 
 
-def of_equal_cost(points: Sequence[Measured]) -> list[Measured]:
-    """The points, the cheapest first, whose costs cannot be distinguished from the least."""
-    return [p for p in points if p.cost <= EQUAL_COST * points[0].cost]
+def of_equal_cost(points: Sequence[Measured], within: float = EQUAL_COST) -> list[Measured]:
+    """The points, the cheapest first, whose costs differ from the least by less than a factor."""
+    return [p for p in points if p.cost <= within * points[0].cost]

@@ -10,8 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 
-import numpy as np
-
+from ...algebra.late import np
 from ...applications.earth import EARTH_RADIUS, EARTH_RATE
 from ...applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
 from ...motion.events import Event

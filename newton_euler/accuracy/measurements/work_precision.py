@@ -20,7 +20,7 @@ from ...motion.model import ModelError
 from ...motion.prepared import PreparedModel
 from ...scenes import scene as scene_named
 from ...scenes.catalogue import Scene
-from .measure import Measured, timed
+from .measure import Measured, of_repeats, timed, timings
 from .reference import reference_solution
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))
@@ -147,11 +147,11 @@ class Reference:
 
     def measured(self, method, rtol):
         """The point of one method at one tolerance, and the seconds that its first run took."""
-        motion, cost, first = timed_run(partial(self.run, method, rtol), method)
+        motion, repeats, first = timed_run(partial(self.run, method, rtol), method)
         numbers = rtol, motion.cost.calls, worst_drift(motion)
         family = CLOSED if motion.method.closed else STEPPING
-        point = Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", *numbers, family)
-        return point, first
+        point = Measured(method, first, self.error(motion), f"rtol = {rtol:.0e}", *numbers, family)
+        return replace(point, **of_repeats(repeats)), first
 
 
 def worst_drift(motion):
@@ -162,15 +162,15 @@ def worst_drift(motion):
 
 
 def timed_run(run, method):
-    """What a run by a method returns, the seconds that it takes, and those that the first took."""
+    """What a run by a method returns, the seconds of each of some runs, and those of the first."""
     result, first = _stopwatch(run)
-    cost = first
+    repeats = (first,)
     # a long first run is not repeated, unless it may have compiled code
     if first <= LONGEST or method == "auto" or METHODS[method].closed or METHODS[method].series:
-        cost = _stopwatch(run)[1]
-        if cost <= LONG:
-            cost = timed(run, runs=3, shortest=1e-3)
-    return result, cost, first
+        repeats = (_stopwatch(run)[1],)
+        if repeats[0] <= LONG:
+            (repeats,) = timings([run])
+    return result, repeats, first
 
 
 def _stopwatch(call):

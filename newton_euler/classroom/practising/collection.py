@@ -1,80 +1,117 @@
 """The problems of a practice file, and the table of what was tried."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import checked
 from ...answers.givens import in_notebook
-from .files import PracticeFile
+from .advice import advise, causes_of
+from .files import PracticeFile, PracticeFileError
 from .problems import Message, PracticeProblem
 from .progress import Progress, mastery
 
 COUNTS = "tried", "right", "at first go", "with help"
 
 
+SETS = Path(__file__).with_name("sets")  # made with the wheel, of all chapters
+KEPT = "practice.progress.json"  # in the folder at hand, of the problems that come with the engine
+
+
 @checked
-def practice(path: str | Path, progress: str | Path | None = "") -> "Practice":
-    """The problems of a practice file: ``practice("ch04.practice")["4/16"]`` is one. Raises
-    :class:`PracticeFileError` for another file.
+def practice(path: str | Path = "", progress: str | Path | None = "") -> "Practice":
+    """The problems of a practice file: ``practice("ch04.practice")["4/16"]`` is one. Without a file
+    those that come with the engine: ``practice()``, of all chapters, or ``practice("ch04")``.
+    Raises :class:`PracticeFileError` for another file.
 
     progress : the file in which what you tried is kept, yours alone; default: beside the practice
-        file, with ``.progress.json`` behind its name. None keeps it only while Python runs.
+        file, with ``.progress.json`` behind its name; of those of the engine practice.progress.json
+        in the current folder. None keeps it only while Python runs.
     """
-    kept = f"{path}.progress.json" if progress == "" else progress
-    return Practice(PracticeFile(path), Progress(kept))
+    own = SETS / f"{path}.practice"
+    comes_along = not path or (own.exists() and not Path(path).exists())
+    kept = (KEPT if comes_along else f"{path}.progress.json") if progress == "" else progress
+    paths = [own] if path and comes_along else public() if comes_along else [Path(path)]
+    if not paths:
+        raise PracticeFileError(f"no practice comes with this engine: {WRITTEN}")
+    return Practice([PracticeFile(p) for p in paths], Progress(kept))
+
+
+def public() -> list[Path]:
+    """The practice files that come with the engine, in the order of the book."""
+    return sorted(SETS.glob("*.practice"), key=lambda p: (p.stem.startswith("app"), p.stem))
+
+
+WRITTEN = "in a checkout, `python -m grader sets` writes it; a wheel has it"
 
 
 @checked
 def try_problem(problem: str, folder: str | Path = ".") -> Any:
-    """The problem from the first practice file in ``folder`` that has it: in a notebook with
-    ipywidgets as a form, otherwise as itself, which shows its text. Without such a file: where to
-    get one. Raises :class:`PracticeFileError` for a practice file that cannot be read.
+    """The problem from the first practice file in ``folder`` that has it, or else from those that
+    come with the engine: in a notebook with ipywidgets as a form, otherwise as itself, which shows
+    its text. Where there is none: how to get one. Raises :class:`PracticeFileError` for a practice
+    file that cannot be read.
     """
-    for path in sorted(Path(folder).glob("*.practice")):
-        problems = practice(path)
-        if problem in problems:
-            p = problems[problem]
+    for path in (*sorted(Path(folder).glob("*.practice")), *public()):
+        file = PracticeFile(path)
+        if problem in file.problems:
+            beside = path.parent != SETS
+            kept = f"{path}.progress.json" if beside else Path(folder) / KEPT
+            p = Practice([file], Progress(kept))[problem]
             return p.form() if in_notebook() and find_spec("ipywidgets") else p
-    number = problem.partition("/")[0]
-    chapter = f"ch{number:0>2}" if number.isdigit() else f"app{number}"
-    chapter = number if number.islower() else chapter  # of a course's own problems
-    command = f"python -m grader practice {chapter} -o {chapter}.practice"
-    text = (
-        f"No practice file here has problem {problem}, so nothing checks your answer. Your "
-        f"instructor writes one by: {command}. Put it beside this notebook and run the cell again."
-    )
-    return Message(text, text.replace(command, f"`{command}`"))
+    text = f"No practice file has problem {problem}, so nothing checks your answer: {WRITTEN}."
+    return Message(text.replace("`", ""), text)
 
 
 class Practice:
-    """The problems of a practice file by number: ``practice("ch04.practice")["4/16"]``."""
+    """The problems of practice files by number: ``practice("ch04.practice")["4/16"]``."""
 
-    def __init__(self, file: PracticeFile, progress: Progress):
-        self._file, self._progress = file, progress
+    def __init__(self, files: Iterable[PracticeFile], progress: Progress):
+        self._progress = progress
+        self._files: dict[str, PracticeFile] = {}
         self._open: dict[str, PracticeProblem] = {}
+        for file in files:
+            self._files.update(dict.fromkeys(file.problems, file))
 
     def __getitem__(self, problem: str) -> PracticeProblem:
         if problem not in self._open:
-            self._open[problem] = PracticeProblem(self._file, problem, self._progress)
+            file = self._files.get(problem) or next(iter(self._files.values()))
+            self._open[problem] = PracticeProblem(file, problem, self._progress)
         return self._open[problem]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._file.problems)
+        return iter(self._files)
 
     def __len__(self) -> int:
-        return len(self._file.problems)
+        return len(self._files)
+
+    def _title(self, problem):
+        return self._files[problem].titles[problem]
+
+    @property
+    def next(self) -> Message:
+        """What to do next, chosen from what went wrong and when, with the reason in a sentence."""
+        sections = {p: self._title(p)[1] for p in self}
+        found = advise(sections, self._progress, may_err=self._may_err)
+        return Message(found.sentence, found.sentence)
+
+    def _may_err(self, problem):
+        return causes_of(self.page(problem))
+
+    def page(self, problem: str) -> dict[str, Any]:
+        """What the file has of a problem."""
+        return self._files[problem].page(problem)
 
     @property
     def table(self) -> Message:
         """What was tried of each problem and how well each section is known."""
-        wide = max(len(title) for title, _ in self._file.titles.values())
+        wide = max(len(self._title(p)[0]) for p in self)
         heads = f"{'problem':8} {'title':{wide}}  {'section':8}"
         text = [heads + "".join(f"  {c:>11}" for c in COUNTS)]
         rows = [f"| problem | title | section | {' | '.join(COUNTS)} |", f"|{' --- |' * 7}"]
         for p in self:
-            title, section = self._file.titles[p]
+            title, section = self._title(p)
             counts = self._progress.counts(p)
             cells = [str(counts[c] or "") for c in COUNTS]
             row = f"{p:8} {title:{wide}}  {section:8}"
@@ -90,7 +127,7 @@ class Practice:
         """How well each section is known: {section: words}."""
         found: dict[str, dict[str, int]] = {}
         for p in self:
-            counts = found.setdefault(self._file.titles[p][1], dict.fromkeys(COUNTS, 0))
+            counts = found.setdefault(self._title(p)[1], dict.fromkeys(COUNTS, 0))
             for name, n in self._progress.counts(p).items():
                 counts[name] += n
         return {section: mastery(counts) for section, counts in found.items()}

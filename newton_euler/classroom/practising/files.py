@@ -146,6 +146,7 @@ def _is_whole(page):
         len(kinds) == len(units) and page["variants"]
         and all(set(q) - {"rtol"} == set(QUANTITY) for q in page["quantities"])
         and all(_fits(q.get("rtol", 0.0), NUMBER) for q in page["quantities"])
+        and _fits(page.get("symbols", {}), {str: str})
         and not any(kind.is_formula for kind in kinds.values())
         and all(group != "axes" or place.isdecimal() for _, group, place, *_ in page["labels"])
         and all(_is_variant(v, kinds, page) for v in page["variants"])

@@ -122,9 +122,7 @@ class KeptSlips(Slips):
 
     def at(self, key: str, point: int) -> Any:
         """As for :class:`~newton_euler.answers.near.Slips`."""
-        import numpy as np
-
-        return np.array([numbers for _, numbers in self._found[key]], float)
+        return [numbers for _, numbers in self._found[key]]
 
 
 def _points(right):

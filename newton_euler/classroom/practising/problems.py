@@ -44,11 +44,12 @@ class Message:
 @dataclass(frozen=True, repr=False)
 class Checked(Message):
     """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``explained``
-    is {key: the causes that explain a wrong one}.
+    is {key: the causes that explain a wrong one}, ``said`` is {key: the sentence}.
     """
 
     verdicts: dict[str, str]
     explained: dict[str, tuple[Cause, ...]]
+    said: dict[str, str]
 
     @property
     def causes(self) -> dict[str, str | None]:
@@ -93,6 +94,11 @@ class PracticeProblem:
         return {n: x for n, (x, *_) in self._variant["givens"].items()}
 
     @property
+    def symbols(self) -> dict[str, str]:
+        """How the text writes them, in LaTeX, by name."""
+        return self._page.get("symbols", {})
+
+    @property
     def answers(self) -> dict[str, str]:
         """What is asked for: {name: form}."""
         return {q.key: str(q.form) for q in self._asked.values() if not q.step}
@@ -108,10 +114,42 @@ class PracticeProblem:
         return {q.key: q.plain for q in self._asked.values()}
 
     @property
+    def quantities(self) -> list[Quantity]:
+        """The steps that can be checked, and then the answers."""
+        return list(self._asked.values())
+
+    @property
+    def title(self) -> str:
+        """Its title, without its number."""
+        return self._page["title"]
+
+    @property
+    def statement(self) -> str:
+        """Its text with these numbers in Markdown, without its title."""
+        text = self._variant["statement"].partition("\n")[2].strip()
+        preamble = self._page["preamble"]
+        return f"{text}\n\n{preamble}" if preamble else text
+
+    @property
+    def sets(self) -> int:
+        """How many sets of numbers there are."""
+        return len(self._page["variants"])
+
+    @property
     def figure(self) -> bytes | None:
-        """The figure as PNG, None where there is none."""
+        """The figure as PNG or SVG, None where there is none."""
         name = self._variant.get("figure")
         return self._file.read(name) if name else None
+
+    @property
+    def picture(self) -> tuple[str, str]:
+        """The figure as an address for <img>, in which nothing of it runs, and its words; "" where
+        there is none.
+        """
+        kind = "svg+xml" if self._variant.get("figure", "").endswith(".svg") else "png"
+        data = b64encode(self.figure or b"").decode()
+        words = self._page["figure"] and f"Figure: {self._page['figure']}"
+        return (f"data:image/{kind};base64,{data}", words) if data else ("", words)
 
     def new(self) -> "PracticeProblem":
         """The same problem with other numbers; after the last set, the first comes again."""
@@ -142,16 +180,14 @@ class PracticeProblem:
         return "\n".join([*lines, "", self._count()])
 
     def _count(self):
-        count = f"Numbers {self.number + 1} of {len(self._page['variants'])}"
+        count = f"Numbers {self.number + 1} of {self.sets}"
         return f"{count}; {self._ways.new} takes others."
 
     def _repr_markdown_(self) -> str:
-        head, _, rest = self._variant["statement"].partition("\n")
+        head = self._variant["statement"].partition("\n")[0]
         numbers = ", ".join(f"`{n} = {x:.6g}`" for n, x in self.givens.items())
         numbers = f"\n\n*Names to type:* {numbers}" if numbers else ""
-        if self._page["preamble"]:
-            rest += f"\n\n{self._page['preamble']}"
-        return f"{head}\n{rest}{numbers}\n\n*{self._count()}*"
+        return f"{head}\n\n{self.statement}{numbers}\n\n*{self._count()}*"
 
     def _ipython_display_(self):
         if not in_notebook():
@@ -160,9 +196,9 @@ class PracticeProblem:
         from IPython.display import HTML, Markdown, display
 
         display(Markdown(self._repr_markdown_()))
-        if png := self.figure:  # JupyterLab leaves out the text of an Image
-            data, words = b64encode(png).decode(), escape(f"Figure: {self._page['figure']}")
-            display(HTML(f'<img alt="{words}" src="data:image/png;base64,{data}">'))
+        address, words = self.picture
+        if address:  # JupyterLab leaves out the text of an Image
+            display(HTML(f'<img alt="{escape(words)}" src="{address}">'))
 
     def form(self) -> Any:
         """The problem as a form with fields and buttons, in a notebook with ipywidgets."""
@@ -214,15 +250,18 @@ class PracticeProblem:
         self._numbers.tried = self._found
         found = [(key, *self._explained(key)) for key in given]
         verdicts = {key: self._found[key].verdict for key in given}
+        explained = {key: causes for key, _, causes in found}
         for key, verdict in verdicts.items():
             if verdict in ("right", "wrong"):
-                self._progress.tried(self.id, self.number, key, verdict == "right")
+                cause = next(iter(explained[key]), None)
+                self._progress.tried(self.id, self.number, key, verdict == "right", cause)
         return Checked(
             "\n".join(f"{key}: {text}" for key, text, _ in found),
             "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
                       for key, text, _ in found),
             verdicts,
-            {key: causes for key, _, causes in found},
+            explained,
+            {key: text for key, text, _ in found},
         )  # fmt: skip
 
     def _read(self, key):

@@ -1,19 +1,15 @@
 """Reads a typed answer: numbers, lists, arithmetic with given names. Nothing is run as code."""
 
 import ast
-import math
-import operator
 from collections.abc import Mapping
 from typing import Any
 
-from ...algebra.scalars import FUNCTIONS, function
+from ...algebra.scalars import FUNCTIONS
 from ...answers.forms import AnswerError
+from ...answers.trees import Tree, TreeError, evaluate
 
-_OPERATORS: dict[type, Any] = {
-    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
-    ast.Div: operator.truediv, ast.Pow: operator.pow, ast.USub: operator.neg,
-    ast.UAdd: operator.pos,
-}  # fmt: skip
+LONGEST = 500  # letters: what nests deeper than this allows would exhaust a browser's stack
+_SIGNS = "only numbers, lists, + - * / ** and functions as sqrt, sin, cos are read"
 
 
 def typed(text: str, names: Mapping[str, float], words: tuple[str, ...] = ()) -> Any:
@@ -28,33 +24,76 @@ def typed(text: str, names: Mapping[str, float], words: tuple[str, ...] = ()) ->
         return None
     if words:
         return text.strip("'\"")
+    tree = typed_tree(text, names)
     try:
-        return _value(ast.parse(text.replace("^", "**"), mode="eval").body, names)
-    except SyntaxError:
-        raise AnswerError(f"{text[:60]!r} is no number, and no list as [1.0, 0, -2.5]") from None
+        return _value(tree, names)
     except (ArithmeticError, ValueError, TypeError, RecursionError) as error:
         raise AnswerError(f"{text[:60]!r} has no value: {error}") from error
 
 
-def _value(node, names):
+def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
+    """The formula tree of a text; of a list a tuple of them. Raises :class:`AnswerError`.
+
+    >>> typed_tree("2*b - 1", {"b": 8.0})
+    ['+', ['*', 2.0, 'b'], -1.0]
+    """
+    if len(text) > LONGEST:
+        raise AnswerError(f"{text[:30]!r} … has more than {LONGEST} letters")
+    try:
+        return _tree(ast.parse(text.strip().replace("^", "**"), mode="eval").body, names)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        if isinstance(error, AnswerError):
+            raise
+        raise AnswerError(f"{text[:60]!r} is no number, and no list as [1.0, 0, -2.5]") from None
+
+
+def _tree(node, names):
     if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        return float(node.value)  # never a Python integer: 9**9**9 would not end
+        return float(node.value)
     if isinstance(node, (ast.List, ast.Tuple)):
-        return [_value(x, names) for x in node.elts]
+        return tuple(_tree(x, names) for x in node.elts)
     if isinstance(node, ast.Name):
         if node.id in names or node.id == "pi":
-            return float(names.get(node.id, math.pi))
+            return node.id
         raise AnswerError(f"{node.id} is none of the given names: {', '.join(names) or 'none'}")
-    if isinstance(node, ast.UnaryOp) and type(node.op) in _OPERATORS:
-        return _OPERATORS[type(node.op)](_value(node.operand, names))
-    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
-        return _OPERATORS[type(node.op)](_value(node.left, names), _value(node.right, names))
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, (ast.USub, ast.UAdd)):
+        x = _tree(node.operand, names)
+        return x if isinstance(node.op, ast.UAdd) else _negative(x)
+    if isinstance(node, ast.BinOp) and type(node.op) in _BETWEEN:
+        return _BETWEEN[type(node.op)](_tree(node.left, names), _tree(node.right, names))
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
-        arguments = [_value(x, names) for x in node.args]
-        if node.func.id == "radians" and len(arguments) == 1:
-            return math.radians(arguments[0])
-        if node.func.id in FUNCTIONS and len(arguments) == 1:
-            return function(node.func.id, arguments[0])
-        if node.func.id == "atan2" and len(arguments) == 2:
-            return math.atan2(*arguments)
-    raise AnswerError("only numbers, lists, + - * / ** and functions as sqrt, sin, cos are read")
+        name, arguments = node.func.id, [_tree(x, names) for x in node.args]
+        if name == "radians" and len(arguments) == 1:
+            return ["*", *arguments, ["/", "pi", 180.0]]
+        if len(arguments) == (2 if name == "atan2" else 1) and name in (*FUNCTIONS, "atan2"):
+            return [name, *arguments]
+    raise AnswerError(_SIGNS)
+
+
+def _negative(x):
+    return -x if isinstance(x, float) else _product(-1.0, x)
+
+
+def _product(a, b):
+    """The product of two trees, of all their factors in a row."""
+    first, second = (x[1:] if isinstance(x, list) and x[0] == "*" else [x] for x in (a, b))
+    return ["*", *first, *second]
+
+
+_BETWEEN: dict[type, Any] = {
+    ast.Add: lambda a, b: ["+", a, b], ast.Sub: lambda a, b: ["+", a, _negative(b)],
+    ast.Mult: _product, ast.Div: lambda a, b: ["/", a, b],
+    ast.Pow: lambda a, b: ["^", a, b],
+}  # fmt: skip
+
+
+def _value(tree, names):
+    if isinstance(tree, tuple):
+        return [_value(part, names) for part in tree]
+    try:
+        x = evaluate(tree, names)
+    except TreeError:  # a list within a formula
+        raise AnswerError(_SIGNS) from None
+    if isinstance(x, complex):
+        raise ValueError("it is no real number")
+    return float(x)

@@ -1,11 +1,13 @@
 """Figures that sliders move, with one window and one scale for all values."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from html import escape
 from itertools import product
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked_but
+from .on_pages import for_site
 from .pictures import alt_text, bundle, show
 from .sliders import Slider
 from .stage import Stage, in_words
@@ -54,7 +56,8 @@ def interactive_figure(
     """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments. Without a
     kernel or ipywidgets the first picture stands alone.
 
-    draw : draws on one matplotlib Axes, by a Sketch or by its own plots, whose limits it sets
+    draw : draws by a Sketch on one panel of a page; or by its own plots, whose limits it sets, on
+        one matplotlib Axes, which it gets instead if it asks for what a panel does not have
     alt : what can be seen in it, in 8 words or more; or a function of the values that returns it
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one
@@ -66,17 +69,50 @@ def interactive_figure(
     names = [slider.name for slider in sliders]
     if not names or len(set(names)) < len(names):
         raise ArgumentError(f"an interactive figure has sliders with different names; got {names}")
-    stage = Stage(draw, size, panels)
-    start = {slider.name: slider.start for slider in sliders}
-    stage.rehearse([*_samples(sliders, bool(stage.sketches(start))), start])
+    (taker or _show)(MovingFigure(Stage(draw, size, panels), sliders, alt, title))
+
+
+@dataclass(frozen=True)
+class MovingFigure:
+    """A figure on its stage; its sliders, words and title as in :func:`interactive_figure`."""
+
+    stage: Stage
+    sliders: Sequence[Slider]
+    alt: Any
+    title: Any
+
+    @property
+    def start(self) -> dict[str, float]:
+        """The values at the start."""
+        return {slider.name: slider.start for slider in self.sliders}
+
+    def rehearse(self) -> None:
+        """Find the window and the scale that all pictures share."""
+        many = bool(self.stage.sketches(self.start))
+        self.stage.rehearse([*_samples(self.sliders, many), self.start])
+
+    def picture(self, values: Mapping[str, float]) -> tuple[bytes, str]:
+        """The picture for these values, and what it shows, in words."""
+        words = alt_text(_for_values(self.alt, values))
+        return self.stage.picture(values, _for_values(self.title, values), words), words
+
+
+# who shows figures in place of a notebook, as a page does that has sliders of its own
+taker: Callable[[MovingFigure], object] | None = None
+
+
+def _show(figure):
+    """Show a figure and its sliders in a notebook."""
+    figure.rehearse()
 
     def picture(values, png=False):
-        words = alt_text(_for_values(alt, values))
-        image = stage.picture(values, _for_values(title, values))
-        return bundle(image, words, stage.css_size, stage.png() if png else None)
+        image, words = figure.picture(values)
+        return bundle(image, words, figure.stage.css_size, figure.stage.png() if png else None)
 
-    shown = show(picture(start, png=True), display_id=True)
-    _show_sliders(sliders, start, lambda values: _update(shown, picture, values))
+    ends = for_site(figure)
+    data, about = picture(figure.start, png=True)
+    shown = show(({**data, **ends}, about), display_id=True)
+    _show_sliders(figure.sliders, figure.start, lambda values: _update(shown, picture, values))
 
 
 def _for_values(text, values):

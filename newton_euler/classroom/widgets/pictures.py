@@ -14,17 +14,36 @@ SHARP = 2  # pixels of the picture for one CSS pixel, so that it is sharp on hig
 
 @checked
 def show_figure(figure: Any, alt: str) -> None:
-    """Show a matplotlib ``figure`` once, as an HTML image or in print as a PNG, and close it;
-    ``alt`` says in 8 words or more what can be seen in it.
+    """Show a :class:`~newton_euler.drawing.Page` or a matplotlib ``figure`` once, as an HTML image
+    or in print as a PNG, and close it; ``alt`` says in 8 words or more what can be seen in it.
     """
-    if not hasattr(figure, "savefig"):
-        raise ArgumentError(f"show_figure shows a matplotlib figure; got {figure!r}")
+    from ...drawing import Page, svg
+
     alt = alt_text(alt)
-    out = io.BytesIO()
-    figure.savefig(out, format="png", dpi=SHARP * CSS_PIXELS, bbox_inches="tight", pad_inches=0.05)
+    if isinstance(figure, Page):
+        size = [side * CSS_PIXELS / 72 for side in (figure.width, figure.height)]
+        show(bundle(svg(figure, alt).encode(), alt, size, png_of(figure, tight=False)))
+        return
+    if not hasattr(figure, "savefig"):
+        raise ArgumentError(f"show_figure shows a matplotlib figure or a Page; got {figure!r}")
+    png = png_of(figure, tight=True)
     close(figure)
-    png = out.getvalue()
     show(bundle(png, alt, [side / SHARP for side in png_size(png)], png))
+
+
+def png_of(figure: Any, tight: bool) -> bytes | None:
+    """A page or a figure as PNG, ``tight`` around what is drawn; None without Matplotlib."""
+    from ...drawing import Page
+    from ...drawing.page.recorder import figure_of
+
+    try:
+        figure = figure_of(figure) if isinstance(figure, Page) else figure
+    except ImportError:
+        return None
+    out = io.BytesIO()
+    edges = {"bbox_inches": "tight", "pad_inches": 0.05} if tight else {}
+    figure.savefig(out, format="png", dpi=SHARP * CSS_PIXELS, **edges)
+    return out.getvalue()
 
 
 def alt_text(alt: Any) -> str:

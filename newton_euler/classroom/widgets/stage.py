@@ -1,37 +1,46 @@
-"""The stage of a figure that moves: its axes, the window that its pictures share, each picture."""
+"""The stage of a figure that moves: its page, the window that its pictures share, each picture."""
 
-import io
 from typing import Any
 
 from ...algebra.errors import ArgumentError
 from ...algebra.scalars import clipped
-from .pictures import CSS_PIXELS, SHARP
+from .pictures import CSS_PIXELS, png_of
+from .plotted import Plotted
 
 
 class Stage:
-    """A figure in inches with ``panels`` (rows, columns), on which ``draw(ax, **values)`` draws."""
+    """A page in inches with ``panels`` (rows, columns), on which ``draw(ax, **values)`` draws; or a
+    figure of Matplotlib, from when on it draws what only that can.
+    """
 
     def __init__(self, draw: Any, size: Any, panels: Any):
-        from matplotlib.figure import Figure
+        from ...drawing import Page
 
         self.draw, size = draw, _pair(size, "size", float)
         self.css_size = tuple(CSS_PIXELS * side for side in size)
-        self.figure = Figure(figsize=size)
-        self.axes = self.figure.subplots(*_pair(panels, "panels", int))
-        self._bare = [len(ax.get_children()) for ax in self.figure.axes]
-        self._plain = True  # nothing is drawn but sketches
-        self._rehearsed = False
+        self._size, self._panels = size, _pair(panels, "panels", int)
+        self.page = Page(size, *self._panels)
+        self._plotted: Plotted | None = None
         self._window = self._one = None
+        self._title = ""
 
     def rehearse(self, samples):
         """Record the sketches of many pictures, and find the window that holds them all."""
         from ...drawing.page.recorder import share_window
 
-        sketches = [sketch for values in samples for sketch in self.sketches(values)]
-        self._rehearsed = True
-        self._lay_out(sketches)
-        if sketches:
-            self._one, self._window = sketches[0], share_window(sketches)
+        samples = list(samples)
+        found = self._all(samples)
+        if self._plotted and any(sketch.ax.figure is not self._plotted.figure for sketch in found):
+            found = self._all(samples)  # the first ones were on a page
+        if self._plotted:
+            self._plotted.lay_out(found)
+        else:
+            self.page.lay_out()
+        if found:
+            self._one, self._window = found[0], share_window(found)
+
+    def _all(self, samples):
+        return [sketch for values in samples for sketch in self.sketches(values)]
 
     def sketches(self, values):
         """The sketches of the picture for these values; empty if it has plots only."""
@@ -41,72 +50,45 @@ class Stage:
             error.add_note(f"This came up while the picture for {in_words(values)} was drawn.")
             raise
 
-    def picture(self, values, title):
+    def picture(self, values, title=None, alt=""):
         """The picture for these values as SVG."""
         from ...drawing.page.recorder import join_window
         from ...drawing.page.svg import svg
 
+        self._title = title or ""
         sketches = self._drawn(values)
-        self.figure.suptitle(title or "", fontsize=11)
-        if sketches:
+        if sketches and self._window:
             self._window = join_window(self._one, self._window, sketches)
-        if self._plain:
-            return svg(self.figure, sketches, self._window).encode()
-        return self._saved("svg")
+        if self._plotted:
+            return self._plotted.saved("svg")
+        return svg(self.page, alt).encode()
 
     def png(self):
-        """The last picture as a PNG."""
-        return self._saved("png", dpi=SHARP * CSS_PIXELS)
-
-    def _saved(self, form, **options):
-        from matplotlib import rc_context
-
-        out = io.BytesIO()
-        with rc_context({"svg.hashsalt": "figure"}):
-            self.figure.savefig(out, format=form, **options)
-        return out.getvalue()
+        """The last picture as a PNG, or None where there is no Matplotlib."""
+        return png_of(self._plotted.figure if self._plotted else self.page, tight=False)
 
     def _drawn(self, values):
-        """The sketches of the picture for these values, which is on the axes then."""
-        from ...drawing.page.recorder import sketches_on
+        """The sketches of the picture for these values, which is on the panels then."""
+        from ...drawing import NeedsMatplotlib
 
-        self._clear()
-        returned = self.draw(self.axes, **values)
+        if self._plotted is None:
+            try:
+                self.page = self.page.empty()
+                self.page.suptitle(self._title)
+                self._draw_on(self.page.panels(), values)
+                return [sketch for panel in self.page.axes for sketch in panel.sketches]
+            except NeedsMatplotlib:
+                self._plotted = Plotted(self._size, self._panels)
+        self._plotted.clear(self._title)
+        self._draw_on(self._plotted.axes, values)
+        return self._plotted.sketches()
+
+    def _draw_on(self, axes, values):
+        returned = self.draw(axes, **values)
         if returned is not None:
             raise ArgumentError(
                 f"draw(ax, …) draws on the axes that it gets and returns nothing; got {returned!r}"
             )
-        found = [sketches_on(ax) for ax in self.figure.axes]
-        bare = [len(ax.get_children()) for ax in self.figure.axes] == self._bare
-        self._plain = self._plain and bare and all(found)
-        return [sketch for of_ax in found for sketch in of_ax]
-
-    def _clear(self):
-        """Empty the axes: of unrendered sketches the titles, at first only plots; faster."""
-        for ax in self.figure.axes:
-            ax.set_axes_locator(None)
-            if self._plain and len(ax.get_children()) == self._bare[self.figure.axes.index(ax)]:
-                ax.set_title("")
-            elif self._rehearsed:
-                ax.clear()
-            else:
-                for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts, *ax.images):
-                    artist.remove()
-
-    def _lay_out(self, sketches):
-        """Sketches fill the figure except for titles; plots keep room for the labels of axes."""
-        if sketches:
-            axes = self.figure.axes
-            titled = any(ax.get_title() for ax in axes)
-            room = 0.01 if {sketch.ax for sketch in sketches} == {*axes} else 0.13
-            self.figure.subplots_adjust(
-                left=0.01 if axes[0] is sketches[0].ax else room, right=0.99 - room / 8,
-                bottom=room, top=0.86 if titled else 0.93,
-                wspace=0.01 + room, hspace=0.16 if titled else 0.02,
-            )  # fmt: skip
-        else:
-            self.figure.tight_layout(rect=(0, 0, 1, 0.95))
-            self.figure.set_layout_engine(None)  # else every picture is laid out, and drawn twice
 
 
 def in_words(values):

@@ -84,11 +84,10 @@ class Lines(Recorder):
         ``angle`` (rad), by default once round. It draws nothing: it is the outline of a plate or of
         a hole, a wire, a path.
 
-        >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
         >>> from newton_euler.drawing import Sketch
         >>> ground = Frame("ground")
-        >>> s = Sketch(Figure().add_subplot(), ground, plane="xy")
+        >>> s = Sketch(None, ground, plane="xy")
         >>> half_circle = s.around((0, 0, 0), (1, 0, 0), ground.k, 3.14159)
         >>> s.wire(half_circle)
         >>> s.plate(half_circle)  # half a disk

@@ -68,11 +68,10 @@ class Machines(Recorder):
         turns : for each pulley 1 or -1: round it right-handed about its normal, or left-handed; by
             default the turns with the shortest cable
 
-        >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
-        >>> from newton_euler.drawing.sketch import Sketch
+        >>> from newton_euler.drawing import Sketch
         >>> ground = Frame("ground")
-        >>> s = Sketch(Figure().add_subplot(), ground, plane="yz")
+        >>> s = Sketch(None, ground, plane="yz")
         >>> wheel = s.pulley((0, 0, 2), ground.i, 0.2)
         >>> s.cable((0, -0.2, 0), wheel, (0, 0.2, 1))  # two weights hang on it
         """

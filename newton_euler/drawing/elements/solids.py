@@ -59,11 +59,10 @@ class Solids(Recorder):
             block with an L-shaped outline and a bore
         shade : light, medium or dark
 
-        >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
         >>> from newton_euler.drawing import Sketch
         >>> ground = Frame("ground")
-        >>> s = Sketch(Figure().add_subplot(), ground)
+        >>> s = Sketch(None, ground)
         >>> corners = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]
         >>> s.plate(corners, holes=[s.around((1, 1, 0), (1.5, 1, 0), ground.k)], thickness=0.2)
         """

@@ -5,7 +5,8 @@ from itertools import combinations
 from typing import Any
 
 from ...algebra.vectors import sub3
-from .label_placement import placing_order, points_on_lines
+from .covered import Covered
+from .label_placement import placing_order
 from .recorder import sketches_on
 
 ALIKE = 10  # degrees between two axes, as seen, below which they are hard to tell apart
@@ -69,14 +70,14 @@ def _label_faults(ax):
 
 def _strays(ax, drawn):
     """Labels that lines cross, and those far from what they name."""
-    import numpy as np
-
-    covered, to_points = points_on_lines(np, drawn), ax.transData.inverted()
+    covered, to_points = Covered(drawn, drawn.shapes()), ax.transData.inverted()
     for text, note in zip(ax.texts, placing_order(drawn.notes), strict=True):
-        low, high = to_points.transform(text.get_window_extent().get_points()) / drawn.pt
-        crossed = ((covered > low) & (covered < high)).all(axis=1).sum()
-        place = np.array(note.place) / drawn.pt
-        away = np.hypot(*np.maximum(0, np.maximum(low - place, place - high)))
+        box = to_points.transform(text.get_window_extent().get_points()) / drawn.pt
+        low, high = box.tolist()
+        crossed = covered.count(low, high)
+        place = [x / drawn.pt for x in note.place]
+        gaps = zip(low, place, high, strict=True)
+        away = math.hypot(*(max(0, a - x, x - b) for a, x, b in gaps))
         if crossed > CROSSED:
             yield f"lines cross the label {note.text}; leave more room, or give an offset"
         if away > STRAY:

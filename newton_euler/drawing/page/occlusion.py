@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 from itertools import pairwise
 
-from ...algebra.vectors import dot3, sub3
+from ...algebra.vectors import dot3, scale3, sub3
 from .primitives import BODY
 from .projection import between, mean, norm3
 
@@ -63,35 +63,44 @@ def _by_planes(view, strokes, numbers, eps):
     """The strokes, sorted by depth, reordered to obey the planes of the faces too where these do
     not contradict each other, to within ``eps`` (m); ``numbers``: in the order of recording.
     """
-    import numpy as np
-
-    faces = {n: None for n, s in enumerate(strokes) if _can_hide(view, s)}
+    faces = {n for n, s in enumerate(strokes) if _can_hide(view, s)}
     if not faces:
         return strokes
-    starts = np.cumsum([0, *(len(s.points) for s in strokes[:-1])])
-    points = np.array([p for s in strokes for p in s.points])
-    seen = points @ np.array([view.right, view.up]).T
-    low, high = np.minimum.reduceat(seen, starts), np.maximum.reduceat(seen, starts)
+    boxes = [_box(view, stroke) for stroke in strokes]
     before = [set() for _ in strokes]  # what must be drawn before each
     for f in faces:
         face = strokes[f]
         size = math.copysign(norm3(face.normal), view.depth(face.normal))  # normal to the eye
-        height = (points - points[starts[f]]) @ (np.array(face.normal) / size)
-        least, most = np.minimum.reduceat(height, starts), np.maximum.reduceat(height, starts)
-        meets = ((low < high[f] - eps) & (high > low[f] + eps)).all(axis=1)
-        for n in np.flatnonzero(meets & (least > -eps) & (most > -eps)):
-            if most[n] > eps or not strokes[n].closed or (n in faces and numbers[n] > numbers[f]):
-                before[n].add(f)
-        for n in np.flatnonzero(meets & (most < eps) & (least < -eps)):
-            before[f].add(n)
+        normal = scale3(1 / size, face.normal)
+        level = dot3(normal, face.points[0])
+        left, right, bottom, top = boxes[f]
+        left, right, bottom, top = left + eps, right - eps, bottom + eps, top - eps
+        for n, (x0, x1, y0, y1) in enumerate(boxes):
+            if x0 >= right or x1 <= left or y0 >= top or y1 <= bottom:
+                continue
+            heights = [dot3(normal, p) - level for p in strokes[n].points]
+            least, most = min(heights), max(heights)
+            if least > -eps:
+                later = n in faces and numbers[n] > numbers[f]
+                if most > eps or not strokes[n].closed or later:
+                    before[n].add(f)
+            elif most < eps:
+                before[f].add(n)
     return _topological(strokes, before)
+
+
+def _box(view, stroke):
+    """Left, right, bottom and top of a stroke on the page."""
+    xs, ys = zip(*map(view.project, stroke.points), strict=True)
+    return min(xs), max(xs), min(ys), max(ys)
 
 
 def _topological(items, before):
     """The items, each after those in ``before``, else as given; a cycle starts with its first."""
-    waiting, out = list(range(len(items))), []
+    waiting, out = dict.fromkeys(range(len(items))), []
     while waiting:
-        n = next((n for n in waiting if not before[n].intersection(waiting)), waiting[0])
-        waiting.remove(n)
+        n = next((n for n in waiting if not any(map(waiting.__contains__, before[n]))), None)
+        n = next(iter(waiting)) if n is None else n
+        del waiting[n]
         out.append(items[n])
     return out

@@ -11,7 +11,6 @@ from .projection import (
     convex_hull,
     mean,
     moved,
-    normal_of,
     on_plane,
     perpendiculars,
     unit3,
@@ -112,37 +111,6 @@ class Stroke:
     def outlines(self):
         """The line, or the outline, and the outlines of the holes."""
         return [self.points, *self.holes]
-
-    def drawn(self, ax, view, clip):
-        """The stroke as patches on ``ax``, one for each style; one ``clip`` for all saves time."""
-        from matplotlib.patches import PathPatch
-        from matplotlib.path import Path
-
-        xy = [view.project(p) for p in self.points]
-        path = Path(xy + xy[:1], closed=True) if self.closed else Path(xy)
-        if self.holes:
-            path = Path.make_compound_path(path, *_holes_in(view, self))
-        changed = {"clip_on": False, "zorder": 2 + self.layer}
-        if not self.closed:
-            changed["facecolor"] = "none"
-        if self.cut:
-            changed["capstyle"] = "butt"
-        for style in self.styles:
-            patch = PathPatch(path, **(STYLES[style] | changed))
-            patch.set_clip_path(clip)
-            yield ax.add_artist(patch)
-
-
-def _holes_in(view, stroke):
-    """The holes of a face as paths that run the other way round, which leaves them unfilled."""
-    from matplotlib.path import Path
-
-    sense = view.depth(normal_of(stroke.points))
-    for hole in stroke.holes:
-        xy = [view.project(p) for p in hole]
-        if view.depth(normal_of(hole)) * sense > 0:
-            xy.reverse()
-        yield Path(xy + xy[:1], closed=True)
 
 
 class Canvas(View):
@@ -260,6 +228,14 @@ class Canvas(View):
             x, y = self.project(sub3(place, away_from)) if away_from else (0, 0)
             towards = math.atan2(y, x)
             self.notes.append(Note(self.project(place), text, towards, gap, colour, weight, fixed))
+
+    def shapes(self):
+        """The outlines of each stroke on the page, in points."""
+        pt, project = self.pt, self.project
+        return [
+            [[(x / pt, y / pt) for x, y in map(project, line)] for line in stroke.outlines()]
+            for stroke in self.strokes
+        ]
 
     def box(self):
         """Left, right, bottom and top of all that was added, in metres on the page."""

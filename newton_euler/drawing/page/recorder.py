@@ -4,6 +4,7 @@ length of a point of the page in metres is known: that with which everything fit
 that of a :class:`Window`, which the pictures of an animation share.
 """
 
+import copy
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -13,8 +14,9 @@ from ...algebra.errors import checked_but
 from ...algebra.scalars import scalar, to_plain
 from ...algebra.vectors import FrameError, Vector, cross3, dot3, sub3
 from ...kinematics.frames import Frame, Point
-from .label_placement import place_labels
 from .occlusion import painters_order
+from .on_axes import OnAxes
+from .paper import Page, Panel
 from .primitives import Canvas
 from .projection import circle, mean, moved, norm3, plane_view, space_view, unit3
 
@@ -51,21 +53,25 @@ class Recorder:
         plane: str | None = None,
         arrows: float = 62,
     ):
-        if not hasattr(ax, "add_patch"):
-            raise FrameError(f"a sketch is on a matplotlib Axes, as of plt.subplots(); got {ax!r}")
+        if ax is None:
+            ax = Page().panel
+        elif not isinstance(ax, Panel) and not hasattr(ax, "add_patch"):
+            raise FrameError(
+                f"a sketch is on a Panel or on a matplotlib Axes, as of plt.subplots(); got {ax!r}"
+            )
         if not isinstance(ground, Frame):
             raise FrameError(
                 f"Sketch(ax, ground) shows a scene from its ground, a Frame; got {ground!r}"
             )
         self.ax, self.frame = ax, ground
+        self._surface = ax if isinstance(ax, Panel) else OnAxes(ax)
         self.arrows = self._length(arrows)
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
         self._commands: list = []
-        self._artists: list = []
         self._extent: list = []  # places that fit on the page
         self._longest: dict = {}  # of the arrows of each kind
         self._shortest = 0.25  # of the longest; less would be hard to see
-        self._pending, self._before = False, None
+        self._pending = False
         self._window: Window | None = None  # that of an animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
 
@@ -167,44 +173,21 @@ class Recorder:
     def _record(self, command):
         self._commands.append(command)
         if not self._pending:
-            self._pending, self._before = True, self.ax.get_axes_locator()
-            # matplotlib calls the locator at the start of every drawing
-            self.ax.set_axes_locator(self._locate)
-
-    def _locate(self, ax, renderer):
-        before = self._before
-        self.finish(renderer)
-        return before(ax, renderer) if before else ax.get_position(original=True)
+            self._pending = True
+            self._surface.attach(self)
 
     def finish(self, renderer: Any = None) -> None:
         """Render what was recorded; it runs by itself when the figure is drawn, and once only."""
-        from matplotlib.path import Path
-        from matplotlib.transforms import TransformedPath
-
         if not self._pending:
             return
         self._pending = False
-        if self.ax.get_axes_locator() == self._locate:
-            self.ax.set_axes_locator(self._before)
-        for artist in self._artists:
-            artist.remove()
-        width, height = self._page()
-        window = self._window or _fitted([self], width, height)
-        (x, y), pt = window.middle, window.pt
-        self.ax.set_xlim(x - width / 2 * pt, x + width / 2 * pt)
-        self.ax.set_ylim(y - height / 2 * pt, y + height / 2 * pt)
-        self.ax.set_aspect("equal", adjustable="datalim")
-        self.ax.set_axis_off()
-        canvas = self.drawn = laid_out(self, window)
-        clip = TransformedPath(Path.unit_rectangle(), self.ax.transAxes)
-        self._artists = []
-        for stroke in canvas.strokes:
-            self._artists += stroke.drawn(self.ax, self.view, clip)
-        self._artists += place_labels(self.ax, canvas, renderer, window.labels)
+        window = self._window or _fitted([self], *self._page())
+        self.drawn = laid_out(self, window)
+        self._surface.render(self.drawn, window, renderer)
 
     def _page(self):
         """Width and height of the axes in points."""
-        return tuple(size * 72 / self.ax.figure.dpi for size in self.ax.bbox.size)
+        return self._surface.size()
 
     def _canvas(self, pt, centre):
         canvas = Canvas(self.view, pt, self._extent, centre)
@@ -220,13 +203,33 @@ def laid_out(sketch: Recorder, window: Window) -> Canvas:
     return canvas
 
 
+def copy_to(sketch: Recorder, ax: Any) -> None:
+    """Record the same on the axes ``ax`` of Matplotlib."""
+    same = copy.copy(sketch)
+    same.ax, same._surface, same._pending = ax, OnAxes(ax), True
+    same._surface.attach(same)
+
+
+def figure_of(page: Page) -> Any:
+    """A page as a figure of Matplotlib, for PNG."""
+    from matplotlib.figure import Figure
+
+    width, height = page.width, page.height
+    figure = Figure(figsize=(width / 72, height / 72), dpi=100)
+    for panel in page.axes:
+        left, bottom, w, h = panel.box()
+        ax = figure.add_axes((left / width, bottom / height, w / width, h / height))
+        ax.set_title(panel.get_title(), fontsize=panel.title_size)
+        ax.set_axis_off()
+        for sketch in panel.sketches:
+            copy_to(sketch, ax)
+    figure.suptitle(page.title, fontsize=11)
+    return figure
+
+
 def sketches_on(ax: Any) -> list[Recorder]:
     """The sketches on these axes that are not rendered yet."""
-    found, locator = [], ax.get_axes_locator()
-    while isinstance(sketch := getattr(locator, "__self__", None), Recorder):
-        found.append(sketch)
-        locator = sketch._before
-    return found
+    return list(ax.sketches) if isinstance(ax, Panel) else OnAxes(ax).sketches()
 
 
 def share_window(sketches: Sequence[Recorder]) -> Window:

@@ -1,94 +1,157 @@
-"""A figure of sketches as SVG, written from their strokes: ten times as fast as by matplotlib, and
-sharp on every screen. For figures that are drawn anew while a slider is dragged.
-"""
+"""A page as SVG, written from its strokes, with texts in the fonts of the page that shows it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator
+from html import escape
+from itertools import groupby
 from typing import Any
 
-from .glyphs import outline
 from .label_placement import label_shifts
-from .primitives import BLACK, DASHES, FONT, STYLES
-from .recorder import Recorder, Window, laid_out
+from .letters import HIGHER, LOWER, SMALL, letters
+from .paper import LINE, Page
+from .primitives import BLACK, DASHES, FONT, STYLES, WHITE
+from .recorder import laid_out, share_window
+
+FONTS = "var(--sketch-font, 'DejaVu Sans', Verdana, sans-serif)"
+# of each colour, that which a dark page has instead
+DARK = {
+    "#000000": "#f0f2f4", "#ffffff": "#14171a", "#454a50": "#b4bac1", "#aab1b9": "#343a41",
+    "#c9ced4": "#3d444c", "#dde1e5": "#4a525b", "#eef0f2": "#59626c", "#8a5a00": "#e0ad50",
+    "#0072B2": "#5cb8f0", "#D55E00": "#ff9450", "#008060": "#3fc79c", "#B0408A": "#ec85c8",
+    "#6b6f75": "#9aa0a8", "#f1ede4": "#2a2721", "#555555": "#b0b0b0", "#777777": "#9a9a9a",
+}  # fmt: skip
 
 
-def svg(figure: Any, sketches: Sequence[Recorder], window: Window) -> str:
-    """The SVG of a figure whose axes show only ``sketches``, which share a window, and titles."""
-    width, height = (72 * side for side in figure.get_size_inches())
+def dark_css(selector: str = "svg.sketch") -> str:
+    """The rules of a style sheet that show sketches in dark colours, where ``selector`` holds, as
+    ``:root[data-theme=dark] svg.sketch``; of sketches within the page, none that an <img> shows.
+    """
+    return "".join(
+        f'{selector} [{name}="{light}"]{{{name}:{dark}}}'
+        for light, dark in DARK.items()
+        for name in ("fill", "stroke")
+    )
+
+
+def svg(page: Page, alt: str = "") -> str:
+    """The SVG of a page, without Matplotlib and NumPy. Its letters are texts in the fonts of the
+    page that shows it, or in those that it gives as ``--sketch-font``; its colours are attributes,
+    for which :func:`dark_css` has others.
+
+    alt : what it shows, in words, for those who cannot see it
+    """
+    width, height = page.width, page.height
+    label = f' aria-label="{escape(" ".join(alt.split()))}"' if alt else ""
     parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:g} {height:g}" '
-        f'width="{width / 0.72:g}" height="{height / 0.72:g}">'
-        f'<rect width="{width:g}" height="{height:g}" fill="#fff"/>'
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="sketch" viewBox="0 0 {width:g} {height:g}"'
+        f' width="{width / 0.72:g}" height="{height / 0.72:g}" role="img"{label}'
+        f' font-family="{FONTS}" fill-rule="evenodd" stroke-linecap="round"'
+        f' stroke-linejoin="round" text-anchor="middle">'
+        f'<rect width="{width:g}" height="{height:g}" fill="{WHITE}"/>'
     ]
-    for number, sketch in enumerate(sketches):
-        before = window.labels.setdefault(number, {})
-        parts += _sketch(sketch, window, before, width, height)
-    for text, x, y, size in _titles(figure, width, height):
-        if text.strip():
-            parts.append(_text(text, x, y, size))
+    for number, panel in enumerate(page.axes):
+        alone = [sketch for sketch in panel.sketches if sketch._window is None]
+        if alone:
+            share_window(alone)
+        for sketch in panel.sketches:
+            parts += _sketch(sketch, panel, number)
+        parts += _title(panel)
+    if page.title.strip():
+        parts.append(text_at(page.title, width / 2, 12, 11))
     return "".join([*parts, "</svg>"])
 
 
-def _sketch(sketch, window, before, width, height):
+def _sketch(sketch, panel, number):
     """The strokes and the labels of one sketch."""
-    canvas, (left, bottom, w, h) = laid_out(sketch, window), sketch.ax.get_position().bounds
-    x0 = (left + w / 2) * width - window.middle[0] / window.pt
-    y0 = (bottom + h / 2) * height - window.middle[1] / window.pt
+    window, page = sketch._window, panel.figure
+    canvas, (left, bottom, w, h) = laid_out(sketch, window), panel.box()
+    sketch.drawn = canvas
+    x0 = left + w / 2 - window.middle[0] / window.pt
+    y0 = bottom + h / 2 - window.middle[1] / window.pt
+    top = page.height - y0
+    shapes = canvas.shapes()
+    drawn = [
+        (_look(name, stroke), f'<path d="{_path(outlines, x0, top, stroke.closed)}"/>')
+        for stroke, outlines in zip(canvas.strokes, shapes, strict=True)
+        for name in stroke.styles
+    ]
+    for look, strokes in groupby(drawn, lambda item: item[0]):
+        yield f"<g{look}>{''.join(path for _, path in strokes)}</g>"
+    edges = (-x0, -y0), (page.width - x0, page.height - y0)
+    before = window.labels.setdefault(number, {})
+    for note, (right, up) in label_shifts(canvas, shapes, half_of, edges, before):
+        x, y = (side / canvas.pt for side in note.place)
+        bold = note.weight == "bold"
+        yield text_at(note.text, x0 + x + right, top - y - up, FONT, note.colour, bold)
 
-    def page(x, y):
-        return x0 + x / window.pt, height - y0 - y / window.pt
 
-    for stroke in canvas.strokes:
-        d = "".join(_line(canvas, points, page, stroke.closed) for points in stroke.outlines())
-        yield from (f'<path d="{d}" {_look(name, stroke)}/>' for name in stroke.styles)
-    edges = (-x0, -y0), (width - x0, height - y0)
-    for note, (right, up) in label_shifts(canvas, _half, edges, before):
-        x, y = page(*note.place)
-        yield _text(note.text, x + right, y - up, FONT, note.weight, note.colour)
-
-
-def _line(canvas, points, page, closed):
-    """A line through places in space as the d of a path."""
-    places = (page(*canvas.project(p)) for p in points)
-    return "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in places) + "Z" * closed
+def _path(outlines, x0, top, closed):
+    """Outlines, in points, as the d of a path."""
+    end = "Z" if closed else ""
+    return "".join(
+        "M" + "L".join([f"{x0 + x:.1f} {top - y:.1f}" for x, y in outline]) + end
+        for outline in outlines
+    )
 
 
 def _look(name, stroke):
     """The attributes of a stroke in one of its styles."""
     style = STYLES[name]
+    width, dashes = style["linewidth"], style["linestyle"]
     fill = style["facecolor"] if stroke.closed else "none"
-    ends = "butt" if stroke.cut else style["capstyle"]
-    dashes = style["linestyle"]
-    width = style["linewidth"]
-    look = (
-        f'fill="{fill}" fill-rule="evenodd" stroke="{style["edgecolor"]}" '
-        f'stroke-width="{width}" stroke-linecap="{ends}" stroke-linejoin="round"'
-    )
+    look = f' fill="{fill}" stroke="{style["edgecolor"]}" stroke-width="{width}"'
+    if stroke.cut or style["capstyle"] == "butt":
+        look += ' stroke-linecap="butt"'
     if dashes != DASHES["solid"]:
         look += f' stroke-dasharray="{" ".join(f"{x * width:.2f}" for x in dashes[1])}"'
     return look
 
 
-def _half(note):
+def half_of(note: Any) -> tuple[float, float]:
     """Half the width and the height of a label."""
-    letters = outline(note.text, FONT, note.weight)
-    return letters.width / 2, (letters.above + letters.below) / 2
+    found = letters(note.text, note.weight == "bold")
+    return FONT * found.width / 2, FONT * (found.above + found.below) / 2
 
 
-def _text(text, x, y, size, weight="normal", colour=BLACK):
-    """A text with its middle at (x, y)."""
-    letters = outline(text, size, weight)
-    left, base = x - letters.width / 2, y + (letters.above - letters.below) / 2
-    place = f"translate({left:.2f} {base:.2f}) scale(1 -1)"
-    return f'<path d="{letters.d}" transform="{place}" fill="{colour}"/>'
+def text_at(
+    text: str,
+    x: float,
+    y: float,
+    size: float,
+    colour: str = BLACK,
+    bold: bool = False,
+    more: str = "",
+) -> str:
+    """A text with its middle at (x, y) in points."""
+    found = letters(text, bold)
+    base = y + size * (found.above - found.below) / 2
+    return (
+        f'<text x="{x:.1f}" y="{base:.1f}" font-size="{size:g}" fill="{colour}">'
+        f"{''.join(_spans(found.runs, size))}</text>"
+    )
 
 
-def _titles(figure, width, height):
-    """Text, place and size of the titles of the axes and of the figure."""
-    for ax in figure.axes:
-        left, bottom, w, h = ax.get_position().bounds
-        size = ax.title.get_fontsize()
-        y = height * (1 - bottom - h) - 4 - size / 2
-        for line in reversed(ax.get_title().split("\n")):
-            yield line, (left + w / 2) * width, y, size
-            y -= 1.25 * size
-    yield figure.get_suptitle(), width / 2, 12, 11
+def _spans(runs, size):
+    """The runs of a text, each with its look where that is not the usual."""
+    height, last = 0.0, None
+    for run in runs:
+        level = (0, HIGHER, -LOWER)[run.level]
+        look = f' dy="{size * (height - level):.1f}"' if level != height else ""
+        if run.over:
+            look += f' dx="{-size * min(last.width(), run.width()):.1f}"'
+        if run.level:
+            look += f' font-size="{SMALL * size:.1f}"'
+        look += ' font-style="italic"' * run.italic + ' font-weight="bold"' * run.bold
+        words = escape(run.text, quote=False)
+        yield f"<tspan{look}>{words}</tspan>" if look else words
+        height, last = level, run
+
+
+def _title(panel: Any) -> Iterator[str]:
+    """The lines of the title of a panel."""
+    left, bottom, w, h = panel.box()
+    size = panel.title_size
+    y = panel.figure.height - bottom - h - 4 - size / 2
+    for line in reversed(panel.get_title().split("\n")):
+        if line.strip():
+            yield text_at(line, left + w / 2, y, size)
+        y -= LINE * size

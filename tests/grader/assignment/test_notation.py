@@ -5,7 +5,6 @@ from collections import Counter
 
 import pytest
 import yaml
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from exercises.catalogue import CatalogueError, problem, select
@@ -13,6 +12,7 @@ from exercises.catalogue.format import read_problem
 from grader.assignment.figures import drawing_values
 from grader.assignment.notebook import statement
 from newton_euler.answers.notation import is_word
+from newton_euler.drawing.page.recorder import sketches_on
 from tests.grader.courses import REPOSITORY
 
 by_id = pytest.mark.parametrize("p", select(["all"]), ids=lambda p: p.id)
@@ -45,11 +45,11 @@ def test_a_statement_writes_out_no_greek_letter_and_no_power(p):
 
 
 def labels(p):
-    figure = Figure(figsize=(5.2, 4.0), dpi=100)
-    FigureCanvasAgg(figure)
-    p.code.draw(p.base(drawing_values(p, p.book_values)), figure.add_axes((0, 0, 1, 1)))
-    figure.canvas.draw()
-    return {t.get_text() for axes in figure.axes for t in axes.texts if t.get_text()}
+    axes = Figure(figsize=(5.2, 4.0), dpi=100).add_axes((0, 0, 1, 1))
+    p.code.draw(p.base(drawing_values(p, p.book_values)), axes)
+    for sketch in sketches_on(axes):
+        sketch.finish()
+    return {t.get_text() for t in axes.texts if t.get_text()}
 
 
 AXES = {"x", "y", "z", "v"}  # and a velocity that the text names in words

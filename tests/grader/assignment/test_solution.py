@@ -2,6 +2,7 @@
 
 import math
 import re
+from functools import cache
 
 import pytest
 
@@ -24,10 +25,15 @@ SEEDS = (b"one", *(pytest.param(seed, marks=pytest.mark.slow) for seed in (b"two
 QUANTITY = re.compile(r"(?<![\w.])(\d[\d.]*(?:e[-+]\d+)?) ([A-Za-z][\w/^*]*)")
 
 
+@cache
+def numbers(p, seed):
+    return {**draw(p, seed), **p.sympy_symbols()}
+
+
 @pytest.mark.parametrize("seed", SEEDS, ids=bytes.decode)
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
-    values = {**draw(p, seed), **p.sympy_symbols()}
+    values = numbers(p, seed)
     text = worked_solution(p, values)
     for a in p.answers:
         assert typeset_formulas(a.means, p.notation, lambda x: typeset(x, p))[1:] in text
@@ -55,7 +61,7 @@ DOT, PRIME = r"\b[A-Z] \. [A-Z§]", r"\b[a-z]'+(?![a-z])"
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_no_two_numbers_have_one_name(p):
     """As a given v_x along i beside the component v_x of a vector v in other axes."""
-    values = {**draw(p, b"one"), **p.sympy_symbols()}
+    values = numbers(p, b"one")
     known = {name: to_plain(values[name]) for name in p.givens}
     for line in lines(p, values, formulas=False):
         s = line.step
@@ -77,7 +83,7 @@ def digits(number):
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_what_is_shown_with_numbers_is_the_key(p, seed):
     """The text with numbers, computed by Python, gives the value behind it, and that is the key."""
-    values = {**p.sympy_symbols(), **draw(p, seed)}
+    values = numbers(p, seed)
     right = p.solve(values)
     for line in lines(p, values, latex=False):
         *formulas, value = line.equal
@@ -87,11 +93,11 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
             assert line.step.value == right[line.step.key] or str(line.step.value) == str(
                 right[line.step.key]
             )
-        numbers = [x for x in map(to_plain, flat(line.step.value)) if is_numeric(x)]
-        if not numbers or len(numbers) < len(flat(line.step.value)):
+        found = [x for x in map(to_plain, flat(line.step.value)) if is_numeric(x)]
+        if not found or len(found) < len(flat(line.step.value)):
             continue  # words and formulas
         shown = read(value.removesuffix(f" {line.step.unit}"), p)
-        assert shown == pytest.approx([float(x) for x in numbers], rel=5e-6, abs=1e-12)
+        assert shown == pytest.approx([float(x) for x in found], rel=5e-6, abs=1e-12)
         size = max(map(abs, shown), default=0.0)
         for text in formulas:
             if (computed := read(text, p, line.step.unit)) is not None:

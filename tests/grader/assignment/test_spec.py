@@ -33,7 +33,7 @@ def written(folder, text, name="hw3.yaml"):
 @pytest.mark.parametrize(
     ("text", "found"),
     [("4/16", ["4/16"]), ("11/1-11/3", ["11/1", "11/2", "11/3"]), ("11/2-3", ["11/2", "11/3"]),
-     ("A/1-A/2", ["A/1", "A/2"]), ("4/3-4/3", ["4/3"])],
+     ("A/1-A/2", ["A/1", "A/2"]), ("4/3-4/3", ["4/3"]), (" 11/2 – 3 ", ["11/2", "11/3"])],
 )  # fmt: skip
 def test_a_text_stands_for_a_problem_or_a_range(text, found):
     assert [p.id for p in in_range(text)] == found

@@ -1,8 +1,11 @@
 """Due dates for everybody and for one student, and what late work loses."""
 
+from datetime import datetime
+
 import pytest
 
 from grader.course import Course
+from grader.course.due import due_dates
 from grader.grading import grade
 from tests.grader.courses import append_config, command, nbgrader, ran
 
@@ -92,3 +95,13 @@ def test_what_cannot_be_set_is_said_and_changes_nothing(fresh, arguments, words)
     assert words in " ".join(out.split())
     assert Course(fresh.path).settings.keys() == {"id", "secret_sha256"}
     assert not (fresh.path / "extensions.json").exists()
+
+
+def test_the_next_year_has_last_years_dates_some_days_later_or_none(fresh, tmp_path):
+    ran(command("due", "ch04", "2026-11-19 12:00 UTC", "--course", fresh.path))
+    out = ran(command("next-year", fresh.path, "--course", tmp_path / "m27", "--later", 364))
+    assert "ch04 is due 2027-11-18 12:00 UTC" in out
+    assert due_dates(Course(tmp_path / "m27")) == {"ch04": datetime(2027, 11, 18, 12)}
+    out = ran(command("next-year", fresh.path, "--course", tmp_path / "m28"))
+    assert "Without a due date: ch04" in out
+    assert due_dates(Course(tmp_path / "m28")) == {}

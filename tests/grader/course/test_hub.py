@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from grader.course.hub import closed_to_others
-from tests.grader.courses import REPOSITORY, environment, grader, nbgrader, ran, read
+from tests.grader.courses import REPOSITORY, command, environment, grader, nbgrader, ran, read
 
 # users of this machine need no entry to run a process
 ADA, BOB, TEACHER, ASSISTANT, STAFF = range(61001, 61006)
@@ -124,7 +124,7 @@ def test_an_exchange_that_others_cannot_reach_is_named(tmp_path):
 def test_courses_with_two_exchanges_or_one_name_are_refused(tmp_path):
     for folder, exchange in (("a/m", "x"), ("b/m", "x"), ("c", "y")):
         build = "build", "hw1", "4/3", "--course", tmp_path / folder
-        ran(grader(*build, "--exchange", tmp_path / exchange))
+        ran(command(*build, "--exchange", tmp_path / exchange))
     courses = [tmp_path / name for name in ("a/m", "b/m", "c")]
-    assert "have the id m" in grader("hub", *courses[:2], "--to", tmp_path / "etc")[1]
-    assert "one exchange" in grader("hub", *courses[1:], "--to", tmp_path / "etc")[1]
+    assert "have the id m" in command("hub", *courses[:2], "--to", tmp_path / "etc")[1]
+    assert "one exchange" in command("hub", *courses[1:], "--to", tmp_path / "etc")[1]

@@ -20,7 +20,7 @@ from grader.lms.write import variants_of
 from grader.practice.plain import plain
 from grader.practice.twins import sets_of_numbers, twin
 from grader.scoring.margins import margins
-from tests.grader.courses import grader
+from tests.grader.courses import command, ran
 from tests.grader.lms.platforms import PLATFORMS
 
 # mistakes too near to each other, vectors, a direction beside a vector, a choice beside a count, formulas, matrices, bounds,
@@ -196,6 +196,27 @@ def test_tolerance_points_and_weights_are_those_of_the_sheet(form, tmp_path):
     assert judge([[1.05 * x for x in part] for part in right])[0] < 0.9
 
 
+@pytest.mark.parametrize("form", FORMATS)
+def test_a_bank_of_an_exam_or_of_a_sheet_without_help_has_no_diagnoses(form, tmp_path):
+    p, (values,) = numbers_of("4/16", 1)
+    item = Item(p)
+    silent = Item(p, options={"help": "none"})
+    text = " ".join(plain(next(iter(p.mistakes.values())), p.units).split())
+    for sheet, says in (
+        (Spec("hw", "", (item,)), True),
+        (Spec("hw", "", (silent,)), False),
+        (Spec("hw", "", (item,), late="refuse"), False),
+    ):
+        made = write_bank(tmp_path / "b", sheet, form, 1, SEED, workers=1)
+        (judge,) = PLATFORMS[form]((tmp_path / "b").read_bytes()).values()
+        right = {a.key: as_read(a, p.solve(values)[a.key]) for a in p.answers}
+        wrong = {k: [*flat(x)] for k, x in next(iter(p.wrong(values).values())).items()}
+        assert any(text in said for said in judge([*{**right, **wrong}.values()])[1]) == says
+        assert any("no diagnoses" in note for note in made.notes) != says
+        assert any("the window of the exam" in note for note in made.notes) == bool(sheet.late)
+        assert any("follows from a wrong one" in note for note in made.notes)
+
+
 def test_a_changed_text_has_the_numbers_of_each_variant(tmp_path):
     p = problem("4/16")
     text = f"## Mine\n\nOurs turns at ${p.notation['omega']} = 0.6$."
@@ -227,10 +248,10 @@ def test_the_command_offers_every_format():
 
 
 @pytest.mark.integration
-def test_the_command_writes_a_bank_and_what_it_leaves_out(tmp_path):
-    code, said = grader("bank", "hw3", "--problems", "4/16", "A/19", "--format", "canvas", "--variants", 2,
-                        cwd=tmp_path)  # fmt: skip
-    assert code == 0, said
+def test_the_command_writes_a_bank_and_what_it_leaves_out(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    options = "--format", "canvas", "--variants", 2
+    said = ran(command("bank", "hw3", "--problems", "4/16", "A/19", *options))
     assert "4 questions of 2 problems" in said
     assert "A/19 n left out" in (tmp_path / "hw3-canvas.zip.txt").read_text()
     assert zipfile.is_zipfile(tmp_path / "hw3-canvas.zip")

@@ -16,7 +16,7 @@ from grader.paper import PaperError, markup, write, write_papers
 from grader.paper.markup import formula, typst
 from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
 from grader.paper.write import NEEDED, pdf
-from tests.grader.courses import grader
+from tests.grader.courses import command, ran
 
 pytestmark = pytest.mark.skipif(
     not all(map(importlib.util.find_spec, NEEDED)), reason="typst is not installed"
@@ -174,8 +174,11 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
     roster, course = tmp_path / "roster.csv", tmp_path / "mechanics"
     with roster.open("w", newline="") as f:
         csv.writer(f).writerows([["login", "first name", "last name"], ["ada", "Ada", "Lovelace"]])
-    assert grader("build", "hw3", "--problems", "4/3", "--points", "4/3=7", "--course", course,
-                  "--students", roster)[0] == 0  # fmt: skip
+    ran(
+        command(
+            "build", "hw3", "4/3", "--points", "4/3=7", "--course", course, "--students", roster
+        )
+    )
     from grader.assignment.chosen import chosen
     from grader.course import Course
     from grader.course.files import read_json, write_json
@@ -188,8 +191,7 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
     )
     text["source"] = text["source"].replace("The base of a robot", "The base of Marvin")
     write_json(path, notebook)
-    code, said = grader("paper", "hw3", "--course", course)
-    assert code == 0, said
+    ran(command("paper", "hw3", "--course", course))
     assert (course / "paper" / "hw3" / "sheets" / "ada.pdf").exists()
     (item,) = chosen("hw3", course=Course(course)).items
     assert item.options["points"] == 7

@@ -16,7 +16,7 @@ from grader.practice.quantities import quantities, wrong_numbers
 from grader.practice.twins import sets_of_numbers
 from newton_euler import asin
 from newton_euler.classroom.practising.files import HELP
-from tests.grader.courses import grader, ran
+from tests.grader.courses import command, ran
 
 
 def members(path):
@@ -128,14 +128,14 @@ def test_the_numbers_of_all_students_of_a_course_are_read(course):
 def test_the_command_writes_a_file_and_says_how_it_is_opened(tmp_path, course):
     path = tmp_path / "ch04.practice"
     options = "-o", path, "--variants", 2, "--course", course.path
-    said = ran(grader("practice", "4/16", "4/31", "4/2", *options))
+    said = ran(command("practice", "4/16", "4/31", "4/2", *options))
     assert "2 problems, 2 sets of numbers each" in said
     assert "4/2 left out: it is graded as a formula" in " ".join(said.split())
     assert 'practice("ch04.practice")["4/16"]' in said
 
 
 def test_the_measured_shares_are_printed_by_one_command():
-    said = ran(grader("diagnose", "4/16", "2/18", "--practice", "--draws", 2))
+    said = ran(command("diagnose", "4/16", "2/18", "--practice", "--draws", 2))
     for row in ("listed mistakes", "slips in steps"):
         (line,) = [x for x in said.splitlines() if row in x]
         assert line.split()[-4:] == ["100.0", "0.0", "0.0", "0.0"]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from newton_euler.classroom import PracticeFileError, PracticeProblem, try_problem
+from newton_euler.classroom import PracticeFileError, PracticeProblem, practice, try_problem
 from newton_euler.classroom.practising import collection
 
 
@@ -22,16 +22,26 @@ def test_in_a_notebook_it_is_a_form(practice_file, monkeypatch):
     assert isinstance(try_problem("2/18", practice_file.parent), widgets.VBox)
 
 
-@pytest.mark.parametrize(
-    ("problem", "chapter"), [("4/12", "ch04"), ("11/3", "ch11"), ("A/1", "appA")]
-)
-def test_without_a_file_that_has_it_try_problem_says_where_to_get_one(
-    problem, chapter, practice_file, tmp_path
+def test_without_a_file_that_has_it_try_problem_opens_what_comes_with_the_engine(
+    practice_file, tmp_path, monkeypatch
 ):
-    for folder in (practice_file.parent, tmp_path):
-        said = try_problem(problem, folder)
-        assert f"No practice file here has problem {problem}" in str(said)
-        assert f"`python -m grader practice {chapter} -o {chapter}.practice`" in said.markdown
+    monkeypatch.setattr(collection, "SETS", practice_file.parent)
+    p = try_problem("4/16", tmp_path)
+    p.check(v_D=[1, 2, 3])
+    assert [path.name for path in tmp_path.iterdir()] == ["practice.progress.json"]
+    monkeypatch.chdir(tmp_path)
+    assert list(practice()) == list(practice(practice_file)) == list(practice("some"))
+    assert practice()["4/16"].givens == p.givens
+    assert "4/16 is unfinished" in str(practice().next)
+
+
+def test_an_engine_without_any_says_how_they_are_written(tmp_path, monkeypatch):
+    monkeypatch.setattr(collection, "SETS", tmp_path)
+    said = try_problem("4/12", tmp_path)
+    assert "No practice file has problem 4/12" in str(said)
+    assert "`python -m grader sets`" in said.markdown
+    with pytest.raises(PracticeFileError, match="no practice comes with this engine"):
+        practice()
 
 
 def test_a_broken_practice_file_is_told_apart_from_none(tmp_path):

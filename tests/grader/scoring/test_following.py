@@ -127,6 +127,34 @@ def test_in_every_problem_a_later_answer_follows_from_a_wrong_one(p, key):
     assert earned in part.message
 
 
+# what follows is not written down, but the computation goes through the earlier answer
+THROUGH = [("2/16", "v_tape", "a_P1"), ("4/27", "v_A", "a_A"), ("6/18", "t_D", "d_up")]
+
+
+@pytest.mark.parametrize(("name", "first", "key"), THROUGH)
+def test_an_answer_follows_from_those_that_its_computation_goes_through(name, first, key):
+    p = problem(name)
+    numbers = numbers_of(p, draw(p, b"through"))
+    values = {n: numbers.sample[n] for n in p.givens}
+    assert first in numbers.earlier[key]
+    assert key not in earlier_answers(p)
+    right = {n: numbers.key[n] for n in numbers.earlier[key]}
+    assert np.allclose(numbers.following(key, right), numbers.key[key], rtol=1e-9)
+    wrong = {**right, first: tuple(tuple(1.3 * x for x in point) for point in right[first])}
+    (later,) = numbers.following(key, wrong)
+    assert distance(later, numbers.key[key][0]) > 0.05
+    given = {n: plain(x[0]) for n, x in {**wrong, key: (later,)}.items()}
+    assert "it follows from your" in judged(p, values, given)[key].message
+    slip = next(x for x in numbers.sequel(key, wrong).at(key, 0) if distance(x, later) > 0.05)
+    part = judged(p, values, {**given, key: plain(slip)})[key]
+    assert part.diagnosis.startswith(f"goes on from your {first}, but ")
+
+
+def plain(components):
+    """An answer as it is handed in: a number, or a list of them."""
+    return list(map(float, components)) if len(components) > 1 else float(components[0])
+
+
 FACTORS = 1.3, 0.8, 1.05, 3.0  # not every wrong answer has a sequel
 
 

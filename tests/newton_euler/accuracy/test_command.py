@@ -106,7 +106,7 @@ SCENE = "sphere on an incline"
 
 
 def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(measuring, "timed_run", lambda run, method: (run(), 1e-3, 1e-3))
+    monkeypatch.setattr(measuring, "timed_run", lambda run, method: (run(), (1e-3,), 1e-3))
     path = tmp_path / "new" / "picture.svg"
     options = "--scene", "Sphere-on-an-incline", "--methods", "exact, auto", "--quick"
     assert run("honesty", *options, "--out", str(path)) == 0

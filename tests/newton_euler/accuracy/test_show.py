@@ -71,18 +71,20 @@ def test_a_result_of_another_length_than_the_reference_is_refused():
 
 def test_the_caption_of_ways_follows_when_two_are_swapped():
     output = ways_caption([Measured("a", 1e-6, 1e-16), Measured("b", 1e-5, 1e-16)])
-    assert "Of these a is the cheapest, 1 µs; next comes b, 10 times as long." in output
+    assert "Of these a is the cheapest. b takes about 10 times as long as a." in output
     output = ways_caption([Measured("b", 1e-6, 1e-16), Measured("a", 1e-5, 1e-16)])
-    assert "Of these b is the cheapest, 1 µs; next comes a, 10 times as long." in output
+    assert "Of these b is the cheapest. a takes about 10 times as long as b." in output
     output = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 1e-5, 1e-16)])
     assert output == (
-        "Most accurate (error 2.2 × 10⁻¹⁶ or less): b, which takes 10 µs. "
-        "a takes 1 µs, 10 times faster, with an error of 0.001."
+        "Most accurate (error 2.2 × 10⁻¹⁶ or less): b. "
+        "a is about 10 times faster, with an error of 0.001."
     )
+    output = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 2e-6, 1e-16)])
+    assert output.endswith("b. a costs about the same, with an error of 0.001.")
 
 
 def test_ways_of_equal_cost_are_called_so_and_the_dearer_are_named():
-    points = [Measured("a", 1e-6, 1e-16), Measured("b", 1.1e-6, 1e-16), Measured("c", 1e-5, 1e-6)]
+    points = [Measured("a", 1e-6, 1e-16), Measured("b", 2.9e-6, 1e-16), Measured("c", 1e-5, 1e-6)]
     output = ways_caption(points)
     assert "Of these a and b cost about the same, least." in output
     assert "Dearer and less accurate than a: c." in output

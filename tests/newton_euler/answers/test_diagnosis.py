@@ -177,6 +177,14 @@ def test_the_distance_that_is_called_near_is_the_one_of_the_rule():
     assert vector.observed(((3.0 * 1.031, 4.0 * 1.031, 0.0),), KEY) is None
 
 
+@pytest.mark.parametrize(("given", "named"), [(27.96, True), (28.0, True), (27.9, False)])
+def test_a_number_in_few_digits_meets_a_model_as_if_it_had_three(given, named):
+    key, doubled = ((13.98,),), ((27.96,),)
+    found = diagnose(((given,),), key, [(TURNS, doubled)], KINDS["number"])
+    assert found == ((TURNS,) if named else ())
+    assert not diagnose(((30.0,),), ((15.06,),), [(TURNS, ((30.12,),))], KINDS["number"])
+
+
 @pytest.mark.parametrize("x", [2.5, 2.0, 250.0])
 def test_a_number_that_may_have_lost_its_zeros_is_not_accused_of_rounding(x):
     """2.50 is read as 2.5."""

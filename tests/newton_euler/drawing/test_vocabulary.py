@@ -30,8 +30,8 @@ def test_the_command_writes_a_page_with_a_text_for_each_picture(tmp_path, capsys
     page = (tmp_path / "new" / "page.html").read_text(encoding="utf-8")
     assert capsys.readouterr().out.strip().endswith("page.html")
     assert (
-        page.count("<img")
-        == len(re.findall(r'<img alt="Drawing: [^"]+\."', page))
+        page.count("<svg")
+        == len(re.findall(r'<svg [^>]+ aria-label="Drawing: [^"]+\."', page))
         == len(entries())
     )
     assert "s.hemisphere(" in page

@@ -6,7 +6,9 @@ them.
 """
 
 import gc
+import math
 import random
+import warnings
 import weakref
 from functools import cache
 from itertools import combinations, pairwise
@@ -33,7 +35,7 @@ from newton_euler import (
     solve_rates,
 )
 from newton_euler.algebra import FrameError, ScalarError, same
-from newton_euler.kinematics import along
+from newton_euler.kinematics import AngleWarning, along
 from tests.explicit import curve
 from tests.kinds import KINDS, close, every_kind, number, numbers, within
 from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
@@ -796,3 +798,22 @@ def test_section_2_8_plane_rotations_commute_and_angular_velocities_add():
     both, other = first.rotate("ab", "z", 1.1, -0.2), second.rotate("ba", "z", 0.3, 0.5)
     assert close(both.rotation(ground), other.rotation(ground), 1e-15)
     assert close(both.angular_velocity(ground).components(ground), (0, 0, 0.3), 1e-15)
+
+
+@pytest.mark.parametrize("angle", [30, 90.0, -45, 180, 7, 360, np.float64(60.0)])
+def test_a_whole_number_beyond_a_turn_asks_whether_degrees_are_meant(angle):
+    with pytest.warns(AngleWarning, match=r"boom is .* rad.*degrees\? Write radians") as found:
+        boom = Frame("ground").rotate("boom", "z", angle)
+    assert found[0].filename == __file__
+    assert boom.angle.value == angle  # it is taken as it stands
+
+
+@pytest.mark.parametrize(
+    "angle",
+    [0, 3, -6, 6.28, math.pi, 10 * math.pi, 30.5, moving(40.0, rate=2.0), at(lambda t: 4 * t, 5.0),
+     sympy.Integer(30), np.array([30.0, 60.0])],
+)  # fmt: skip
+def test_an_angle_that_is_computed_or_may_be_in_radians_is_not_asked_about(angle):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        Frame("ground").rotate("boom", "z", angle)

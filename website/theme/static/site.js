@@ -10,6 +10,103 @@ addEventListener("beforeprint", () => {
   }
 });
 
+// predictions: the first choice, number or sentence is kept in this browser and opens the answer
+const PREDICTED = "newton-euler predictions";
+let predicted = {};  // {question: [prediction, whether it was right]}
+try {
+  predicted = JSON.parse(localStorage.getItem(PREDICTED)) || {};
+} catch { /* a browser that keeps nothing */ }
+const textOf = (element) => element.textContent.trim();
+const asked = [...document.querySelectorAll(".prediction")];
+
+function keep(key, prediction, right) {
+  if (key in predicted) return;
+  predicted[key] = [prediction, right];
+  try {
+    localStorage.setItem(PREDICTED, JSON.stringify(predicted));
+  } catch { /* as above */ }
+  count();
+}
+
+// what a number means: right, a mistake that is known, or neither
+function numberMeans(form, text) {
+  const bare = text.replace(form.dataset.unit, "").replace("\u2212", "-").trim();
+  const x = bare === "" ? NaN : Number(bare), within = +form.dataset.within;
+  const near = (value) => Math.abs(x - value) <= within;
+  const mistakes = [...form.parentElement.querySelectorAll(".mistake")];
+  return [isNaN(x) ? null : near(+form.dataset.answer), mistakes.find((p) => near(+p.dataset.value))];
+}
+
+function ask(prediction, key) {
+  const choices = [...prediction.querySelectorAll(".choice")], form = prediction.querySelector("form");
+  const open = (text) => {
+    prediction.classList.add("made");
+    for (const choice of choices) {
+      const own = textOf(choice.firstChild) === text;
+      choice.classList.toggle("chosen", own);
+      if (own || "right" in choice.dataset) choice.open = true;
+    }
+  };
+  for (const choice of choices)
+    choice.firstChild.addEventListener("click", (event) => {
+      if (key in predicted) return;
+      event.preventDefault();
+      keep(key, textOf(choice.firstChild), "right" in choice.dataset);
+      open(predicted[key][0]);
+    });
+  const openAnswer = (text) => {
+    const [right, mistake] = numberMeans(form, text);
+    form.firstChild.value = text;
+    form.querySelector("button").hidden = form.firstChild.readOnly = true;
+    prediction.classList.add("made", ...(right ? ["right"] : []));
+    if (mistake) mistake.classList.add("chosen");
+    prediction.querySelector(".answer").open = true;
+  };
+  if (form) {
+    form.hidden = false;
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      const text = form.firstChild.value.trim();
+      if (!text) return;
+      keep(key, text, form.dataset.answer ? numberMeans(form, text)[0] : null);
+      openAnswer(text);
+    });
+  }
+  if (key in predicted) (form ? openAnswer : open)(predicted[key][0]);
+}
+
+const keyOf = (prediction) => textOf(prediction.querySelector(".question"));
+const wrong = () => asked.filter((prediction) => (predicted[keyOf(prediction)] || [])[1] === false);
+const fresh = asked.map((prediction) => prediction.cloneNode(true));
+
+// how many predictions above each tally were right, and those above that were wrong once more
+function count() {
+  for (const tally of document.querySelectorAll(".prediction-tally")) {
+    const above = asked.filter((p) => p.compareDocumentPosition(tally) & Node.DOCUMENT_POSITION_FOLLOWING);
+    const made = above.map((p) => predicted[keyOf(p)]).filter(Boolean);
+    const number = (right) => made.filter(([, was]) => was === right).length;
+    tally.hidden = false;
+    tally.textContent = `${made.length} of ${above.length} predictions made`
+      + (made.length ? `: ${number(true)} right, ${number(false)} wrong.` : ".");
+  }
+  for (const again of document.querySelectorAll(".predictions-again")) {
+    again.hidden = false;
+    const missed = wrong().filter((p) => p.compareDocumentPosition(again) & Node.DOCUMENT_POSITION_FOLLOWING);
+    for (const prediction of missed) {
+      const key = `${keyOf(prediction)} (again)`;
+      if ([...again.children].some((child) => child.dataset.key === key)) continue;
+      const copy = fresh[asked.indexOf(prediction)].cloneNode(true);
+      copy.dataset.key = key;
+      again.append(copy);
+      ask(copy, key);
+    }
+    again.classList.toggle("none", !again.children.length);
+  }
+}
+
+for (const prediction of asked) ask(prediction, keyOf(prediction));
+count();
+
 // the table of problems shows those that fit all that is asked for; without this script it shows all
 const choose = document.querySelector("form.choose");
 if (choose) {

@@ -118,3 +118,11 @@ def test_a_ladder_with_errors_of_kilometres_is_drawn():
     assert max(p.error for p in points) > 1e3
     draw_models(points, rungs, figure)
     figure.canvas.draw()
+
+
+def test_the_legend_names_all_that_a_model_drops():
+    rungs, figure = ladder("projectile"), Figure()
+    draw_models(measured_models(rungs), rungs, figure)
+    entries = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert all("air" in text for text in entries[:3])
+    assert not any(text.endswith("more") for text in entries)

@@ -44,5 +44,5 @@ def test_an_alt_text_of_fewer_than_8_words_is_refused(shown, alt):
 
 
 def test_what_is_no_figure_is_refused():
-    with pytest.raises(NewtonEulerError, match="matplotlib figure; got 3"):
+    with pytest.raises(NewtonEulerError, match="matplotlib figure or a Page; got 3"):
         show_figure(3, ALT)

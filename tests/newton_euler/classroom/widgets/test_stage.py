@@ -23,8 +23,9 @@ def stage(draw, samples, **options):
 
 def lines(picture, colour):
     """The places of each line of one colour on the page, in points."""
-    paths = ElementTree.fromstring(picture).iter("{http://www.w3.org/2000/svg}path")
-    numbers = [re.findall(r"-?[\d.]+", p.get("d")) for p in paths if p.get("stroke") == colour]
+    groups = ElementTree.fromstring(picture).iter("{http://www.w3.org/2000/svg}g")
+    paths = [path for group in groups if group.get("stroke") == colour for path in group]
+    numbers = [re.findall(r"-?[\d.]+", path.get("d")) for path in paths]
     return [np.array(n, float).reshape(-1, 2) for n in numbers]
 
 
@@ -45,8 +46,8 @@ def test_what_stays_in_the_scene_stays_in_the_picture_and_arrows_are_in_proporti
     first, *others = (lines(p, DARK)[0] for p in pictures.values())
     assert all((other == first).all() for other in others)
     full = arrow_length(pictures[10])
-    assert arrow_length(pictures[5]) == pytest.approx(full / 2, abs=0.02)
-    assert arrow_length(pictures[0.5]) == pytest.approx(full / 20, abs=0.02)
+    assert arrow_length(pictures[5]) == pytest.approx(full / 2, abs=0.15)
+    assert arrow_length(pictures[0.5]) == pytest.approx(full / 20, abs=0.15)
 
 
 def bulge(ax, a):
@@ -75,7 +76,7 @@ def test_all_panels_have_one_scale():
 
     moving = stage(two, [{"a": 0}], panels=(1, 2))
     short, long = (np.ptp(v[:, 0]) for v in lines(moving.picture({"a": 0}, None), DARK))
-    assert long == pytest.approx(4 * short, abs=0.02)
+    assert long == pytest.approx(4 * short, abs=0.15)
 
 
 def test_axes_with_more_than_a_sketch_are_drawn_by_matplotlib():
@@ -87,7 +88,7 @@ def test_axes_with_more_than_a_sketch_are_drawn_by_matplotlib():
     pictures = [moving.picture({"a": a}, "both") for a in (1, 2, 2)]
     assert b"matplotlib" in pictures[0]
     assert pictures[0] != pictures[1]
-    assert len(moving.figure.axes[0].texts) == 1  # those before are gone
+    assert len(moving._plotted.figure.axes[0].texts) == 1  # those before are gone
 
 
 def test_a_title_stands_for_its_values_only():
@@ -97,11 +98,27 @@ def test_a_title_stands_for_its_values_only():
             ax.set_title("moves")
 
     moving = stage(titled, [{"a": 0}, {"a": 1}])
-    count = [moving.picture({"a": a}, None).count(b"<path") for a in (1, 0, 1)]
-    assert count[0] == count[2]
-    assert moving.figure.axes[0].get_title() == "moves"
-    moving.picture({"a": 0}, None)
-    assert moving.figure.axes[0].get_title() == ""
+    count = [moving.picture({"a": a}).count(b"moves</text>") for a in (1, 0, 1)]
+    assert count == [1, 0, 1]
+    (first, second) = (lines(moving.picture({"a": a}), DARK)[0] for a in (0, 1))
+    assert (first == second).all()
+
+
+def test_a_title_of_the_whole_page_makes_room():
+    moving = stage(arrow, [{"a": 1}])
+    plain, titled = (moving.picture({"a": 1}, title) for title in (None, "all of it"))
+    assert titled.count(b"all of it</text>") == 1
+    assert lines(titled, DARK)[0][:, 1].min() > lines(plain, DARK)[0][:, 1].min()
+
+
+def test_what_only_some_values_need_of_matplotlib_is_drawn_with_one_window():
+    def sometimes(ax, a):
+        arrow(ax, a)
+        if a > 1:
+            ax.text(0.5, 0.5, "far")
+
+    moving = stage(sometimes, [{"a": a} for a in (1, 2, 3)])
+    assert b"matplotlib" in moving.picture({"a": 1})
 
 
 def test_a_plot_beside_a_sketch_keeps_room_for_its_labels():
@@ -111,7 +128,7 @@ def test_a_plot_beside_a_sketch_keeps_room_for_its_labels():
 
     moving = stage(both, [{"a": 1}, {"a": 2}], panels=(1, 2))
     moving.picture({"a": 1}, None)
-    label = moving.figure.axes[1].xaxis.label.get_window_extent()
+    label = moving._plotted.figure.axes[1].xaxis.label.get_window_extent()
     assert label.y0 >= 0
 
 
@@ -126,7 +143,7 @@ def test_nothing_of_the_rehearsal_and_of_earlier_pictures_stays_in_a_plot():
     moving = stage(bars_beside, [{"a": a} for a in (1, 2, 3)], panels=(1, 2))
     for a in (3, 1, 2):
         moving.picture({"a": a}, None)
-        plot = moving.axes[1]
+        plot = moving._plotted.axes[1]
         assert [bar.get_height() for bar in plot.patches] == [a, 1]
         assert [to_hex(line.get_color()) for line in plot.lines] == [to_hex("C0")]
         assert [text.get_text() for text in plot.get_legend().get_texts()] == [f"at {a}"]

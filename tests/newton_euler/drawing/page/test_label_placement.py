@@ -3,11 +3,11 @@
 from itertools import pairwise
 
 import matplotlib
-import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import RendererAgg
 
-from newton_euler.drawing.page.label_placement import place_labels, points_on_lines
+from newton_euler.drawing.page.covered import Covered
+from newton_euler.drawing.page.on_axes import place_labels
 from tests.sketching import O, ground, png, sketch, texts
 
 
@@ -42,19 +42,18 @@ def test_labels_are_legible_and_stay_on_the_page():
 
 
 def test_lines_that_a_body_hides_do_not_count_and_those_in_its_holes_do():
-    def points(**plate):
+    def marks(*box, **plate):
         s = sketch(plane="xy")
         s.line((-1, 0, -1), (1, 0, -1), style="solid")
         corners = [(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)]
         s.plate(corners, [s.around(O, (r, 0, 0), ground.k) for r in plate.values()])
         s.finish()
-        found = points_on_lines(np, s.drawn) * s.drawn.pt
-        return found[(abs(found) < (1, 0.1)).all(axis=1)]
+        left, right = (side / s.drawn.pt for side in box)
+        return Covered(s.drawn, s.drawn.shapes()).count((left, -2.5), (right, 2.5))
 
-    assert len(points()) == 0
-    x = points(hole=0.5)[:, 0]
-    assert len(x) > 10
-    assert (abs(x) < 0.51).all()
+    assert marks(-1.8, 1.8) == 0
+    assert marks(-0.45, 0.45, hole=0.5) > 10
+    assert marks(0.55, 1.8, hole=0.5) == marks(-1.8, -0.55, hole=0.5) == 0
 
 
 def test_an_offset_of_a_label_is_kept():

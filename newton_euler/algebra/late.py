@@ -1,0 +1,35 @@
+"""Libraries that are imported when something of them is used first: what does not need them works
+without them.
+"""
+
+from importlib import import_module
+from typing import Any
+
+
+class _Late:
+    """A module, or a class of it."""
+
+    def __init__(self, module, name=None):
+        self._late = module, name
+
+    def _found(self):
+        module, name = self._late
+        found = import_module(module)
+        return getattr(found, name) if name else found
+
+    def __getattr__(self, name):
+        if name.startswith("__"):  # as inspect asks of everything
+            raise AttributeError(name)
+        return getattr(self._found(), name)
+
+    def __call__(self, *args, **named):
+        return self._found()(*args, **named)
+
+
+np: Any = _Late("numpy")
+mpmath: Any = _Late("mpmath")
+plt: Any = _Late("matplotlib.pyplot")
+Figure: Any = _Late("matplotlib.figure", "Figure")
+EngFormatter: Any = _Late("matplotlib.ticker", "EngFormatter")
+Line2D: Any = _Late("matplotlib.lines", "Line2D")
+Rotation: Any = _Late("scipy.spatial.transform", "Rotation")

@@ -1,0 +1,39 @@
+"""A call from a page: a name and arguments as JSON, its result or its error as JSON."""
+
+import json
+from importlib import import_module
+from types import FunctionType
+
+from ..algebra.errors import NewtonEulerError
+from .late import MissingError
+
+
+def answer(name: str, arguments: str = "{}") -> str:
+    """What the function ``name`` of this room, "module.function", returns for these arguments by
+    name: a JSON object {"value": …}, or {"error": words} where it fails, with {"needs": package}
+    where one is not here.
+
+    >>> answer("about.version")[:10]
+    '{"value": '
+    >>> answer("about.verse")
+    '{"error": "the engine has no function about.verse for pages"}'
+    """
+    try:
+        return json.dumps({"value": _function(name)(**json.loads(arguments))}, allow_nan=False)
+    except NewtonEulerError as error:
+        return json.dumps({"error": str(error)})
+    except MissingError as error:
+        return json.dumps({"needs": error.name, "error": str(error)})
+    except Exception as error:
+        return json.dumps({"error": f"{type(error).__name__}: {error}"})
+
+
+def _function(name):
+    """A public function that a module of this room defines."""
+    module, _, function = name.rpartition(".")
+    if module.isidentifier() and not function.startswith("_"):
+        full = f"{__package__}.{module}"
+        found = getattr(import_module(full), function, None)
+        if isinstance(found, FunctionType) and found.__module__ == full:
+            return found
+    raise NewtonEulerError(f"the engine has no function {name} for pages")

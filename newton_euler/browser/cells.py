@@ -1,0 +1,93 @@
+"""The cells of a page, run in its reader's browser, and figures that its sliders move."""
+
+import sys
+from collections import defaultdict
+from contextlib import contextmanager
+from typing import Any
+
+from ..algebra.errors import NewtonEulerError
+from ..classroom.widgets import interactive
+from ..classroom.widgets.on_pages import described
+from . import late
+from .notebook import Notebook, name_of
+from .shown import Shown, showing
+
+if sys.platform == "emscripten":
+    late.install()
+
+
+class _Page(Notebook):
+    """A page, with the moving figures that its cells have shown."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.figures: dict[int, list[interactive.MovingFigure]] = {}
+
+
+_open: defaultdict[str, _Page] = defaultdict(_Page)
+
+
+def run(page: str, cells: list[str], number: int) -> dict[str, Any]:
+    """Run a cell of the page ``cells``, after what it needs of those above that were not run:
+    {"shown": [(kind, content) …]}, and "error" in words where it fails.
+    """
+    shown = Shown()
+    try:
+        _shown(_open[page], cells, number, shown)
+    except late.MissingError:
+        raise  # the page may get it, and run the cell again
+    except Exception as error:
+        return {"shown": shown.items, "error": _in_words(error, number)}
+    return {"shown": shown.items}
+
+
+def picture(
+    page: str, cells: list[str], number: int, figure: int, values: dict[str, float]
+) -> dict[str, str]:
+    """The SVG of a figure of a cell for these values of its sliders, and what it shows, in words.
+    A cell that was not run is run for it, unseen, after what it needs.
+    """
+    here = _open[page]
+    if not here.figures.get(number):
+        _shown(here, cells, number, Shown())
+    image, words = here.figures[number][figure].picture(values)
+    return {"svg": image.decode(), "alt": words}
+
+
+def _shown(page, cells, number, shown):
+    """Run a cell; its last value is shown, unless a semicolon follows."""
+    page.figures[number] = []
+    with _taking([], Shown()), showing(Shown()):
+        page.prepare(cells, number)
+    with _taking(page.figures[number], shown), showing(shown):
+        value = page.run(cells, number)
+        if value is not None and not cells[number].rstrip().endswith(";"):
+            shown.display(value)
+
+
+@contextmanager
+def _taking(figures, shown):
+    """Figures with sliders are kept and shown."""
+
+    def take(figure):
+        figure.rehearse()
+        figures.append(figure)
+        image, words = figure.picture(figure.start)
+        shown.items.append(["figure", {"svg": image.decode(), "alt": words, **described(figure)}])
+
+    before, interactive.taker = interactive.taker, take
+    try:
+        yield
+    finally:
+        interactive.taker = before
+
+
+def _in_words(error, number):
+    """An error as a reader needs it, with its line in the cell."""
+    line, trace = getattr(error, "lineno", None), error.__traceback__
+    while trace:
+        if trace.tb_frame.f_code.co_filename == name_of(number):
+            line = trace.tb_lineno
+        trace = trace.tb_next
+    kind = "" if isinstance(error, NewtonEulerError) else f"{type(error).__name__}: "
+    return f"{kind}{getattr(error, 'msg', error)}" + (f" (line {line})" if line else "")

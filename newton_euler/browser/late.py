@@ -1,0 +1,55 @@
+"""Packages that a page does not have from the start: a cell's ``import numpy`` is honoured when
+the first name of it is used.
+"""
+
+import builtins
+import sys
+from importlib import import_module, invalidate_caches
+from importlib.util import find_spec
+from types import ModuleType
+
+TITLES = {
+    "numpy": "NumPy", "scipy": "SciPy", "sympy": "SymPy", "mpmath": "mpmath",
+    "matplotlib": "Matplotlib",
+}  # fmt: skip
+WHERE = "__main__", "newton_euler.chapters."  # cells, and what draws their figures
+
+
+class MissingError(ModuleNotFoundError):
+    """A package is not here; ``name`` says which."""
+
+
+class Late(ModuleType):
+    """A package that is asked for when it is used."""
+
+    def __getattr__(self, name):
+        top = self.__name__.partition(".")[0]
+        if name.startswith("__"):
+            raise AttributeError(name)
+        invalidate_caches()
+        if find_spec(top) is None:
+            raise MissingError(
+                f"this needs {TITLES[top]}, which the page does not have. In an installed notebook "
+                "it runs.",
+                name=top,
+            )
+        return getattr(import_module(self.__name__), name)
+
+
+def install() -> None:
+    """Let cells import what is not here."""
+    plain = builtins.__import__
+
+    def imported(name, globals=None, locals=None, fromlist=(), level=0):
+        top, *inner = name.split(".")
+        place = (globals or {}).get("__name__", "")
+        if level or top not in TITLES or not place.startswith(WHERE) or top in sys.modules:
+            return plain(name, globals, locals, fromlist, level)
+        module = first = Late(top)
+        for part in inner:
+            below = Late(f"{module.__name__}.{part}")
+            setattr(module, part, below)
+            module = below
+        return module if fromlist else first
+
+    builtins.__import__ = imported

@@ -1,0 +1,225 @@
+"""Practice on a page: the form of a problem, what is typed in it, checks, hints, what to do next.
+
+A page hands over the practice files that it has fetched, and what it keeps of the reader's
+progress; nothing of either leaves the browser.
+"""
+
+from base64 import b64decode
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from tempfile import mkdtemp
+from typing import Any
+
+from ..algebra.errors import NewtonEulerError
+from ..answers.forms import AnswerError
+from ..answers.notation import formula, list_symbol, matrix_symbol, number_symbol, unit_symbol
+from ..classroom.practising.advice import advise, causes_of
+from ..classroom.practising.collection import Practice
+from ..classroom.practising.files import HELP, PracticeFile
+from ..classroom.practising.numbers import Quantity
+from ..classroom.practising.problems import Message, PracticeProblem
+from ..classroom.practising.progress import Progress
+from ..classroom.practising.typed import typed, typed_tree
+from ..classroom.practising.ways import Ways
+
+ON_A_PAGE = Ways("in its fields, by Check", "among the steps below, by Check step", '"New numbers"')
+AXES = "first", "second", "third"
+
+
+class _Desk:
+    """What the reader has at hand: practice files and progress."""
+
+    def __init__(self):
+        self.folder = Path(mkdtemp())
+        self.progress = Progress(None)  # the page keeps it
+        self.books: dict[str, Practice] = {}  # by file
+
+    def problem(self, number: str) -> PracticeProblem:
+        for book in self.books.values():
+            if number in book:
+                return book[number]
+        raise NewtonEulerError(f"no practice file that was opened has problem {number}")
+
+
+_desk = _Desk()
+
+
+def load(name: str, data: str, progress: str = "") -> list[str]:
+    """Open the practice file of this name, ``data`` in base64, and take in what the reader's
+    progress says; the problems that are in it. Raises :class:`PracticeFileError` for another file.
+    """
+    path = _desk.folder / f"{len(_desk.books)}.practice"
+    path.write_bytes(b64decode(data))
+    if progress:
+        _take_in(progress)
+    _desk.books[name] = book = Practice([PracticeFile(path)], _desk.progress)
+    return list(book)
+
+
+def show(problem: str, new: bool = False) -> dict[str, Any]:
+    """A problem with its numbers, the next ones if ``new``: its text in Markdown, its figure as the
+    address of an image, the names that may be typed, the fields of its answers and steps.
+    """
+    p = _desk.problem(problem)
+    if new:
+        p.new()
+    figure, words = p.picture
+    return {
+        "id": p.id, "title": p.title, "text": p.statement, "figure": figure, "words": words,
+        "number": p.number + 1, "sets": p.sets, "names": p.givens,
+        "answers": [_field(q) for q in p.quantities if not q.step],
+        "steps": [_field(q) for q in p.quantities if q.step],
+        "hints": p.help != HELP[0], "solution": p.help == HELP[2],
+    }  # fmt: skip
+
+
+def _field(q: Quantity) -> dict[str, Any]:
+    """What a page needs to ask for a quantity: a field for each of ``parts``, or one of ``of``."""
+    kind = q.kind
+    return {
+        "key": q.key, "means": q.means, "symbol": q.latex, "unit": unit_symbol(q.unit).strip(),
+        "kind": str(q.form), "parts": _parts(kind), "of": list(q.of), "section": q.section,
+    }  # fmt: skip
+
+
+def _parts(kind):
+    """The names of the components of a kind."""
+    if kind.length == 9:
+        return [f"row {n // 3 + 1}, column {n % 3 + 1}" for n in range(9)]
+    if kind.length == 2:
+        return ["lower bound", "upper bound"]
+    return [f"{AXES[n]} component" for n in range(3)] if kind.length == 3 else [""]
+
+
+def read(problem: str, key: str, texts: Sequence[str]) -> dict[str, str]:
+    """How the texts in the fields of a quantity are read, as they are typed: {"latex": …, "fault":
+    …}, one of them "".
+    """
+    p = _desk.problem(problem)
+    q = _quantity(p, key)
+    try:
+        value = _value(p, q, texts)
+    except ValueError as error:
+        return {"latex": "", "fault": str(error)}
+    if value is None or q.kind.is_word:
+        return {"latex": "", "fault": ""}
+    return {"latex": _as_read(p, q, texts), "fault": ""}
+
+
+def _as_read(p, q, texts):
+    """The formulas that were typed and, where they are no plain numbers, what they come to."""
+    trees = [typed_tree(text, p.givens) for text in texts if text.strip()]
+    trees = _flat(trees[0]) if len(trees) == 1 and isinstance(trees[0], tuple) else trees
+    stated = _typeset(q, [formula(tree, p.symbols) for tree in trees])
+    if all(isinstance(tree, float) for tree in trees):
+        return stated + unit_symbol(q.unit)
+    numbers = _flat(_value(p, q, texts))
+    return f"{stated} = {_typeset(q, map(number_symbol, numbers))}{unit_symbol(q.unit)}"
+
+
+def _typeset(q, parts):
+    parts = list(parts)
+    if q.kind.length == 9:
+        return matrix_symbol(q.kind.nested(parts))
+    return parts[0] if q.kind.length == 1 else rf"\left[{list_symbol(parts)}\right]"
+
+
+def _flat(value):
+    if not isinstance(value, (list, tuple)):
+        return [value]
+    return [x for part in value for x in _flat(part)]
+
+
+def _quantity(p, key):
+    for q in p.quantities:
+        if q.key == key:
+            return q
+    raise NewtonEulerError(f"{p.id} has no quantity {key!r}")
+
+
+def _value(p, q, texts):
+    """The value in the fields of a quantity; None if all are empty. A list may stand in the first.
+    Raises :class:`ValueError`.
+    """
+    found = [typed(text, p.givens, q.of) for text in texts]
+    if all(x is None for x in found):
+        return None
+    if q.kind.is_word:
+        return int(found[0]) if isinstance(found[0], float) and found[0] % 1 == 0 else found[0]
+    parts = [found[0]] if isinstance(found[0], list) and not any(texts[1:]) else found
+    if None in parts:
+        missing = _parts(q.kind)[parts.index(None)]
+        raise AnswerError(f"write the {missing}, too; 0 where there is none")
+    parts = _flat(parts)
+    return q.kind.nested(parts) if len(parts) == q.kind.length else parts
+
+
+def check(problem: str, fields: Mapping[str, Sequence[str]]) -> dict[str, Any]:
+    """Whether the answers and steps in these fields, {quantity: texts}, are right, and what
+    explains a wrong one: {"found": {quantity: {"verdict", "text"}}, "kept": the reader's progress}.
+    """
+    p, found = _desk.problem(problem), {}
+    given: dict[bool, dict[str, Any]] = {False: {}, True: {}}
+    for key, texts in fields.items():
+        q = _quantity(p, key)
+        try:
+            value = _value(p, q, texts)
+        except ValueError as error:
+            found[key] = {"verdict": "unreadable", "text": str(error)}
+            continue
+        if value is not None:
+            given[q.step][key] = value
+    with p.spoken_of(ON_A_PAGE):
+        for ask, values in ((p.check, given[False]), (p.check_step, given[True])):
+            if values:
+                checked = ask(**values)
+                for key, verdict in checked.verdicts.items():
+                    found[key] = {"verdict": verdict, "text": checked.said[key]}
+    return {"found": found, "kept": str(_desk.progress)}
+
+
+def hint(problem: str) -> dict[str, str]:
+    """Where to go on, in Markdown; asked again, more."""
+    return _said(_desk.problem(problem), PracticeProblem.next_step)
+
+
+def solution(problem: str) -> dict[str, str]:
+    """The worked solution in the numbers at hand, in Markdown."""
+    return _said(_desk.problem(problem), PracticeProblem.solution)
+
+
+def _said(p, help):
+    with p.spoken_of(ON_A_PAGE):
+        message: Message = help(p)
+    return {"text": message.markdown, "kept": str(_desk.progress)}
+
+
+def advice(titles: Mapping[str, Sequence[str]], now: str = "") -> dict[str, str]:
+    """What to do next, of the problems {number: (title, section)} of all chapters; ``now``: the one
+    that has just been worked.
+    """
+    sections = {problem: section for problem, (_, section) in titles.items()}
+    found = advise(sections, _desk.progress, now, _may_err)
+    return {"problem": found.problem, "sentence": found.sentence}
+
+
+def _may_err(problem):
+    for book in _desk.books.values():
+        if problem in book:
+            return causes_of(book.page(problem))
+    return set()
+
+
+def take_in(progress: str) -> dict[str, str]:
+    """Add a file of progress, from a notebook or from another browser, to the reader's; what is
+    kept then. Raises :class:`NewtonEulerError` for another text.
+    """
+    _take_in(progress)
+    return {"kept": str(_desk.progress)}
+
+
+def _take_in(text):
+    try:
+        _desk.progress.take_in(text)
+    except ValueError as error:
+        raise NewtonEulerError(f"this file of progress cannot be read: {error}") from None

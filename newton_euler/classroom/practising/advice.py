@@ -1,0 +1,121 @@
+"""What to do next: chosen from what went wrong, by section and mistake, and spaced over days."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from datetime import date, timedelta
+from typing import Any
+
+from .progress import Progress, at_first_go
+
+# days until a problem comes again, by how many sets of its numbers were right at first go
+GAPS = 1, 3, 7, 21, 60
+
+
+@dataclass(frozen=True)
+class Advice:
+    """The problem to do next, "" if there is none, and why, as a sentence."""
+
+    problem: str
+    sentence: str
+
+
+@dataclass(frozen=True)
+class _Done:
+    """What is known of a problem that was tried."""
+
+    problem: str
+    section: str
+    day: date
+    due: date
+    open: list[str]  # quantities that were wrong and are not right yet
+    missed: list[tuple[str, list[str]]]  # (quantity, cause) of those that went wrong at first
+
+
+def advise(
+    sections: Mapping[str, str],
+    progress: Progress,
+    now: str = "",
+    may_err: Callable[[str], set[tuple[str, str]]] = lambda problem: set(),
+) -> Advice:
+    """What to do next of the problems, {number: section} in the order of the book.
+
+    now : the problem that has just been worked, which is not proposed again on the same day
+    may_err : function of a problem, the (group, name) of the causes that can be seen in it
+    """
+    today = progress.today()
+    done = [d for p, s in sections.items() if (d := _done(p, s, progress))]
+    latest = sorted(done, key=lambda d: d.day, reverse=True)
+    for d in latest:
+        if d.open and d.day == today and d.problem != now:
+            return Advice(d.problem, f"{d.problem} is unfinished: {_and(d.open)} is not right yet.")
+    for d in sorted(done, key=lambda d: d.due):
+        if d.due <= today and d.problem != now:
+            return Advice(d.problem, f"Again {d.problem}, with other numbers: {_why(d, today)}.")
+    fresh = [p for p in sections if p not in {d.problem for d in done} and p != now]
+    for d in latest:
+        if d.missed and (near := _alike(d, fresh, sections, may_err)):
+            return Advice(near, f"{near} is of section {d.section}, too: {_why(d, today)}.")
+    if fresh:
+        return _onwards(fresh, sections, latest)
+    if done:
+        first = min(done, key=lambda d: d.due)
+        when = f"{(first.due - today).days} days" if first.due > today else "a day"
+        return Advice("", f"All is done for now. {first.problem} comes again in {when}.")
+    return Advice("", "There is no problem to do.")
+
+
+def _done(problem, section, progress):
+    variants = progress.entries(problem)
+    entries = [(key, e) for v in variants.values() for key, e in v.items()]
+    if not entries:
+        return None
+    day = max(date.fromisoformat(e.get("day", "2000-01-01")) for _, e in entries)
+    well = sum(all(map(at_first_go, v.values())) for v in variants.values())
+    missed = [(key, e.get("cause", [])) for key, e in entries if not at_first_go(e)]
+    unfinished = [key for key, e in entries if e["tries"] and not e["right"] and e["help"] < 3]
+    due = day + timedelta(GAPS[min(well, len(GAPS) - 1)])
+    return _Done(problem, section, day, due, list(dict.fromkeys(unfinished)), missed)
+
+
+def _why(d, today):
+    """What happened in a problem, as the end of a sentence."""
+    days = (today - d.day).days
+    when = "today" if days < 1 else "yesterday" if days == 1 else f"{days} days ago"
+    for key, cause in reversed(d.missed):
+        if cause:
+            return f"{when} your {key} of {d.problem} fitted a solution that {cause[2]}"
+    if d.missed:
+        return f"{when} you needed help, or more than one try, for {_and(_names(d.missed))}"
+    return f"{when} all of it was right"
+
+
+def _names(missed):
+    return list(dict.fromkeys(key for key, _ in missed))[:3]
+
+
+def _and(names):
+    return " and ".join(names[:3])
+
+
+def _alike(d, fresh, sections, may_err):
+    """A new problem of the same section, best one in which the same mistake can be made."""
+    near = [p for p in fresh if sections[p] == d.section]
+    causes = {tuple(cause[:2]) for _, cause in d.missed if cause}
+    return next((p for p in near if causes & may_err(p)), near[0] if near else None)
+
+
+def _onwards(fresh, sections, latest):
+    """The next new problem: of the section that was practised last, or the first after it."""
+    if not latest:
+        return Advice(fresh[0], f"Begin with {fresh[0]}, section {sections[fresh[0]]}.")
+    order = list(sections)
+    place = order.index(latest[0].problem)
+    p = next((p for p in fresh if order.index(p) > place), fresh[0])
+    same = sections[p] == latest[0].section
+    goes_on = f"goes on with section {sections[p]}" if same else f"begins section {sections[p]}"
+    return Advice(p, f"{p} {goes_on}: what you tried before is right.")
+
+
+def causes_of(page: Mapping[str, Any]) -> set[tuple[str, str]]:
+    """The (group, name) of the causes that a page of a practice file can name."""
+    return {(group, name) for _, group, name, *_ in page["labels"]}

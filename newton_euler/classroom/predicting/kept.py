@@ -1,0 +1,39 @@
+"""The first prediction of each question, in a file beside the notebook: a kernel cannot write into
+the notebook that runs in it, and pictures of widgets are lost when it is closed.
+"""
+
+import contextlib
+import json
+import os
+from pathlib import Path
+
+FILE = "predictions.json"
+
+
+def given(question: str) -> str | None:
+    """What was predicted, None if nothing was yet."""
+    return _read().get(question)
+
+
+def keep(question: str, prediction: str) -> str:
+    """Keep a prediction; returns why it could not be written, or nothing."""
+    kept = {**_read(), question: prediction}
+    beside = Path(f"{FILE}.{os.getpid()}")
+    try:
+        beside.write_text(json.dumps(kept, ensure_ascii=False, indent=1), encoding="utf-8")
+        os.replace(beside, FILE)
+    except OSError as error:
+        _unwritten[question] = prediction
+        return f"It is kept only while this notebook runs: {error}"
+    return ""
+
+
+_unwritten: dict[str, str] = {}
+
+
+def _read():
+    kept = dict(_unwritten)
+    with contextlib.suppress(OSError, ValueError):
+        found = json.loads(Path(FILE).read_text(encoding="utf-8"))
+        kept |= {q: p for q, p in dict(found).items() if isinstance(p, str)}
+    return kept

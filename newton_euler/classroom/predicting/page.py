@@ -1,0 +1,106 @@
+"""Predictions as HTML: folded for a page without a kernel, which the site's script makes a form of;
+open where the kernel has the buttons.
+"""
+
+import re
+from html import escape
+
+from .question import Question, with_unit
+
+STATIC = "application/vnd.newton-euler.static+html"  # what a page without a kernel shows
+
+
+def inline(text: str) -> str:
+    """Markdown of one line as HTML: formulas, code, bold and italics."""
+    parts = re.split(r"(\$[^$]+\$|`[^`]+`)", text)
+    return "".join(_part(part) for part in parts)
+
+
+def _part(part):
+    if len(part) > 1 and part[0] == part[-1] == "$":
+        return rf'<span class="math notranslate nohighlight">\({escape(part[1:-1], False)}\)</span>'
+    if len(part) > 1 and part[0] == part[-1] == "`":
+        return f"<code>{escape(part[1:-1], False)}</code>"
+    bold = re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", escape(part, False))
+    return re.sub(r"\*(.+?)\*", r"<i>\1</i>", bold)
+
+
+def folded(q: Question) -> str:
+    """The question with its choices or its answer folded."""
+    body = "".join(_choice(q, c) for c in q.choices) if q.choices else _form(q) + _folded_answer(q)
+    return f'<div class="prediction">{_asked(q)}{body}</div>'
+
+
+def _asked(q):
+    return f'<p class="question"><b>Predict.</b> {inline(q.text)}</p>'
+
+
+def _choice(q, choice):
+    right = " data-right" if choice == q.right else ""
+    means = inline(_means(q, choice))
+    summary = f"<summary>{inline(choice)}</summary>"
+    return f'<details class="choice"{right}>{summary}<p>{means}</p></details>'
+
+
+def _means(q, choice):
+    """What a choice means; of the right one also why."""
+    return f"{q.choices[choice]} {q.why if choice == q.right else ''}".strip()
+
+
+def _form(q):
+    """What is typed, for the script; hidden without it."""
+    number = {"answer": q.number, "within": q.within, "unit": q.unit}
+    data = "" if q.number is None else _data(number)
+    name = escape(re.sub(r"[$*`\\{}]", "", q.text))
+    return (
+        f'<form{data} hidden><input type="text" aria-label="{name}" autocomplete="off"> '
+        f"{escape(q.unit)} <button>Predict</button></form>"
+    )
+
+
+def _data(values):
+    return "".join(f' data-{name}="{escape(str(x))}"' for name, x in values.items())
+
+
+def _folded_answer(q):
+    mistakes = "".join(
+        f'<p class="mistake" data-value="{m!r}">{escape(with_unit(m, q.unit))}: {inline(words)}</p>'
+        for m, words in (q.mistakes or {}).items()
+    )
+    return (
+        f'<details class="answer"><summary>Answer</summary><p>{_answer(q)}</p>{mistakes}</details>'
+    )
+
+
+def _answer(q):
+    return " ".join(filter(None, (f"<b>{escape(q.answer)}.</b>" * bool(q.answer), inline(q.why))))
+
+
+def opened(q: Question, given: str | None, note: str = "") -> str:
+    """The question as a notebook shows it beside its buttons; with a prediction also the answer."""
+    listed = "".join(f"<li>{inline(c)}</li>" for c in q.choices or ())
+    choices = f'<ol type="a">{listed}</ol>' if listed else ""
+    said = "" if given is None else _said(q, given) + f"<p>{escape(note)}</p>" * bool(note)
+    return f'<div class="prediction">{_asked(q)}{choices}{said}</div>'
+
+
+def _said(q, given):
+    judged = q.judge(given)
+    mark = {True: "✓", False: "✗", None: "·"}[judged.right]
+    lines = [f"<p>{mark} You predicted: <b>{inline(given)}</b>. {inline(judged.words)}</p>"]
+    if q.choices and not judged.right:
+        lines.append(f"<p>The answer: <b>{inline(q.right)}</b>. {inline(_means(q, q.right))}</p>")
+    elif q.choices:
+        lines.append(f"<p>{inline(q.why)}</p>")
+    else:
+        lines.append(f"<p>The answer: {_answer(q)}</p>")
+    return "".join(lines)
+
+
+def plain(html: str) -> str:
+    """HTML as text, for a terminal."""
+    broken = re.sub(r"</p>|</li>|</ol>", "\n", html).replace("<li>", "- ")
+    bare = re.sub(r"<[^>]+>", "", broken).replace(r"\(", "").replace(r"\)", "")
+    for name, sign in (("&lt;", "<"), ("&gt;", ">"), ("&quot;", '"'), ("&amp;", "&")):
+        bare = bare.replace(name, sign)
+    return bare.strip()

@@ -1,0 +1,140 @@
+"""A page of panels, side by side, on which sketches are recorded and written as SVG without
+Matplotlib.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from ...algebra.errors import NewtonEulerError
+
+TITLE = 12  # points, of a title whose size is not given
+GAP = 0.02  # of a page, between panels and around them
+LINE = 1.25  # distance of lines, by their size
+
+
+class NeedsMatplotlib(NewtonEulerError, AttributeError):
+    """A panel does not draw this; Matplotlib's axes do."""
+
+
+class Panel:
+    """A part of a :class:`Page`: sketches, and a title."""
+
+    def __init__(self, page: "Page", row: int, column: int):
+        self.figure, self.row, self.column = page, row, column
+        self.sketches: list[Any] = []
+        self._title, self.title_size = "", float(TITLE)
+
+    def set_title(self, text: str, fontsize: float = TITLE, **_: Any) -> None:
+        """Set the title, its size in points; its lines are parted by ``\\n``."""
+        self._title, self.title_size = str(text), float(fontsize)
+
+    def get_title(self) -> str:
+        """The title."""
+        return self._title
+
+    def box(self) -> tuple[float, float, float, float]:
+        """Left, bottom, width and height on the page, in points."""
+        return self.figure.box(self.row, self.column)
+
+    # what a sketch asks of the surface on which it is
+
+    def attach(self, sketch: Any) -> None:
+        """Take a sketch, which is written with the page."""
+        self.sketches.append(sketch)
+
+    def size(self) -> tuple[float, float]:
+        """Width and height in points."""
+        return self.box()[2:]
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        raise NeedsMatplotlib(
+            f"a panel of a page has no {name}; draw on the axes of matplotlib for that"
+        )
+
+
+class Page:
+    """A page of ``rows`` and ``columns`` of panels, its ``size`` (width, height) in inches.
+
+    >>> from newton_euler import Frame
+    >>> from newton_euler.drawing import Page, Sketch, svg
+    >>> page, ground = Page((6, 2), columns=2), Frame("ground")
+    >>> left, right = page.panels()
+    >>> Sketch(left, ground).rod((0, 0, 0), (0, 0, 2))
+    >>> right.set_title("no rod")
+    >>> svg(page, "On the left, a rod stands on its end; on the right is none.")[:4]
+    '<svg'
+    """
+
+    def __init__(self, size: tuple[float, float] = (5, 4), rows: int = 1, columns: int = 1):
+        self.width, self.height = (72 * side for side in size)
+        self.rows, self.columns = rows, columns
+        self.axes = [Panel(self, row, column) for row in range(rows) for column in range(columns)]
+        self.title = ""
+        self._top: float | None = None
+
+    @property
+    def panel(self) -> Panel:
+        """The first panel."""
+        return self.axes[0]
+
+    def panels(self) -> "Panel | Panels":
+        """What ``plt.subplots`` returns: one panel, a row or a column of them, or rows of rows."""
+        if len(self.axes) == 1:
+            return self.panel
+        if 1 in (self.rows, self.columns):
+            return Panels(self.axes)
+        starts = range(0, len(self.axes), self.columns)
+        return Panels([Panels(self.axes[n : n + self.columns]) for n in starts])
+
+    def suptitle(self, text: str, **_: Any) -> None:
+        """Set the title of the whole page."""
+        self.title = text or ""
+
+    def subplots_adjust(self, **_: Any) -> None:
+        """Nothing: panels find their own room."""
+
+    tight_layout = subplots_adjust
+
+    def empty(self) -> "Page":
+        """A page without pictures that is like this one."""
+        page = Page((self.width / 72, self.height / 72), self.rows, self.columns)
+        page._top = self._top
+        return page
+
+    def lay_out(self) -> None:
+        """Fix the room for titles, which later pictures on the page then share."""
+        self._top = self._room()
+
+    def _room(self):
+        """Points at the top of each row for the titles of panels, or a little air."""
+        sizes = [p.title_size * LINE * len(p.get_title().split("\n")) for p in self.axes
+                 if p.get_title()]  # fmt: skip
+        return max(sizes) + 6 if sizes else 0.0
+
+    def box(self, row: int, column: int) -> tuple[float, float, float, float]:
+        """Left, bottom, width and height of a panel in points."""
+        room = self._room() if self._top is None else self._top
+        head = 1.5 * TITLE if self.title else 0.0
+        gap = GAP * self.width
+        width = (self.width - gap * (self.columns + 1)) / self.columns
+        height = (self.height - head - gap) / self.rows - gap - room
+        bottom = gap + (self.rows - 1 - row) * (height + gap + room)
+        return gap + column * (width + gap), bottom, width, height
+
+
+class Panels(list):
+    """Panels in a row, or rows of them; ``flat`` has them one after the other."""
+
+    @property
+    def flat(self) -> Iterator[Panel]:
+        """All panels, row by row."""
+        for item in self:
+            yield from item.flat if isinstance(item, Panels) else (item,)
+
+    def __getitem__(self, place):
+        if isinstance(place, tuple):
+            row, column = place
+            return list.__getitem__(self, row)[column]
+        return list.__getitem__(self, place)

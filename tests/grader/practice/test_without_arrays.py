@@ -1,0 +1,93 @@
+"""Practice, the engine and its pictures where no library can be imported, as in a browser."""
+
+import subprocess
+import sys
+
+import pytest
+
+HIDDEN = """
+import doctest, importlib, pkgutil, sys
+
+class Hidden:
+    names = {"numpy", "scipy", "matplotlib", "mpmath", "sympy", "click", "PIL", "IPython", "heyoka"}
+
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in self.names:
+            raise ModuleNotFoundError(f"{name} is hidden", name=name)
+
+sys.meta_path.insert(0, Hidden())
+import newton_euler
+
+def modules():
+    found = pkgutil.walk_packages(newton_euler.__path__, "newton_euler.")
+    commands = {"newton_euler.accuracy.command"}
+    for module in found:
+        if not module.name.endswith("__main__") and module.name not in commands:
+            yield importlib.import_module(module.name)
+
+"""
+# of examples, those that need one of the libraries say so by failing for want of it
+DOCTESTS = """
+tried = failed = 0
+for module in [*modules()][::step]:
+    for test in doctest.DocTestFinder(exclude_empty=True).find(module, module.__name__):
+        said = []
+        runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE)
+        tried += bool(test.examples)
+        if runner.run(test, out=said.append).failed:
+            assert "is hidden" in "".join(said), "".join(said)
+            failed += 1
+print(tried, failed)
+"""
+PRACTICE = """
+from newton_euler.classroom import practice
+
+p = practice(path, progress=None)["4/16"]
+print(p.check(alpha_CD=[0, -0.27, 0], v_D=[-9.6, 6.4, -3.6], a_D=[1, 2, 3]).verdicts)
+print(p.check(v_D=[-9.6, 6.24, -3.6]).text)
+"""
+FIGURES = """
+from newton_euler.classroom.widgets.stage import Stage
+from newton_euler.drawing import svg_of, vocabulary
+from tests.chapters.moving_figures import FIGURES
+
+for entry in vocabulary.entries()[::14]:
+    assert "<path" in svg_of(vocabulary.draw, entry)
+for figure, given in FIGURES.values():
+    start = {slider.name: slider.start for slider in figure.sliders}
+    options = figure.options
+    stage = Stage(lambda ax, **v: figure.draw(ax, **given, **v), options.get("size", (7, 4.6)),
+                  options.get("panels", (1, 1)))
+    stage.rehearse([start])
+    assert b"<path" in stage.picture(start)
+    assert stage.png() is None
+print("drawn", Hidden.names & sys.modules.keys())
+"""
+
+
+def ran_hidden(*programs, **values):
+    """What the programs print, one after the other in a Python without libraries."""
+    known = "".join(f"{name} = {value!r}\n" for name, value in values.items())
+    text = HIDDEN + known + "".join(programs)
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", text], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_rooms_examples_practice_and_figures_need_no_library(practice_file):
+    said = ran_hidden(DOCTESTS, PRACTICE, FIGURES, path=str(practice_file), step=6)
+    tried, failed = map(int, said.split()[:2])
+    assert tried > 40
+    assert failed < tried / 8
+    assert "{'alpha_CD': 'right', 'v_D': 'wrong', 'a_D': 'wrong'}" in said
+    assert "v_D: right" in said
+    assert said.endswith("drawn set()\n")
+
+
+@pytest.mark.slow
+def test_all_examples_that_need_no_array_pass():
+    tried, failed = map(int, ran_hidden(DOCTESTS, step=1).split())
+    assert tried > 350
+    assert failed <= 40

@@ -1,0 +1,165 @@
+"""Predictions: judged by a computed answer, kept beside the notebook, asked again."""
+
+import json
+from html.parser import HTMLParser
+
+import pytest
+
+from newton_euler.algebra.errors import ArgumentError
+from newton_euler.classroom import predict, predict_again, tally
+from newton_euler.classroom.predicting import asking, kept
+from newton_euler.classroom.predicting.page import folded, inline
+
+
+@pytest.fixture(autouse=True)
+def fresh(tmp_path, monkeypatch):
+    """A notebook that has just been opened, in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(asking, "_asked", {})
+    monkeypatch.setattr(kept, "_unwritten", {})
+
+
+SIGNS = {"up": "That is the velocity.", "down": "Weight acts all the way."}
+
+
+def bounce(answer="down"):
+    return predict("Where does $a$ point?", SIGNS, answer)
+
+
+def speed(**options):
+    asked = {"answer": 2.5, "unit": "m/s", "within": 0.1, "why": "By (1.2)."} | options
+    return predict("How fast?", {5.0: "This is twice the speed."}, **asked)
+
+
+def test_a_choice_is_judged_by_the_computed_answer():
+    assert bounce().judge("a") == bounce().judge("up")
+    assert not bounce().judge("a").right
+    assert bounce().judge("down").right
+    assert bounce("up").judge("a").right
+
+
+@pytest.mark.parametrize("computed", [-2.0000000001, -2.03, -2])
+def test_a_computed_number_finds_the_choice_that_stands_for_it(computed):
+    p = predict("Factor?", {2: "no sign", -2: "both", -1: "no length"}, computed)
+    assert p.judge("-2").right
+    assert not p.judge("2").right
+
+
+def test_yes_and_no_stand_for_what_is_true():
+    choices = {"yes": "Only if it rests.", "no": "It turns."}
+    for answer in (True, False):
+        assert predict("Is it 0?", choices, answer).judge("yes").right is answer
+
+
+@pytest.mark.parametrize(
+    ("choices", "answer"),
+    [(SIGNS, "left"), ({2: "a", 3: "b"}, 2.6), ({"up": "", "down": "x"}, "up"), ({}, "up")],
+)
+def test_a_question_without_a_right_choice_or_a_meaning_is_refused(choices, answer):
+    with pytest.raises(ArgumentError, match="one of the choices"):
+        predict("?", choices, answer)
+
+
+@pytest.mark.parametrize(
+    ("typed", "right", "words"),
+    [
+        ("2.5", True, ""), ("2.5 m/s", True, ""), ("5/2", True, ""), ("2.58", True, ""),
+        ("2.7", False, ""), ("5", False, "This is twice the speed."), ("−2.5", False, ""),
+        ("faster than before, I think", None, ""), ("it's", None, ""), ("[1, 2]", None, ""),
+        ("1/0", None, ""), ("__import__('os')", None, ""), ("nan", None, ""),
+    ],
+)  # fmt: skip
+def test_a_typed_prediction_is_a_number_or_words_and_never_an_error(typed, right, words):
+    judged = speed().judge(typed)
+    assert (judged.right, judged.words) == (right, words)
+    assert typed in folded_text(speed().choose(typed).html())
+
+
+def test_a_mistake_that_is_as_near_as_the_answer_is_refused():
+    with pytest.raises(ArgumentError, match="cannot be told"):
+        predict("?", {2.6: "x"}, 2.5, within=0.1)
+
+
+def test_the_answer_is_not_seen_before_the_prediction():
+    for p, answer in ((bounce(), "Weight acts"), (speed(), "By (1.2)")):
+        assert answer not in repr(p)
+        p.choose("a" if p.question.choices else "5")
+        assert answer in repr(p)
+
+
+def test_the_answer_opens_with_what_the_wrong_choice_means():
+    text = repr(bounce().choose("a"))
+    assert text.index("You predicted: up") < text.index("That is the velocity")
+    assert text.index("That is the velocity") < text.index("The answer: down")
+
+
+def test_only_the_first_prediction_is_kept_and_opens_again_with_the_notebook(monkeypatch):
+    bounce().choose("a").choose("b")
+    monkeypatch.setattr(asking, "_asked", {})
+    assert bounce().given == "up"
+    assert "You predicted: up" in repr(bounce())
+
+
+def test_a_damaged_file_and_a_folder_that_cannot_be_written_lose_no_more_than_they_must(tmp_path):
+    (tmp_path / kept.FILE).write_text("{")
+    assert bounce().given is None
+    (tmp_path / kept.FILE).unlink()
+    (tmp_path / kept.FILE).mkdir()
+    assert "only while this notebook runs" in repr(bounce().choose("a"))
+    assert bounce().given == "up"
+
+
+def test_what_is_kept_is_a_small_file_of_text(tmp_path):
+    bounce().choose("a")
+    assert json.loads((tmp_path / kept.FILE).read_text()) == {"Where does $a$ point?": "up"}
+
+
+def test_the_tally_counts_and_what_was_wrong_is_asked_again():
+    wrong, right, sentence = bounce(), speed(), predict("Why?", why="So.")
+    assert str(tally()) == "0 of 3 predictions made."
+    wrong.choose("a"), right.choose("2.5"), sentence.choose("Because it turns.")
+    assert str(tally()) == "3 of 3 predictions made: 1 right, 1 wrong."
+    (again,) = predict_again().predictions
+    assert again.given is None
+    assert again.choose("b").right
+    assert wrong.given == "up"
+    assert [p.question.text for p in predict_again(right).predictions] == ["How fast?"]
+
+
+class Tags(HTMLParser):
+    """The texts of a page and the balance of its tags."""
+
+    def __init__(self, html):
+        super().__init__()
+        self.open, self.texts = [], []
+        self.feed(html)
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in ("input", "br"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.texts.append(data)
+
+
+def folded_text(html):
+    tags = Tags(html)
+    assert not tags.open
+    return "".join(tags.texts)
+
+
+@pytest.mark.parametrize("make", [bounce, speed, lambda: predict("What if x < 1 & y > 2?")])
+def test_without_a_kernel_all_is_folded_and_well_formed(make):
+    text = folded_text(folded(make().question))
+    assert text.startswith("Predict. ")
+    assert "$" not in text
+
+
+def test_markdown_of_a_line_becomes_html():
+    assert inline("*a* **b** `x<1` $x<1$ <b>") == (
+        "<i>a</i> <b>b</b> <code>x&lt;1</code> "
+        r'<span class="math notranslate nohighlight">\(x&lt;1\)</span> &lt;b&gt;'
+    )

@@ -1,0 +1,76 @@
+"""A browser without a screen, a server of files, and what the browser says."""
+
+import json
+import shutil
+import threading
+import time
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+import pytest
+
+LONG = 60  # seconds: for a busy machine
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """A server of files that prints nothing."""
+
+    def log_message(self, *_):
+        pass
+
+
+@contextmanager
+def served(folder):
+    """A folder on this machine, while the block runs: "http://127.0.0.1:PORT"."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}"
+    server.shutdown()
+    server.server_close()
+    thread.join()
+
+
+@contextmanager
+def chromium(folder):
+    """A browser without a screen, its profile in the folder."""
+    webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
+    if not (shutil.which("chromium") and shutil.which("chromedriver")):
+        pytest.skip("no browser: apt-get install chromium chromium-driver")
+    options = webdriver.ChromeOptions()
+    options.binary_location = shutil.which("chromium")
+    for flag in (
+        "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
+        "--disable-component-update", "--disable-sync", "--no-first-run", "--window-size=1300,900",
+        f"--user-data-dir={folder}",
+    ):  # fmt: skip
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
+    driver = webdriver.Chrome(options=options, service=service)
+    driver.set_script_timeout(LONG)
+    yield driver
+    driver.quit()
+
+
+def complaints(driver):
+    """What the console has said since it was asked before."""
+    return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]
+
+
+def requests(driver):
+    """The addresses that were asked for since the last time."""
+    messages = (json.loads(x["message"])["message"] for x in driver.get_log("performance"))
+    sent = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
+    return [p["request"]["url"] for p in sent]
+
+
+def wait(driver, script, what):
+    """What a script gives as soon as it gives something."""
+    end = time.monotonic() + LONG
+    while time.monotonic() < end:
+        if found := driver.execute_script(f"return {script}"):
+            return found
+        time.sleep(0.05)
+    return pytest.fail(f"not seen within {LONG} s: {what}")

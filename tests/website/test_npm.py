@@ -1,0 +1,28 @@
+"""Packages of npm: what is kept is checked, and a build goes on where they are out of reach."""
+
+import base64
+import hashlib
+import io
+import tarfile
+from dataclasses import replace
+
+from website.npm import Package
+
+
+def packed(tmp_path):
+    """A package whose archive is kept in the folder."""
+    path = tmp_path / "small-1.0.tgz"
+    with tarfile.open(path, "w:gz") as archive:
+        found = tarfile.TarInfo("package/a.txt")
+        found.size = 2
+        archive.addfile(found, io.BytesIO(b"hi"))
+    digest = base64.b64encode(hashlib.sha512(path.read_bytes()).digest()).decode()
+    return Package("small", "1.0", f"sha512-{digest}")
+
+
+def test_what_is_kept_needs_no_npm_and_is_not_used_once_it_was_changed(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    package = packed(tmp_path)
+    assert package.files(tmp_path, "a.txt") == {"a.txt": b"hi"}
+    assert replace(package, integrity="sha512-other").files(tmp_path, "a.txt") is None
+    assert replace(package, version="2.0").files(tmp_path, "a.txt") is None

@@ -1,0 +1,71 @@
+"""The engine beside the pages, so that a reader's browser can compute: Pyodide, and the package."""
+
+import hashlib
+import io
+import json
+import zipfile
+from importlib.util import find_spec
+from pathlib import Path
+
+from .kept import ROOT
+from .npm import Package
+
+PYODIDE = Package(
+    "pyodide",
+    "314.0.7",
+    "sha512-0YvXxEhfEdpLfb/XkM2BFAeMROq0iMUX2bzzH9pOttyMcWkwq+HbE5uyuGD82LN7y2q+SNvi/6V5JEsOlD2R1A==",
+)
+FILES = (
+    "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip",
+)  # fmt: skip
+LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi"}  # the pages show the notebooks
+OFFLINE = Path(__file__).with_name("theme") / "offline.js"
+
+
+def pyodide(cache: Path) -> dict[str, bytes] | None:
+    """The files of Pyodide by name; None where it is out of reach."""
+    return PYODIDE.files(cache, *FILES)
+
+
+def write(out: Path, found: dict[str, bytes]) -> None:
+    """Put the engine into the folder ``engine`` of the site, with these files of Pyodide.
+
+    Their names change with their contents, so that a browser may keep them for good.
+    """
+    folder, python = out / "engine", f"pyodide-{PYODIDE.version}"
+    (folder / python).mkdir(parents=True)
+    for name, contents in found.items():
+        (folder / python / name).write_bytes(contents)
+    package = _put(ROOT / "newton_euler", folder)
+    sizes = sum(map(len, found.values())) + (folder / package).stat().st_size
+    later = {name: [_put(path, folder) for path in paths] for name, paths in _later().items()}
+    about = {"python": f"{python}/", "package": package, "bytes": sizes, "later": later}
+    (folder / "engine.json").write_text(json.dumps(about))
+    (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # it keeps what lies beside it and below
+
+
+def _later():
+    """{package in Python alone that cells may ask for: its folder, and those that it needs}."""
+    folders = {name: Path(str(find_spec(name).origin)).parent for name in ("mpmath", "sympy")}
+    return {"mpmath": [folders["mpmath"]], "sympy": [*folders.values()]}
+
+
+def _put(package, folder):
+    """Put a package as a zip into the folder; its name."""
+    contents = packed(package)
+    name = f"{package.name}-{hashlib.sha256(contents).hexdigest()[:12]}.zip"
+    (folder / name).write_bytes(contents)
+    return name
+
+
+def packed(package: Path) -> bytes:
+    """A package as a zip, the same for the same files."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        # newton_euler/chapters is a link, which rglob does not follow
+        for path in sorted([*package.rglob("*"), *(package / "chapters").rglob("*")]):
+            if path.suffix not in LEFT_OUT and "tests" not in path.parts and path.is_file():
+                name = zipfile.ZipInfo(str(path.relative_to(package.parent)))
+                name.compress_type = zipfile.ZIP_DEFLATED
+                archive.writestr(name, path.read_bytes())
+    return out.getvalue()

@@ -1,0 +1,34 @@
+"""Figures with sliders on a page: the picture at the start, what the page's script makes sliders
+of, and files of the pictures at their ends.
+"""
+
+import hashlib
+import json
+from html import escape
+from pathlib import Path
+
+from nbformat import NotebookNode
+
+from newton_euler.classroom.widgets.on_pages import MOVING
+
+
+def mark(cell: NotebookNode, folder: Path) -> None:
+    """Wrap each moving picture of a cell in what the script looks for; the pictures at the ends of
+    its sliders become files in the folder.
+    """
+    outputs = (x.get("data", {}) for x in cell.outputs)
+    for number, data in enumerate(x for x in outputs if MOVING in x):
+        about = data.pop(MOVING)
+        for end in (end for pair in about["ends"].values() for end in pair):
+            end["file"] = _written(end.pop("svg"), folder)
+        given = escape(json.dumps({**about, "number": number}))
+        picture = data["text/html"]
+        data["text/html"] = f'<div class="moving" data-engine data-moving="{given}">{picture}</div>'
+
+
+def _written(svg, folder):
+    """The name of the file of a picture."""
+    folder.mkdir(parents=True, exist_ok=True)
+    name = hashlib.sha256(svg.encode()).hexdigest()[:16] + ".svg"
+    (folder / name).write_text(svg, encoding="utf-8")
+    return name

@@ -1,0 +1,44 @@
+"""Packages of npm that the site carries along: fetched once, checked, and kept."""
+
+import base64
+import hashlib
+import subprocess
+import tarfile
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Package:
+    """A package of npm at one version; ``integrity`` is its SHA-512 as npm writes it."""
+
+    name: str
+    version: str
+    integrity: str
+
+    def files(self, cache: Path, *names: str) -> dict[str, bytes] | None:
+        """{name: contents} of its files of these names; None where it is neither kept nor within
+        reach.
+        """
+        archive = cache / f"{self.name}-{self.version}.tgz"
+        if not (self._is_whole(archive) or self._fetched(archive)):
+            return None
+        with tarfile.open(archive) as packed:
+            found = {name: packed.extractfile(f"package/{name}") for name in names}
+            return {name: file.read() for name, file in found.items() if file}
+
+    def _is_whole(self, archive):
+        if not archive.exists():
+            return False
+        digest = hashlib.sha512(archive.read_bytes()).digest()
+        return self.integrity == f"sha512-{base64.b64encode(digest).decode()}"
+
+    def _fetched(self, archive):
+        """Whether npm has put it there."""
+        archive.parent.mkdir(parents=True, exist_ok=True)
+        command = ["npm", "pack", f"{self.name}@{self.version}", "--pack-destination"]
+        try:
+            subprocess.run([*command, archive.parent], capture_output=True, timeout=120, check=True)
+        except (OSError, subprocess.SubprocessError):
+            return False
+        return self._is_whole(archive)

@@ -1,0 +1,37 @@
+// a service worker, which keeps what a reader has seen: pages are asked for first, so that new ones
+// are shown; files of the engine have names that change with their contents, and are kept for good
+const KEPT = "newton-euler";
+const LASTING = /\/engine\/(\w+)-[^/]+/;
+
+addEventListener("install", () => skipWaiting());
+addEventListener("activate", (event) => event.waitUntil(clients.claim()));
+addEventListener("fetch", (event) => {
+  const { request } = event;
+  if (request.method !== "GET" || !request.url.startsWith(registration.scope)) return;
+  event.respondWith(LASTING.test(request.url) ? keptFirst(request) : fetchedFirst(request));
+});
+
+const kept = (request) => caches.match(request, { ignoreSearch: true });
+const keptFirst = async (request) => (await kept(request)) || fetched(request);
+const fetchedFirst = (request) =>
+  fetched(request).catch(async (error) => (await kept(request)) || Promise.reject(error));
+
+async function fetched(request) {
+  const response = await fetch(request);
+  if (response.status === 200) {
+    const copy = response.clone(), store = await caches.open(KEPT);
+    await forgetOlder(store, request.url);
+    store.put(request, copy);
+  }
+  return response;
+}
+
+// another version of the same file of the engine
+async function forgetOlder(store, url) {
+  const found = LASTING.exec(url);
+  if (!found) return;
+  for (const { url: old } of await store.keys()) {
+    const other = LASTING.exec(old);
+    if (other && other[1] === found[1] && other[0] !== found[0]) store.delete(old);
+  }
+}
