@@ -62,7 +62,7 @@ def sled(axes, pull):
 
 def hammer_film():
     """A film: a hammer thrown, its mass centre on a parabola."""
-    up, along, spin, time = 6.0, 3.0, 9.0, 1.2
+    up, along, spin, time = 6.0, 3.0, 8.9, 1.2
 
     def place(t):
         return along * t, 0, up * t - G * t * t / 2
