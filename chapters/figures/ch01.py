@@ -1,4 +1,6 @@
-"""The figures of chapter 1: position and displacement, and a merry-go-round for three observers."""
+"""The figures of chapter 1: position and displacement, a merry-go-round for three observers, and
+the clocks that flew round the Earth.
+"""
 
 import math
 
@@ -73,7 +75,7 @@ def three_observers(build):
         draw,
         Slider("t", 0.3, 0, 10.4, 0.1, unit="s"),
         alt="Three pictures of the nose of a merry-go-round horse. For the rider it is a point at "
-        "rest. For somebody on the platform it moves up and down on a vertical line. From the "
+        "rest, at the head of the horse. For somebody on the platform it moves up and down on a vertical line. From the "
         "ground it runs round on a wavy ring, with a velocity along that ring.",
         size=(9.6, 3.8),
         panels=(1, 3),
@@ -81,13 +83,27 @@ def three_observers(build):
 
 
 def _surroundings(s, own, n, t):
-    """What the observer sees at rest or turning: the horse for the rider, else the platform."""
+    """What the observer sees at rest or turning: the horse, and but for the rider the platform."""
     if n == 2:
-        s.box(O, own, (0.4, 1.3, 0.5))
+        _horse(s, own)
         return
     platform = own.rotate("platform", "z", 0.6 * t if n == 0 else 0.0)
+    pole = platform.point("pole", 3, 0, 1.5 + 0.4 * math.sin(3.0 * t))
     s.disk(O, own.k, 3.8, spoke=platform.point("", 3.8, 0, 0))
     s.rod(platform.point("", 3, 0, 0), platform.point("", 3, 0, 2.6))
+    _horse(s, platform.translate("horse", pole))
+
+
+# the outline of the horse, ahead and up from the pole; the first place is its nose
+HORSE = (
+    (1.0, 0.3), (0.95, 0.42), (0.62, 0.62), (0.55, 0.74), (0.5, 0.62), (0.25, 0.2), (-0.45, 0.2),
+    (-0.75, -0.2), (-0.62, 0.02), (-0.6, -0.6), (-0.48, -0.6), (-0.4, -0.15), (0.3, -0.15),
+    (0.38, -0.6), (0.5, -0.6), (0.5, 0.0), (0.62, 0.35), (0.9, 0.22),
+)  # fmt: skip
+
+
+def _horse(s, frame):
+    s.plate([frame.point("", 0, ahead, up) for ahead, up in HORSE], thickness=0.2, shade="dark")
 
 
 def merry_go_round_film(build):
@@ -101,7 +117,7 @@ def merry_go_round_film(build):
         s.disk(O, ground.k, 3.8, spoke=platform.point("", 3.8, 0, 0))
         s.shaft(O, (0, 0, 2.6))
         s.rod(platform.point("", 3, 0, 0), platform.point("", 3, 0, 2.6))
-        s.box(horse.origin, horse, (0.4, 1.3, 0.5))
+        _horse(s, horse)
         s.path(ring)
         s.dot(nose)
         s.vector(nose, nose.velocity(ground), r"$\mathbf{v}$")
@@ -112,3 +128,27 @@ def merry_go_round_film(build):
         alt="The merry-go-round turns once, the horse goes up and down; its nose follows a wavy "
         "ring, and its velocity is tangent to it at every instant.",
     )
+
+
+@with_sliders(
+    Slider("speed", 220, 0, 470, 10, label="ground speed", unit="m/s"),
+    alt="The Earth seen from above the North Pole, with a clock on the ground and two airliners. "
+    "Seen from the stars all three move eastward: the one that flies east fastest, then the "
+    "clock on the ground, and the one that flies west slowest, at these ground speeds.",
+    size=(6.4, 5.2),
+)
+def clocks(ax, build, speed):
+    """Figure 1.3: the velocities of three clocks, seen from the stars, from ``build(speed)``."""
+    stars, _, *three = build(speed)
+    s = Sketch(ax, stars, azimuth=-90, elevation=90)
+    s.disk(O, stars.k, 6.371e6 * 0.87)
+    s.turn(O, stars.k, r"$\omega$", radius=1.5e6)
+    names = "on the ground", "flies east", "flies west"
+    for name, angle, clock in zip(names, (0.0, 2.1, 4.2), three, strict=True):
+        here = stars.rotate("here", "z", angle)  # drawn apart, though they start together
+        place, v = clock.position(stars), clock.velocity(stars)
+        at = here.vector(*map(float, place.components(stars))).expressed_in(stars)
+        along = here.vector(*map(float, v.components(stars))).expressed_in(stars)
+        P = stars.point(name, at.x, at.y, 0)
+        s.dot(P)
+        s.vector(P, along, name, size="m/s")

@@ -205,7 +205,7 @@ def draw_masses(s, shaft, spots, planes, weights):
 
 
 @with_sliders(
-    Slider("x1", -10, -18, -6, 1, label="plane 1 at x", unit="cm"),
+    Slider("x1", -10, -16, -6, 1, label="plane 1 at x", unit="cm"),
     Slider("x2", 20, 10, 28, 1, label="plane 2 at x", unit="cm"),
     alt="The rotor with its two heavy spots and the two balancing weights, one in each plane, "
     "drawn larger the heavier they are. The weight of a plane that is moved away becomes smaller.",
@@ -224,7 +224,7 @@ def balancing(ax, build, x1, x2):
 @with_sliders(
     Slider("psi", 50, 0, 360, 10, label="ψ", unit="°"),
     alt="A level shaft seen from its end and from the side: X points vertically down, the angle "
-    "psi leads from X to the x axis of the body, and the weight acts at the mass centre G, "
+    "psi leads from X to the x axis of the body, and the weight acts at the centre of mass G, "
     "which is off the axis.",
     size=(8.4, 4),
     panels=(1, 2),

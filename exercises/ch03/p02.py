@@ -59,9 +59,9 @@ def mistakes(g):
 def draw(g, ax):
     s = Sketch(ax, GROUND, azimuth=-35, elevation=15)
     P, far = point(g, g.t1), g.cz * g.t1**4
-    s.axes((0, 0, 0), GROUND, length=0.5 * far)
-    s.path([point(g, g.t1 * n / 40).position(GROUND) for n in range(51)])
-    n = 0.6 * far * direction(g).direction()
+    s.axes((0, 0, 0), GROUND, length=0.6 * far)
+    s.path([point(g, g.t1 * n / 40).position(GROUND) for n in range(44)])
+    n = 0.9 * far * direction(g).direction()
     s.arrow((0, 0, 0), n)
     s.label(n, "$\\mathbf{n}$")
     s.vector(P, P.velocity(GROUND), "$\\mathbf{v}$")

@@ -271,6 +271,7 @@ class _Reader:
         self.names.place = place
         try:
             formula = self._shortened(self._without_bars(readable(self._written(x, {}))))
+            formula = self._without_ones(formula)
             if is_atom(formula):
                 formula = formula.xreplace(self.short)
         except Unwritten:
@@ -290,6 +291,16 @@ class _Reader:
                 if signs in ({True}, {False}):
                     formula = formula.xreplace({bars: inside if True in signs else -inside})
         return formula
+
+    def _without_ones(self, formula):
+        """The formula without squares of components of a unit vector that add up to one."""
+        import sympy
+
+        squared = {x.base for x in formula.atoms(sympy.Pow) if x.exp == 2}
+        if len(squared & self.short.keys()) < 2:
+            return formula
+        shorter = sympy.trigsimp(formula.xreplace(self.short))
+        return shorter if shorter.count_ops() < formula.count_ops() else formula
 
     def _shortened(self, formula):
         """The formula with earlier quantities in the place of theirs."""

@@ -8,6 +8,7 @@ from ..algebra.vectors import Vector
 
 NOISE = 1e-12  # of the largest value of the same unit in one call: what round-off leaves of a zero
 ALONE = 1e-14  # the same for a value that stands alone, in its unit
+PLAIN = 1e-4, 1e7  # between these without a power of ten
 MOST = 8  # numbers of an array that are printed
 
 
@@ -86,5 +87,5 @@ def _value(value, digits, noise):
         return f"[{', '.join(parts)}]"
     if isinstance(value, (bool, int)) or not is_numeric(value) or isinstance(value, complex):
         return shown(value)
-    x = 0.0 if abs(float(value)) < noise else float(value)
-    return f"{x:.{digits}g}"
+    x = 0.0 if abs(float(value)) < noise else float(f"{float(value):.{digits}g}")
+    return f"{x:.15g}" if PLAIN[0] <= abs(x) < PLAIN[1] else f"{x:.{digits}g}"

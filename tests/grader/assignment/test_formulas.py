@@ -91,6 +91,7 @@ def shown(name, key):
     ("4/4", "a_P_coriolis", ["0", "2*n*v_r_x", "0"]),  # not v_P_x, which is equal
     ("3/12", "v_theta", ["a*omega"]),  # a step that converts a given is used after it
     ("2/11", "rho_top", ["v_top**2/g"]),  # an earlier quantity within a product
+    ("4/21", "omega_A_of_fork", ["0", "0", "Omega"]),  # not (e_y**2 + e_z**2)*Omega
     ("7/6", "I_xy", ["0"]),  # no round-off
     ("11/17", "T_rot", ["I_C*omega**2/2"]),  # the unknown w is no quantity of the problem
     ("2/5", "h", ["g*t_near**2/2 - t_near*v_0*cos(phi)", "g*t_far**2/2 - t_far*v_0*cos(phi)"]),

@@ -56,13 +56,17 @@ class Cluster:
         with Client(scheduler_file=str(self.file), set_as_default=False) as client:
             return ask(client)
 
-    def add_workers(self, count, living=None, **more):
-        start = len(self.workers) if living is None else living
+    def living(self):
+        return [worker for worker in self.workers if worker.poll() is None]
+
+    def at_least(self, count):
+        """Have so many workers."""
         self.workers += [
-            dask("worker", "--scheduler-file", self.file, "--nthreads", 1, "--no-nanny", **more)
-            for _ in range(count)
+            dask("worker", "--scheduler-file", self.file, "--nthreads", 1, "--no-nanny")
+            for _ in range(count - len(self.living()))
         ]
-        self.client(lambda c: c.wait_for_workers(start + count, timeout=60))
+        self.client(lambda c: c.wait_for_workers(count, timeout=60))
+        return self
 
     def below(self):
         """The processes that the workers have started."""
@@ -79,19 +83,15 @@ class Cluster:
 
 
 @pytest.fixture(scope="module")
-def two_workers(tmp_path_factory):
+def cluster(tmp_path_factory):
     cluster = Cluster(tmp_path_factory.mktemp("cluster"))
-    cluster.add_workers(2)
     yield cluster
     cluster.end()
 
 
 @pytest.fixture
-def three_workers(tmp_path):
-    cluster = Cluster(tmp_path)
-    cluster.add_workers(3)
-    yield cluster
-    cluster.end()
+def two_workers(cluster):
+    return cluster.at_least(2)
 
 
 def test_a_cluster_gives_the_same_scores_and_leaves_nothing_running(fresh, two_workers, course):
@@ -106,21 +106,6 @@ def test_a_cluster_gives_the_same_scores_and_leaves_nothing_running(fresh, two_w
     assert not list(fresh.path.glob("scores/.plan*"))
     again = grade(fresh, "ch04", scheduler=two_workers.address)
     assert all(r.unchanged for r in again)
-
-
-def test_what_a_killed_worker_had_is_done_by_another(fresh, three_workers, course):
-    started = []
-
-    def kill(_):
-        if not started:
-            started.extend(three_workers.below())
-            os.kill(three_workers.workers[0].pid, signal.SIGKILL)
-
-    results = grade(fresh, "ch04", scheduler=three_workers.address, progress=kill)
-    assert not [r.problem for r in results if r.problem]
-    assert gradebook_rows(fresh) == gradebook_rows(course)
-    assert len(started) >= 3
-    three_workers.wait(lambda: not [p for p in started if p.is_running()])
 
 
 def test_a_damaged_submission_and_somebody_unknown_are_told_as_without_a_cluster(
@@ -191,14 +176,14 @@ def test_a_worker_that_sees_another_course_is_refused(fresh, two_workers, monkey
         grade(Course(fresh.path), "ch04", scheduler=two_workers.address)
 
 
-def dying(cluster, count, monkeypatch):
-    """The next run's first check kills the first ``count`` of these workers."""
+def dying(victims, monkeypatch):
+    """The next run's first check kills these workers."""
     from grader.grading import cluster as grading
 
-    victims = [worker.pid for worker in cluster.workers[:count]]
+    pids = [worker.pid for worker in victims]
 
     def examine(shared):
-        if os.getpid() in victims:
+        if os.getpid() in pids:
             os.kill(os.getpid(), signal.SIGKILL)
         return original(shared)
 
@@ -206,30 +191,36 @@ def dying(cluster, count, monkeypatch):
     monkeypatch.setattr(grading, "_examine", examine)
 
 
-def test_a_worker_that_dies_in_its_first_check_does_not_stop_the_others(
-    fresh, tmp_path, course, monkeypatch
+def test_others_do_the_work_of_a_worker_that_dies_until_all_have_died(
+    fresh, cluster, course, monkeypatch
 ):
-    cluster, said = Cluster(tmp_path), []
-    try:
-        cluster.add_workers(2)
-        dying(cluster, 1, monkeypatch)
-        results = grade(fresh, "ch04", scheduler=cluster.address, report=said.append)
-        assert not [r.problem for r in results if r.problem]
-        assert gradebook_rows(fresh) == gradebook_rows(course)
-        died = "it died in its first check, and the others do its work"
-        assert sorted(line.split(": ")[1] for line in said) == ["1 at a time, namespaces", died]
+    """Killed at its work, in its first check, and as the last one."""
+    address, started, said = cluster.at_least(3).address, [], []
+    first, *others = cluster.living()
 
-        dying(cluster, 2, monkeypatch)
-        with pytest.raises(CourseError, match="every worker of the cluster died in its first che"):
-            grade(fresh, "ch04", scheduler=cluster.address)
+    def kill_first(_):
+        if not started:
+            started.extend(cluster.below())
+            first.kill()
 
-        monkeypatch.undo()
-        cluster.add_workers(1, living=0)
-        kill = [lambda _: os.kill(cluster.workers[-1].pid, signal.SIGKILL)]
-        with pytest.raises(CourseError, match=r"all workers of the cluster have died; .* are kept"):
-            grade(
-                fresh, "ch04", scheduler=cluster.address, force=True,
-                progress=lambda r: kill and kill.pop()(r),
-            )  # fmt: skip
-    finally:
-        cluster.end()
+    results = grade(fresh, "ch04", scheduler=address, progress=kill_first)
+    assert not [r.problem for r in results if r.problem]
+    assert gradebook_rows(fresh) == gradebook_rows(course)
+    assert len(started) >= 3
+    cluster.wait(lambda: not [p for p in started if p.is_running()])
+
+    dying(others[:1], monkeypatch)
+    results = grade(fresh, "ch04", scheduler=address, force=True, report=said.append)
+    assert not [r.problem for r in results if r.problem]
+    assert gradebook_rows(fresh) == gradebook_rows(course)
+    died = "it died in its first check, and the others do its work"
+    assert sorted(line.split(": ")[1] for line in said) == ["1 at a time, namespaces", died]
+
+    dying(others, monkeypatch)
+    with pytest.raises(CourseError, match="every worker of the cluster died in its first che"):
+        grade(fresh, "ch04", scheduler=address)
+
+    monkeypatch.undo()
+    (last,) = cluster.at_least(1).living()
+    with pytest.raises(CourseError, match=r"all workers of the cluster have died; .* are kept"):
+        grade(fresh, "ch04", scheduler=address, force=True, progress=lambda _: last.kill())

@@ -55,6 +55,11 @@ def test_a_row_of_a_table_is_one_line_with_its_digits(capsys):
     )
 
 
+def test_a_value_with_few_digits_has_no_power_of_ten(capsys):
+    assert printed(capsys, "ahead", 281.2, "ns", digits=2) == "ahead = 280 ns"
+    assert printed(capsys, "radius", 6.371e6, "m") == "radius = 6371000 m"
+
+
 @pytest.mark.parametrize("what", [(), ("v",), (3.0, "m"), ("v", "m/s"), ("v", 1.0, "m", "a")])
 def test_what_is_no_name_and_value_is_refused_in_words(what):
     with pytest.raises(ArgumentError, match="show takes a name, a value and a unit"):
