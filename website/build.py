@@ -10,7 +10,16 @@ from pathlib import Path
 
 import nbformat
 
-from . import chapter_pages, contents, engine, problem_index, problem_pages, reference
+from . import (
+    chapter_pages,
+    contents,
+    engine,
+    landing,
+    practice_sets,
+    problem_index,
+    problem_pages,
+    reference,
+)
 from .execution import WebsiteError, with_outputs
 from .kept import ROOT
 from .notebooks import FOLDER, Chapter, chapters
@@ -27,6 +36,9 @@ def build(
     cache: Path = CACHE,
     progress: Callable[[str, int, int], object] = lambda step, done, number: None,
     with_engine: bool = True,
+    packages: str = "",
+    practised: Collection[str] | None = None,
+    course: Path | None = None,
 ) -> list[str]:
     """Build the site in the folder ``out``; returns what is not in it: the engine, the outputs of
     chapters.
@@ -37,6 +49,9 @@ def build(
     cache : folder of the outputs and figures that are kept
     progress : called with a step, and how much of it is done of how much
     with_engine : puts Python and the engine beside the pages, where npm or ``cache`` has Pyodide
+    packages : address of Pyodide's other packages, of which a reader may ask for NumPy
+    practised : the chapters whose problems are checked on their pages; by default all
+    course : the folder of a course, near whose graded numbers nobody practises
     """
     python = engine.pyodide(cache / "npm") if with_engine else None
     found, wanted = chapters(names, folder), problem_pages.names(names)
@@ -45,12 +60,23 @@ def build(
     pictures = problem_pages.figures(
         wanted, cache / "figures", _counter(progress, "figures", count)
     )
+    practised = [name for name in wanted if practised is None or name in practised]
+    count = sum(len(problem_pages.problems(name)) for name in practised if python)
+    found_sets = practice_sets.sets(
+        practised if python else (),
+        cache / "practice",
+        _counter(progress, "practice", count),
+        course,
+    )
     with tempfile.TemporaryDirectory() as work:
         source, pages = Path(work) / "source", Path(work) / "pages"
         _write_source(source, found, ran, wanted, pictures, pages / "moving" if python else None)
         _sphinx(source, pages, bool(names), progress, ["engine"] if python else [])
         if python:
-            engine.write(pages, python)
+            engine.write(pages, python, packages)
+            (pages / "practice").mkdir()
+            for name, data in found_sets.items():
+                (pages / "practice" / name).write_bytes(data)
         (pages / ".nojekyll").touch()  # else GitHub leaves out folders like _static
         shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
     without = [f"outputs of {c.stem}" for c in found if ran[c.stem] is None]
@@ -68,13 +94,14 @@ def _counter(progress, step, number):
     return count
 
 
-def _write_source(source, found, ran, wanted, pictures, ends):
-    _write_chapters(source / "chapters", found, ran, ends)
+def _write_source(source, found, ran, wanted, pictures, moving):
+    _write_chapters(source / "chapters", found, ran, moving)
     _write_problems(source / "problems", wanted, found, pictures)
     pages = reference.pages()
     for name, text in pages.items():
         _write(source / "reference" / f"{name}.rst", text)
-    _write(source / "index.md", contents.page(found, wanted, reference.titles(pages)))
+    question = landing.question() if "ch04" in wanted else ""
+    _write(source / "index.md", contents.page(found, wanted, reference.titles(pages), question))
 
 
 def _emptied(folder):
@@ -93,10 +120,10 @@ def _write(path, text):
     path.write_text(text, encoding="utf-8")
 
 
-def _write_chapters(folder, found, ran, ends):
+def _write_chapters(folder, found, ran, moving):
     for c in found:
         notebook = ran[c.stem] or nbformat.read(c.path, as_version=4)
-        page = chapter_pages.page(notebook, ran[c.stem] is not None, ends)
+        page = chapter_pages.page(notebook, ran[c.stem] is not None, moving)
         _write(folder / c.path.name, nbformat.writes(page))
 
 
@@ -104,6 +131,8 @@ def _write_problems(folder, names, found, pictures):
     notebooks = {c.name: c.path.name for c in found}
     for name in names:
         _write(folder / f"{name}.md", problem_pages.page(name, notebooks.get(name, "")))
+        for file, text in problem_pages.own_pages(name).items():
+            _write(folder / file, text)
     _write(folder / "index.md", problem_index.page(names))
     for name, png in pictures.items():
         (folder / "figures").mkdir(exist_ok=True)

@@ -32,8 +32,27 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     help="Run no notebook: one whose outputs are not kept is shown without them.",
 )
 @click.option("--engine/--no-engine", default=True, help="Put Python and the engine beside them.")
+@click.option(
+    "--packages",
+    default="",
+    metavar="URL",
+    help="Folder with Pyodide's other packages: readers may then fetch NumPy from there.",
+)
+@click.option(
+    "--course",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    show_default="none",
+    help="Nobody practises near the numbers that this course grades.",
+)
 @PROBLEMS_FROM
-def main(out: Path, names: tuple[str, ...], no_run: bool, engine: bool) -> None:
+def main(
+    out: Path,
+    names: tuple[str, ...],
+    no_run: bool,
+    engine: bool,
+    packages: str,
+    course: Path | None,
+) -> None:
     """Build the course as static pages, to read in a browser without network and without Python.
 
     The pages are the chapters with all that their cells print and draw, films included; the
@@ -65,7 +84,13 @@ def main(out: Path, names: tuple[str, ...], no_run: bool, engine: bool) -> None:
     try:
         with _bar() as bar:
             left = steps.build(
-                out, names, lambda c: not no_run, progress=_shown(bar), with_engine=engine
+                out,
+                names,
+                lambda c: not no_run,
+                progress=_shown(bar),
+                with_engine=engine,
+                packages=packages,
+                course=course,
             )
     except WebsiteError as error:
         raise click.ClickException(str(error)) from None

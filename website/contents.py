@@ -1,19 +1,28 @@
 """The first page: what this is, the chapters, how to run and to build them."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from exercises.catalogue import chapter, problems
 from newton_euler import __version__
 
+from . import landing
 from .notebooks import Chapter
 from .problem_pages import heading
 
 WHAT = """\
 # Newton-Euler dynamics
 
-Courseware for the dynamics of particles and rigid bodies in three dimensions: a notebook for each chapter, problems of the
-book, and an engine in Python that computes and says how each number comes about. These pages hold the notebooks with all that they
-print and draw. They need no network; films play here, sliders want the notebook itself.
+Dynamics in three dimensions that answers back: chapters whose figures move, {count} problems that say which mistake
+an answer holds, and the engine behind both. All of it works in this page: no install, no account, nothing is sent.
+
+```{{raw}} html
+{moving}{question}<script defer src="_static/landing.js"></script>
+```
+
+- **Students:** [choose a problem](problems/index.md) and work it on its page, or read [a chapter](#chapters).
+- **Instructors:** assignments with numbers for each student, graded in a sandbox, with feedback that names the
+  mistake: [run the notebooks](#run-the-notebooks), then `python -m grader demo`.
+- **Developers:** the [reference](#reference) of the engine; every formula runs on floats, arrays and symbols.
 
 """  # noqa: E501  # a text for readers
 RUN = """
@@ -51,10 +60,15 @@ TREE = """\
 
 
 def page(
-    chapters: Iterable[Chapter], problem_names: Iterable[str], reference: Mapping[str, str]
+    chapters: Iterable[Chapter],
+    problem_names: Collection[str],
+    reference: Mapping[str, str],
+    question: str = "",
 ) -> str:
-    """The text of the first page."""
-    lines = [WHAT, "## Chapters", "", *map(_chapter, chapters), "", "## Problems", ""]
+    """The text of the first page, with a ``question`` about its figure, as HTML."""
+    count = sum(len(problems(name)) for name in problem_names)
+    what = WHAT.format(count=count, moving=landing.moving(), question=question)
+    lines = [what, "## Chapters", "", *map(_chapter, chapters), "", "## Problems", ""]
     lines += ["- **[Choose a problem](problems/index.md)**", *map(_problems, problem_names), ""]
     lines += ["## Reference", ""]
     lines += [f"- [{title}](reference/{name}.rst)" for name, title in reference.items()]

@@ -1,5 +1,5 @@
-"""The statements of the problems as pages, one for each chapter, with figures. Nothing here calls
-``solve``, ``prove`` or ``mistakes``.
+"""The statements of the problems as pages, one for each chapter and one for each problem, with
+figures. Nothing here calls ``solve``, ``prove`` or ``mistakes``.
 """
 
 import os
@@ -26,6 +26,26 @@ NUMBERS = """\
 ```
 
 </details>
+"""
+OWN = """\
+---
+orphan: true
+nosearch: true
+---
+# {title}
+
+`````{{container}} statement
+{text}
+`````
+
+{data}
+
+```{{raw}} html
+<div class="practice" data-problem="{id}" data-file="{chapter}" data-engine hidden></div>
+<script defer src="../_static/practice.js"></script>
+```
+
+[All problems of this chapter]({chapter}.md) · [Choose a problem](index.md)
 """
 
 
@@ -58,11 +78,30 @@ def heading(title: str) -> str:
 
 
 def _text(p):
+    work = f"**[Work problem {p.id}]({slug(p.id)}.md)**"
+    return f"({anchor(p.id)})=\n{_statement(p)}\n\n{work}\n\n{_data(p)}"
+
+
+def _statement(p):
     text = statement(p, p.book_values, bool(p.figure), chapters="../chapters")
     text = text.replace("(attachment:figure.png)", f"(figures/{slug(p.id)}.png)")
-    text = re.sub(r"\(\S+?\.ipynb#.*\)$", f"(#{section_anchor(p.section)})", text)
-    data = NUMBERS.format(lines="\n".join(definitions(p, p.book_values)[1:]))
-    return f"({anchor(p.id)})=\n{text}\n\n{data if p.givens or p.symbols else ''}"
+    return re.sub(r"\(\S+?\.ipynb#.*\)$", f"(#{section_anchor(p.section)})", text)
+
+
+def _data(p):
+    lines = "\n".join(definitions(p, p.book_values)[1:])
+    return NUMBERS.format(lines=lines) if p.givens or p.symbols else ""
+
+
+def own_pages(name: str) -> dict[str, str]:
+    """{file name: text} of the pages of a chapter's problems, on which they are worked."""
+    found = {}
+    for p in problems(name):
+        head, _, text = _statement(p).partition("\n")
+        found[f"{slug(p.id)}.md"] = OWN.format(
+            title=head.lstrip("# "), text=text.strip(), data=_data(p), id=p.id, chapter=name
+        )
+    return found
 
 
 def figures(wanted: Iterable[str], cache: Path, done: Callable[[int], object]) -> dict[str, bytes]:

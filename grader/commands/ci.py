@@ -39,8 +39,46 @@ prove:
     - python -m grader prove --problems-from {folder} --seeds 5
     - python -m grader diagnose --problems-from {folder}
 """
+PAGES = """\
+# Builds the site (python -m website) of a repository with this courseware, for GitHub Pages.
+# In its settings, under Pages, choose "GitHub Actions" as the source.
+name: pages
+on:
+  push:
+    branches: [main]
+  workflow_dispatch:
+permissions:
+  contents: read
+  pages: write
+  id-token: write
+concurrency: pages
+jobs:
+  pages:
+    runs-on: ubuntu-latest
+    environment:
+      name: github-pages
+      url: ${{{{ steps.deployed.outputs.page_url }}}}
+    steps:
+      - uses: actions/checkout@v4
+      - uses: actions/setup-python@v5
+        with:
+          python-version: "3.12"
+      - uses: actions/cache@v4
+        with:
+          path: .site_cache
+          key: site-${{{{ github.sha }}}}
+          restore-keys: site-
+      - run: pip install -e '.[fast,course,site]'
+      - run: python -m website --out _site
+      - uses: actions/upload-pages-artifact@v3
+        with:
+          path: _site
+      - id: deployed
+        uses: actions/deploy-pages@v4
+"""
 FORGES = {
     "github": (".github/workflows/problems.yml", GITHUB),
+    "pages": (".github/workflows/pages.yml", PAGES),
     "gitlab": (".gitlab-ci.yml", GITLAB),
 }
 
@@ -53,7 +91,8 @@ def ci(forge: str, folder: str, to: Path) -> None:
     """Write the workflow that proves and diagnoses a course's own problems at each push.
 
     It is for the repository of a course, and fails where a key is wrong, a text names what is not
-    given, or a mistake passes for right. A file that is there already is left as it is.
+    given, or a mistake passes for right. "pages" is the workflow that builds the site and puts it
+    on GitHub Pages. A file that is there already is left as it is.
     """
     place, text = FORGES[forge]
     path = to / place

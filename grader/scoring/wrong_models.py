@@ -2,11 +2,14 @@
 problem (a term left out or turned, degrees for radians, axes of another frame).
 """
 
+import warnings
+
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import causes
+from newton_euler.kinematics import AngleWarning
 
 from .computation import section
 
@@ -34,8 +37,10 @@ def general_models(problem, g, right, compute):
         if isinstance(x, Vector):
             models = (*_terms(x, problem), *_rates(x), *_frames(x, problem))
             found += [(key, cause, flat(wrong)) for cause, wrong in models]
-    for cause, changes in _units(problem, g):
-        found += [(key, cause, flat(x)) for key, x in compute(g.but(**changes)).items()]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", AngleWarning)  # degrees for radians are meant
+        for cause, changes in _units(problem, g):
+            found += [(key, cause, flat(x)) for key, x in compute(g.but(**changes)).items()]
     return found
 
 

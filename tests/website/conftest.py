@@ -12,6 +12,7 @@ from tests.website.browser import chromium, served
 
 # it measures for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}
+PRACTISED = ["ch04"]  # the problems that are checked on their pages: half a minute for all
 
 
 @pytest.fixture(scope="session")
@@ -28,7 +29,12 @@ def site(tmp_path_factory):
         for path in FOLDER.glob("*.ipynb"):
             shutil.copy(path, folder)
         sample.write(folder / "sample.ipynb")
-        build(out / "pages", folder=folder, run=lambda chapter: chapter.stem not in NOT_RUN)
+        build(
+            out / "pages",
+            folder=folder,
+            run=lambda chapter: chapter.stem not in NOT_RUN,
+            practised=PRACTISED,
+        )
 
     return once(tmp_path_factory, "site", make)[0] / "pages"
 

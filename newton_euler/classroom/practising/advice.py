@@ -39,14 +39,14 @@ def advise(
 ) -> Advice:
     """What to do next of the problems, {number: section} in the order of the book.
 
-    now : the problem that has just been worked, which is not proposed again on the same day
+    now : the problem that has just been worked, which is not proposed again once it is finished
     may_err : function of a problem, the (group, name) of the causes that can be seen in it
     """
     today = progress.today()
     done = [d for p, s in sections.items() if (d := _done(p, s, progress))]
     latest = sorted(done, key=lambda d: d.day, reverse=True)
     for d in latest:
-        if d.open and d.day == today and d.problem != now:
+        if d.open and d.day == today:
             return Advice(d.problem, f"{d.problem} is unfinished: {_and(d.open)} is not right yet.")
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:

@@ -124,6 +124,11 @@ class PracticeProblem:
         return self._page["title"]
 
     @property
+    def solved(self) -> dict[str, tuple]:
+        """The right values of steps and answers, by name, as their components."""
+        return {key: points[0] for key, points in self._numbers.key.items()}
+
+    @property
     def statement(self) -> str:
         """Its text with these numbers in Markdown, without its title."""
         text = self._variant["statement"].partition("\n")[2].strip()

@@ -12,11 +12,10 @@ addEventListener("beforeprint", () => {
 
 // predictions: the first choice, number or sentence is kept in this browser and opens the answer
 const PREDICTED = "newton-euler predictions";
-let predicted = {};  // {question: [prediction, whether it was right]}
+let predicted = {};  // {key: [the number of the choice or what was typed, whether it was right]}
 try {
   predicted = JSON.parse(localStorage.getItem(PREDICTED)) || {};
 } catch { /* a browser that keeps nothing */ }
-const textOf = (element) => element.textContent.trim();
 const asked = [...document.querySelectorAll(".prediction")];
 
 function keep(key, prediction, right) {
@@ -39,19 +38,19 @@ function numberMeans(form, text) {
 
 function ask(prediction, key) {
   const choices = [...prediction.querySelectorAll(".choice")], form = prediction.querySelector("form");
-  const open = (text) => {
+  const open = (number) => {
     prediction.classList.add("made");
     for (const choice of choices) {
-      const own = textOf(choice.firstChild) === text;
+      const own = choice === choices[number];
       choice.classList.toggle("chosen", own);
       if (own || "right" in choice.dataset) choice.open = true;
     }
   };
-  for (const choice of choices)
+  for (const [number, choice] of choices.entries())
     choice.firstChild.addEventListener("click", (event) => {
       if (key in predicted) return;
       event.preventDefault();
-      keep(key, textOf(choice.firstChild), "right" in choice.dataset);
+      keep(key, number, "right" in choice.dataset);
       open(predicted[key][0]);
     });
   const openAnswer = (text) => {
@@ -75,7 +74,7 @@ function ask(prediction, key) {
   if (key in predicted) (form ? openAnswer : open)(predicted[key][0]);
 }
 
-const keyOf = (prediction) => textOf(prediction.querySelector(".question"));
+const keyOf = (prediction) => prediction.dataset.key;
 const wrong = () => asked.filter((prediction) => (predicted[keyOf(prediction)] || [])[1] === false);
 const fresh = asked.map((prediction) => prediction.cloneNode(true));
 
@@ -133,3 +132,14 @@ if (choose) {
   choose.hidden = false;
   show();
 }
+
+// for those who do not see or point: the margin's headings have a level, a summary is called what it
+// says, and the keyboard reaches what scrolls within itself
+for (const caption of document.querySelectorAll(".caption[role=heading]")) caption.setAttribute("aria-level", "2");
+for (const summary of document.querySelectorAll("summary[aria-label]")) summary.removeAttribute("aria-label");
+const reachable = () => {
+  for (const e of document.querySelectorAll("article :is(pre, div.math, table.docutils, .table-wrapper, div.problems, .output, span.math mjx-container)"))
+    if (e.scrollWidth > e.clientWidth || e.scrollHeight > e.clientHeight) e.tabIndex = 0;
+};
+addEventListener("load", () => Promise.resolve(window.MathJax?.startup?.promise).then(reachable));
+addEventListener("resize", reachable);

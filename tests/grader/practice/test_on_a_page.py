@@ -1,0 +1,154 @@
+"""Practice as a page calls it: JSON in and out, without NumPy, Matplotlib and SymPy."""
+
+import json
+import subprocess
+import sys
+import zipfile
+from base64 import b64encode
+
+import pytest
+
+from exercises.catalogue import problem
+from grader.practice.build import page_of, svg
+from newton_euler.browser import answer
+from tests.grader.courses import environment
+
+SECRETS = (
+    "__import__('os').system('x')",
+    "9**9**9**9",
+    "(" * 400,
+    "1+" * 400,
+    "b" * 10**5,
+    "[" * 250,
+)
+
+
+def call(function, **arguments):
+    return json.loads(answer(f"practice.{function}", json.dumps(arguments)))
+
+
+@pytest.fixture(scope="module")
+def opened(practice_file):
+    """The problems of a file that a page has handed over."""
+    data = b64encode(practice_file.read_bytes()).decode()
+    return call("load", name="some", data=data)["value"]
+
+
+def shown(number, **more):
+    return call("show", problem=number, **more)["value"]
+
+
+def test_a_problem_has_a_field_for_each_component_and_other_numbers_when_asked(opened):
+    assert opened == ["4/1", "4/2", "4/16", "2/18", "5/16", "8/8"]
+    first, second = shown("4/16"), shown("4/16", new=True)
+    assert [len(q["parts"]) for q in first["answers"]] == [3, 3, 3]
+    assert {q["key"] for q in first["steps"]} >= {"omega_CD", "v_r"}
+    assert (first["number"], second["number"], first["sets"]) == (1, 2, 3)
+    assert first["names"] != second["names"]
+    assert first["figure"].startswith("data:image/png;base64,")
+    for _ in range(2):
+        shown("4/16", new=True)
+    assert shown("4/16")["names"] == first["names"]
+    assert "error" in call("show", problem="9/99")
+
+
+def test_wrong_answers_are_named_and_progress_is_handed_back(opened):
+    while shown("4/16")["number"] != 1:
+        shown("4/16", new=True)
+    fields = {
+        "a_D": ["0", "-7.38", "-2.80592"],
+        "omega_CD": ["-b_dot", "0", "omega"],
+        "v_D": ["1", "", ""],
+    }
+    found = call("check", problem="4/16", fields=fields)["value"]
+    verdicts = {key: x["verdict"] for key, x in found["found"].items()}
+    assert verdicts == {"a_D": "wrong", "omega_CD": "right", "v_D": "unreadable"}
+    assert "leaves out the Coriolis term" in found["found"]["a_D"]["text"]
+    assert "second component" in found["found"]["v_D"]["text"]
+    kept = json.loads(found["kept"])["problems"]["4/16"]["0"]
+    assert kept["a_D"]["cause"][:2] == ["listed", "no_coriolis"]
+    titles = {p: ["", "4.10"] for p in opened}
+    assert call("advice", titles=titles)["value"]["problem"] == "4/16"
+    for help in ("hint", "solution"):
+        assert "kept" in call(help, problem="4/16")["value"]
+    assert call("advice", titles=titles, now="4/16")["value"]["problem"] != "4/16"
+    assert call("take_in", progress=found["kept"])["value"]
+    assert "cannot be read" in call("take_in", progress="{}")["error"]
+
+
+def test_what_is_typed_is_shown_as_it_is_read(opened):
+    def read(*texts):
+        return call("read", problem="4/16", key="a_D", texts=texts)["value"]
+
+    number = shown("4/16")["names"]["omega"]
+    assert read("-2*omega*b", "0", "1/2")["latex"].startswith(
+        r"\left[{-2 \omega b},\ 0,\ \frac{1}{2}\right] = "
+    )
+    assert read("[1, 2, 3]", "", "")["latex"] == r"\left[1,\ 2,\ 3\right]\ \text{mm/s}^2"
+    assert read("", "", "") == {"latex": "", "fault": ""}
+    assert f"{number:g}" in read("omega", "0", "0")["latex"]
+    assert "none of the given names" in read("speed", "0", "0")["fault"]
+
+
+@pytest.mark.parametrize("text", SECRETS, ids=range(len(SECRETS)))
+def test_what_is_no_formula_is_refused_in_words(opened, text):
+    found = call("read", problem="4/16", key="a_D", texts=[text, "0", "0"])["value"]
+    assert found["latex"] == ""
+    assert 0 < len(found["fault"]) < 300
+    checked = call("check", problem="4/16", fields={"a_D": [text, "0", "0"]})["value"]
+    assert checked["found"]["a_D"]["verdict"] == "unreadable"
+
+
+def test_files_that_are_no_practice_are_refused_in_words(tmp_path):
+    bomb = tmp_path / "bomb"
+    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("practice.json", b" " * 2**25)
+    code = b"import os; os.system('x')"
+    for data in (b"", code, bomb.read_bytes()):
+        found = call("load", name="x", data=b64encode(data).decode())
+        assert "practice file" in found["error"] or "MB" in found["error"]
+
+
+HIDDEN = """
+import json, sys
+from base64 import b64encode
+for name in ("numpy", "scipy", "matplotlib", "sympy", "mpmath", "click", "IPython", "ipywidgets"):
+    sys.modules[name] = None
+from newton_euler.browser import answer
+def call(function, **arguments):
+    found = json.loads(answer(f"practice.{function}", json.dumps(arguments)))
+    assert "error" not in found, (function, arguments, found)
+    return found["value"]
+with open(sys.argv[1], "rb") as file:
+    data = b64encode(file.read()).decode()
+for number in call("load", name="x", data=data):
+    for new in (False, True):
+        p = call("show", problem=number, new=new)
+        for q in p["answers"] + p["steps"]:
+            for value in ("1.5", "-2e3"):
+                texts = [value] * len(q["parts"])
+                call("check", problem=number, fields={q["key"]: texts})
+                call("read", problem=number, key=q["key"], texts=texts)
+        call("hint", problem=number), call("solution", problem=number)
+print("done")
+"""
+
+
+def test_all_of_it_works_where_there_is_no_numpy(practice_file):
+    done = subprocess.run(
+        [sys.executable, "-c", HIDDEN, practice_file],
+        env=environment(), capture_output=True, text=True, timeout=300, check=False,
+    )  # fmt: skip
+    assert (done.stdout, done.stderr) == ("done\n", "")
+
+
+@pytest.mark.parametrize("number", ["4/2", "4/16", "7/14", "11/6", "A/19"])
+def test_public_sets_hold_the_answers_of_their_own_numbers_and_no_code(number):
+    page, figures = page_of(number, 3, "solution", draw=svg)
+    text = json.dumps(page)
+    assert all(name.endswith(".svg") and b"<script" not in x for name, x in figures.items())
+    p = problem(number)
+    assert not any(sign in text for sign in ("def ", "lambda", "import ", p.code.__name__))
+    for v in page["variants"]:
+        for step in (v["program"] or {"operations": []})["operations"]:
+            assert all(isinstance(a, (float, int, list)) for a in step[1:]), step

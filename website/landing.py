@@ -1,0 +1,108 @@
+"""What the first page lets its reader do at once: move a figure, and answer a question about it.
+The engine has computed both when the page was built, so that neither waits for it.
+"""
+
+import json
+import math
+import tempfile
+from html import escape
+from pathlib import Path
+
+from exercises.catalogue import problem
+from exercises.catalogue.variants import draw, practice_seed
+from grader.practice import write_practice
+from newton_euler.classroom.practising.collection import Practice
+from newton_euler.classroom.practising.files import PracticeFile
+from newton_euler.classroom.practising.progress import Progress
+from newton_euler.classroom.widgets.stage import Stage
+
+ANGLES = range(40, 149, 9)  # the page is to stay under 300 kB
+TERMS = {
+    "relative": "relative, a_r",
+    "coriolis": "Coriolis, 2 ω × v_r",
+    "centripetal": "centripetal, ω × (ω × r)",
+}
+ALT = (
+    "A rod is hinged to an arm that turns about the vertical; the angle beta between them is {} "
+    "degrees."
+)
+MOVING = """\
+<div class="landing">
+<div class="figure">{frames}</div>
+<p><label for="turn">Turn the rod: angle β = <output for="turn">{first}°</output></label>
+<input id="turn" type="range" min="0" max="{last}" value="{middle}" step="1"></p>
+<p class="terms">The acceleration of its end, by its terms:</p>
+<dl>{rows}</dl>
+<script type="application/json">{data}</script>
+</div>
+"""
+ASK = """\
+<form class="taste">
+<p><strong>Try it.</strong> The arm turns at ω = {omega:g} rad/s, counterclockwise seen from above,
+and β grows at {b_dot:g} rad/s; BC is b = {b:g} mm, CD is L = {L:g} mm. At β = {beta_1:g}° the
+acceleration of D is a_D = (?, {y:.4g}, {z:.4g}) mm/s² along X, Y, Z.
+<label for="taste">What is its first component?</label></p>
+<p><input id="taste" inputmode="text" autocomplete="off"> mm/s² <button>Check</button></p>
+<p role="status" class="verdict"></p>
+<p>A wrong sign? Give it the other one, a half or zero, too: the answer says which mistake it is.
+<a href="problems/4-16.html">Work the whole problem</a>, with its steps and hints.</p>
+<script type="application/json">{data}</script>
+</form>
+"""
+WRONG = 1, -1, 0, 0.5, -0.5, 2, -2
+
+
+def moving() -> str:
+    """The figure of 4/16 at many angles, of which one is shown, and the terms at each."""
+    p, values = _asked()
+    stage = Stage(lambda ax, beta_1: p.code.draw(_base(p, values, beta_1), ax), (5.2, 3.6), (1, 1))
+    stage.rehearse([{"beta_1": angle} for angle in ANGLES])
+    frames = [stage.picture({"beta_1": angle}, alt=ALT.format(angle)).decode() for angle in ANGLES]
+    sizes = [_terms(p, {**values, "beta_1": angle}) for angle in ANGLES]
+    most, middle = max(max(x.values()) for x in sizes), len(ANGLES) // 2
+    shown = "".join(
+        f"<div{'' if n == middle else ' hidden'}>{x}</div>" for n, x in enumerate(frames)
+    )
+    rows = "".join(
+        f"<dt>{escape(words)}</dt><dd><span></span><b></b></dd>" for words in TERMS.values()
+    )
+    data = {"angles": list(ANGLES), "most": most, "sizes": [list(x.values()) for x in sizes]}
+    return MOVING.format(
+        frames=shown, first=ANGLES[middle], last=len(ANGLES) - 1, middle=middle,
+        rows=rows, data=json.dumps(data),
+    )  # fmt: skip
+
+
+def _asked():
+    """The problem and the numbers that are asked, which are those of a public set."""
+    p = problem("4/16")
+    return p, draw(p, practice_seed(p, 0))
+
+
+def _base(p, values, angle):
+    return p.base({**values, "beta_1": angle})
+
+
+def _terms(p, values):
+    """{term of the acceleration: its size}, to three digits."""
+    terms = p.solve(values)["a_D"].terms
+    return {name: float(f"{math.hypot(*terms[name].components()):.3g}") for name in TERMS}
+
+
+def _no_figure(p, values):
+    return None
+
+
+def question() -> str:
+    """A question with what practice says to the answers that come first to mind."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "4-16.practice"
+        write_practice(path, [problem("4/16")], 2, workers=1, draw=_no_figure)
+        p = Practice([PracticeFile(path)], Progress(None))["4/16"].new()
+    x, y, z = p.solved["a_D"]
+    said = []
+    for factor in WRONG:
+        checked = p.check(a_D=[factor * x, y, z])
+        said.append([factor * x, checked.verdicts["a_D"], checked.said["a_D"]])
+        p.forget()
+    return ASK.format(**p.givens, y=y, z=z, data=json.dumps(said))

@@ -1,0 +1,236 @@
+// The form of a problem page: it asks newton_euler/browser/practice.py by the engine. Where there is
+// no engine (without JavaScript or WebAssembly, from a file) the page stays as it was built.
+const practiceFiles = new URL("../practice/", document.currentScript.src);
+addEventListener("DOMContentLoaded", () => {
+  const place = document.querySelector("div.practice"), files = practiceFiles;
+  if (!place || !window.engine) return;
+  const { problem, file } = place.dataset, KEPT = "newton-euler.progress";
+  const call = (name, args) => engine.call(`practice.${name}`, { problem, ...args });
+  const kept = () => { try { return localStorage.getItem(KEPT) || ""; } catch { return ""; } };
+  const keep = (text) => { try { localStorage.setItem(KEPT, text); } catch { /* a private window */ } };
+  const static_ = document.querySelector(".statement");
+  let last; // the field that was used last
+
+  // -- parts of a page
+
+  const el = (tag, attributes = {}, ...inside) => {
+    const made = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes))
+      name.startsWith("on") ? made.addEventListener(name.slice(2), value)
+        : value !== undefined && value !== false && made.setAttribute(name, value === true ? "" : value);
+    made.append(...inside);
+    return made;
+  };
+  const button = (text, onclick, more = {}) => el("button", { type: "button", onclick, ...more }, text);
+  const math = (latex, display) =>
+    el("span", { class: "math notranslate" }, display ? `\\[${latex}\\]` : `\\(${latex}\\)`);
+
+  const typeset = async (where) => {
+    if (!window.MathJax) {
+      window.MathJax = { options: { enableMenu: false }, svg: { scale: 0.93 }, tex: { tags: "none" } };
+      document.head.append(el("script", { src: new URL("../_static/tex-svg-full.js", files), async: true }));
+    }
+    while (!MathJax.startup?.promise) await new Promise((done) => setTimeout(done, 50));
+    await MathJax.startup.promise;
+    await MathJax.typesetPromise([where]);
+  };
+
+  // Markdown as the problems have it, made of elements: no text of it is ever read as HTML
+  const INLINE = /\$\$([^$]+)\$\$|\$([^$]+)\$|`([^`]+)`|\*\*(.+?)\*\*|\*(.+?)\*|\[([^\]]+)\]\([^)]*\)|\\([\\`*_[\]#$|])/g;
+  const inline = (text) => {
+    const parts = [];
+    let end = 0;
+    for (const m of text.matchAll(INLINE)) {
+      parts.push(text.slice(end, m.index));
+      end = m.index + m[0].length;
+      if (m[1] || m[2]) parts.push(math(m[1] || m[2], m[1]));
+      else if (m[3]) parts.push(el("code", {}, m[3]));
+      else if (m[4]) parts.push(el("strong", {}, ...inline(m[4])));
+      else if (m[5]) parts.push(el("em", {}, ...inline(m[5])));
+      else parts.push(...(m[6] ? inline(m[6]) : [m[7]]));
+    }
+    return [...parts, text.slice(end)];
+  };
+  const cells = (line, tag) =>
+    el("tr", {}, ...line.trim().replace(/^\||\|$/g, "").split(/(?<!\\)\|(?![^$]*\$(?:[^$]*\$[^$]*\$)*[^$]*$)/)
+      .map((cell) => el(tag, {}, ...inline(cell.trim()))));
+  const block = (text) => {
+    const lines = text.split("\n"), item = /^\s*(?:-|\d+\.)\s+/;
+    if (lines[0].startsWith("|"))
+      return el("div", { class: "table-wrapper" }, el("table", { class: "docutils" }, el("thead", {}, cells(lines[0], "th")),
+        el("tbody", {}, ...lines.slice(2).map((line) => cells(line, "td")))));
+    if (item.test(lines[0])) {
+      const items = [];
+      for (const line of lines) item.test(line) ? items.push(line.replace(item, "")) : (items[items.length - 1] += ` ${line.trim()}`);
+      return el(/^\s*-/.test(lines[0]) ? "ul" : "ol", {}, ...items.map((x) => el("li", {}, ...inline(x))));
+    }
+    return el("p", {}, ...inline(lines.join(" ").replace(/^#+ /, "")));
+  };
+  const markdown = (text) => text.split(/\n\s*\n/).filter((part) => part.trim()).map((part) => block(part.replace(/^\n+|\s+$/g, "")));
+
+  // -- the form
+
+  const status = el("p", { class: "visually-hidden", role: "status", "aria-live": "polite" });
+  const body = el("div"), bar = el("progress", { max: 1, value: 0, "aria-label": "loading the checker" });
+  const say = (text) => { status.textContent = ""; setTimeout(() => (status.textContent = text), 30); };
+  const failed = (error) => { say(error.message); body.prepend(el("p", { class: "verdict wrong" }, error.message)); };
+
+  const inputs = (q, changed) => {
+    if (q.of.length)
+      return [el("select", { "aria-label": q.key, onchange: changed }, el("option", { value: "" }, "choose"),
+        ...q.of.map((word) => el("option", {}, word)))];
+    return q.parts.map((part, n) => {
+      const field = el("input", {
+        type: "text", autocomplete: "off", autocapitalize: "off", spellcheck: "false", enterkeyhint: "done",
+        "aria-label": [q.key, part].filter(Boolean).join(", "), "aria-describedby": `read-${q.key}`,
+        oninput: changed, onfocus: () => (last = field),
+      });
+      return field;
+    });
+  };
+
+  const field = (q) => {
+    const read = el("span", { class: "read", id: `read-${q.key}` }), verdict = el("p", { class: "verdict" });
+    let timer, turn = 0;
+    const texts = () => fields.map((f) => f.value);
+    const reading = async () => {
+      const mine = ++turn, { latex, fault } = await call("read", { key: q.key, texts: texts() });
+      if (mine !== turn) return;
+      read.className = fault ? "read fault" : "read";
+      read.replaceChildren(latex ? math(latex) : fault);
+      if (latex) await typeset(read);
+    };
+    const fields = inputs(q, () => {
+      verdict.className = "verdict";
+      verdict.textContent = "";
+      clearTimeout(timer);
+      timer = setTimeout(() => reading().catch(failed), 120);
+    });
+    const unit = q.unit ? [", in ", math(q.unit.replace(/^\\ /, ""))] : [];
+    const box = el("fieldset", { "data-key": q.key }, el("legend", {}, ...inline(q.means), ...(q.symbol ? [", ", math(q.symbol)] : []), ...unit),
+      el("div", { class: `parts of-${fields.length}` }, ...fields), read, verdict);
+    const show = ({ verdict: found, text }) => {
+      verdict.className = `verdict ${found}`;
+      verdict.textContent = ({ right: "✓ ", wrong: "✗ " }[found] || "") + text;
+      if (found === "unreadable") read.textContent = "";
+      for (const f of fields) f.setAttribute("aria-invalid", found !== "right");
+    };
+    return { q, box, texts, show };
+  };
+
+  const check = async (asked, all) => {
+    const given = Object.fromEntries(asked.map((f) => [f.q.key, f.texts()]).filter(([, texts]) => texts.some((t) => t.trim())));
+    if (!Object.keys(given).length) return say("Write a value first.");
+    const { found, kept: text } = await call("check", { fields: given });
+    keep(text);
+    for (const f of asked) if (found[f.q.key]) f.show(found[f.q.key]);
+    say(Object.entries(found).map(([key, { text }]) => `${key}: ${text}`).join(". "));
+    if (all && asked.every((f) => found[f.q.key]?.verdict === "right")) await advise();
+  };
+  const form = (asked, text, all) => {
+    const made = el("form", { onsubmit: (event) => (event.preventDefault(), check(asked, all).catch(failed)) },
+      ...asked.map((f) => f.box), el("button", { class: "primary" }, text));
+    return made;
+  };
+
+  const next = el("p", { class: "next" });
+  const advise = async () => {
+    const titles = await (await fetch(new URL("index.json", files))).json();
+    const found = await engine.call("practice.advice", { titles, now: problem });
+    const link = found.problem && el("a", { href: new URL(`../problems/${found.problem.replace("/", "-")}.html`, files) },
+      `${found.problem} ${titles[found.problem][0]}`);
+    next.replaceChildren("Next: ", ...(link ? [link, ". "] : []), found.sentence);
+    say(`Next: ${found.sentence}`);
+  };
+
+  const helped = async (name, where) => {
+    const { text, kept: progress } = await call(name);
+    keep(progress);
+    where.replaceChildren(...markdown(text));
+    await typeset(where);
+    say(where.textContent.replace(/\s+/g, " ").slice(0, 300));
+  };
+
+  const insert = (name) => {
+    const f = last || body.querySelector("input[type=text]");
+    f.setRangeText(name, f.selectionStart, f.selectionEnd, "end");
+    f.dispatchEvent(new Event("input"));
+    f.focus();
+  };
+
+  const progressBox = () => {
+    const chosen = el("input", { type: "file", accept: ".json,application/json", class: "visually-hidden", tabindex: "-1",
+      "aria-label": "a file of progress", onchange: async () => {
+        try {
+          const { kept: text } = await engine.call("practice.take_in", { progress: await chosen.files[0].text() });
+          keep(text);
+          say("Your progress was taken in.");
+          next.textContent = "Your progress was taken in.";
+        } catch (error) { say(error.message); next.textContent = error.message; }
+        chosen.value = "";
+      } });
+    const save = () => {
+      const blob = new Blob([kept() || '{"format": 1, "problems": {}}'], { type: "application/json" });
+      const link = el("a", { href: URL.createObjectURL(blob), download: "practice.progress.json" });
+      link.click();
+    };
+    return el("details", {}, el("summary", {}, "Your progress"),
+      el("p", {}, "It stays in this browser. The file is the one that practice() keeps in a notebook: take it along, either way."),
+      button("Save as a file", save, { class: "export" }), " ", button("Take in a file", () => chosen.click()), chosen);
+  };
+
+  const show = async (fresh) => {
+    const p = await call("show", { new: fresh });
+    last = undefined;
+    if (fresh) {
+      const figure = p.figure ? [el("p", {}, el("img", { src: p.figure, alt: p.words }))] : [];
+      const [lead, ...rest] = markdown(p.text);
+      static_.replaceChildren(lead, ...figure, ...rest);
+      await typeset(static_);
+    }
+    const answers = p.answers.map(field), steps = p.steps.map(field);
+    const hint = el("div", { class: "said" }), solved = el("div", { class: "said" });
+    const names = Object.entries(p.names).map(([name, x]) => button(name, () => insert(name), { class: "name", title: `${name} = ${x}` }));
+    next.replaceChildren();
+    body.replaceChildren(
+      el("h2", {}, "Your answer"),
+      el("p", { class: "sets" }, `Numbers ${p.number} of ${p.sets}. `, ...(p.sets > 1 ? [button("New numbers", () => show(true).then(() => say(`Numbers ${p.number % p.sets + 1} of ${p.sets}`)).catch(failed))] : [])),
+      el("p", { class: "names" }, "Write numbers or formulas, as 2*sqrt(3). ", ...(names.length ? ["Names: ", ...names] : [])),
+      form(answers, "Check", true), next,
+      el("p", { class: "help" }, ...(p.hints ? [button("Hint", () => helped("hint", hint).catch(failed))] : []), " ",
+        ...(p.solution ? [button("Solution", () => helped("solution", solved).catch(failed))] : []), " ",
+        button("What next?", () => advise().catch(failed))),
+      hint, solved,
+      ...(steps.length ? [el("details", { class: "steps" }, el("summary", {}, `Steps on the way, each checked by itself (${steps.length})`),
+        ...steps.map((f) => form([f], "Check step", false)))] : []),
+      progressBox());
+    await typeset(body);
+  };
+
+  const base64 = (blob) => new Promise((done) => {
+    const reader = new FileReader();
+    reader.onload = () => done(reader.result.slice(reader.result.indexOf(",") + 1));
+    reader.readAsDataURL(blob);
+  });
+  const begin = async () => {
+    start.hidden = true;
+    body.replaceChildren(el("p", {}, "Loading the checker: ", bar));
+    engine.progress((part) => (bar.value = part));
+    try { localStorage.setItem("newton-euler.practises", "yes"); } catch { /* a private window */ }
+    const response = await fetch(new URL(`${file}.practice`, files));
+    if (!response.ok) throw new Error(`the practice of this chapter cannot be fetched: ${response.status}`);
+    await engine.call("practice.load", { name: file, data: await base64(await response.blob()), progress: kept() });
+    await show(false);
+    place.dataset.ready = "yes";
+  };
+  const run = () => begin().catch((error) => { body.replaceChildren(); start.hidden = false; failed(error); });
+  const start = el("p", {}, button("Practise this problem", run, { class: "primary" }),
+    " Answers and every step are checked here, with the reason where one is wrong. The checker (10 MB) is loaded once; nothing is sent.");
+  addEventListener("storage", ({ key, newValue }) =>
+    key === KEPT && newValue && place.dataset.ready && engine.call("practice.take_in", { progress: newValue }).catch(() => {}));
+  place.append(start, body, status);
+  place.hidden = false;
+  let before = "";
+  try { before = localStorage.getItem("newton-euler.practises"); } catch { /* a private window */ }
+  if (before) run();
+});
