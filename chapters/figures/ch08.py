@@ -284,7 +284,7 @@ def _turned(t, given):
 @with_sliders(
     Slider("b", 0.5, -0.5, 0.5, 0.05, label="pushed at x", unit="m"),
     alt="A rod on ice seen from above, pushed across by a force F. The accelerations of its "
-    "points vary linearly along the rod; that of the mass centre G is the same wherever the "
+    "points vary linearly along the rod; that of the centre of mass G is the same wherever the "
     "rod is pushed.",
     size=(6.4, 3.6),
 )

@@ -224,7 +224,7 @@ def balancing(ax, build, x1, x2):
 @with_sliders(
     Slider("psi", 50, 0, 360, 10, label="ψ", unit="°"),
     alt="A level shaft seen from its end and from the side: X points vertically down, the angle "
-    "psi leads from X to the x axis of the body, and the weight acts at the mass centre G, "
+    "psi leads from X to the x axis of the body, and the weight acts at the centre of mass G, "
     "which is off the axis.",
     size=(8.4, 4),
     panels=(1, 2),

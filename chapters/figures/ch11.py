@@ -347,13 +347,13 @@ def pair_in_a_body(ax, turn):
 
 @with_sliders(
     Slider("turn", 330, 0, 360, 10, label="place of the particle", unit="°"),
-    alt="A round body with its mass centre G. A particle i lies at rho from G and at r from "
+    alt="A round body with its centre of mass G. A particle i lies at rho from G and at r from "
     "the origin O; its velocity is that of G plus omega cross rho, which turns with the "
     "particle and cancels over the whole body.",
     size=(6.6, 4.2),
 )
 def particle_of_a_body(ax, turn):
-    """Figure 11.9: a particle of a rigid body from the mass centre, and its velocity."""
+    """Figure 11.9: a particle of a rigid body from the centre of mass, and its velocity."""
     ground = Frame("ground")
     G = (1.2, 0.7, 0)
     body = ground.rotate("body", "z", angle=math.radians(turn), origin=ground.point("G", *G))

@@ -17,10 +17,8 @@ import contextlib
 import hashlib
 import hmac
 import json
-import os
-import sys
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -189,15 +187,12 @@ class Course:
     @contextlib.contextmanager
     def gradebook(self) -> Iterator[Any]:
         """nbgrader's gradebook, as a context manager; :class:`CourseError` if it cannot be used."""
-        from nbgrader.api import Gradebook
+        from nbgrader import api
         from sqlalchemy.exc import DatabaseError
 
-        # nbgrader runs `alembic` by name; it is installed in the folder of the running Python
-        own = os.path.dirname(sys.executable)
-        if own not in os.environ.get("PATH", "").split(os.pathsep):
-            os.environ["PATH"] = own + os.pathsep + os.environ.get("PATH", "")
+        api.get_alembic_version = newest_schema  # its own starts a process of three seconds
         try:
-            with Gradebook(f"sqlite:///{self.path / 'gradebook.db'}", self.name) as book:
+            with api.Gradebook(f"sqlite:///{self.path / 'gradebook.db'}", self.name) as book:
                 yield book
         except DatabaseError as error:
             code = getattr(error.orig, "sqlite_errorname", "")  # SQLITE_READONLY_DIRECTORY …
@@ -249,6 +244,15 @@ class Course:
                 known = {k: v for k, v in details.items() if v}
                 book.update_or_create_student(student_id, **known)
         return new
+
+
+@cache
+def newest_schema() -> str:
+    """The version of the tables that nbgrader makes in a new gradebook."""
+    import nbgrader
+    from alembic.script import ScriptDirectory
+
+    return str(ScriptDirectory(Path(nbgrader.__file__).parent / "alembic").get_current_head())
 
 
 def know_problems(path: Path) -> None:

@@ -92,11 +92,21 @@ def _link(token):
     return f"#link({string(token['attrs']['url'])})[{_all(token['children'])}]"
 
 
+def in_line(latex: str, most: str = "15cm") -> str:
+    """A formula of LaTeX in a line of text; of an equation of matrices each side is as high as it
+    is, and no wider than ``most``.
+    """
+    sides = re.split(r" (?== )", latex) if r"\begin" in latex else [latex]
+    return " ".join(
+        f"#side($ {formula(x)} $, {most})" if r"\begin" in x else f"${formula(x)}$" for x in sides
+    )
+
+
 _WRITERS = {
     "text": lambda t: _text(t["raw"]),
     "codespan": lambda t: f"#raw({string(t['raw'])});",
     "block_code": lambda t: f"#raw(block: true, {string(t['raw'])})\n\n",
-    "inline_math": lambda t: f"${formula(t['raw'])}$",
+    "inline_math": lambda t: in_line(t["raw"]),
     "block_math": lambda t: f"$ {formula(t['raw'])} $\n\n",
     "softbreak": lambda t: " ",
     "linebreak": lambda t: "#linebreak();",

@@ -19,7 +19,7 @@ from ..assignment.solution import worked_solution
 from ..practice.plain import plain
 from ..scoring.margins import margins
 from ..scoring.numbers import numbers_of
-from .markup import BLANK, formula, string, typst
+from .markup import BLANK, formula, in_line, string, typst
 
 LOOK = Path(__file__).with_name("paper.typ")
 ROOM = 4.0, 1.5  # cm to write into: for a problem, and for each answer of it
@@ -83,15 +83,16 @@ def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
             p, values = e.asked, student.values[e.problem]
             stated = [number_symbol(values[n]) + unit_symbol(g.unit) for n, g in p.givens.items()]
             given = zip(p.givens, stated, strict=True)
-            out.append(f"#problem({_points(e.points)}, [{typst(f'## {p.id} {p.title}')}])\n")
-            out.append(typst("; ".join(f"${p.notation[n]} = {x}$" for n, x in given)))
+            heading = f"#problem({_points(e.points)}, [{typst(f'## {p.id} {p.title}')}])\n"
+            numbers = typst("; ".join(f"${p.notation[n]} = {x}$" for n, x in given))
             share = e.points / sum(a.weight for a in p.answers)
             rows = (
                 f"{_means(p, a)}, [{right}], [{off}], {string(f'{a.weight * share:.3g}')}"
                 for a, right, off in answers(p, values)
             )
             cells = ", ".join(["[Answer], [Right], [Tolerance], [Points]", *rows])
-            out.append(f"#terms-table((2fr, 2fr, 1fr, auto), {cells})\n\n")
+            table = f"#terms-table((2fr, 2fr, 1fr, auto), {cells})"
+            out.append(f"#block(breakable: false)[{heading}{numbers}{table}]\n\n")
             out.append(typst(worked_solution(p, {**p.sympy_symbols(), **values}, text=False)))
     return _page(title, student, entries, out, key=True)
 
@@ -119,7 +120,7 @@ def answers(p: Problem, values: Values) -> list[tuple[Any, str, str]]:
     found = {x.step.key: x for x in lines(p, {**p.sympy_symbols(), **values}, formulas=False)}
     right = numbers_of(p, values).key
     return [
-        (a, f"${formula(found[a.key].equal[-1])}$", _tolerance(a, right[a.key][0]))
+        (a, in_line(found[a.key].equal[-1], "5cm"), _tolerance(a, right[a.key][0]))
         for a in p.answers
     ]
 

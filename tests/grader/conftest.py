@@ -32,16 +32,6 @@ def pytest_collection_modifyitems(items):
                 item.add_marker(pytest.mark.integration)
 
 
-@pytest.fixture(scope="session", autouse=True)
-def schema_asked_once():
-    """nbgrader starts a process of three seconds to ask for its own newest schema."""
-    from nbgrader import api
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(api, "get_alembic_version", functools.cache(api.get_alembic_version))
-        yield
-
-
 @pytest.fixture(scope="session")
 def demo_course(tmp_path_factory):
     """The demo on five problems, graded; {"course", "said", "code"}."""

@@ -9,7 +9,7 @@ from . import kept
 from .page import STATIC, opened, plain
 from .question import LETTERS, Judged, Question, question
 
-_asked: dict[str, "Prediction"] = {}  # by the text of the question, in the order of asking
+_asked: dict[str, "Prediction"] = {}  # by their keys, in the order of asking
 
 
 @checked
@@ -46,7 +46,7 @@ def predict(
     Judged(right=False, words='Only the velocity is zero there.')
     """
     asked = Prediction(question(text, choices, answer, unit, within, why))
-    _asked[text] = asked
+    _asked[asked.question.key] = asked
     return asked
 
 
@@ -67,7 +67,7 @@ class Prediction:
 
     def __init__(self, asked: Question, again: bool = False):
         self.question, self._note = asked, ""
-        self._key = asked.text + " (again)" * again
+        self._key = asked.key + " (again)" * again
 
     @property
     def given(self) -> str | None:

@@ -28,7 +28,7 @@ def _part(part):
 def folded(q: Question) -> str:
     """The question with its choices or its answer folded."""
     body = "".join(_choice(q, c) for c in q.choices) if q.choices else _form(q) + _folded_answer(q)
-    return f'<div class="prediction">{_asked(q)}{body}</div>'
+    return f'<div class="prediction" data-key="{escape(q.key)}">{_asked(q)}{body}</div>'
 
 
 def _asked(q):

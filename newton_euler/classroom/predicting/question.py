@@ -40,6 +40,11 @@ class Question:
     mistakes: Mapping[float, str] | None = None
 
     @property
+    def key(self) -> str:
+        """What tells it from other questions, also from those of the same words."""
+        return "\n- ".join((self.text, *(self.choices or ()), *[self.unit] * bool(self.unit)))
+
+    @property
     def answer(self) -> str:
         """The right answer, as it is printed."""
         return self.right or ("" if self.number is None else with_unit(self.number, self.unit))
@@ -83,6 +88,8 @@ def question(
     if within is not None:
         return _of_number(text, choices or {}, answer, unit, within, why)
     words = {_in_words(c, unit): means for c, means in (choices or {}).items()}
+    if len(words) < len(choices or {}):
+        raise ArgumentError(f"two choices read alike; got {', '.join(map(str, choices or ()))}")
     right = _right(choices or {}, answer, unit)
     if right not in words or not all(map(str.strip, words.values())):
         raise ArgumentError(

@@ -24,6 +24,11 @@ class Stage:
         self._window = self._one = None
         self._title = ""
 
+    @property
+    def is_plotted(self) -> bool:
+        """Whether it draws what only Matplotlib can."""
+        return self._plotted is not None
+
     def rehearse(self, samples):
         """Record the sketches of many pictures, and find the window that holds them all."""
         from ...drawing.page.recorder import share_window

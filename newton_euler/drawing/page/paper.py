@@ -5,32 +5,31 @@ Matplotlib.
 from collections.abc import Iterator
 from typing import Any
 
-from ...algebra.errors import NewtonEulerError
+from .plots import NeedsMatplotlib, Plot, Plots
 
 TITLE = 12  # points, of a title whose size is not given
 GAP = 0.02  # of a page, between panels and around them
 LINE = 1.25  # distance of lines, by their size
 
 
-class NeedsMatplotlib(NewtonEulerError, AttributeError):
-    """A panel does not draw this; Matplotlib's axes do."""
-
-
-class Panel:
-    """A part of a :class:`Page`: sketches, and a title."""
+class Panel(Plots):
+    """A part of a :class:`Page`: sketches or a plot, and a title."""
 
     def __init__(self, page: "Page", row: int, column: int):
         self.figure, self.row, self.column = page, row, column
         self.sketches: list[Any] = []
-        self._title, self.title_size = "", float(TITLE)
+        self.plotted = Plot()
+        self.titles: dict[str, tuple[str, float]] = {}  # by place: text, size
 
-    def set_title(self, text: str, fontsize: float = TITLE, **_: Any) -> None:
-        """Set the title, its size in points; its lines are parted by ``\\n``."""
-        self._title, self.title_size = str(text), float(fontsize)
+    def set_title(self, text: str, fontsize: float = TITLE, loc: str = "center", **_: Any) -> None:
+        """Set the title in the middle, or the one at the left; its size is in points, its lines are
+        parted by ``\\n``.
+        """
+        self.titles[loc] = str(text), float(fontsize)
 
     def get_title(self) -> str:
-        """The title."""
-        return self._title
+        """The title in the middle."""
+        return self.titles.get("center", ("", 0))[0]
 
     def box(self) -> tuple[float, float, float, float]:
         """Left, bottom, width and height on the page, in points."""
@@ -109,8 +108,8 @@ class Page:
 
     def _room(self):
         """Points at the top of each row for the titles of panels, or a little air."""
-        sizes = [p.title_size * LINE * len(p.get_title().split("\n")) for p in self.axes
-                 if p.get_title()]  # fmt: skip
+        titles = [title for panel in self.axes for title in panel.titles.values() if title[0]]
+        sizes = [size * LINE * len(text.split("\n")) for text, size in titles]
         return max(sizes) + 6 if sizes else 0.0
 
     def box(self, row: int, column: int) -> tuple[float, float, float, float]:

@@ -218,11 +218,17 @@ def figure_of(page: Page) -> Any:
     figure = Figure(figsize=(width / 72, height / 72), dpi=100)
     for panel in page.axes:
         left, bottom, w, h = panel.box()
+        if panel.plotted.calls:
+            left, bottom, w, h = left + 46, bottom + 34, w - 54, h - 38
         ax = figure.add_axes((left / width, bottom / height, w / width, h / height))
-        ax.set_title(panel.get_title(), fontsize=panel.title_size)
-        ax.set_axis_off()
+        for place, (text, size) in panel.titles.items():
+            ax.set_title(text, fontsize=size, loc=place)
+        for name, args, named in panel.plotted.calls:
+            getattr(ax, name)(*args, **named)
         for sketch in panel.sketches:
             copy_to(sketch, ax)
+        if not panel.plotted.calls:
+            ax.set_axis_off()
     figure.suptitle(page.title, fontsize=11)
     return figure
 

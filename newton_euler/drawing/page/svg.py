@@ -6,10 +6,12 @@ from itertools import groupby
 from typing import Any
 
 from .label_placement import label_shifts
-from .letters import HIGHER, LOWER, SMALL, letters
+from .letters import letters
 from .paper import LINE, Page
-from .primitives import BLACK, DASHES, FONT, STYLES, WHITE
+from .plot_writer import plot
+from .primitives import DASHES, FONT, STYLES, WHITE
 from .recorder import laid_out, share_window
+from .texts import text_at
 
 FONTS = "var(--sketch-font, 'DejaVu Sans', Verdana, sans-serif)"
 # of each colour, that which a dark page has instead
@@ -54,7 +56,9 @@ def svg(page: Page, alt: str = "") -> str:
             share_window(alone)
         for sketch in panel.sketches:
             parts += _sketch(sketch, panel, number)
-        parts += _title(panel)
+        if panel.plotted.calls:
+            parts += plot(panel)
+        parts += _titles(panel)
     if page.title.strip():
         parts.append(text_at(page.title, width / 2, 12, 11))
     return "".join([*parts, "</svg>"])
@@ -112,46 +116,13 @@ def half_of(note: Any) -> tuple[float, float]:
     return FONT * found.width / 2, FONT * (found.above + found.below) / 2
 
 
-def text_at(
-    text: str,
-    x: float,
-    y: float,
-    size: float,
-    colour: str = BLACK,
-    bold: bool = False,
-    more: str = "",
-) -> str:
-    """A text with its middle at (x, y) in points."""
-    found = letters(text, bold)
-    base = y + size * (found.above - found.below) / 2
-    return (
-        f'<text x="{x:.1f}" y="{base:.1f}" font-size="{size:g}" fill="{colour}">'
-        f"{''.join(_spans(found.runs, size))}</text>"
-    )
-
-
-def _spans(runs, size):
-    """The runs of a text, each with its look where that is not the usual."""
-    height, last = 0.0, None
-    for run in runs:
-        level = (0, HIGHER, -LOWER)[run.level]
-        look = f' dy="{size * (height - level):.1f}"' if level != height else ""
-        if run.over:
-            look += f' dx="{-size * min(last.width(), run.width()):.1f}"'
-        if run.level:
-            look += f' font-size="{SMALL * size:.1f}"'
-        look += ' font-style="italic"' * run.italic + ' font-weight="bold"' * run.bold
-        words = escape(run.text, quote=False)
-        yield f"<tspan{look}>{words}</tspan>" if look else words
-        height, last = level, run
-
-
-def _title(panel: Any) -> Iterator[str]:
-    """The lines of the title of a panel."""
+def _titles(panel: Any) -> Iterator[str]:
+    """The lines of the titles of a panel."""
     left, bottom, w, h = panel.box()
-    size = panel.title_size
-    y = panel.figure.height - bottom - h - 4 - size / 2
-    for line in reversed(panel.get_title().split("\n")):
-        if line.strip():
-            yield text_at(line, left + w / 2, y, size)
-        y -= LINE * size
+    for place, (text, size) in panel.titles.items():
+        x, more = (left + w / 2, "") if place == "center" else (left + 6, ' text-anchor="start"')
+        y = panel.figure.height - bottom - h - 4 - size / 2
+        for line in reversed(text.split("\n")):
+            if line.strip():
+                yield text_at(line, x, y, size, more=more)
+            y -= LINE * size

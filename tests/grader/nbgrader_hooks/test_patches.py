@@ -4,18 +4,23 @@ pyproject.toml caps nbgrader's version, and these tests say what a new one has c
 
 import inspect
 import os
+import re
+from pathlib import Path
 
+import nbgrader
 import pytest
-from nbgrader import utils
+from nbgrader import api, utils
 from nbgrader.converters import base
 from nbgrader.coursedir import CourseDirectory
 from nbgrader.exchange import default
 from nbgrader.preprocessors import AssignLatePenalties, GetGrades
 
+from grader.course.folder import newest_schema
 from grader.nbgrader_hooks import patches
 
 INTERNALS = {  # where it is, and the arguments that it takes
     "replaced": [
+        (api, "get_alembic_version", ""),
         (base, "find_all_files", "path exclude"),
         (CourseDirectory, "get_existing_timestamp", "self dest_path"),
     ],
@@ -59,6 +64,16 @@ def test_a_changed_internal_is_named_in_a_sentence():
     assert changed(base, "find_all_files", "path") == (
         "nbgrader.converters.base.find_all_files of nbgrader takes (path exclude), not (path)"
     )
+
+
+def test_the_newest_schema_is_the_one_that_no_other_builds_on():
+    folder = Path(nbgrader.__file__).parent / "alembic/versions"
+    texts = "".join(path.read_text() for path in folder.glob("*.py"))
+    made, earlier = (
+        set(re.findall(rf"^{name} = '(\w+)'", texts, re.M))
+        for name in ("revision", "down_revision")
+    )
+    assert made - earlier == {newest_schema()}
 
 
 @pytest.fixture

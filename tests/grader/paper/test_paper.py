@@ -55,6 +55,15 @@ def test_problems_of_every_kind_of_answer_can_be_printed():
     printed(FEW)
 
 
+def test_in_a_key_matrices_fit_the_line_and_a_heading_stands_with_its_answers():
+    text = key("Homework", *of("7/3", "4/3"))["main.typ"].decode()
+    outside = re.sub(r"#side\(\$.*?\$, \d+cm\)", "", text)
+    assert text.count("mat(") > 3
+    assert "mat(" not in outside
+    for problem_and_table in text.split("#block(breakable: false)[")[1:]:
+        assert "level: 2" in problem_and_table.partition("#terms-table(")[0]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("chapter", ["appA", *(f"ch{n:02d}" for n in range(2, 12))])
 def test_every_problem_can_be_printed(chapter):

@@ -12,11 +12,10 @@ addEventListener("beforeprint", () => {
 
 // predictions: the first choice, number or sentence is kept in this browser and opens the answer
 const PREDICTED = "newton-euler predictions";
-let predicted = {};  // {question: [prediction, whether it was right]}
+let predicted = {};  // {key: [the number of the choice or what was typed, whether it was right]}
 try {
   predicted = JSON.parse(localStorage.getItem(PREDICTED)) || {};
 } catch { /* a browser that keeps nothing */ }
-const textOf = (element) => element.textContent.trim();
 const asked = [...document.querySelectorAll(".prediction")];
 
 function keep(key, prediction, right) {
@@ -39,19 +38,19 @@ function numberMeans(form, text) {
 
 function ask(prediction, key) {
   const choices = [...prediction.querySelectorAll(".choice")], form = prediction.querySelector("form");
-  const open = (text) => {
+  const open = (number) => {
     prediction.classList.add("made");
     for (const choice of choices) {
-      const own = textOf(choice.firstChild) === text;
+      const own = choice === choices[number];
       choice.classList.toggle("chosen", own);
       if (own || "right" in choice.dataset) choice.open = true;
     }
   };
-  for (const choice of choices)
+  for (const [number, choice] of choices.entries())
     choice.firstChild.addEventListener("click", (event) => {
       if (key in predicted) return;
       event.preventDefault();
-      keep(key, textOf(choice.firstChild), "right" in choice.dataset);
+      keep(key, number, "right" in choice.dataset);
       open(predicted[key][0]);
     });
   const openAnswer = (text) => {
@@ -75,7 +74,7 @@ function ask(prediction, key) {
   if (key in predicted) (form ? openAnswer : open)(predicted[key][0]);
 }
 
-const keyOf = (prediction) => textOf(prediction.querySelector(".question"));
+const keyOf = (prediction) => prediction.dataset.key;
 const wrong = () => asked.filter((prediction) => (predicted[keyOf(prediction)] || [])[1] === false);
 const fresh = asked.map((prediction) => prediction.cloneNode(true));
 

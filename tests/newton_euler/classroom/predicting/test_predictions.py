@@ -100,6 +100,18 @@ def test_only_the_first_prediction_is_kept_and_opens_again_with_the_notebook(mon
     assert "You predicted: up" in repr(bounce())
 
 
+def test_questions_of_the_same_words_are_told_apart_by_their_choices():
+    first, other = predict("v?", {1: "x", 2: "y"}, 2), predict("v?", {3: "x", 4: "y"}, 4)
+    first.choose("b")
+    assert (first.given, other.given) == ("2", None)
+    assert str(tally()) == "1 of 2 predictions made: 1 right, 0 wrong."
+
+
+def test_choices_that_read_alike_are_refused():
+    with pytest.raises(ArgumentError, match="read alike"):
+        predict("?", {1.0: "x", 1.0000001: "y"}, 1.0)
+
+
 def test_a_damaged_file_and_a_folder_that_cannot_be_written_lose_no_more_than_they_must(tmp_path):
     (tmp_path / kept.FILE).write_text("{")
     assert bounce().given is None
@@ -111,7 +123,7 @@ def test_a_damaged_file_and_a_folder_that_cannot_be_written_lose_no_more_than_th
 
 def test_what_is_kept_is_a_small_file_of_text(tmp_path):
     bounce().choose("a")
-    assert json.loads((tmp_path / kept.FILE).read_text()) == {"Where does $a$ point?": "up"}
+    assert json.loads((tmp_path / kept.FILE).read_text()) == {bounce().question.key: "up"}
 
 
 def test_the_tally_counts_and_what_was_wrong_is_asked_again():

@@ -1,0 +1,359 @@
+"""Plots on a panel: what a small part of matplotlib's axes draws, by the same names. A panel keeps
+the marks of a plot, and the calls that made them, for matplotlib to draw the same.
+"""
+
+import math
+from dataclasses import dataclass, field
+from functools import wraps
+from typing import Any, NamedTuple
+
+from ...algebra.errors import NewtonEulerError
+from .primitives import BLACK
+
+CYCLE = "#0072B2", "#D55E00", "#008060", "#B0408A", "#8a5a00", "#454a50"
+COLOURS = {"k": BLACK, "black": BLACK, "r": CYCLE[1], "b": CYCLE[0], "g": CYCLE[2], "w": "#ffffff",
+           "white": "#ffffff"}  # fmt: skip
+DASHES = {"-": (), "--": (4, 2), ":": (1, 1.6), "-.": (6, 1.8, 1, 1.8), "": None, "none": None}
+MARKERS = "os+x.D^"
+GREY = "#555555"
+
+
+class NeedsMatplotlib(NewtonEulerError, AttributeError):
+    """A panel does not draw this; Matplotlib's axes do."""
+
+
+class Mark(NamedTuple):
+    """Something drawn: a "line", an "area", "dots" or a "text", at places in the units of the axes;
+    None stands for the edge of the axes.
+    """
+
+    kind: str
+    xs: list
+    ys: list
+    colour: str
+    width: float = 1.5
+    dashes: tuple = ()
+    label: str = ""
+    shape: str = ""  # of dots; the text of a text
+    size: float = 6
+    opacity: float = 1
+    filled: bool = True
+    shift: tuple = (0, 0)  # of a text, in points to the right and up
+
+
+@dataclass
+class Plot:
+    """The marks of one panel, and its axes."""
+
+    marks: list[Mark] = field(default_factory=list)
+    calls: list[tuple] = field(default_factory=list)
+    settings: dict[str, Any] = field(default_factory=dict)  # xlabel, xlim, xticks, xscale, …
+    legend: dict[str, Any] | None = None
+    colours: int = 0
+
+    def next_colour(self) -> str:
+        """The colour of the next line whose colour is not given."""
+        self.colours += 1
+        return CYCLE[(self.colours - 1) % len(CYCLE)]
+
+
+def _numbers(values):
+    """A number, or several, as a list of floats; a row for each line of a table of columns."""
+    if getattr(values, "ndim", 1) > 1:
+        raise NeedsMatplotlib("a panel plots one curve at a time")
+    return [float(x) for x in values] if hasattr(values, "__len__") else [float(values)]
+
+
+def _refuse(others):
+    """Raise :class:`NeedsMatplotlib` for keyword arguments that are not known here."""
+    others.pop("zorder", None)
+    if others:
+        raise NeedsMatplotlib(f"a panel does not know {', '.join(others)}")
+
+
+def _style(text):
+    """Dashes, marker and colour of a style such as "o--" or "k:"."""
+    dashes, left = None, text
+    for name in ("--", "-.", "-", ":"):
+        if name in left:
+            dashes, left = DASHES[name], left.replace(name, "", 1)
+            break
+    marker = next((c for c in left if c in MARKERS), "")
+    colour = next((c for c in left if c in COLOURS), None)
+    if len(left) > bool(marker) + bool(colour):
+        raise NeedsMatplotlib(f"a panel does not know the style {text!r}")
+    return (() if dashes is None and not marker else dashes), marker, colour
+
+
+def _recorded(method):
+    """A method of a panel that keeps its calls; what it does not understand, matplotlib might."""
+
+    @wraps(method)
+    def call(self, *args, **named):
+        try:
+            method(self, *args, **named)
+        except (TypeError, ValueError, LookupError) as error:
+            raise NeedsMatplotlib(f"a panel does not draw this {method.__name__}") from error
+        self.plotted.calls.append((method.__name__, args, named))
+
+    return call
+
+
+class Plots:
+    """The methods of a panel that plot; a mixin."""
+
+    plotted: Plot
+
+    @_recorded
+    def plot(self, *args: Any, **named: Any) -> None:
+        """Plot a curve ``plot(x, y, "o--", color=, ls=, lw=, marker=, ms=, mfc=, label=)``."""
+        *data, style = args if isinstance(args[-1], str) else (*args, "")
+        if not 1 <= len(data) <= 2:
+            raise NeedsMatplotlib("a panel plots one curve at a time")
+        ys = _numbers(data[-1])
+        xs = _numbers(data[0]) if len(data) == 2 else [float(n) for n in range(len(ys))]
+        dashes, marker, colour = _style(style)
+        given = dict(named)
+        colour = given.pop("color", given.pop("c", colour))
+        if "ls" in given or "linestyle" in given:
+            dashes = DASHES[given.pop("ls", None) or given.pop("linestyle")]
+        marker = given.pop("marker", marker)
+        size = given.pop("ms", given.pop("markersize", 6))
+        width = given.pop("lw", given.pop("linewidth", 1.5))
+        filled = given.pop("mfc", None) != "none"
+        label, opacity = given.pop("label", ""), given.pop("alpha", 1)
+        _refuse(given)
+        look = _colour(self.plotted, colour)
+        if marker and marker not in MARKERS:
+            raise NeedsMatplotlib(f"a panel does not know the marker {marker!r}")
+        if dashes is not None:
+            line = Mark("line", xs, ys, look, width, dashes, label, marker, size, opacity, filled)
+            self.plotted.marks.append(line)
+        if marker:
+            text = "" if dashes is not None else label
+            dots = Mark("dots", xs, ys, look, width, (), text, marker, size, opacity, filled)
+            self.plotted.marks.append(dots)
+
+    def loglog(self, *args: Any, **named: Any) -> None:
+        """The same as :meth:`plot` with logarithmic scales."""
+        self.plot(*args, **named)
+        self.set(xscale="log", yscale="log")
+
+    def semilogx(self, *args: Any, **named: Any) -> None:
+        """The same as :meth:`plot` with a logarithmic scale of x."""
+        self.plot(*args, **named)
+        self.set(xscale="log")
+
+    def semilogy(self, *args: Any, **named: Any) -> None:
+        """The same as :meth:`plot` with a logarithmic scale of y."""
+        self.plot(*args, **named)
+        self.set(yscale="log")
+
+    @_recorded
+    def axhline(self, y: float = 0, **named: Any) -> None:
+        """Draw a level line over all of the width."""
+        self._edge_to_edge([None, None], [float(y)] * 2, named)
+
+    @_recorded
+    def axvline(self, x: float = 0, **named: Any) -> None:
+        """Draw an upright line over all of the height."""
+        self._edge_to_edge([float(x)] * 2, [None, None], named)
+
+    def _edge_to_edge(self, xs, ys, named):
+        given = dict(named)
+        colour = _colour(self.plotted, given.pop("color", given.pop("c", None)))
+        width = given.pop("lw", given.pop("linewidth", 1.5))
+        dashes = DASHES[given.pop("ls", given.pop("linestyle", "-"))]
+        label = given.pop("label", "")
+        _refuse(given)
+        self.plotted.marks.append(Mark("line", xs, ys, colour, width, dashes, label))
+
+    @_recorded
+    def vlines(self, x: float, low: float, high: float, **named: Any) -> None:
+        """Draw an upright line from ``low`` to ``high``."""
+        given = dict(named)
+        colour, width = _colour(self.plotted, given.pop("color", None)), given.pop("lw", 1.5)
+        label = given.pop("label", "")
+        _refuse(given)
+        ys = [float(low), float(high)]
+        self.plotted.marks.append(Mark("line", [float(x)] * 2, ys, colour, width, (), label))
+
+    @_recorded
+    def fill_between(self, x: Any, y: Any, base: Any = 0.0, **named: Any) -> None:
+        """Fill the area between a curve and a level, or another curve, ``where`` so."""
+        given = dict(named)
+        colour = _colour(self.plotted, given.pop("color", None))
+        opacity, label = given.pop("alpha", 1), given.pop("label", "")
+        where = given.pop("where", None)
+        given.pop("hatch", None), given.pop("lw", None), given.pop("interpolate", None)
+        _refuse(given)
+        xs, ys = _numbers(x), _numbers(y)
+        lows = _numbers(base) if hasattr(base, "__len__") else [float(base)] * len(xs)
+        kept = [True] * len(xs) if where is None else [bool(k) for k in where]
+        for start, end in _runs_of(kept):
+            across = [*xs[start:end], *reversed(xs[start:end])]
+            along = [*ys[start:end], *reversed(lows[start:end])]
+            area = Mark("area", across, along, colour, label=label, opacity=opacity)
+            self.plotted.marks.append(area)
+            label = ""
+
+    @_recorded
+    def bar(self, x: Any, height: Any, width: float = 0.8, **named: Any) -> None:
+        """Draw a bar, or several, with its middle at ``x``."""
+        given = dict(named)
+        colour, label = _colour(self.plotted, given.pop("color", None)), given.pop("label", "")
+        given.pop("hatch", None), given.pop("edgecolor", None)
+        _refuse(given)
+        for middle, top in zip(_numbers(x), _numbers(height), strict=True):
+            left, right = middle - width / 2, middle + width / 2
+            corners = [left, right, right, left], [0.0, 0.0, top, top]
+            self.plotted.marks.append(Mark("area", *corners, colour, label=label))
+            label = ""
+
+    @_recorded
+    def annotate(self, text: str, xy: Any, xytext: Any = (0, 0), **named: Any) -> None:
+        """Write a text, its middle or an end (``ha``) some points from a place."""
+        given = dict(named)
+        if given.pop("textcoords", None) != "offset points":
+            raise NeedsMatplotlib("a panel writes texts at an offset in points")
+        up = {"bottom": 5, "top": -5, "center": 0, "baseline": 4}[given.pop("va", "baseline")]
+        side = given.pop("ha", "left")
+        bold = given.pop("weight", "") == "bold"
+        size = given.pop("fontsize", 10)
+        _refuse(given)
+        x, y = xy
+        shift = (
+            xytext[0] + {"left": 0.25, "center": 0, "right": -0.25}[side] * size,
+            xytext[1] + up,
+        )
+        mark = Mark("text", [float(x)], [float(y)], BLACK, 1 + bold, (), "", str(text), size)
+        self.plotted.marks.append(mark._replace(shift=shift))
+
+    @_recorded
+    def legend(self, **named: Any) -> None:
+        """Name the curves that have a label; ``loc``, ``ncols``, ``fontsize`` as in matplotlib."""
+        self.plotted.legend = {"loc": "best", "fontsize": 10, **named}
+        if set(named) - {"loc", "fontsize", "ncols", "ncol", "frameon"}:
+            raise NeedsMatplotlib(f"a legend of a panel does not know {', '.join(named)}")
+
+    def set(self, **named: Any) -> None:
+        """Set what ``set_…`` sets: xlabel, ylabel, xlim, ylim, xticks, yticks, aspect, title."""
+        for name, value in named.items():
+            if name == "title":
+                self.set_title(value)  # type: ignore[attr-defined]
+            elif name in _SETTINGS:
+                self.plotted.calls.append((f"set_{name}", (value,), {}))
+                self.plotted.settings[name] = value
+            else:
+                raise NeedsMatplotlib(f"a panel does not know {name}")
+
+    def set_xticks(self, ticks: Any, labels: Any = None) -> None:
+        """The places of the ticks, and what is written there."""
+        self.set(xticks=[float(x) for x in ticks])
+        if labels is not None:
+            self.set(xticklabels=list(labels))
+
+    def set_ylim(self, low: Any, high: Any = None) -> None:
+        """The lowest and the highest y."""
+        self.set(ylim=low if high is None else (low, high))
+
+    def set_xlim(self, low: Any, high: Any = None) -> None:
+        """The first and the last x."""
+        self.set(xlim=low if high is None else (low, high))
+
+    def set_xlabel(self, text: str) -> None:
+        """The name of the axis of x."""
+        self.set(xlabel=text)
+
+    def set_ylabel(self, text: str) -> None:
+        """The name of the axis of y."""
+        self.set(ylabel=text)
+
+    def set_xticklabels(self, texts: Any) -> None:
+        """What is written at the ticks."""
+        self.set(xticklabels=list(texts))
+
+    def set_aspect(self, aspect: Any, **_: Any) -> None:
+        """ "equal": a unit is as long across as it is upwards."""
+        self.set(aspect=aspect)
+
+
+_SETTINGS = {
+    "xlabel", "ylabel", "xlim", "ylim", "xticks", "yticks", "xticklabels", "aspect", "xscale",
+    "yscale",
+}  # fmt: skip
+
+
+def _colour(plot, name):
+    if name is None:
+        return plot.next_colour()
+    if not isinstance(name, str):
+        raise NeedsMatplotlib("a panel knows a colour by its name")
+    if len(name) == 2 and name[0] == "C":
+        return CYCLE[int(name[1]) % len(CYCLE)]
+    return COLOURS.get(name, name)
+
+
+def _runs_of(kept):
+    """The starts and ends of the runs of True."""
+    start = None
+    for n, keep in enumerate([*kept, False]):
+        if keep and start is None:
+            start = n
+        elif not keep and start is not None:
+            yield start, n
+            start = None
+
+
+class Scale:
+    """From numbers on an axis to parts of its length, 0 to 1; linear or logarithmic."""
+
+    def __init__(self, values: list[float], limits: Any, log: bool):
+        self.log = log
+        low, high = (
+            limits if limits is not None else _around([v for v in values if v > 0 or not log], log)
+        )
+        self.low, self.high = float(low), float(high)
+        self._ends = self._raw(self.low), self._raw(self.high)
+
+    def _raw(self, x):
+        return math.log10(max(x, 1e-300)) if self.log else x
+
+    def __call__(self, x: float) -> float:
+        first, last = self._ends
+        return (self._raw(x) - first) / ((last - first) or 1.0)
+
+    def ticks(self, count: int) -> list[float]:
+        """Round numbers on the axis, about ``count``."""
+        first, last = self._ends
+        if self.log:
+            step = max(1, math.ceil((last - first) / max(count, 1)))
+            start = math.ceil(first / step - 1e-9) * step
+            return [10.0**n for n in range(start, math.floor(last + 1e-9) + 1, step)]
+        rough = abs(last - first) / max(count, 1) or 1.0
+        power = 10.0 ** math.floor(math.log10(rough))
+        step = next(s * power for s in (1, 2, 2.5, 5, 10) if s * power >= rough * (1 - 1e-9))
+        low, high = min(first, last), max(first, last)
+        start, end = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+        return [n * step for n in range(start, end + 1)]
+
+    def text(self, x: float, step: float) -> str:
+        """A number of :meth:`ticks` as it is written."""
+        if self.log:
+            return f"$10^{{{round(math.log10(x))}}}$"
+        digits = max(0, math.ceil(-math.log10(abs(step) or 1) - 1e-9))
+        if round(step * 10**digits, 6) % 1:
+            digits += 1
+        return f"{x + 0.0:.{digits}f}".replace("-", "−")
+
+
+def _around(values, log):
+    """Limits with a twentieth of air on both sides."""
+    finite = [v for v in values if math.isfinite(v)] or [0.1, 1.0]
+    if log:
+        first, last = math.log10(min(finite)), math.log10(max(finite))
+        air = 0.05 * (last - first) or 0.5
+        return 10 ** (first - air), 10 ** (last + air)
+    first, last = min(finite), max(finite)
+    air = 0.05 * (last - first) or 0.05 * abs(first) or 0.5
+    return first - air, last + air

@@ -1,0 +1,121 @@
+"""plots.py, plot_writer.py: plots of a panel stand where matplotlib has them."""
+
+import math
+import re
+from xml.etree import ElementTree
+
+import pytest
+from matplotlib.figure import Figure
+
+from newton_euler.drawing import NeedsMatplotlib, Page, svg
+from newton_euler.drawing.page.plot_writer import _Drawing
+from newton_euler.drawing.page.plots import Scale
+from newton_euler.drawing.page.recorder import figure_of
+
+NAME = "{http://www.w3.org/2000/svg}"
+TIMES = [n / 20 for n in range(41)]
+
+
+def curves(ax):
+    ax.plot(TIMES, [math.sin(5 * t) for t in TIMES], "--", color="#D55E00", label=r"$\omega_x$")
+    ax.plot([0.5], [0.2], "o", ms=8, label="now")
+    ax.axhline(0, color="black", lw=0.8)
+    ax.axvline(1.3, ls=":")
+    ax.fill_between(TIMES, TIMES, where=[t > 1 for t in TIMES], alpha=0.4)
+    ax.set(xlabel="time (s)", ylabel="rad/s", xlim=(0, 2), ylim=(-1, 3))
+    ax.legend(frameon=False, loc="upper left")
+    ax.set_title("a motion")
+
+
+def powers(ax):
+    ax.loglog([1e-4, 1e-2, 1], [1e-8, 1e-4, 1], "o-", label="square")
+    ax.set(xlabel="step", ylabel="error")
+
+
+def bars(ax):
+    for n, x in enumerate((3.0, -2.0)):
+        ax.bar(n, x, 0.6, color=f"C{n}", hatch="//", edgecolor="white")
+        ax.annotate(f"{x}", (n, x), (0, 3), textcoords="offset points", ha="center")
+    ax.set_xticks(range(2), ["T", "V"])
+
+
+def circle(ax):
+    ax.plot([math.cos(t * math.pi) for t in TIMES], [math.sin(t * math.pi) for t in TIMES])
+    ax.set(aspect="equal", xlim=(-2, 2), ylim=(-1, 1))
+
+
+def tree_of(draw, size=(5, 4)):
+    page = Page(size)
+    draw(page.panel)
+    return page, ElementTree.fromstring(svg(page))
+
+
+@pytest.mark.parametrize("draw", [curves, powers, bars, circle])
+def test_limits_scales_and_lines_are_those_of_matplotlib(draw):
+    page, tree = tree_of(draw)
+    ax = Figure(figsize=(5, 4)).add_subplot()
+    draw(ax)
+    found = _Drawing(page.panel)
+    for scale, limits in ((found.x, ax.get_xlim()), (found.y, ax.get_ylim())):
+        assert (scale.low, scale.high) == pytest.approx(limits, rel=0.06, abs=0.1)
+    replayed = figure_of(page).axes[0]
+    assert [len(line.get_xdata()) for line in replayed.lines] == [
+        len(line.get_xdata()) for line in ax.lines
+    ]
+    texts = {"".join(text.itertext()) for text in tree.iter(NAME + "text")}
+    assert {ax.get_xlabel(), ax.get_ylabel(), ax.get_title()} - {""} <= texts
+
+
+def test_a_place_is_drawn_where_its_numbers_are():
+    page, tree = tree_of(lambda ax: (ax.plot([1], [10], "o"), ax.set(xlim=(0, 4), ylim=(0, 40))))
+    (dot,) = tree.iter(NAME + "circle")
+    frame = _Drawing(page.panel)
+    assert float(dot.get("cx")) == pytest.approx(frame.left + frame.w / 4, abs=0.1)
+    assert float(dot.get("cy")) == pytest.approx(frame.top + frame.h * 3 / 4, abs=0.1)
+
+
+def test_equal_units_are_equal():
+    page, _ = tree_of(circle)
+    frame = _Drawing(page.panel)
+    assert frame.w == pytest.approx(2 * frame.h)
+
+
+def test_what_has_no_number_is_a_gap():
+    _, tree = tree_of(lambda ax: ax.plot([0, 1, 2, 3, 4], [0, 1, math.nan, 1, math.inf]))
+    (line,) = (p for p in tree.iter(NAME + "path") if p.get("fill") == "none")
+    assert re.sub(r"[^ML]", "", line.get("d")) == "MLM"
+
+
+@pytest.mark.parametrize(("limits", "log", "ticks"), [
+    ((0, 2), False, ["0.0", "0.5", "1.0", "1.5", "2.0"]),
+    ((-6, 6), False, ["−5", "0", "5"]),
+    ((0, 0.07), False, ["0.00", "0.02", "0.04", "0.06"]),
+    ((40, 0), False, ["0", "10", "20", "30", "40"]),
+    ((1e-5, 20), True, ["$10^{-4}$", "$10^{-2}$", "$10^{0}$"]),
+    ((3, 3), False, ["3"]),
+])  # fmt: skip
+def test_ticks_are_round_numbers(limits, log, ticks):
+    scale = Scale([], limits, log)
+    places = scale.ticks(4)
+    step = places[1] - places[0] if len(places) > 1 else 1
+    assert [scale.text(x, step) for x in places] == ticks
+
+
+@pytest.mark.parametrize("draw", [
+    lambda ax: ax.plot([0, 1], [0, 1], [0, 1], [1, 0]),
+    lambda ax: ax.plot([0, 1], "P:"),
+    lambda ax: ax.quiver(0, 0, 1, 1),
+    lambda ax: ax.twinx(),
+    lambda ax: ax.set(zlabel="z"),
+    lambda ax: ax.axhline(0, xmin=0.5),
+    lambda ax: ax.annotate("", (0, 0), (1, 1), arrowprops={}),
+    lambda ax: ax.legend(title="curves"),
+])  # fmt: skip
+def test_what_only_matplotlib_draws_is_refused(draw):
+    with pytest.raises(NeedsMatplotlib):
+        draw(Page().panel)
+
+
+def test_an_empty_plot_has_axes():
+    _, tree = tree_of(lambda ax: ax.set(xlabel="x"))
+    assert any("".join(t.itertext()) == "x" for t in tree.iter(NAME + "text"))
