@@ -1,7 +1,7 @@
 """Figures true to scale: a :class:`Sketch` records drawing commands; when the figure is written or
 shown, everything is projected onto the page, drawn far before near, and each label put where it
-covers least. Bodies are to scale; symbols (joints,
-arrows, axes, dimension lines) have sizes in points of the page.
+covers least. Bodies are to scale; symbols (joints, arrows, axes, dimension lines) have sizes in
+points of the page.
 """
 
 from .elements.lines import Lines
