@@ -31,7 +31,8 @@ class Sketch(Vectors, Supports, Measures, Lines, Solids, Machines, Springs):
     elevation of 12 to 35.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.drawing import Sketch, svg
+    >>> from newton_euler.drawing import Sketch
+    >>> from newton_euler.drawing.page.svg import svg
     >>> ground = Frame("ground")
     >>> s = Sketch(None, ground, azimuth=30, elevation=15)
     >>> s.rod((0, 0, 0), (0, 0, 2))
