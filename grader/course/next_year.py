@@ -56,9 +56,10 @@ def next_year(
         if not os.path.isabs(folder):
             shutil.copytree(last.path / folder, path / folder, ignore=_no_checkpoints)
     made, exams = Course(path), settings.get("exams", {})
-    for assignment, due in due_dates(last).items() if later is not None else ():
-        if made.source(assignment).exists() and assignment not in exams:
-            set_due(made, assignment, due + later)
+    if later is not None:
+        for assignment, due in due_dates(last).items():
+            if made.source(assignment).exists() and assignment not in exams:
+                set_due(made, assignment, due + later)
     return made, sorted(p.parent.name for p in path.glob("source/*/*.ipynb"))
 
 
