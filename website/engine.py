@@ -18,7 +18,8 @@ PYODIDE = Package(
 FILES = (
     "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip",
 )  # fmt: skip
-LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi"}  # the pages show the notebooks
+# the pages show the notebooks, and fetch the practice of a chapter
+LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi", ".practice"}
 OFFLINE = Path(__file__).with_name("theme") / "offline.js"
 
 
