@@ -4,11 +4,14 @@ Imports go down in this list only, and everything below it may import the grader
 
     command         the command line
     build           the steps of a build
-    engine          Python and the engine beside the pages; from npm, its packages kept and checked
+    engine          Python and the engine beside the pages
+    npm             packages of npm, fetched once, checked and kept
     contents        the first page
+    landing         what a reader can do on it at once
     reference       one page for each room of the engine, and the dictionary of its symbols
     problem_index   all problems in one table, to choose from
     problem_pages   the statements of the problems, with figures; no answers
+    practice_sets   the practice of the problem pages
     chapter_pages   an executed notebook made ready for Sphinx
     moving          figures with sliders, which the engine in the page draws
     execution       notebooks run in clean kernels, their outputs kept

@@ -36,6 +36,7 @@ def build(
     cache: Path = CACHE,
     progress: Callable[[str, int, int], object] = lambda step, done, number: None,
     with_engine: bool = True,
+    packages: str = "",
     practised: Collection[str] | None = None,
     course: Path | None = None,
 ) -> list[str]:
@@ -48,6 +49,7 @@ def build(
     cache : folder of the outputs and figures that are kept
     progress : called with a step, and how much of it is done of how much
     with_engine : puts Python and the engine beside the pages, where npm or ``cache`` has Pyodide
+    packages : address of Pyodide's other packages, of which a reader may ask for NumPy
     practised : the chapters whose problems are checked on their pages; by default all
     course : the folder of a course, near whose graded numbers nobody practises
     """
@@ -71,7 +73,7 @@ def build(
         _write_source(source, found, ran, wanted, pictures, pages / "moving" if python else None)
         _sphinx(source, pages, bool(names), progress, ["engine"] if python else [])
         if python:
-            engine.write(pages, python)
+            engine.write(pages, python, packages)
             (pages / "practice").mkdir()
             for name, data in found_sets.items():
                 (pages / "practice" / name).write_bytes(data)
@@ -92,8 +94,8 @@ def _counter(progress, step, number):
     return count
 
 
-def _write_source(source, found, ran, wanted, pictures, ends):
-    _write_chapters(source / "chapters", found, ran, ends)
+def _write_source(source, found, ran, wanted, pictures, moving):
+    _write_chapters(source / "chapters", found, ran, moving)
     _write_problems(source / "problems", wanted, found, pictures)
     pages = reference.pages()
     for name, text in pages.items():
@@ -118,10 +120,10 @@ def _write(path, text):
     path.write_text(text, encoding="utf-8")
 
 
-def _write_chapters(folder, found, ran, ends):
+def _write_chapters(folder, found, ran, moving):
     for c in found:
         notebook = ran[c.stem] or nbformat.read(c.path, as_version=4)
-        page = chapter_pages.page(notebook, ran[c.stem] is not None, ends)
+        page = chapter_pages.page(notebook, ran[c.stem] is not None, moving)
         _write(folder / c.path.name, nbformat.writes(page))
 
 

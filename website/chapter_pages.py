@@ -3,6 +3,7 @@ widgets, which need a kernel.
 """
 
 import re
+from html import escape
 from pathlib import Path
 
 from nbformat import NotebookNode
@@ -19,10 +20,10 @@ TRY = "**Try problem {number}.** In the notebook the cell at this place checks y
 NO_OUTPUTS = "*The cells of this page have not been run.*"
 
 
-def page(notebook: NotebookNode, ran: bool = True, ends: Path | None = None) -> NotebookNode:
+def page(notebook: NotebookNode, ran: bool = True, pictures: Path | None = None) -> NotebookNode:
     """The notebook as input of Sphinx.
 
-    ends : folder of the pictures at the ends of sliders; without it figures stand still
+    pictures : folder of the pictures along sliders; without it figures stand still
     """
     notebook.metadata.pop("widgets", None)
     cells = notebook.cells
@@ -35,8 +36,8 @@ def page(notebook: NotebookNode, ran: bool = True, ends: Path | None = None) -> 
             _fold(cell)
             cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
             _without_kernel(cell)
-            if ends:
-                moving.mark(cell, ends)
+            if pictures:
+                moving.mark(cell, pictures)
             _describe(cell, caption(after.get("source", "")))
     if not ran:
         cells[0].source += f"\n\n{NO_OUTPUTS}"
@@ -71,9 +72,12 @@ def _fold(cell):
 
 
 def _without_kernel(cell):
-    """Give predictions the form that needs no kernel, without their code: it has the answers."""
+    """Give predictions the form that needs no kernel. Their code has the answers and is hidden; the
+    engine in the page reads it, since other cells use its names.
+    """
     for data in (x.data for x in cell.outputs if STATIC in x.get("data", {})):
-        data["text/html"] = data.pop(STATIC)
+        source = escape(cell.source, quote=False)
+        data["text/html"] = f'{data.pop(STATIC)}<pre class="source" hidden>{source}</pre>'
         cell.metadata.tags.append("remove-input")
 
 

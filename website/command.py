@@ -33,6 +33,12 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
 )
 @click.option("--engine/--no-engine", default=True, help="Put Python and the engine beside them.")
 @click.option(
+    "--packages",
+    default="",
+    metavar="URL",
+    help="Folder with Pyodide's other packages: readers may then fetch NumPy from there.",
+)
+@click.option(
     "--course",
     type=click.Path(path_type=Path, exists=True, file_okay=False),
     show_default="none",
@@ -40,7 +46,12 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
 )
 @PROBLEMS_FROM
 def main(
-    out: Path, names: tuple[str, ...], no_run: bool, engine: bool, course: Path | None
+    out: Path,
+    names: tuple[str, ...],
+    no_run: bool,
+    engine: bool,
+    packages: str,
+    course: Path | None,
 ) -> None:
     """Build the course as static pages, to read in a browser without network and without Python.
 
@@ -78,6 +89,7 @@ def main(
                 lambda c: not no_run,
                 progress=_shown(bar),
                 with_engine=engine,
+                packages=packages,
                 course=course,
             )
     except WebsiteError as error:

@@ -18,7 +18,8 @@ PYODIDE = Package(
 FILES = (
     "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip",
 )  # fmt: skip
-LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi"}  # the pages show the notebooks
+# the pages show the notebooks, and fetch the practice of a chapter
+LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi", ".practice"}
 OFFLINE = Path(__file__).with_name("theme") / "offline.js"
 
 
@@ -27,19 +28,24 @@ def pyodide(cache: Path) -> dict[str, bytes] | None:
     return PYODIDE.files(cache, *FILES)
 
 
-def write(out: Path, found: dict[str, bytes]) -> None:
-    """Put the engine into the folder ``engine`` of the site, with these files of Pyodide.
+def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
+    """Put the engine into the folder ``engine`` of the site, with these files of Pyodide. Names
+    change with contents, so that a browser may keep them for good.
 
-    Their names change with their contents, so that a browser may keep them for good.
+    packages : address of Pyodide's other packages, of which a reader may ask for NumPy
     """
     folder, python = out / "engine", f"pyodide-{PYODIDE.version}"
     (folder / python).mkdir(parents=True)
     for name, contents in found.items():
         (folder / python / name).write_bytes(contents)
     package = _put(ROOT / "newton_euler", folder)
-    sizes = sum(map(len, found.values())) + (folder / package).stat().st_size
-    later = {name: [_put(path, folder) for path in paths] for name, paths in _later().items()}
-    about = {"python": f"{python}/", "package": package, "bytes": sizes, "later": later}
+    about = {
+        "python": f"{python}/",
+        "package": package,
+        "bytes": sum(map(len, found.values())) + (folder / package).stat().st_size,
+        "later": {n: [_put(path, folder) for path in paths] for n, paths in _later().items()},
+        "packages": packages,
+    }
     (folder / "engine.json").write_text(json.dumps(about))
     (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # it keeps what lies beside it and below
 

@@ -1,5 +1,5 @@
 """Figures with sliders on a page: the picture at the start, what the page's script makes sliders
-of, and files of the pictures at their ends.
+of, and files of some pictures along them.
 """
 
 import hashlib
@@ -13,14 +13,14 @@ from newton_euler.classroom.widgets.on_pages import MOVING
 
 
 def mark(cell: NotebookNode, folder: Path) -> None:
-    """Wrap each moving picture of a cell in what the script looks for; the pictures at the ends of
-    its sliders become files in the folder.
+    """Wrap each moving picture of a cell in what the script looks for; the pictures along its
+    sliders become files in the folder.
     """
     outputs = (x.get("data", {}) for x in cell.outputs)
     for number, data in enumerate(x for x in outputs if MOVING in x):
         about = data.pop(MOVING)
-        for end in (end for pair in about["ends"].values() for end in pair):
-            end["file"] = _written(end.pop("svg"), folder)
+        for picture in (x for along in about["along"].values() for x in along):
+            picture["file"] = _written(picture.pop("svg"), folder)
         given = escape(json.dumps({**about, "number": number}))
         picture = data["text/html"]
         data["text/html"] = f'<div class="moving" data-engine data-moving="{given}">{picture}</div>'

@@ -6,7 +6,7 @@ from newton_euler import Frame, axis_angle, euler_frame, rotation_matrix
 from newton_euler.algebra.late import mpmath, np, plt
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
-from newton_euler.kinematics.rotations import apply, in_sequence, product, transpose
+from newton_euler.kinematics.rotations import apply
 
 from .sliding import with_sliders
 
@@ -21,7 +21,7 @@ O = (0, 0, 0)
     size=(6.4, 4.2),
 )
 def moving_frame(ax, theta):
-    """Figure 4.1: a bead on a turning rod, with B, r, v_r and omega."""
+    """Figure 4.2: a bead on a turning rod, with B, r, v_r and omega."""
     ground = Frame("ground")
     B = ground.point("B", 0.25, 0.15, 0)
     rod = ground.rotate("rod", "z", angle=math.radians(theta), origin=B)
@@ -48,7 +48,7 @@ def moving_frame(ax, theta):
     size=(6.6, 4.8),
 )
 def eulers_theorem(ax, psi, theta, phi):
-    """Figure 4.2: three turns and the one turn that does the same."""
+    """Figure 4.3: three turns and the one turn that does the same."""
     ground = Frame("ground")
     body = euler_frame(ground, "body", *map(math.radians, (psi, theta, phi)))
     axis, angle = axis_angle(body.rotation(ground))
@@ -61,20 +61,28 @@ def eulers_theorem(ax, psi, theta, phi):
     s.line(tuple(-x for x in end), end, style="centre")
     s.turn(end, axis, label=r"$\theta_e$")
     about = ", ".join(f"{round(float(x), 2) + 0.0:.2f}" for x in axis)
-    ax.set_title(f"one turn: {math.degrees(angle):.0f}° about ({about})", fontsize=11)
+    turned = f"one turn: {math.degrees(angle):.0f}° about ({about})"
+    ax.set_title(turned if angle > 1e-9 else "not turned: any axis will do", fontsize=11)
+
+
+def _orders_in_words(a, b):
+    same = a % 360 == 0 or b % 360 == 0 or (a == b == 180)
+    return (
+        "Six pictures of a brick with its axes x, y, z. Upper row: at the start, turned by "
+        f"{a} degrees about the fixed axis X, then by {b} about the fixed axis Y. Lower row: first "
+        f"about Y, then about X. The two bricks at the right lie {'alike' if same else 'differently'}."
+    )
 
 
 @with_sliders(
     Slider("a", 90, 0, 180, 5, label="about X", unit="°"),
     Slider("b", 90, 0, 180, 5, label="about Y", unit="°"),
-    alt="Six pictures of a brick with its axes x, y, z. Upper row: at the start, turned about "
-    "the fixed axis X, then about the fixed axis Y. Lower row: at the start, turned about Y, "
-    "then about X. The two bricks at the right lie differently.",
+    alt=_orders_in_words,
     size=(8.4, 5.2),
     panels=(2, 3),
 )
 def two_orders(axes, a, b):
-    """Figure 4.3: a brick turned about X and Y in both orders."""
+    """Figure 4.4: a brick turned about X and Y in both orders."""
     ground = Frame("ground")
     a, b = math.radians(a), math.radians(b)
     # of turns about fixed axes, the later one stands nearer to the ground in the chain
@@ -103,14 +111,8 @@ def two_orders(axes, a, b):
         ax.set_title(title, fontsize=10)
 
 
-def gap(angle):
-    """The angle, in rad, of the turn from "X, then Y" to "Y, then X", each by ``angle``."""
-    turns = rotation_matrix((1, 0, 0), angle), rotation_matrix((0, 1, 0), angle)
-    return axis_angle(product(transpose(in_sequence(*turns)), in_sequence(*reversed(turns))))[1]
-
-
-def shrinking_gap():
-    """Figure 4.4: the gap between the two orders against the angle."""
+def shrinking_gap(gap):
+    """Figure 4.5: the gap between the two orders, ``gap(angle)``, against the angle."""
     angles = np.geomspace(1e-3, math.pi / 2, 25)
     fig, ax = plt.subplots(figsize=(6, 3.4))
     ax.loglog(
@@ -136,7 +138,7 @@ def shrinking_gap():
     size=(6.4, 4.4),
 )
 def small_turn(ax, turn):
-    """Figure 4.5: a small turn moves the tip of r by the cross product."""
+    """Figure 4.6: a small turn moves the tip of r by the cross product."""
     ground = Frame("ground")
     r, angle = (0.75, 0, 0.8), math.radians(turn)
     moved = apply(rotation_matrix((0, 0, 1), angle), r)
@@ -166,7 +168,7 @@ def small_turn(ax, turn):
     "omega lies along the line of contact OC, alpha lies in the plane at right angles to it.",
 )
 def rolling_cone(ax, build, r, azimuth):
-    """Figure 4.6: the cone, from ``build(h, r, nu, azimuth)``, its frames."""
+    """Figure 4.7: the cone, from ``build(h, r, nu, azimuth)``, its frames."""
     h, nu = 0.4, 0.6
     ground, carriage, axle, cone = build(h, r, nu, math.radians(azimuth))
     round_Z = float(-carriage.angular_velocity(ground).z)
@@ -222,7 +224,7 @@ def cone_film(build):
     size=(5.6, 4.6),
 )
 def turning_unit_vector(ax, turn):
-    """Figure 4.7: two unit vectors of a frame that turns about the third."""
+    """Figure 4.8: two unit vectors of a frame that turns about the third."""
     ground = Frame("ground")
     angle = math.radians(turn)
     after = ground.rotate("after", "z", angle)
@@ -248,15 +250,12 @@ def turning_unit_vector(ax, turn):
     "as arrows with their magnitudes.",
 )
 def crane(ax, build, tilt, speed):
-    """Figure 4.8: the crane, from ``build(tilt=…)``: ground, column, boom, A."""
+    """Figure 4.1: the crane, from ``build(tilt=…)``: ground, column, boom, A."""
     ground, column, boom, A = build(tilt=tilt, speed=speed)
     B, foot = boom.origin, column.point("", 0, 0, 0)
     s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=80)
     s.ground(foot, ground.k, size=2.4)
-    s.shaft(foot, column.point("", 0, 0, 1.0))
-    s.rod(column.point("", 0, 0, 1.0), B)
-    s.rod(B, A)
-    s.hinge(B, ground.i)
+    _column_and_boom(s, column, boom, A)
     s.axes(foot, ground, length=1.1, labels="XYZ")
     s.axes(B, boom, length=0.8)
     s.vector(A, A.velocity(ground), label=r"$\mathbf{v}_A$", size="m/s")
@@ -264,6 +263,15 @@ def crane(ax, build, tilt, speed):
     s.turn(column.point("", 0, 0, 0.55), ground.k, label=r"$\omega$")
     s.label(B, "B")
     s.label(A, "A")
+
+
+def _column_and_boom(s, column, boom, A):
+    """The crane's column, its arm to the hinge B, and the boom as far as the trolley A."""
+    top, B = column.point("", 0, 0, 1.0), boom.origin
+    s.shaft(column.point("", 0, 0, 0), top)
+    s.rod(top, B)
+    s.rod(B, A)
+    s.hinge(B, column.i)
 
 
 def two_sources():
@@ -316,15 +324,17 @@ def two_sources():
 @with_sliders(
     Slider("tilt", 30, -10, 70, 5, label="boom raised", unit="°"),
     Slider("speed", 0.8, -1.2, 1.2, 0.1, label="speed outward", unit="m/s"),
-    alt="The five terms of the acceleration of A as arrows laid head to tail, with their names, "
-    "and the sum as the arrow that closes the chain.",
-    size=(7, 5),
+    alt="The crane with its column, boom and axes. At the trolley A the five terms of its "
+    "acceleration are laid head to tail, with their names; the sum closes the chain.",
+    size=(7.5, 5.5),
 )
 def acceleration_terms(ax, build, tilt, speed):
     """Figure 4.10: the terms of the crane's acceleration, head to tail."""
-    ground, *_, A = build(tilt=tilt, speed=speed)
-    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=250)
-    s.sum(O, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
+    ground, column, boom, A = build(tilt=tilt, speed=speed)
+    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=170)
+    s.axes(O, ground, length=1.1, labels="XYZ")
+    _column_and_boom(s, column, boom, A)
+    s.sum(A, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
 
 @with_sliders(

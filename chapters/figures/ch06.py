@@ -43,8 +43,8 @@ def sled(axes, pull):
     support = m * G - pull * math.sin(rope)
     forces = {
         "pull": ground.vector(pull * math.cos(rope), 0, pull * math.sin(rope)),
-        "friction": ground.vector(-friction * support, 0, 0),
         "support": ground.vector(0, 0, support),
+        "friction": ground.vector(-friction * support, 0, 0),
         "weight": ground.vector(0, 0, -m * G),
     }
     places = {"pull": (0.6, 0, 0.3), "support": (-0.25, 0, 0), "friction": (-0.6, 0, 0)}
@@ -62,7 +62,7 @@ def sled(axes, pull):
 
 def hammer_film():
     """A film: a hammer thrown, its mass centre on a parabola."""
-    up, along, spin, time = 6.0, 3.0, 9.0, 1.2
+    up, along, spin, time = 6.0, 3.0, 8.9, 1.2
 
     def place(t):
         return along * t, 0, up * t - G * t * t / 2
@@ -161,7 +161,7 @@ def guide(ax, v):
     s.vector((-0.02, 0, 0), ground.vector(0, 0, -m * G), r"$\mathbf{W}$", kind="force", size="N")
     N = m * (G - v * v / rho)
     s.vector((0.02, 0, 0), ground.vector(0, 0, N), r"$\mathbf{N}$", kind="force", size="N")
-    ax.set_title(f"v²/ρ = {v * v / rho:.1f} m/s², g = {G} m/s²", fontsize=11)
+    ax.set_title(f"v²/ρ = {v * v / rho:.1f} m/s², g = {G} m/s²", fontsize=11, pad=18)
 
 
 def _aeroplane(s, frame, size=1.0):
@@ -222,7 +222,7 @@ def phugoid(vertical_flight, lift, trim):
 
 
 @with_sliders(
-    Slider("theta", 75, 0, 120, 5, label="θ", unit="°"),
+    Slider("theta", 45, 0, 120, 5, label="θ", unit="°"),
     Slider("phi", 35, -20, 70, 5, label="φ", unit="°"),
     alt="One point over the horizontal plane, twice. Left with the unit vectors e_r, e_theta "
     "and k, e_r horizontal; right with e_R along the line from the origin, e_theta horizontal "
@@ -320,7 +320,7 @@ def wagon(axes, a):
     e = ground.vector(a / math.hypot(a, G), 0, G / math.hypot(a, G))
     lamp = tuple(c - length * x for c, x in zip((0, 0, 2.1), e.components(), strict=True))
     for ax, title in zip(axes, ("seen from the ground", "seen from the wagon"), strict=True):
-        s = Sketch(ax, ground, plane="xz", arrows=65)
+        s = Sketch(ax, ground, plane="xz", arrows=48)
         _wagon_body(s, ground)
         s.line((0, 0, 2.1), lamp, style="solid")
         s.line((0, 0, 2.1), (0, 0, 0.6))
@@ -328,22 +328,22 @@ def wagon(axes, a):
         s.vector(lamp, tension * e, "S", kind="force", size="N")
         s.vector(lamp, -m * G * ground.k, "mg", kind="force", size="N")
         if ax is axes[0]:
-            s.vector((1.0, 0, 2.5), a * ground.i, r"$\mathbf{a}$", "acceleration", size="m/s²")
+            s.vector((-0.6, 0, 2.5), a * ground.i, r"$\mathbf{a}$", "acceleration", size="m/s²")
         else:
             s.vector(lamp, -m * a * ground.i, r"$-m\mathbf{a}_{O_2}$", kind="plain", size="N")
         ax.set_title(title, fontsize=11)
 
 
 def _wagon_body(s, ground):
-    corners = ((-1.9, 0, 0.2), (1.9, 0, 0.2), (1.9, 0, 2.1), (-1.9, 0, 2.1))
+    corners = ((-2.5, 0, 0.2), (2.5, 0, 0.2), (2.5, 0, 2.1), (-2.5, 0, 2.1))
     s.wire([*corners, corners[0]])
-    s.ground(O, ground.k, size=4.2)
-    for x in (-1.3, 1.3):
+    s.ground(O, ground.k, size=5.4)
+    for x in (-1.8, 1.8):
         s.disk((x, 0, 0.18), ground.j, 0.18)
 
 
 @with_sliders(
-    Slider("r", 100, 40, 140, 10, label="radius", unit="m"),
+    Slider("r", 100, 60, 140, 10, label="radius", unit="m"),
     alt="A ring that turns clockwise about its centre. At the point A on the right its velocity "
     "points down along the rim, and its acceleration to the centre. A larger ring has a "
     "faster rim; the acceleration stays 9.81 m/s².",
@@ -400,7 +400,8 @@ def _throw_scene(s, C, r, u, t, inside):
     for angle, name in ((0.0, "thrower"), (math.pi, "friend")):
         place = _rim_place(C, r, angle - turned)
         s.dot(place)
-        s.label(place, name, bold=False)
+        inward = math.cos(angle - turned), math.sin(angle - turned)
+        s.label(place, name, offset=(-38 * inward[0], 10 - 20 * inward[1]), bold=False)
     s.line(_rim_place(C, r, 0.0), _rim_place(C, r, math.pi))  # the aim
     parts = 20 if inside else 1  # from the stars it is a straight line
     past = [t * n / parts for n in range(parts + 1)]
@@ -466,7 +467,7 @@ def throw(axes, u, part):
 )
 def plumb_line(ax, latitude):
     """Figure 6.11: why the support does not point away from the centre; drawn too large."""
-    share, long = 50 * 0.00344, 0.75
+    share, long = 100 * 0.00344, 0.75
     ground, lam = Frame("ground"), math.radians(latitude)
     up, north = np.array([math.cos(lam), math.sin(lam)]), (-math.sin(lam), math.cos(lam))
     a = np.array([-share * math.cos(lam), 0])
@@ -523,6 +524,46 @@ def coriolis_on_the_ground(ax, latitude, azimuth):
     )
 
 
+def _swing_turned(hours, latitude):
+    """By how much the swing of Foucault's pendulum has turned, in degrees; negative: clockwise."""
+    return -math.degrees(OMEGA_E * math.sin(math.radians(latitude))) * 3600 * hours
+
+
+def _swing_in_words(hours, latitude):
+    turned = _swing_turned(hours, latitude)
+    way = "clockwise" if turned < 0 else "counterclockwise"
+    return (
+        "The floor under a pendulum from above, a ring with the four directions. The line of its "
+        f"swing has turned {way} from east by {abs(turned):.0f} degrees in {hours} hours; fainter "
+        "lines show it on each hour before."
+    )
+
+
+@with_sliders(
+    Slider("hours", 6, 0, 24, 1, label="after", unit="h"),
+    Slider("latitude", 49, -90, 90, 1, label="latitude", unit="°"),
+    alt=_swing_in_words,
+    size=(5.4, 5.2),
+)
+def foucault(ax, hours, latitude):
+    """Figure 6.13: the swings of Foucault's pendulum, hour by hour, on the floor below."""
+    ring = np.linspace(0, 2 * math.pi, 121)
+    ax.plot(3.2 * np.cos(ring), 3.2 * np.sin(ring), color=GREY, lw=0.8)
+    for hour in range(hours + 1):
+        turned = math.radians(_swing_turned(hour, latitude))
+        x, y = 3 * math.cos(turned), 3 * math.sin(turned)
+        now = hour == hours
+        ax.plot([-x, x], [-y, y], color=BLUE, lw=2.5 if now else 0.8, alpha=1 if now else 0.5)
+        ax.plot(x, y, "o", color=ORANGE, ms=11 if now else 4)
+    for name, x, y in (("E", 3.6, 0), ("N", 0, 3.6), ("W", -3.6, 0), ("S", 0, -3.6)):
+        ax.text(x, y, name, ha="center", va="center")
+    ax.set(xlim=(-4, 4), ylim=(-4, 4))
+    ax.set_aspect("equal")
+    ax.axis("off")
+    a_hour = abs(_swing_turned(1, latitude))
+    ax.set_title(f"{a_hour:.1f}° an hour, {a_hour * hours:.0f}° in {hours} h", fontsize=11)
+
+
 @with_sliders(
     Slider("azimuth", 90, 0, 360, 10, label="azimuth", unit="°"),
     Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
@@ -532,7 +573,7 @@ def coriolis_on_the_ground(ax, latitude, azimuth):
     size=(5.8, 5.6),
 )
 def shot(ax, azimuth, latitude):
-    """Figure 6.13: a shot from above, what the rotation does to it magnified."""
+    """Figure 6.14: a shot from above, what the rotation does to it magnified."""
     v0, elevation, magnified = 300.0, math.pi / 4, 100
     lam, th = math.radians(latitude), math.radians(azimuth)
     time = flight_time(v0, th, elevation, lam, G, OMEGA_E)
@@ -564,7 +605,7 @@ def shot(ax, azimuth, latitude):
     size=(6.6, 4.0),
 )
 def range_errors(ax, v0):
-    """Figure 6.14: the error of the range without rotation, against the elevation."""
+    """Figure 6.15: the error of the range without rotation, against the elevation."""
     elevations = np.linspace(2, 84, 120)
     east = 100 * range_error(v0, np.radians(elevations), G, OMEGA_E)
     ax.plot(elevations, east, color=BLUE, label="to the east")
@@ -623,7 +664,7 @@ def low_film():
     panels=(1, 2),
 )
 def low(axes, latitude):
-    """Figure 6.15: the paths of air near a low, without and with friction."""
+    """Figure 6.16: the paths of air near a low, without and with friction."""
     for ax, friction in zip(axes, (0.0, 4e-5), strict=True):
         path = _air(latitude, friction)(np.linspace(0, 2 * 86400, 400))
         around = [_turned(path, 2 * math.pi * n / PARCELS) for n in range(PARCELS)]
@@ -642,19 +683,22 @@ def low(axes, latitude):
 
 @with_sliders(
     Slider("bank", 30, 10, 60, 5, label="σ", unit="°"),
-    alt="Left: an aircraft from behind, banked to the right by sigma. Its lift is tilted: the "
+    alt="Left: the axes east, north and up; the heading chi from north to the horizontal part of "
+    "the velocity, the path angle gamma from there to the velocity, with the axes of frame 4. "
+    "Middle: an aircraft from behind, banked to the right by sigma. Its lift is tilted: the "
     "vertical part carries the weight, the horizontal part pulls to the right. Right: its path "
     "from above, a circle to the right, tighter for a larger bank.",
-    size=(9, 4.8),
-    panels=(1, 2),
+    size=(12, 4.6),
+    panels=(1, 3),
 )
 def banked(axes, bank):
-    """Figure 6.16: a banked aircraft from behind, and its path from above."""
+    """Figure 6.17: heading and path angle, a banked aircraft from behind, its path from above."""
     v = 60.0
     ground, angle = Frame("ground"), math.radians(bank)
+    _heading_and_path_angle(axes[0], ground)
     plane = ground.rotate("plane", "y", angle)
     lift = plane.k / math.cos(angle)
-    s = Sketch(axes[0], ground, plane="xz", arrows=85)
+    s = Sketch(axes[1], ground, plane="xz", arrows=85)
     s.rod(plane.point("", -1, 0, 0), plane.point("", 1, 0, 0))
     s.rod(O, plane.point("", 0, 0, 0.42))
     s.sphere(O, 0.16)
@@ -663,12 +707,27 @@ def banked(axes, bank):
     s.arc(O, (0, 0, 1), plane.point("", 0, 0, 1), label=r"$\sigma$")
     s.vector(O, ground.k, r"$L\cos\sigma$", kind="force", size="W")
     s.vector(O, -ground.k, "W", kind="force")
-    axes[0].set_title("seen from behind", fontsize=11)
+    axes[1].set_title("seen from behind", fontsize=11)
     t = np.linspace(0, 60, 241)
     rate = G * math.tan(angle) / v
     east, north = v / rate * (1 - np.cos(rate * t)), v / rate * np.sin(rate * t)
-    axes[1].plot(east / 1000, north / 1000, color=BLUE)
-    axes[1].plot(east[::40] / 1000, north[::40] / 1000, "o", ms=4, color=BLUE)
-    axes[1].set(xlim=(-0.2, 2.6), ylim=(-1.0, 2.4), xlabel="x, east (km)", ylabel="y, north (km)")
-    axes[1].set_aspect("equal")
-    axes[1].set_title(f"from above, radius {v / rate:.0f} m", fontsize=11)
+    axes[2].plot(east / 1000, north / 1000, color=BLUE)
+    axes[2].plot(east[::40] / 1000, north[::40] / 1000, "o", ms=4, color=BLUE)
+    axes[2].set(xlim=(-0.2, 2.6), ylim=(-1.0, 2.4), xlabel="x, east (km)", ylabel="y, north (km)")
+    axes[2].set_aspect("equal")
+    axes[2].set_title(f"from above, radius {v / rate:.0f} m", fontsize=11)
+
+
+def _heading_and_path_angle(ax, ground):
+    """The axes of frame 4 in the ground, with the heading 50 and the path angle 25 degrees."""
+    north = ground.rotate("2", "z", math.pi / 2)  # first axis north, second west
+    level = north.rotate("3", "-z", math.radians(50))
+    path = level.rotate("4", "-y", math.radians(25))
+    s = Sketch(ax, ground, azimuth=-75, elevation=30)
+    s.axes(O, ground, length=1.1, labels=["east", "north", "up"])
+    s.line(O, level.point("", 1.1, 0, 0))
+    s.line(level.point("", 1.1, 0, 0), path.point("", 1.1 / math.cos(math.radians(25)), 0, 0))
+    s.axes(O, path, length=0.8, labels=["$\\hat\\imath_4$", "$\\hat\\jmath_4$", "$\\hat k_4$"])
+    s.arc(O, ground.j, level.i, label=r"$\chi$", radius=0.6)
+    s.arc(O, level.i, path.i, label=r"$\gamma$", radius=0.9)
+    ax.set_title("heading and path angle", fontsize=11)

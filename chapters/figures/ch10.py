@@ -395,9 +395,11 @@ def car(ax, loads, rotor):
     s = Sketch(ax, ground, plane="yz", arrows=90)
     inner, outer = loads(rotor)
     s.box((0, 0, 3.7), ground, (8, 5.8, 3.4))
-    s.plate([(0, y, z) for y, z in ((-0.5, 2.4), (0.5, 2.4), (0.5, 5), (-0.5, 5))], shade="dark")
-    s.line((0, -1.6, 3.7), (0, 1.6, 3.7), style="centre")
-    s.label((0, 1.6, 3.7), "rotor", offset=(4, 4), bold=False)
+    near = 5  # before the box, to be seen
+    corners = (-0.5, 2.4), (0.5, 2.4), (0.5, 5.0), (-0.5, 5.0)
+    s.plate([(near, y, z) for y, z in corners], shade="dark")
+    s.line((near, -1.6, 3.7), (near, 1.6, 3.7), style="centre")
+    s.label((near, 1.6, 3.7), f"rotor {rotor:.0f} rad/s", offset=(-8, 14), bold=False)
     level = 3000 / 32.2 * 100**2 / 500
     for y, load, name in ((2.5, outer, "outer"), (-2.5, inner, "inner")):
         s.plate(
@@ -405,8 +407,8 @@ def car(ax, loads, rotor):
         )
         s.vector((0, y, 0), ground.k * load, f"{name} {load:.0f} lb", kind="force")
         s.vector((0, y, 0), ground.j * (-level * load / 3000), "$F_H$", kind="force")
-    s.dot((0, 0, 4))
-    s.label((0, 0, 4), "G")
+    s.dot((near + 1, 0, 4))
+    s.label((near + 1, 0, 4), "G", offset=(-16, 4))
     s.road([(0, -4.5, 0), (0, 4.5, 0)])
 
 

@@ -5,7 +5,7 @@ from importlib import import_module
 from types import FunctionType
 
 from ..algebra.errors import NewtonEulerError
-from .late import MissingError
+from .late import missing, words
 
 
 def answer(name: str, arguments: str = "{}") -> str:
@@ -22,9 +22,9 @@ def answer(name: str, arguments: str = "{}") -> str:
         return json.dumps({"value": _function(name)(**json.loads(arguments))}, allow_nan=False)
     except NewtonEulerError as error:
         return json.dumps({"error": str(error)})
-    except MissingError as error:
-        return json.dumps({"needs": error.name, "error": str(error)})
     except Exception as error:
+        if package := missing(error):
+            return json.dumps({"needs": package, "error": words(package)})
         return json.dumps({"error": f"{type(error).__name__}: {error}"})
 
 

@@ -34,9 +34,9 @@ def run(page: str, cells: list[str], number: int) -> dict[str, Any]:
     shown = Shown()
     try:
         _shown(_open[page], cells, number, shown)
-    except late.MissingError:
-        raise  # the page may get it, and run the cell again
     except Exception as error:
+        if late.missing(error):
+            raise  # the page may get it, and run the cell again
         return {"shown": shown.items, "error": _in_words(error, number)}
     return {"shown": shown.items}
 

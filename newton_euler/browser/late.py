@@ -15,8 +15,15 @@ TITLES = {
 WHERE = "__main__", "newton_euler.chapters."  # cells, and what draws their figures
 
 
-class MissingError(ModuleNotFoundError):
-    """A package is not here; ``name`` says which."""
+def missing(error: Exception) -> str:
+    """The package that is not here, "" where an error is another one."""
+    top = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
+    return top if top in TITLES else ""
+
+
+def words(package: str) -> str:
+    """What a reader needs to know of a package that is not here."""
+    return f"this needs {TITLES[package]}, which the page does not have; an installed notebook does"
 
 
 class Late(ModuleType):
@@ -28,11 +35,7 @@ class Late(ModuleType):
             raise AttributeError(name)
         invalidate_caches()
         if find_spec(top) is None:
-            raise MissingError(
-                f"this needs {TITLES[top]}, which the page does not have. In an installed notebook "
-                "it runs.",
-                name=top,
-            )
+            raise ModuleNotFoundError(words(top), name=top)
         return getattr(import_module(self.__name__), name)
 
 

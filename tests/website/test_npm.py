@@ -4,8 +4,11 @@ import base64
 import hashlib
 import io
 import tarfile
+import zipfile
 from dataclasses import replace
 
+from website.engine import packed as for_pages
+from website.kept import ROOT
 from website.npm import Package
 
 
@@ -26,3 +29,12 @@ def test_what_is_kept_needs_no_npm_and_is_not_used_once_it_was_changed(tmp_path,
     assert package.files(tmp_path, "a.txt") == {"a.txt": b"hi"}
     assert replace(package, integrity="sha512-other").files(tmp_path, "a.txt") is None
     assert replace(package, version="2.0").files(tmp_path, "a.txt") is None
+
+
+def test_the_engine_for_pages_is_the_package_without_notebooks_the_same_each_time():
+    contents = for_pages(ROOT / "newton_euler")
+    names = zipfile.ZipFile(io.BytesIO(contents)).namelist()
+    assert {"newton_euler/browser/calls.py", "newton_euler/chapters/figures/ch04.py"} <= {*names}
+    assert {name.partition("/")[0] for name in names} == {"newton_euler"}
+    assert not [name for name in names if name.endswith((".ipynb", ".pyc"))]
+    assert for_pages(ROOT / "newton_euler") == contents

@@ -1,16 +1,14 @@
 """What a page without a kernel is given of a figure that moves."""
 
 import os
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from .interactive import MovingFigure
+from typing import Any
 
 MOVING = "application/vnd.newton-euler.moving+json"  # the kind of what `for_site` returns
 ASKED = "NEWTON_EULER_SITE"  # the variable of the environment by which the site asks for it
+PLOTTED = 5  # pictures along each slider where a page without Matplotlib can draw none
 
 
-def described(figure: "MovingFigure") -> dict[str, Any]:
+def described(figure: Any) -> dict[str, Any]:
     """The sliders of a figure as a page needs them."""
     return {
         "sliders": [
@@ -23,16 +21,17 @@ def described(figure: "MovingFigure") -> dict[str, Any]:
     }  # fmt: skip
 
 
-def for_site(figure: "MovingFigure") -> dict[str, Any]:
-    """{MOVING: its sliders, and the pictures at both ends of each, which are shown until a page can
-    draw others}; empty where nobody asks for it.
+def for_site(figure: Any) -> dict[str, Any]:
+    """{MOVING: its sliders, and for each some pictures along it, the others at their start, which
+    are shown until a page can draw others}; empty where nobody asks for it.
     """
     if not os.environ.get(ASKED):
         return {}
-    ends = {s.name: [_end(figure, s.name, x) for x in s.limits] for s in figure.sliders}
-    return {MOVING: {**described(figure), "ends": ends}}
+    count = PLOTTED if figure.stage.is_plotted else 2
+    along = {s.name: [_at(figure, s.name, x) for x in s.samples(count)] for s in figure.sliders}
+    return {MOVING: {**described(figure), "along": along}}
 
 
-def _end(figure, name, x):
+def _at(figure, name, x):
     image, words = figure.picture(figure.start | {name: x})
-    return {"svg": image.decode(), "alt": words}
+    return {"at": x, "svg": image.decode(), "alt": words}

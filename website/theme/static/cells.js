@@ -46,11 +46,19 @@ if (window.engine) {
         show(shown, error);
         note.textContent = `ran in this page, ${((performance.now() - began) / 1000).toFixed(1)} s`;
       } catch (error) {
-        note.textContent = error.message;
+        show([], error.message);
+        note.textContent = "";
+        if (error.needs && error.packages) offer(error);
       }
       running = false;
       run.textContent = "Run";
       cell.removeAttribute("aria-busy");
+    };
+    // a package is fetched from elsewhere only if the reader asks for it
+    const offer = ({ needs, packages }) => {
+      const button = node("button", { type: "button", textContent: `Fetch ${needs} from ${new URL(packages).host}` });
+      button.addEventListener("click", () => (engine.allow(needs), start()));
+      cell.querySelector(".cell_output").append(button);
     };
     const show = (shown, error) => {
       let output = cell.querySelector(".cell_output");

@@ -3,16 +3,19 @@ const tell = (kind, content) => postMessage([kind, content]);
 let answer;
 const engine = new Promise((resolve) => (answer = resolve));
 
-onmessage = async ({ data: { root, id, name, text } }) => {
-  if (root) {
+const allowed = new Set(); // packages that the reader has asked for, from another address
+
+onmessage = async ({ data: { root, allow, id, name, text } }) => {
+  if (allow) allowed.add(allow);
+  else if (root) {
     answer(load(new URL("engine/", root)));
     engine.then(() => tell("ready"), (error) => tell("failed", `The engine cannot be loaded: ${error.message}`));
   } else {
-    const { call, get } = await engine;
+    const { call, get, packages } = await engine;
     let found = call(name, text);
     // a cell has used a package that comes later
     while (found.startsWith('{"needs"') && (await get(JSON.parse(found).needs))) found = call(name, text);
-    tell("answer", { id, text: found });
+    tell("answer", { id, text: found, packages });
   }
 };
 
@@ -23,16 +26,19 @@ async function load(folder) {
   const archive = bytes(about.package);
   const home = new URL(about.python, folder).href;
   const { loadPyodide } = await import(`${home}pyodide.mjs`);
-  const python = await loadPyodide({ indexURL: home });
+  const packages = about.packages && new URL(about.packages, folder).href;
+  const python = await loadPyodide({ indexURL: home, packageBaseUrl: packages || home });
   python.unpackArchive(await archive, "zip");
   const got = new Set();
   const get = async (name) => {
-    if (got.has(name) || !about.later[name]) return false;
+    const here = about.later[name];
+    if (got.has(name) || !(here || allowed.has(name))) return false;
     got.add(name);
-    for (const file of about.later[name]) python.unpackArchive(await bytes(file), "zip");
+    if (!here) await python.loadPackage(name);
+    for (const file of here || []) python.unpackArchive(await bytes(file), "zip");
     return true;
   };
-  return { get, call: python.runPython("from newton_euler.browser import answer; answer") };
+  return { get, packages, call: python.runPython("from newton_euler.browser import answer; answer") };
 }
 
 // every fetch from now on tells how much of all has come

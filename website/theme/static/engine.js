@@ -21,10 +21,10 @@
       for (const { reject } of asked.values()) reject(new Error(words));
       asked.clear();
     },
-    answer: ({ id, text }) => {
-      const { value, error } = JSON.parse(text), { resolve, reject } = asked.get(id);
+    answer: ({ id, text, packages }) => {
+      const { value, error, needs } = JSON.parse(text), { resolve, reject } = asked.get(id);
       asked.delete(id);
-      error === undefined ? resolve(value) : reject(new Error(error));
+      error === undefined ? resolve(value) : reject(Object.assign(new Error(error), { needs, packages }));
     },
   };
 
@@ -74,6 +74,8 @@
     start,
     stop,
     root,
+    // lets a package be fetched from the address that an error has named
+    allow: (name) => worker.postMessage({ allow: name }),
     // called with the part that is loaded, 0 to 1, now and whenever it grows
     progress: (callback) => (watching.add(callback), callback(loaded)),
   };

@@ -1,14 +1,10 @@
 // figures with sliders: the engine draws them anew while a slider is dragged; until it is loaded,
-// the pictures at the start and at the ends answer
+// and where it cannot draw them, the nearest of the pictures answers that were built with the page
 const moving = (() => {
   const root = window.engine && engine.root;
-  const sources = () =>
-    [...document.querySelectorAll(".cell_input pre")].map((code) => code.textContent.replace(/\n$/, ""));
-  const numberOf = (element) =>
-    [...document.querySelectorAll(".cell_input")].findIndex((input) => input.closest(".cell") === element.closest(".cell"));
-
-  let loaded = false;
-  if (root) engine.progress((part) => (loaded = part === 1));
+  const codes = () => [...document.querySelectorAll(".cell_input pre, .cell pre.source")];
+  const sources = () => codes().map((code) => code.textContent.replace(/\n$/, ""));
+  const numberOf = (element) => codes().findIndex((code) => code.closest(".cell") === element.closest(".cell"));
 
   const decimals = (x) => (String(x).split(".")[1] || "").length;
   const words = (slider, x) => {
@@ -24,7 +20,7 @@ const moving = (() => {
   };
 
   // makes an element with a picture, and what is said of it, a figure with sliders
-  function figure(holder, { sliders, ends, number }) {
+  function figure(holder, { sliders, along, number }) {
     const values = Object.fromEntries(sliders.map((slider) => [slider.name, slider.start]));
     const picture = holder.firstElementChild;
     const first = picture.outerHTML;
@@ -48,21 +44,23 @@ const moving = (() => {
         done = asked;
         try {
           const page = location.pathname, cells = sources(), cell = numberOf(holder);
-          show(await engine.call("cells.picture", { page, cells, number: cell, figure: number, values: { ...values } }));
+          const given = { ...values };
+          show(await engine.call("cells.picture", { page, cells, number: cell, figure: number, values: given }));
+          holder.dataset.drawn = JSON.stringify(given);
           note.textContent = "";
         } catch (error) {
-          note.textContent = `No picture: ${error.message}`;
+          holder.dataset.failed = error.message;
+          note.textContent = `The nearest picture is shown: ${error.message}`;
         }
       }
       busy = false;
     };
-    // the nearest of the start and the ends
-    const nearest = async ({ name, start, low, high }) => {
-      const x = values[name], [from, to] = ends[name];
-      const [, end] = [[Math.abs(x - start), null], [x - low, from], [high - x, to]].sort((a, b) => a[0] - b[0])[0];
-      if (!end) return (stage.innerHTML = first);
-      const svg = await (await fetch(new URL(`moving/${end.file}`, root))).text();
-      if (!loaded) show({ svg, alt: end.alt });
+    const nearest = async ({ name, start }) => {
+      const off = ({ at }) => Math.abs(values[name] - at);
+      const [best] = [{ at: start }, ...along[name]].sort((a, b) => off(a) - off(b));
+      if (!best.file) return (stage.innerHTML = first);
+      const svg = await (await fetch(new URL(`moving/${best.file}`, root))).text();
+      if (!holder.dataset.drawn) show({ svg, alt: best.alt });
     };
 
     const rows = sliders.map((slider) => {
@@ -76,7 +74,7 @@ const moving = (() => {
       input.addEventListener("input", () => {
         values[slider.name] = +input.value;
         text();
-        if (!loaded && ends) nearest(slider);
+        if (along && !holder.dataset.drawn) nearest(slider);
         draw();
       });
       input.addEventListener("change", () => {
@@ -88,7 +86,7 @@ const moving = (() => {
     const stage = node("div", { className: "stage" }, picture);
     holder.append(stage, node("div", { className: "sliders" }, ...rows), note, said);
     engine.progress((part) => {
-      note.textContent = 0 < part && part < 1 ? `The engine is loaded: ${Math.round(100 * part)} %` : "";
+      if (0 < part && part < 1) note.textContent = `The engine is loaded: ${Math.round(100 * part)} %`;
     });
   }
 

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from newton_euler.classroom import AnswerError
-from newton_euler.classroom.practising.typed import typed
+from newton_euler.classroom.practising.typed import LONGEST, typed, typed_tree
 
 
 @pytest.mark.parametrize(
@@ -27,8 +27,20 @@ def test_a_word_is_itself():
 @pytest.mark.parametrize(
     "text",
     ["c", "__import__('os')", "b.real", "[1, 2", "lambda: 1", "1 if b else 2", "b[0]", "'a'*9",
-     "1/0", "[1,2]+3", "9**9**9**9", "(" * 500, "open('x')", "True"],
+     "1/0", "[1,2]+3", "9**9**9**9", "(" * 500, "open('x')", "True",
+     "(-8)**(1/3)", "['+', 1, 2] + 1", "-" * LONGEST + "1", "[['b'], 1]", "sin([1])"],
 )  # fmt: skip
 def test_anything_else_is_refused_and_never_run(text):
     with pytest.raises(AnswerError):
         typed(text, {"b": 8.0})
+
+
+@pytest.mark.parametrize(
+    ("text", "tree"),
+    [
+        ("-2*b*pi", ["*", -2.0, "b", "pi"]), ("1 - b/2", ["+", 1.0, ["*", -1.0, ["/", "b", 2.0]]]),
+        ("[b, -b^2]", ("b", ["*", -1.0, ["^", "b", 2.0]])), ("[sin(b)]", (["sin", "b"],)),
+    ],
+)  # fmt: skip
+def test_it_is_a_formula_tree_and_lists_are_told_from_operators(text, tree):
+    assert typed_tree(text, {"b": 8.0}) == tree
