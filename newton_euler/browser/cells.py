@@ -58,9 +58,9 @@ def _shown(page, cells, number, shown):
     """Run a cell; its last value is shown, unless a semicolon follows."""
     page.figures[number] = []
     with _taking([], Shown()), showing(Shown()):
-        page.prepare(cells, number)
+        stand = page.prepare(cells, number)
     with _taking(page.figures[number], shown), showing(shown):
-        value = page.run(cells, number)
+        value = page.run(cells[number], number, stand)
         if value is not None and not cells[number].rstrip().endswith(";"):
             shown.display(value)
 

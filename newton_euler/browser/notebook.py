@@ -41,9 +41,8 @@ class Notebook:
             stand |= dict.fromkeys(statement.binds, done)
         return stand
 
-    def run(self, cells: Sequence[str], number: int) -> Any:
-        """Run a cell after what it needs; the value of its last expression, None without one."""
-        stand, source = self.prepare(cells, number), cells[number]
+    def run(self, source: str, number: int, stand: dict[str, Run]) -> Any:
+        """Run a cell with the names that stand; the value of its last expression, or None."""
         ast.parse(source, name_of(number))  # an error of syntax
         value = None
         for statement in statements(source):

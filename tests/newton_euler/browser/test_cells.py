@@ -68,6 +68,11 @@ def test_a_cell_runs_after_what_it_needs_and_keeps_what_the_reader_ran(page):
     assert cells.run(page, [*above, "a"], 3) == {"shown": [["text/plain", "6"]]}
 
 
+def test_what_runs_unseen_is_not_seen_though_what_it_needs_fails(page):
+    notebook = ["n = 1 / 0", "for n in 'a': print(n)", "n"]
+    assert cells.run(page, notebook, 2) == {"shown": [["text/plain", "'a'"]]}
+
+
 def test_a_figure_moves_with_what_its_cell_needs_though_nobody_ran_it(page):
     notebook = [FRAME, "length = 2.0", MOVING]
     low, high = (cells.picture(page, notebook, 2, 0, {"tilt": x}) for x in (0, 90))
