@@ -16,7 +16,7 @@ from . import moving
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 TRIED = re.compile(r'try_problem\("([^"]+)"\)')
-TRY = "**Try problem {number}.** In the notebook the cell at this place checks your answers."
+TRY = "**Try problem {number}.** [Its page](../problems/{page}.md) checks answers and every step."
 NO_OUTPUTS = "*The cells of this page have not been run.*"
 
 
@@ -59,7 +59,8 @@ def _summary(match):
 
 def _say_where(cell, number):
     """Replace a cell that checks an answer by a link to the problem."""
-    cell.cell_type, cell.source = "markdown", TRY.format(number=number)
+    page = number.replace("/", "-")
+    cell.cell_type, cell.source = "markdown", TRY.format(number=number, page=page)
     cell.pop("outputs", None)
     cell.pop("execution_count", None)
 

@@ -2,8 +2,7 @@
 
 from ..algebra.names import guide as _guide
 from .animation import Animation, AnimationError, animate
-from .page.paper import NeedsMatplotlib, Page, Panel
-from .page.svg import dark_css, svg
+from .page.svg import dark_css
 from .sketch import Sketch
 from .writing import svg_of
 

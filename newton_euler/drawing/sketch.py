@@ -1,7 +1,7 @@
 """Figures true to scale: a :class:`Sketch` records drawing commands; when the figure is written or
 shown, everything is projected onto the page, drawn far before near, and each label put where it
-covers least. Bodies are to scale; symbols (joints,
-arrows, axes, dimension lines) have sizes in points of the page.
+covers least. Bodies are to scale; symbols (joints, arrows, axes, dimension lines) have sizes in
+points of the page.
 """
 
 from .elements.lines import Lines
@@ -31,7 +31,8 @@ class Sketch(Vectors, Supports, Measures, Lines, Solids, Machines, Springs):
     elevation of 12 to 35.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.drawing import Sketch, svg
+    >>> from newton_euler.drawing import Sketch
+    >>> from newton_euler.drawing.page.svg import svg
     >>> ground = Frame("ground")
     >>> s = Sketch(None, ground, azimuth=30, elevation=15)
     >>> s.rod((0, 0, 0), (0, 0, 2))

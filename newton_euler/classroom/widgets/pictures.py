@@ -14,10 +14,11 @@ SHARP = 2  # pixels of the picture for one CSS pixel, so that it is sharp on hig
 
 @checked
 def show_figure(figure: Any, alt: str) -> None:
-    """Show a :class:`~newton_euler.drawing.Page` or a matplotlib ``figure`` once, as an HTML image
-    or in print as a PNG, and close it; ``alt`` says in 8 words or more what can be seen in it.
+    """Show a page of sketches or a matplotlib ``figure`` once, as an HTML image or in print as a
+    PNG, and close it; ``alt`` says in 8 words or more what can be seen in it.
     """
-    from ...drawing import Page, svg
+    from ...drawing.page.paper import Page
+    from ...drawing.page.svg import svg
 
     alt = alt_text(alt)
     if isinstance(figure, Page):
@@ -33,7 +34,7 @@ def show_figure(figure: Any, alt: str) -> None:
 
 def png_of(figure: Any, tight: bool) -> bytes | None:
     """A page or a figure as PNG, ``tight`` around what is drawn; None without Matplotlib."""
-    from ...drawing import Page
+    from ...drawing.page.paper import Page
     from ...drawing.page.recorder import figure_of
 
     try:

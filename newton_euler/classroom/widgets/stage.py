@@ -14,7 +14,7 @@ class Stage:
     """
 
     def __init__(self, draw: Any, size: Any, panels: Any):
-        from ...drawing import Page
+        from ...drawing.page.paper import Page
 
         self.draw, size = draw, _pair(size, "size", float)
         self.css_size = tuple(CSS_PIXELS * side for side in size)
@@ -74,7 +74,7 @@ class Stage:
 
     def _drawn(self, values):
         """The sketches of the picture for these values, which is on the panels then."""
-        from ...drawing import NeedsMatplotlib
+        from ...drawing.page.paper import NeedsMatplotlib
 
         if self._plotted is None:
             try:

@@ -57,7 +57,8 @@ class Page:
     """A page of ``rows`` and ``columns`` of panels, its ``size`` (width, height) in inches.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.drawing import Page, Sketch, svg
+    >>> from newton_euler.drawing import Sketch
+    >>> from newton_euler.drawing.page.svg import svg
     >>> page, ground = Page((6, 2), columns=2), Frame("ground")
     >>> left, right = page.panels()
     >>> Sketch(left, ground).rod((0, 0, 0), (0, 0, 2))

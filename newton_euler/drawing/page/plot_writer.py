@@ -100,7 +100,7 @@ class _Drawing:
         )  # fmt: skip
         return text_at(mark.shape, x, y, mark.size, bold=mark.width > 1, more=anchor)
 
-    def _curve(self, mark: Mark):
+    def _curve(self, mark):
         if mark.xs[0] is None:
             y = self.at(None, mark.ys[0])[1]
             places = [(self.left, y), (self.left + self.w, y)]

@@ -220,7 +220,7 @@ def figure_of(page: Page) -> Any:
         left, bottom, w, h = panel.box()
         if panel.plotted.calls:
             left, bottom, w, h = left + 46, bottom + 34, w - 54, h - 38
-        ax = figure.add_axes((left / width, bottom / height, w / width, h / height))
+        ax: Any = figure.add_axes((left / width, bottom / height, w / width, h / height))
         for place, (text, size) in panel.titles.items():
             ax.set_title(text, fontsize=size, loc=place)
         for name, args, named in panel.plotted.calls:

@@ -5,6 +5,7 @@ from html import escape
 from itertools import groupby
 from typing import Any
 
+from ...algebra.errors import checked
 from .label_placement import label_shifts
 from .letters import letters
 from .paper import LINE, Page
@@ -23,9 +24,13 @@ DARK = {
 }  # fmt: skip
 
 
+@checked
 def dark_css(selector: str = "svg.sketch") -> str:
     """The rules of a style sheet that show sketches in dark colours, where ``selector`` holds, as
     ``:root[data-theme=dark] svg.sketch``; of sketches within the page, none that an <img> shows.
+
+    >>> dark_css(".dark svg.sketch")[:46]
+    '.dark svg.sketch [fill="#000000"]{fill:#f0f2f4'
     """
     return "".join(
         f'{selector} [{name}="{light}"]{{{name}:{dark}}}'

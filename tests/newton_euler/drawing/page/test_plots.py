@@ -7,10 +7,11 @@ from xml.etree import ElementTree
 import pytest
 from matplotlib.figure import Figure
 
-from newton_euler.drawing import NeedsMatplotlib, Page, svg
+from newton_euler.drawing.page.paper import NeedsMatplotlib, Page
 from newton_euler.drawing.page.plot_writer import _Drawing
 from newton_euler.drawing.page.plots import Scale
 from newton_euler.drawing.page.recorder import figure_of
+from newton_euler.drawing.page.svg import svg
 
 NAME = "{http://www.w3.org/2000/svg}"
 TIMES = [n / 20 for n in range(41)]

@@ -8,8 +8,8 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.ft2font import FT2Font, LoadFlags
 from matplotlib.textpath import text_to_path
 
-from newton_euler.drawing import Page
 from newton_euler.drawing.page.letters import ABOVE, BELOW, WIDTH, letters
+from newton_euler.drawing.page.paper import Page
 from newton_euler.drawing.page.recorder import share_window, sketches_on
 from newton_euler.drawing.page.svg import DARK, dark_css, svg
 from newton_euler.drawing.vocabulary import draw, entries
