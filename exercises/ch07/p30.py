@@ -24,7 +24,7 @@ def solve(g):
 
 def steps(g):
     for part in parts(g):
-        yield part.name.replace(" ", "_"), part.about(CHAIN).moment("x")
+        yield f"I_{part.name}", part.about(CHAIN).moment("x")
     yield "d", composite("assembly", parts(g)).centre.position(CHAIN)
 
 

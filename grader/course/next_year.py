@@ -55,12 +55,17 @@ def next_year(
     for folder in settings.get("problems_from", ()):
         if not os.path.isabs(folder):
             shutil.copytree(last.path / folder, path / folder, ignore=_no_checkpoints)
-    made, exams = Course(path), settings.get("exams", {})
+    made = Course(path)
     if later is not None:
-        for assignment, due in due_dates(last).items():
-            if made.source(assignment).exists() and assignment not in exams:
-                set_due(made, assignment, due + later)
+        _carry_on(last, made, later)
     return made, sorted(p.parent.name for p in path.glob("source/*/*.ipynb"))
+
+
+def _carry_on(last, made, later):
+    """The due dates of assignments, but of exams."""
+    for assignment, due in due_dates(last).items():
+        if made.source(assignment).exists() and assignment not in last.settings.get("exams", {}):
+            set_due(made, assignment, due + later)
 
 
 def _exchange(course):

@@ -84,9 +84,12 @@ def _inputs(statement, stand):
 
 
 def _reason(error, stand):
-    """Why a name is not there, where a cell above could not bind it."""
-    missing = stand.get(getattr(error, "name", None) or "")
-    return missing.error if isinstance(error, NameError) and missing and missing.error else error
+    """Why a name is not there, where a cell above could not bind it, for want of another name."""
+    seen = set()
+    while isinstance(error, NameError) and error.name in stand and error.name not in seen:
+        seen.add(error.name)
+        error = stand[error.name].error or error
+    return error
 
 
 def name_of(number: int) -> str:

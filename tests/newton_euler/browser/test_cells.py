@@ -62,6 +62,8 @@ def test_a_cell_runs_after_what_it_needs_and_keeps_what_the_reader_ran(page):
     above = ["print('not seen')\na = 1", "a = a + 1", "broken = 1 / 0\nc = 3"]
     assert cells.run(page, [*above, "a, c"], 3) == {"shown": [["text/plain", "(2, 3)"]]}
     assert "division" in cells.run(page, [*above, "broken"], 3)["error"]
+    assert "division" in cells.run("another", [*above, "d = broken + 1", "d"], 4)["error"]
+    assert "'x'" in cells.run("a third", ["x = x + 1", "x"], 1)["error"]
     cells.run(page, ["a = 5", *above[1:]], 0)
     assert cells.run(page, [*above, "a"], 3) == {"shown": [["text/plain", "6"]]}
 
