@@ -1,4 +1,4 @@
-"""What the prose refers to is there, and has one name."""
+"""What the prose of the chapters refers to is there, and has one name."""
 
 import re
 
