@@ -43,14 +43,14 @@ def unworded(found):
 def test_nearly_every_public_name_has_a_valid_call(doors):
     functions, calls = doors
     assert len(functions) > 400
-    # figures need a function that draws and a notebook, practice its file; without_rates and
-    # cleared have no arguments
+    # figures need a function that draws and a notebook, practice its file; choosing writes one;
+    # without_rates and cleared have no arguments
     without = {
         n for n in set(functions) - set(calls) if not n.endswith((".without_rates", ".cleared"))
     }
     of_a_file = {n for n in without if n.lower().startswith("classroom.practice")}
     shown = {"classroom.interactive_figure", "classroom.show_figure"}
-    shown |= {"accuracy.compare", "accuracy.show_chart"}
+    shown |= {"accuracy.compare", "accuracy.show_chart", "classroom.Prediction.choose"}
     assert without - of_a_file == shown
 
 

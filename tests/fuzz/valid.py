@@ -30,7 +30,7 @@ from newton_euler import (
     scenes,
 )
 from newton_euler.answers.forms import Form
-from newton_euler.classroom import try_problem
+from newton_euler.classroom import predict_again, tally, try_problem
 
 
 def valid_calls(functions):
@@ -101,6 +101,8 @@ def more_examples():
     drawings(ground, body, *places)
     Form.read("number, m").error("got nothing")
     try_problem("4/16", "no folder")
+    tally()
+    predict_again()
 
 
 def solids(body, C, D):

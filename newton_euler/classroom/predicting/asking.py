@@ -65,6 +65,7 @@ def predict_again(*predictions: "Prediction") -> "Again":
 class Prediction:
     """A question and, once it is given, the reader's first prediction."""
 
+    @checked
     def __init__(self, asked: Question, again: bool = False):
         self.question, self._note = asked, ""
         self._key = asked.key + " (again)" * again

@@ -810,7 +810,7 @@ def test_a_whole_number_beyond_a_turn_asks_whether_degrees_are_meant(angle):
 
 @pytest.mark.parametrize(
     "angle",
-    [0, 3, -6, 6.28, math.pi, 10 * math.pi, 30.5, moving(40.0, rate=2.0), at(lambda t: 4 * t, 5.0),
+    [0, 3, -6, 6.28, 9.0, math.pi, 10 * math.pi, 30.5, moving(40.0, rate=2.0), at(lambda t: 4 * t, 5.0),
      sympy.Integer(30), np.array([30.0, 60.0])],
 )  # fmt: skip
 def test_an_angle_that_is_computed_or_may_be_in_radians_is_not_asked_about(angle):
