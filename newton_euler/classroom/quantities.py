@@ -61,11 +61,18 @@ def _quantities(what):
 
 def _numbers(value):
     """The numbers of a value, however they are nested."""
-    if isinstance(value, (Vector, list, tuple)) or getattr(value, "shape", ()):
-        for part in value:
-            yield from _numbers(part)
-    else:
+    parts = _parts(value)
+    if parts is None:
         yield value
+    for part in parts or ():
+        yield from _numbers(part)
+
+
+def _parts(value):
+    """What a value consists of, None for a number."""
+    if isinstance(value, (Vector, list, tuple)):
+        return list(value)
+    return value.tolist() if getattr(value, "shape", ()) else None
 
 
 def _size(x):
@@ -80,8 +87,9 @@ def _text(value, unit, digits, noise):
 
 
 def _value(value, digits, noise):
-    if isinstance(value, (Vector, list, tuple)) or getattr(value, "shape", ()):
-        parts = [_value(part, digits, noise) for part in value]
+    found = _parts(value)
+    if found is not None:
+        parts = [_value(part, digits, noise) for part in found]
         if len(parts) > MOST:
             parts[MOST - 2 : -1] = ["…"]
         return f"[{', '.join(parts)}]"

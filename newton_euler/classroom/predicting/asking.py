@@ -80,6 +80,7 @@ class Prediction:
         """Whether it was right; None before, and for a sentence."""
         return None if self.given is None else self.question.judge(self.given).right
 
+    @checked
     def judge(self, prediction: str) -> Judged:
         """What a prediction would mean: the letter or text of a choice, a number, a sentence."""
         return self.question.judge(self._choice(prediction))
