@@ -83,7 +83,9 @@ def test_a_root_takes_few_steps(f, low, high, expected, most):
 def test_the_slowest_row_of_an_array_is_no_slower_than_alone():
     power, target = np.array([1, 2, 3, 9, 1, 3]), np.array([0.0, 1e-9, 8.0, 1e-12, 1e3, 0.0])
     counted, places = asked(lambda x: x**power - target)
-    found = root(counted, np.array([-1e-3, 0, -1, 0, -1e-3, -1]), np.array([5.0, 1.0, 1e4, 1.0, 1e3, 1.0]))
+    found = root(
+        counted, np.array([-1e-3, 0, -1, 0, -1e-3, -1]), np.array([5.0, 1.0, 1e4, 1.0, 1e3, 1.0])
+    )
     np.testing.assert_allclose(found, target ** (1 / power), rtol=1e-14)
     assert len(places) < 60
 
