@@ -79,7 +79,7 @@ def _of_one(p, key, parts, stated):
 @cache
 def followed(problem_id: str) -> Mapping[str, Formulas]:
     """{later answer: how it is computed from earlier ones} as the computation of the problem goes
-    through these, of the answers for which its ``follows`` says nothing.
+    through these.
     """
     p = find_problem(problem_id)
     found, before = {}, dict[int, str]()
@@ -87,7 +87,7 @@ def followed(problem_id: str) -> Mapping[str, Formulas]:
     for key in (a.key for a in p.answers if a.key in components):
         leaves = with_arguments(components[key], before)
         used = {s.args[0] for s in needed(leaves) if s.op == "argument"} - p.units.keys()
-        if used and key not in earlier_answers(p) and any(map(_is_computed, leaves)):
+        if used and any(map(_is_computed, leaves)):
             earlier = [a for a in p.answers if used & {*names(p, a.key)}]
             stated = {n: a.unit for a in earlier for n in names(p, a.key)}
             found[key] = _of_one(p, key, leaves, stated)
@@ -97,13 +97,12 @@ def followed(problem_id: str) -> Mapping[str, Formulas]:
     return found
 
 
-def earlier_of(p: Problem) -> dict[str, tuple[str, ...]]:
-    """{later answer: names of the earlier ones from which it follows}."""
-    found = {
+def computed_from(p: Problem) -> dict[str, tuple[str, ...]]:
+    """{later answer: names of the earlier ones that its computation goes through}."""
+    return {
         key: tuple(a.key for a in p.answers if names(p, a.key)[0] in formulas.units)
         for key, formulas in followed(p.id).items()
     }
-    return found | earlier_answers(p)
 
 
 @cache

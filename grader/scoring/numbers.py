@@ -16,7 +16,14 @@ from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points,
 from newton_euler.answers.causes import listed
 from newton_euler.answers.near import NO_SLIPS
 
-from .computation import columns, earlier_of, perturbed, perturbed_sequel, section, sequel_of
+from .computation import (
+    columns,
+    computed_from,
+    perturbed,
+    perturbed_sequel,
+    section,
+    sequel_of,
+)
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -125,16 +132,28 @@ class Numbers:
         """The points of the answer ``key`` that follows from a student's ``earlier`` answers,
         {answer: points}; None if there is no such answer.
         """
+        written = key in earlier_answers(self.problem)
+        return self._points(key, self._as_written if written else self._as_computed, earlier)
+
+    def other_ways(self, key):
+        """The way of the computation, where what ``follows`` is written and takes another."""
+        names = computed_from(self.problem).get(key)
+        if names is None or key not in earlier_answers(self.problem):
+            return ()
+        return ((names, lambda earlier: self._points(key, self._as_computed, earlier)),)
+
+    def _points(self, key, way, earlier):
         try:
             with np.errstate(all="ignore"):
-                return points_of(self.problem.answer(key), self._following(key, earlier))
+                return points_of(self.problem.answer(key), way(key, earlier))
         except (ArithmeticError, ValueError):  # a student's number may be one that has no sequel
             return None
 
-    def _following(self, key, earlier):
-        if key not in earlier_answers(self.problem):
-            run = sequel_of(self.problem.id, key)
-            return run({**self.sample, **columns(self.problem, earlier)})
+    def _as_computed(self, key, earlier):
+        run = sequel_of(self.problem.id, key)
+        return run({**self.sample, **columns(self.problem, earlier)})
+
+    def _as_written(self, key, earlier):
         numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
         return _traced_following(self.problem.id, key)(*self.sample.values(), *numbers)
 
@@ -148,7 +167,8 @@ def numbers_of(problem, values, earlier_sheets=()):
 
 @cache
 def _earlier(problem_id):
-    return earlier_of(find_problem(problem_id))
+    p = find_problem(problem_id)
+    return computed_from(p) | earlier_answers(p)
 
 
 @cache

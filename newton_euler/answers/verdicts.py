@@ -2,7 +2,7 @@
 that a student wrote is run, evaluated as code or simplified here.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol
@@ -35,6 +35,10 @@ class Asked(Protocol):
     def atol(self) -> float: ...
     @property
     def rtol(self) -> float: ...
+
+
+# the names of earlier answers, and what follows from {earlier answer: points}
+Way = tuple[Sequence[str], Callable[[Mapping[str, Points]], Points | None]]
 
 
 class Numbers(Protocol):
@@ -80,6 +84,9 @@ class Numbers(Protocol):
 
     def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
         """The answer that follows from {earlier answer: points}; None if there is none."""
+
+    def other_ways(self, key: str) -> Sequence[Way]:
+        """Further ways from earlier answers to this one."""
 
 
 @dataclass(frozen=True)
@@ -178,7 +185,7 @@ def _causes(asked, given, found, numbers, *slips):
 def _slips(asked, found, numbers, fit, kind):
     """The slips in the computation from the givens, or else from the student's earlier answers."""
     near = numbers.slips.near(asked.key, fit, kind)
-    wrong, earlier = _earlier(asked, found, numbers)
+    wrong, earlier = _earlier(numbers.earlier.get(asked.key, ()), found, numbers)
     if near or not earlier or None in earlier.values():
         return near
     sequel = numbers.sequel(asked.key, earlier).near(asked.key, fit, kind)
@@ -217,18 +224,21 @@ def _elsewhere(asked, found, numbers):
 
 def _followed(asked, given, found, numbers):
     """The student's own wrong answers from which this one follows rightly; () if it does not."""
-    wrong, earlier = _earlier(asked, found, numbers)
-    if not wrong or None in earlier.values():
-        return ()
-    expected = numbers.following(asked.key, earlier)
-    if expected is None or asked.kind.is_zero(expected, asked.atol):
-        return ()  # zero follows from zero: nothing was computed
-    return wrong if asked.kind.is_right(given, expected, asked.atol, asked.rtol) else ()
+    written = numbers.earlier.get(asked.key, ()), partial(numbers.following, asked.key)
+    for names, follow in (written, *numbers.other_ways(asked.key)):
+        wrong, earlier = _earlier(names, found, numbers)
+        if not wrong or None in earlier.values():
+            continue
+        expected = follow(earlier)
+        if expected is None or asked.kind.is_zero(expected, asked.atol):
+            continue  # zero follows from zero: nothing was computed
+        if asked.kind.is_right(given, expected, asked.atol, asked.rtol):
+            return wrong
+    return ()
 
 
-def _earlier(asked, found, numbers):
-    """The earlier answers from which one follows: the names of the wrong ones, {name: points}."""
-    names = numbers.earlier.get(asked.key, ())
+def _earlier(names, found, numbers):
+    """The earlier answers of these names: the names of the wrong ones, {name: points}."""
     wrong = tuple(n for n in names if n in found and found[n].verdict == "wrong")
     # an earlier part that the sheet does not ask for is not the student's
     return wrong, {n: found[n].given if n in found else numbers.key[n] for n in names}

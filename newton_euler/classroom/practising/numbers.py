@@ -103,6 +103,10 @@ class KeptNumbers:
         found = self.program.following(key, {name: x[0] for name, x in earlier.items()})
         return (found,) if found else None
 
+    def other_ways(self, key: str) -> tuple[()]:
+        """None: every quantity is computed in one way."""
+        return ()
+
 
 class KeptSlips(Slips):
     """The slips of one variant: ``labels`` of all, [key, rank, name, text, where], and the

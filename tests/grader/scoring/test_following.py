@@ -11,6 +11,7 @@ from exercises.catalogue import problem, select
 from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.variants import distance, draw
 from grader.scoring import ScoreError, score_receipt
+from grader.scoring.computation import columns, sequel_of
 from grader.scoring.numbers import numbers_of
 
 FOLLOWING = [(p, key) for p in select(["all"]) for key in earlier_answers(p)]
@@ -188,3 +189,20 @@ def test_formulas_follow_too():
     assert part["alpha_disk"].points == 0.5
     other = judged(p, {}, {"omega_disk": wrong, "alpha_disk": [0, "omega", 0]}, follow_through=0.5)
     assert other["alpha_disk"].points == 0
+
+
+@pytest.mark.parametrize(("name", "key", "earlier"), [
+    ("3/2", "v_n", "v"), ("4/17", "a_D", "v_D"), ("4/41", "a_B", "v_B"),
+])  # fmt: skip
+def test_the_way_of_the_solution_is_accepted_where_follows_is_written_with_another(
+    name, key, earlier
+):
+    p = problem(name)
+    values = draw(p, b"two ways")
+    numbers = numbers_of(p, values)
+    wrong = {earlier: [1.3 * x for x in numbers.key[earlier][0]]}
+    found = sequel_of(name, key)({**values, **columns(p, {earlier: (wrong[earlier],)})})
+    numerals = [float(x[0]) for x in found]
+    given = numerals if len(found) > 1 else numerals[0]
+    part = judged(p, values, {**wrong, key: given})[key]
+    assert part.message.startswith(f"not right; it follows from your {earlier}")

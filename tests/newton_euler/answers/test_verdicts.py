@@ -43,6 +43,9 @@ class Fall:
     def sequel(self, key, earlier):
         return NO_SLIPS
 
+    def other_ways(self, key):
+        return ()
+
     def following(self, key, earlier):
         ((v,),) = earlier["v"]
         return ((v**2,),) if key == "square" else (("falls" if v > 0 else "rises",),)
