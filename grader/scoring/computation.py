@@ -97,6 +97,7 @@ def followed(problem_id: str) -> Mapping[str, Formulas]:
     return found
 
 
+@cache
 def earlier_of(p: Problem) -> dict[str, tuple[str, ...]]:
     """{later answer: names of the earlier ones from which it follows}."""
     found = {

@@ -39,7 +39,7 @@ class Numbers:
     @property
     def earlier(self):
         """{later answer: names of the earlier ones from which it follows}."""
-        return _earlier(self.problem.id)
+        return earlier_of(self.problem)
 
     @property
     def symbols(self):
@@ -144,11 +144,6 @@ def numbers_of(problem, values, earlier_sheets=()):
     if not problem.givens:
         return _without_givens(problem.id)
     return Numbers(problem, values, earlier_sheets)
-
-
-@cache
-def _earlier(problem_id):
-    return earlier_of(find_problem(problem_id))
 
 
 @cache

@@ -14,7 +14,6 @@ from .scalars import (
     epsilon,
     highest,
     is_numeric,
-    max_abs,
     min_abs,
     promote,
     scalar,
@@ -22,7 +21,7 @@ from .scalars import (
     where,
 )
 
-STEPS = 2000  # some 30 are enough for floats, 600 for fifty digits at worst
+STEPS = 2000  # some 15 are enough, a thousand if the function is flat at a root of 1e-300
 
 
 @checked
@@ -55,9 +54,9 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
         )
     # exact numbers of SymPy have no exact root in general, and their fractions grow without end
     if any(map(_is_constant, present)):
-        return _illinois(lambda x: float(f(x)), float(low), float(high))
+        return _enclosed(lambda x: float(f(x)), float(low), float(high))
     low, high, _ = promote(low, high, sample)
-    return to_plain(_illinois(f, low, high))
+    return to_plain(_enclosed(f, low, high))
 
 
 def _is_constant(x):
@@ -86,9 +85,9 @@ def _moving_root(f, low, high):
     return Moving(u, rate, -at(u, rate).acceleration / slope)
 
 
-def _illinois(f, a, b):
-    """Regula falsi by the Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), every third
-    time bisection; all instants of arrays at once.
+def _enclosed(f, a, b):
+    """The root between a and b by inverse quadratic interpolation or bisection (T. R. Chandrupatla,
+    Advances in Engineering Software 28 (1997) 145); all instants of arrays at once.
     """
     fa, fb = _value(f, a), _value(f, b)
     if anywhere(_sign(fa) * _sign(fb) > 0):
@@ -96,22 +95,47 @@ def _illinois(f, a, b):
             f"no root is enclosed between {a!r} and {b!r}: there the function is {fa!r} and "
             f"{fb!r}; give places at which its signs differ"
         )
-    small = epsilon(a + b)
-    for n in range(STEPS):
-        # b is the last place, and the sign changes between a and b, or f is zero at one of them
-        enclosed = abs(b - a) > small * (abs(a) + abs(b)) / 2
-        open_ = where(_sign(fa) * _sign(fb) < 0, where(enclosed, 1, 0), 0)
-        if max_abs(open_) == 0:
+    small, either = epsilon(a + b), where if getattr(fa + fb, "shape", ()) else _either
+    c, fc = a, fa
+    for _ in range(STEPS):
+        # a is the last place, c one before on its side; the sign changes between a and b, or f is
+        # zero at one of them
+        wide = abs(b - a) > small * (abs(a) + abs(b)) / 2
+        open_ = (_sign(fa) * _sign(fb) < 0) * wide
+        if not anywhere(open_):
             break
-        slope = where(fb - fa == 0, 1 + 0 * fa, fb - fa)
-        t = (a + b) / 2 if n % 3 == 2 else (a * fb - b * fa) / slope
-        t = where(open_ > 0, t, b)
+        t = either(open_, _between((a, b, c), (fa, fb, fc), small, either), a)
         ft = _value(f, t)
-        crossed = _sign(ft) * _sign(fb) < 0
-        # the end that stays counts half, so that it is left sooner
-        stays = where(open_ > 0, fa / 2, fa)
-        a, fa, b, fb = where(crossed, b, a), where(crossed, fb, stays), t, ft
-    return where(fa == 0, a, b)
+        same = _sign(ft) == _sign(fa)
+        c, fc = either(same, a, b), either(same, fa, fb)
+        b, fb = either(same, b, a), either(same, fb, fa)
+        a, fa = t, ft
+    return either(abs(fb) < abs(fa), b, a)
+
+
+def _between(places, values, small, either):
+    """The next place: by interpolation where the inverse of f looks monotonic, else the middle."""
+
+    def over(x, y):
+        """x/y, of which nothing is used where y is zero."""
+        return x / either(y == 0, 1 + 0 * y, y)
+
+    (a, b, c), (fa, fb, fc) = places, values
+    smaller = either(abs(fa) < abs(fc), fa, fc)  # as in bisection, where f does not shrink
+    x, y = over(a - b, c - b), over(smaller - fb, fc - fb)
+    t = over(fa, fb - fa) * over(fc, fb - fc)
+    t = t + over(c - a, b - a) * over(smaller, fc - smaller) * over(fb, fc - fb)
+    # by a unit in the last place at least, so that the last step crosses the root
+    least = over(0.75 * small * abs(a), abs(b - a))
+    least = either(least < 0.5, least, 0.5)
+    t = either(t < least, least, either(t > 1 - least, 1 - least, t))
+    # zero as the middle: from both sides it is reached by halving only after a thousand steps
+    middle = either(_sign(a) * _sign(b) < 0, 0 * abs(a), (a + b) / 2)
+    return either((y * y < x) * ((1 - y) * (1 - y) < 1 - x), a + t * (b - a), middle)
+
+
+def _either(condition, a, b):
+    return a if condition else b
 
 
 def _value(f, x):

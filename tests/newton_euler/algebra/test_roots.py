@@ -3,6 +3,7 @@
 import math
 import pickle
 
+import mpmath
 import numpy as np
 import pytest
 import sympy
@@ -47,6 +48,58 @@ def test_no_place_outside_the_bracket_is_asked_for():
     assert root(f, 0.0, 1.0) ** 9 == pytest.approx(1e-12, rel=1e-12)
     assert 0 <= min(places) <= max(places) <= 1
     assert len(places) < 80
+
+
+def asked(f):
+    """The function and the places at which it is asked."""
+    places = []
+
+    def counted(x):
+        places.append(x)
+        return f(x)
+
+    return counted, places
+
+
+@pytest.mark.parametrize(("f", "low", "high", "expected", "most"), [
+    (lambda x: 3 * x - 2, -4.0, 1000.0, 2 / 3, 15),
+    (lambda x: 7.0 - 0.3 * x * x - x, 0.28, 1.1e3, (math.sqrt(9.4) - 1) / 0.6, 30),
+    (lambda x: x**3, -1.0, 2.0, 0.0, 10),
+    (lambda x: sin(x) ** 5, -3.0, 1.0, 0.0, 10),
+    (lambda x: (x - 0.3) ** 3, -1.0, 5.0, 0.3, 80),
+    (lambda x: exp(300 * (x - 0.4)) - 1, 0.0, 1.0, 0.4, 40),
+    (lambda x: exp(-1 / x) - 1e-100, 0.001, 1.0, 0.01 / math.log(10), 40),
+    (lambda x: 1 / (x - 0.99999) + 3, 1.0 - 1e-3, 0.0, 0.99999 - 1 / 3, 40),
+    (lambda x: (x > 0.7) - 0.5, 0.0, 1.0, 0.7, 70),
+    (lambda x: 1e300 * (x - 0.1) * (1 + x * x), -1.0, 2.0, 0.1, 30),
+])  # fmt: skip
+def test_a_root_takes_few_steps(f, low, high, expected, most):
+    for ends in ((low, high), (high, low)):
+        counted, places = asked(f)
+        assert root(counted, *ends) == pytest.approx(expected, rel=1e-13, abs=0.0)
+        assert len(places) <= most
+
+
+def test_the_slowest_row_of_an_array_is_no_slower_than_alone():
+    power, target = np.array([1, 2, 3, 9, 1, 3]), np.array([0.0, 1e-9, 8.0, 1e-12, 1e3, 0.0])
+    counted, places = asked(lambda x: x**power - target)
+    found = root(
+        counted, np.array([-1e-3, 0, -1, 0, -1e-3, -1]), np.array([5.0, 1.0, 1e4, 1.0, 1e3, 1.0])
+    )
+    np.testing.assert_allclose(found, target ** (1 / power), rtol=1e-14)
+    assert len(places) < 60
+
+
+@pytest.mark.parametrize("digits", [30, 50])
+def test_roots_of_many_digits_take_few_steps(digits):
+    with mpmath.workdps(digits):
+        counted, places = asked(lambda x: x**3 - 2)
+        found = root(counted, mpmath.mpf(0), mpmath.mpf(100))
+        assert abs(found - mpmath.cbrt(2)) < mpmath.mpf(10) ** (2 - digits)
+        assert len(places) < 30
+        counted, places = asked(lambda x: x**3)
+        assert root(counted, mpmath.mpf(-1), mpmath.mpf(3)) == 0
+        assert len(places) < 10
 
 
 def test_an_equation_for_each_instant():
