@@ -1,5 +1,7 @@
 """Places along a curve, and states along a motion, for figures that a browser draws without NumPy."""
 
+from typing import Any
+
 from newton_euler import Model, integrate
 
 
@@ -19,5 +21,6 @@ def states_over(model: Model, time: float, start: tuple[float, ...], count: int)
     >>> [round(h, 6) for h, v in states_over(fall, 2.0, (100.0, 0.0), 3)]
     [100.0, 95.0, 80.0]
     """
-    state_at = integrate(model, time, start).segments[0].stepper.state_at
+    motion: Any = integrate(model, time, start)
+    state_at = motion.segments[0].stepper.state_at
     return [state_at(t) for t in evenly(0.0, time, count)]
