@@ -264,7 +264,7 @@ def sphere(axes, v0, mu, g, radius, t, spin):
     slips = abs(slip) > 1e-9
     s.vector(O, ground.i * (-math.copysign(2.0, slip) if slips else 0.0), "$F$", kind="force")
     axes[0].set_title(f"{'slides' if slips else 'rolls'}; x = {x:.2f} m", fontsize=11)
-    times = evenly(0, 2, 201)
+    times = 0.0, min(float(rolling_begins(*given).t), 2.0), 2.0  # the lines are straight between
     _, speeds, rates = zip(*(sphere_at(x, *given) for x in times), strict=True)
     axes[1].plot(times, speeds, color=BLUE, label="$v$")
     axes[1].plot(times, [-x * radius for x in rates], "--", color=RED, label=r"$-\omega r$")
