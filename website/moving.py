@@ -4,12 +4,16 @@ of, and files of some pictures along them.
 
 import hashlib
 import json
+import re
+from base64 import b64decode
 from html import escape
 from pathlib import Path
 
 from nbformat import NotebookNode
 
 from newton_euler.classroom.widgets.on_pages import MOVING
+
+EMBEDDED = re.compile(r'<img\b[^>]*\bsrc="data:image/svg\+xml;base64,([^"]+)"[^>]*>')
 
 
 def mark(cell: NotebookNode, folder: Path) -> None:
@@ -22,7 +26,8 @@ def mark(cell: NotebookNode, folder: Path) -> None:
         for picture in (x for along in about["along"].values() for x in along):
             picture["file"] = _written(picture.pop("svg"), folder)
         given = escape(json.dumps({**about, "number": number}))
-        picture = data["text/html"]
+        # within the page, where it follows the page's theme; it says itself what it shows
+        picture = EMBEDDED.sub(lambda m: b64decode(m[1]).decode(), data["text/html"])
         data["text/html"] = f'<div class="moving" data-engine data-moving="{given}">{picture}</div>'
 
 

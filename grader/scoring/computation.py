@@ -97,12 +97,19 @@ def followed(problem_id: str) -> Mapping[str, Formulas]:
     return found
 
 
+@cache
 def computed_from(p: Problem) -> dict[str, tuple[str, ...]]:
     """{later answer: names of the earlier ones that its computation goes through}."""
     return {
         key: tuple(a.key for a in p.answers if names(p, a.key)[0] in formulas.units)
         for key, formulas in followed(p.id).items()
     }
+
+
+@cache
+def earlier_of(p: Problem) -> dict[str, tuple[str, ...]]:
+    """{later answer: names of the earlier ones from which it follows}."""
+    return computed_from(p) | earlier_answers(p)
 
 
 @cache

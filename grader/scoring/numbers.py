@@ -19,6 +19,7 @@ from newton_euler.answers.near import NO_SLIPS
 from .computation import (
     columns,
     computed_from,
+    earlier_of,
     perturbed,
     perturbed_sequel,
     section,
@@ -46,7 +47,7 @@ class Numbers:
     @property
     def earlier(self):
         """{later answer: names of the earlier ones from which it follows}."""
-        return _earlier(self.problem.id)
+        return earlier_of(self.problem)
 
     @property
     def symbols(self):
@@ -163,12 +164,6 @@ def numbers_of(problem, values, earlier_sheets=()):
     if not problem.givens:
         return _without_givens(problem.id)
     return Numbers(problem, values, earlier_sheets)
-
-
-@cache
-def _earlier(problem_id):
-    p = find_problem(problem_id)
-    return computed_from(p) | earlier_answers(p)
 
 
 @cache

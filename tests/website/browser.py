@@ -54,6 +54,12 @@ def chromium(folder):
     driver.quit()
 
 
+def emulated(driver, theme="", media=""):
+    """Show pages as to a reader whose system is "dark" or "light", or on paper, by media "print"."""
+    features = [{"name": "prefers-color-scheme", "value": theme}]
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": media, "features": features})
+
+
 def complaints(driver):
     """What the console has said since it was asked before."""
     return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]

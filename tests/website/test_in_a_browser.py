@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from tests.website.browser import complaints, requests, wait
+from tests.website.browser import complaints, emulated, requests, wait
 
 pytestmark = pytest.mark.integration
 
@@ -138,20 +138,29 @@ def test_on_paper_all_is_unfolded_and_the_navigation_is_gone(driver, address):
     assert driver.execute_script(
         "return [...document.querySelectorAll('details')].every(d => d.open)"
     )
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    emulated(driver, media="print")
     shown = "[...document.querySelectorAll('.sidebar-drawer, .toc-drawer, .mobile-header, .controls, .related-pages')].filter(e => e.offsetParent).length"
     assert driver.execute_script(f"return {shown}") == 0
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    emulated(driver)
 
 
-def test_the_page_is_light_and_says_its_language(driver, address):
-    features = [{"name": "prefers-color-scheme", "value": "dark"}]
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
-    sample(driver, address)
-    ground = "getComputedStyle(document.body).backgroundColor"
-    assert driver.execute_script(f"return {ground}") == "rgb(255, 255, 255)"
+def test_a_page_follows_the_readers_system_or_the_switch_and_paper_is_light(driver, address):
+    dark, white = "rgb(19, 20, 22)", "rgb(255, 255, 255)"
+    colours = """const fill = document.querySelector('.landing svg.sketch > rect');
+      return [getComputedStyle(document.body).backgroundColor, getComputedStyle(fill).fill];"""
+    driver.get(f"{address}/index.html")
     assert driver.execute_script("return document.documentElement.lang") == "en"
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+    assert driver.execute_script(colours) == [white, white]
+    emulated(driver, "dark")
+    assert driver.execute_script(colours) == [dark, "rgb(20, 23, 26)"]
+    emulated(driver, "dark", "print")
+    assert driver.execute_script(colours) == [white, white]
+    emulated(driver, "dark")
+    driver.find_element("css selector", ".theme-toggle-content button").click()
+    assert driver.execute_script(colours) == [white, white]
+    assert driver.execute_script("return localStorage.theme") == "light"
+    driver.execute_script("localStorage.removeItem('theme')")
+    emulated(driver)
 
 
 def test_problems_are_chosen_by_what_is_asked_for(driver, address):

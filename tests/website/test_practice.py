@@ -8,7 +8,7 @@ from exercises.catalogue import problem
 from exercises.catalogue.variants import flat
 from grader.practice.twins import twin
 from newton_euler.classroom.practising.progress import Progress
-from tests.website.browser import complaints, wait
+from tests.website.browser import complaints, emulated, wait
 from website.build import CACHE
 from website.npm import Package
 
@@ -188,7 +188,7 @@ def test_the_first_page_moves_answers_and_is_light(address, phone):
     assert complaints(phone) == []
 
 
-def test_axe_finds_nothing_serious(site, address, phone):
+def test_axe_finds_nothing_serious_in_light_or_dark(site, address, phone):
     found = AXE.files(CACHE / "npm", "axe.min.js")
     if not found:
         pytest.skip("npm does not reach axe-core")
@@ -203,6 +203,9 @@ def test_axe_finds_nothing_serious(site, address, phone):
         if page == "problems/4-16.html":
             wait(phone, TOUCHED, "the form")
         phone.execute_script(found["axe.min.js"].decode())
-        if wrong := phone.execute_async_script(FAULTS):
-            faults[page] = wrong
+        for theme in ("light", "dark"):
+            emulated(phone, theme)
+            if wrong := phone.execute_async_script(FAULTS):
+                faults[page, theme] = wrong
+    emulated(phone)
     assert faults == {}

@@ -12,6 +12,8 @@ sys.path.insert(0, str(HERE))
 
 from transforms import docstring, formulas, problem_links  # noqa: E402
 
+from newton_euler.drawing import dark_css  # noqa: E402
+
 project = "Newton-Euler dynamics"
 html_title = project
 language = "en"
@@ -47,8 +49,7 @@ mathjax3_config = {
 html_theme = "furo"
 html_favicon = "static/icon.svg"
 html_static_path = ["static", str(MATHJAX / mathjax_path)]
-templates_path = ["templates"]
-html_css_files = ["site.css"]
+html_css_files = ["site.css", "sketches.css"]
 html_js_files = [("site.js", {"defer": "defer"})]
 html_show_sourcelink = html_show_sphinx = html_show_copyright = False
 html_copy_source = False
@@ -58,8 +59,26 @@ html_permalinks_icon = "#"
 html_theme_options: dict[str, list[str]] = {"top_of_page_buttons": []}
 
 
+SKETCHES = """\
+@media screen {{
+{}
+@media (prefers-color-scheme: dark) {{ {} }}
+}}
+"""
+
+
+def sketches(app: Any) -> None:
+    """Write the style sheet of pictures in a dark page."""
+    chosen, system = 'body[data-theme="dark"]', 'body:not([data-theme="light"])'
+    rules = (dark_css(f"{theme} svg.sketch") for theme in (chosen, system))
+    folder = Path(app.outdir, "_static")
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "sketches.css").write_text(SKETCHES.format(*rules), encoding="utf-8")
+
+
 def setup(app: Any) -> None:
     """Connect our own steps."""
+    app.connect("builder-inited", sketches)
     if app.tags.has("engine"):  # it lies beside the pages
         for name in ("engine.js", "moving.js", "cells.js"):
             app.add_js_file(name, defer="defer")

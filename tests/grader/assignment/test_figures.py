@@ -8,7 +8,7 @@ import pytest
 from exercises.catalogue import problem, select
 from exercises.catalogue.checks import values
 from grader.assignment import figure_faults, figure_png
-from newton_euler.drawing.page import label_placement as labels
+from newton_euler.drawing.page import on_axes
 
 by_id = pytest.mark.parametrize(
     "p", [p for p in select(["all"]) if p.figure], ids=lambda p: f"figure_{p.id.replace('/', '_')}"
@@ -37,13 +37,13 @@ def _drawn(problem_id):
 
 
 def _kept(_):
-    return len(labels._parsers)
+    return len(on_axes._parsers)
 
 
 def test_a_forked_process_reads_fonts_of_its_own_and_draws_the_same():
     """Two processes that read one open font file get each other's bytes."""
     here = {i: _drawn(i) for i in DRAWN}
-    assert labels._parsers
+    assert on_axes._parsers
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("fork")) as pool:
         assert set(pool.map(_kept, range(2))) == {0}
         assert dict(zip(DRAWN, pool.map(_drawn, DRAWN), strict=True)) == here

@@ -99,6 +99,7 @@ addEventListener("DOMContentLoaded", () => {
       read.className = fault ? "read fault" : "read";
       read.replaceChildren(latex ? math(latex) : fault);
       if (latex) await typeset(read);
+      read.tabIndex = read.scrollWidth > read.clientWidth ? 0 : -1; // the keyboard moves what is too wide
     };
     const fields = inputs(q, () => {
       verdict.className = "verdict";
