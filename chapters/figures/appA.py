@@ -4,6 +4,7 @@ import math
 
 from newton_euler import Frame
 from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.vectors import cross3, dot3
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch
 
@@ -135,7 +136,7 @@ def block(ax, height):
     ground = Frame("ground")
     P, Q, R = (1.2, 0.1, 0), (0.3, 1.0, 0), (0.25, 0.2, height)
     base = [O, P, _add(P, Q), Q]
-    volume = float(np.dot(P, np.cross(Q, R)))
+    volume = dot3(P, cross3(Q, R))
     s = Sketch(ax, ground, azimuth=-65, elevation=22)
     s.plate(base, shade="light")
     for corner in base:
@@ -167,8 +168,8 @@ def double_cross(ax, around, up):
     P, Q = (1.1, 0, 0), (0.5, 0.9, 0)
     a, b = math.radians(around), math.radians(up)
     R = (math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b))
-    normal = tuple(np.cross(P, Q))
-    double = tuple(np.cross(normal, R))
+    normal = cross3(P, Q)
+    double = cross3(normal, R)
     s = Sketch(ax, ground, azimuth=-60, elevation=28)
     s.plate([(-1.1, -1.1, 0), (1.3, -1.1, 0), (1.3, 1.2, 0), (-1.1, 1.2, 0)], shade="light")
     s.arrow(O, P, r"$\mathbf{P}$", "velocity")
@@ -213,7 +214,7 @@ def plane(ax, corners, normal, off):
     A, B, C = corners
     e = tuple(x / math.hypot(*normal) for x in normal)
     along = tuple(x / math.dist(A, B) for x in _add(B, A, -1))
-    across = tuple(np.cross(e, along))
+    across = cross3(e, along)
     ground = Frame("ground")
     corner = [
         _add(_add(A, along, u), across, v) for u, v in ((-1, -1), (8.5, -1), (8.5, 5), (-1, 5))
@@ -334,7 +335,7 @@ def hill(height, slope):
         s.arrow(here, _add(here, e, 0.6), r"$\hat e$", "acceleration")
         s.dot(here)
         s.axes((-2, -1.5, 0), s.frame, 0.6, ["x", "y", ""])
-        along = float(np.dot(uphill, e))
+        along = dot3(uphill, e)
         ax.set_title(
             rf"slope along the walk: $\nabla f\cdot\hat e = {along + 0.0:.2f}$", fontsize=11
         )

@@ -8,6 +8,7 @@ from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics import gravity_at_height
 
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -49,7 +50,7 @@ def thrown_hammer():
         s.sphere(A, 0.28)
         s.sphere(B, 0.19)
         s.dot(G)
-        s.path([(6 * u, 0, 8 * u - 4.905 * u**2) for u in np.linspace(0, 1.63, 60)])
+        s.path([(6 * u, 0, 8 * u - 4.905 * u**2) for u in evenly(0, 1.63, 60)])
         s.label(G, "G")
 
     return animate(
@@ -83,9 +84,7 @@ def burst(shell):
         s = Sketch(ax, ground, azimuth=-55, elevation=22)
         s.axes(O, ground, length=500, labels="XYZ")
         s.ground((1300, 0, 0), ground.k, size=2600)
-        up = [
-            (shell.v_x * u, 0, shell.v_z * u - shell.g * u**2 / 2) for u in np.linspace(0, time, 30)
-        ]
+        up = [(shell.v_x * u, 0, shell.v_z * u - shell.g * u**2 / 2) for u in evenly(0, time, 30)]
         s.path(up)
         for name, v in velocities.items():
             s.path([place(v, t * n / 30) for n in range(31)]) if t else None

@@ -20,6 +20,7 @@ from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
+from .curves import evenly, states_over
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -201,15 +202,13 @@ def phugoid(vertical_flight, lift, trim):
     glider = vertical_flight(m=300.0, g=G, lift=lift)
 
     def draw(ax, ratio):
-        times = np.linspace(0, 60, 481)
-        motion = integrate(glider, 60.0, (ratio * trim, 0.0, 0.0, 0.0), samples=times)
-        x, y = motion.states["x"], motion.states["y"]
+        states = states_over(glider, 60.0, (ratio * trim, 0.0, 0.0, 0.0), 481)
+        v, _, x, y = zip(*states, strict=True)
         ax.plot(x, y, color=BLUE)
         ax.plot(x[::16], y[::16], "o", ms=4, color=BLUE)
         ax.set(xlim=(-50, 1950), ylim=(-120, 260), xlabel="x (m)", ylabel="y − start (m)")
         ax.set_aspect("equal")
-        slowest = motion.states["v"].min()
-        ax.set_title(f"start at {ratio * trim:.0f} m/s, slowest {slowest:.1f} m/s", fontsize=11)
+        ax.set_title(f"start at {ratio * trim:.0f} m/s, slowest {min(v):.1f} m/s", fontsize=11)
 
     interactive_figure(
         draw,
@@ -280,8 +279,8 @@ def screw_jack():
         s.sphere(P, 0.014)
         s.vector(P, F, r"$\mathbf{F}^e$", kind="acceleration", size="N")
         s.vector(P, arm, "arm", kind="force", size="N")
-        ax, q = axes[1], np.linspace(0, 1, 60)
-        ax.plot(q, -m * a * 4 * math.pi * K * q, color=ORANGE, label="$F_r$")
+        ax = axes[1]
+        ax.plot([0, 1], [0, -m * a * 4 * math.pi * K], color=ORANGE, label="$F_r$")
         ax.axhline(m * a * K, color=BLUE, ls="--", label=r"$F_\theta$")
         ax.axhline(m * lead * K / (2 * math.pi), color=GREEN, ls=":", lw=2, label="$F_z$")
         ax.axhline(float(arm.z), color="black", ls="-.", label="arm, upward")
@@ -469,24 +468,20 @@ def plumb_line(ax, latitude):
     """Figure 6.11: why the support does not point away from the centre; drawn too large."""
     share, long = 100 * 0.00344, 0.75
     ground, lam = Frame("ground"), math.radians(latitude)
-    up, north = np.array([math.cos(lam), math.sin(lam)]), (-math.sin(lam), math.cos(lam))
-    a = np.array([-share * math.cos(lam), 0])
-
-    def to(step):  # from B, in the plane of the page
-        x, z = up + np.array(step)
-        return x, 0, z
-
-    s, B = Sketch(ax, ground, plane="xz"), to((0, 0))
+    B = up = ground.vector(math.cos(lam), 0, math.sin(lam))
+    north = ground.vector(-math.sin(lam), 0, math.cos(lam))
+    a = -share * math.cos(lam) * ground.i
+    s = Sketch(ax, ground, plane="xz")
     s.ring(O, ground.j, 1.0)
     s.line((0, 0, -1.25), (0, 0, 1.25), style="centre")
     s.line((-1, 0, 0), (1, 0, 0), style="dotted")
-    s.line(O, to(0.95 * up))
+    s.line(O, B + 0.95 * up)
     if latitude:
         s.arc(O, (1, 0, 0), B, label=r"$\lambda$")
-    s.arrow(B, to(-long * up), "$mg$", kind="force")
-    s.arrow(B, to(long * (up + a)), r"$\mathbf{N}$", kind="force")
-    s.arrow(to(long * up), to(long * (up + a)), r"$m\mathbf{a}_B$", kind="acceleration")
-    s.arrow(B, to(0.35 * np.array(north)), "north")
+    s.arrow(B, B - long * up, "$mg$", kind="force")
+    s.arrow(B, B + long * (up + a), r"$\mathbf{N}$", kind="force")
+    s.arrow(B + long * up, B + long * (up + a), r"$m\mathbf{a}_B$", kind="acceleration")
+    s.arrow(B, B + 0.35 * north, "north")
     s.dot(B)
     s.label((0, 0, 1.25), "axis", offset=(-18, 0), bold=False)
 
@@ -576,23 +571,30 @@ def shot(ax, azimuth, latitude):
     """Figure 6.14: a shot from above, what the rotation does to it magnified."""
     v0, elevation, magnified = 300.0, math.pi / 4, 100
     lam, th = math.radians(latitude), math.radians(azimuth)
-    time = flight_time(v0, th, elevation, lam, G, OMEGA_E)
-    t = np.linspace(0, 1, 60)
-    still = np.array(projectile(t * flight_time(v0, th, elevation, lam, G, 0.0), v0, th,
-                                elevation, lam, G, 0.0)[:2])  # fmt: skip
-    there = np.array(projectile(t * time, v0, th, elevation, lam, G, OMEGA_E)[:2])
-    drawn = (still + magnified * (there - still)) / 1000
-    ax.plot(*(still / 1000), color=GREY, ls="--", label="Earth at rest")
+
+    def path(rate):  # east, north
+        given = v0, th, elevation, lam, G, rate
+        times = evenly(0, flight_time(*given), 60)
+        return list(zip(*(projectile(t, *given)[:2] for t in times), strict=True))
+
+    still, there = path(0.0), path(OMEGA_E)
+    drawn = [
+        [(a + magnified * (b - a)) / 1000 for a, b in zip(*both, strict=True)]
+        for both in zip(still, there, strict=True)
+    ]
+    ax.plot(
+        *([x / 1000 for x in side] for side in still), color=GREY, ls="--", label="Earth at rest"
+    )
     ax.plot(*drawn, color=BLUE, label="Earth turning, magnified")
-    ax.plot(*drawn[:, -1], "o", color=BLUE)
-    ax.plot(*(still[:, -1] / 1000), "o", mfc="none", color=GREY)
+    ax.plot(*(side[-1] for side in drawn), "o", color=BLUE)
+    ax.plot(*(side[-1] / 1000 for side in still), "o", mfc="none", color=GREY)
     ax.plot(0, 0, "ks")
     ax.set(xlim=(-12.5, 12.5), ylim=(-12.5, 12.5), xlabel="east (km)", ylabel="north (km)")
     ax.set_aspect("equal")
     ax.legend(frameon=False, fontsize=9, loc="lower left")
-    off = there[:, -1] - still[:, -1]
-    right = float(off[0] * math.sin(th) - off[1] * math.cos(th))
-    ahead = float(off[0] * math.cos(th) + off[1] * math.sin(th))
+    east, north = (b[-1] - a[-1] for a, b in zip(still, there, strict=True))
+    right = east * math.sin(th) - north * math.cos(th)
+    ahead = east * math.cos(th) + north * math.sin(th)
     side, way = "right" if right >= 0 else "left", "farther" if ahead >= 0 else "shorter"
     ax.set_title(f"{abs(right):.1f} m to the {side}, {abs(ahead):.1f} m {way}", fontsize=11)
 
@@ -606,10 +608,10 @@ def shot(ax, azimuth, latitude):
 )
 def range_errors(ax, v0):
     """Figure 6.15: the error of the range without rotation, against the elevation."""
-    elevations = np.linspace(2, 84, 120)
-    east = 100 * range_error(v0, np.radians(elevations), G, OMEGA_E)
+    elevations = evenly(2, 84, 120)
+    east = [100 * range_error(v0, math.radians(x), G, OMEGA_E) for x in elevations]
     ax.plot(elevations, east, color=BLUE, label="to the east")
-    ax.plot(elevations, -east, color=ORANGE, ls="--", label="to the west")
+    ax.plot(elevations, [-x for x in east], color=ORANGE, ls="--", label="to the west")
     ax.axhline(0, color="black", lw=0.8)
     ax.axvline(60, color=GREY, ls=":")
     ax.set(xlim=(0, 90), ylim=(-4, 4), xlabel="elevation (°)", ylabel="error of the range (%)")
@@ -708,11 +710,11 @@ def banked(axes, bank):
     s.vector(O, ground.k, r"$L\cos\sigma$", kind="force", size="W")
     s.vector(O, -ground.k, "W", kind="force")
     axes[1].set_title("seen from behind", fontsize=11)
-    t = np.linspace(0, 60, 241)
     rate = G * math.tan(angle) / v
-    east, north = v / rate * (1 - np.cos(rate * t)), v / rate * np.sin(rate * t)
-    axes[2].plot(east / 1000, north / 1000, color=BLUE)
-    axes[2].plot(east[::40] / 1000, north[::40] / 1000, "o", ms=4, color=BLUE)
+    turns, km = [rate * t for t in evenly(0, 60, 241)], v / rate / 1000
+    east, north = [km * (1 - math.cos(q)) for q in turns], [km * math.sin(q) for q in turns]
+    axes[2].plot(east, north, color=BLUE)
+    axes[2].plot(east[::40], north[::40], "o", ms=4, color=BLUE)
     axes[2].set(xlim=(-0.2, 2.6), ylim=(-1.0, 2.4), xlabel="x, east (km)", ylabel="y, north (km)")
     axes[2].set_aspect("equal")
     axes[2].set_title(f"from above, radius {v / rate:.0f} m", fontsize=11)

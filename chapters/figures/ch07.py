@@ -3,12 +3,12 @@
 import math
 
 from newton_euler import Frame, composite, particle
-from newton_euler.algebra.late import np
 from newton_euler.bodies import plate
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -75,11 +75,11 @@ def dumbbell_film(build):
 
 def two_balls():
     """Figure 7.2: two balls in the plane, and their moments and product of inertia."""
-    angles = np.radians(np.arange(0, 361, 3))
+    degrees = range(0, 361, 3)
     curves = (
-        ("$I_{xx}$", lambda a: np.sin(a) ** 2, BLUE, "-"),
-        ("$I_{yy}$", lambda a: np.cos(a) ** 2, RED, "--"),
-        ("$I_{xy}$", lambda a: np.sin(a) * np.cos(a), GREEN, "-."),
+        ("$I_{xx}$", lambda a: math.sin(a) ** 2, BLUE, "-"),
+        ("$I_{yy}$", lambda a: math.cos(a) ** 2, RED, "--"),
+        ("$I_{xy}$", lambda a: math.sin(a) * math.cos(a), GREEN, "-."),
     )
 
     def draw(axes, turn):
@@ -95,7 +95,8 @@ def two_balls():
         s.sphere(A, 0.08)
         s.sphere(tuple(-x for x in A), 0.08)
         for label, f, colour, style in curves:
-            axes[1].plot(np.degrees(angles), f(angles), style, color=colour, label=label)
+            values = [f(math.radians(x)) for x in degrees]
+            axes[1].plot(degrees, values, style, color=colour, label=label)
             axes[1].plot([turn], [f(a)], "o", color=colour)
         axes[1].axhline(0, color="black", lw=0.8)
         axes[1].set(xlabel="angle from x to the rod (°)", xticks=range(0, 361, 90))
@@ -132,9 +133,10 @@ def rod_and_point(axes, b):
     s.dot(B)
     s.label(B, "B")
     s.dimension(O, (1, 0, 0), r"$\ell$", offset=-0.15)
-    x = np.linspace(0, 1, 101)
-    axes[1].fill_between(x - b, (x - b) ** 2, color=BLUE, alpha=0.35)
-    axes[1].plot(x - b, (x - b) ** 2, color=BLUE)
+    x = evenly(-b, 1 - b, 101)
+    squares = [q * q for q in x]
+    axes[1].fill_between(x, squares, color=BLUE, alpha=0.35)
+    axes[1].plot(x, squares, color=BLUE)
     moment = ((1 - b) ** 3 + b**3) / 3
     axes[1].set(xlim=(-1.05, 1.05), ylim=(0, 1.1), xlabel="x/ℓ, from B", ylabel="x²/ℓ²")
     axes[1].set_title(rf"area under the curve: $I_{{yy}}/m\ell^2$ = {moment:.4f}", fontsize=11)
@@ -175,7 +177,6 @@ def _rods(s):
 )
 def plate_and_ellipse(axes, turn, b):
     """Figure 7.5: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
-    angles = np.radians(np.arange(0, 181, 2))
     _apart(axes)
     ground, a = Frame("ground"), 1.2
     I = plate(a, b, ground, "z", mass=12.0).about(ground)
@@ -193,37 +194,39 @@ def plate_and_ellipse(axes, turn, b):
     s.line(tuple(p - x for p, x in zip(P, t, strict=True)), tuple(map(sum, zip(P, t, strict=True))))
     s.dot(P)
     axes[0].set_title(f"angle between ω and H: {angle_between(n, H):.0f}°", fontsize=11, pad=14)
-    _moments_over_angle(axes[1], I, angles, math.radians(turn))
+    _moments_over_angle(axes[1], I, turn)
 
 
 def _ellipse(I, scale):
     """The points at the distance sqrt(I_xx/I(n)) times ``scale`` in each direction n of the plane."""
     (xx, yy, _), (xy, *_) = I.moments, I.products
     out = []
-    for a in np.linspace(0, 2 * math.pi, 73):
+    for a in evenly(0, 2 * math.pi, 73):
         c, s = math.cos(a), math.sin(a)
         r = scale * math.sqrt(xx / (xx * c * c + yy * s * s - 2 * xy * s * c))
         out.append((r * c, r * s, 0))
     return out
 
 
-def _moments_over_angle(ax, I, angles, here):
+def _moments_over_angle(ax, I, here):
     """The moment about an axis of the plane, and the product with the axis across it."""
     xx, yy, _ = I.moments
 
-    def both(a):
-        return xx * np.cos(a) ** 2 + yy * np.sin(a) ** 2, (yy - xx) * np.sin(a) * np.cos(a)
+    def both(degrees):
+        s, c = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+        return xx * c * c + yy * s * s, (yy - xx) * s * c
 
+    degrees = range(0, 181, 2)
     for values, label, colour, style, now in zip(
-        both(angles),
+        zip(*map(both, degrees), strict=True),
         ("moment about the axis", "product with the axis across"),
         (BLUE, RED),
         ("-", "--"),
         both(here),
         strict=True,
     ):
-        ax.plot(np.degrees(angles), values, style, color=colour, label=label)
-        ax.plot([math.degrees(here)], [now], "o", color=colour)
+        ax.plot(degrees, values, style, color=colour, label=label)
+        ax.plot([here], [now], "o", color=colour)
     ax.axhline(0, color="black", lw=0.8)
     ax.set(xlabel="angle of the axis (°)", xticks=range(0, 181, 45), ylabel="kg m²")
     ax.set(ylim=(-0.9, 2.2))
@@ -234,15 +237,13 @@ def rods_and_axis():
     """Figure 7.6: the axis of turning goes from x to the three principal axes one after another."""
     ground = Frame("ground")
     I = three_rods(12.0, 1.0, ground).about(ground)
-    stops = [
-        np.array(v) / np.linalg.norm(v) for v in ((1, 0, 0), (2, 1, -1), (0, 1, 1), (1, -1, 1))
-    ]
-    way = np.linspace(0, 3, 121)
+    ends = (1.0, 0, 0), (2.0, 1, -1), (0, 1.0, 1), (1.0, -1, 1)
+    stops = [ground.vector(*v).direction() for v in ends]
+    way = evenly(0, 3, 121)
 
     def direction(s):
         k = min(int(s), 2)
-        v = (1 - s + k) * stops[k] + (s - k) * stops[k + 1]
-        return ground.vector(*map(float, v / np.linalg.norm(v)))
+        return ((1 - s + k) * stops[k] + (s - k) * stops[k + 1]).direction()
 
     moments = [I.moment(direction(s)) for s in way]
     apart = [angle_between(direction(s), I.times(direction(s))) for s in way]
@@ -253,7 +254,7 @@ def rods_and_axis():
         s = Sketch(axes[0], ground, azimuth=30, elevation=22, arrows=85)
         _rods(s)
         for e in stops[1:]:
-            s.line(tuple(-0.7 * e), tuple(0.7 * e), style="centre")
+            s.line(-0.7 * e, 0.7 * e, style="centre")
         s.vector(O, n, r"$\omega$", kind="rate")
         s.vector(O, I.times(n), "$H$", kind="plain")
         axes[0].set_title(
@@ -280,10 +281,11 @@ def rods_and_axis():
 
 def propeller():
     """Figure 7.7: a propeller with n blades, and its moment about a fixed axis in its plane."""
-    turns = np.radians(np.arange(0, 181, 2))
+    turns = range(0, 181, 2)
 
     def moment(blades, turn):
-        return sum(np.sin(turn + 2 * math.pi * n / blades) ** 2 for n in range(blades)) / blades
+        angles = (math.radians(turn) + 2 * math.pi * n / blades for n in range(blades))
+        return sum(math.sin(a) ** 2 for a in angles) / blades
 
     def draw(axes, blades, turn):
         _apart(axes)
@@ -294,8 +296,9 @@ def propeller():
             a = math.radians(turn) + 2 * math.pi * n / blades
             s.rod(O, (math.cos(a), math.sin(a), 0))
         s.hinge(O)
-        axes[1].plot(np.degrees(turns), moment(blades, turns), color=BLUE, label="$I_{xx}$")
-        axes[1].plot([turn], [moment(blades, math.radians(turn))], "o", color=BLUE)
+        moments = [moment(blades, x) for x in turns]
+        axes[1].plot(turns, moments, color=BLUE, label="$I_{xx}$")
+        axes[1].plot([turn], [moment(blades, turn)], "o", color=BLUE)
         axes[1].set(ylim=(-0.05, 1.05), xlabel="turned by (°)", xticks=range(0, 181, 45))
         axes[1].set(ylabel="$I_{xx}/I_{zz}$")
 
@@ -324,8 +327,7 @@ def vectors_to_particle(ax, place):
     s = Sketch(ax, ground, plane="xy")
     G = (1.3, 0.55, 0)
     outline = [
-        (1.05 + 1.5 * math.cos(a), 0.45 + 0.95 * math.sin(a), 0)
-        for a in np.linspace(0, 2 * math.pi, 61)
+        (1.05 + 1.5 * math.cos(a), 0.45 + 0.95 * math.sin(a), 0) for a in evenly(0, 2 * math.pi, 61)
     ]
     a = math.radians(place)
     P = (G[0] + 0.95 * math.cos(a), G[1] + 0.6 * math.sin(a), 0)
@@ -343,7 +345,7 @@ def shifted_axis(build):
     body = build()
     frame, mass, G = body.frame, float(body.mass), body.centre
     least = float(body.inertia.moments[0])
-    far = np.linspace(0, 0.9, 60)
+    far = evenly(0, 0.9, 60)
 
     def draw(axes, away, turn):
         _apart(axes)
@@ -359,7 +361,7 @@ def shifted_axis(build):
         for place, name in ((O, "B"), (G, "G"), (P, "P")):
             s.dot(place)
             s.label(place, name)
-        axes[1].plot(far, least + mass * far**2, color=BLUE)
+        axes[1].plot(far, [least + mass * x * x for x in far], color=BLUE)
         axes[1].plot([away], [moment], "o", color=RED)
         axes[1].axhline(least, color="black", lw=0.8, ls="--", label="about G")
         axes[1].set(xlabel="distance of the axis from G (m)", ylabel="moment (kg m²)")

@@ -9,6 +9,7 @@ from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics import angular_momentum, resultant_moment
 
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -248,7 +249,6 @@ def drum_and_load(ax, solve, drum):
 )
 def sphere(axes, v0, mu, g, radius, t, spin):
     """Figure 8.10: the sphere at a time, and its speeds over time."""
-    times = np.linspace(0, 2, 201)
     axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.25)
     slip0 = v0 + spin * radius
     given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
@@ -264,9 +264,10 @@ def sphere(axes, v0, mu, g, radius, t, spin):
     slips = abs(slip) > 1e-9
     s.vector(O, ground.i * (-math.copysign(2.0, slip) if slips else 0.0), "$F$", kind="force")
     axes[0].set_title(f"{'slides' if slips else 'rolls'}; x = {x:.2f} m", fontsize=11)
-    _, speeds, rates = sphere_at(times, *given)
+    times = 0.0, min(float(rolling_begins(*given).t), 2.0), 2.0  # the lines are straight between
+    _, speeds, rates = zip(*(sphere_at(x, *given) for x in times), strict=True)
     axes[1].plot(times, speeds, color=BLUE, label="$v$")
-    axes[1].plot(times, -rates * radius, "--", color=RED, label=r"$-\omega r$")
+    axes[1].plot(times, [-x * radius for x in rates], "--", color=RED, label=r"$-\omega r$")
     axes[1].axvline(t, color="black", lw=0.8)
     axes[1].axhline(0, color="black", lw=0.5)
     axes[1].set(xlabel="time (s)", ylabel="m/s", xlim=(0, 2), ylim=(-21, 11))
@@ -294,8 +295,8 @@ def pushed_rod(ax, b):
     a, alpha = F / m, F * b / (m * length**2 / 12)
     s = Sketch(ax, ground, plane="xy", arrows=90)
     s.rod((-0.5, 0, 0), (0.5, 0, 0))
-    for x in np.linspace(-0.5, 0.5, 9):
-        s.vector((x, 0, 0), ground.j * float(a + alpha * x), kind="acceleration")
+    for x in evenly(-0.5, 0.5, 9):
+        s.vector((x, 0, 0), ground.j * (a + alpha * x), kind="acceleration")
     s.vector((b, -0.25, 0), ground.j * F, "$F$", kind="force")
     s.dot(O)
     s.label(O, "G", offset=(0, -14))

@@ -7,7 +7,7 @@ the frame of the body, whose parent is the frame {i, j, k} that does not spin.
 
 import math
 
-from newton_euler import Frame, euler_frame, integrate
+from newton_euler import Frame, euler_frame
 from newton_euler.algebra.late import np, plt
 from newton_euler.applications.gyroscopes import (
     free_precession,
@@ -21,6 +21,7 @@ from newton_euler.drawing import Sketch, animate
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.top import euler
 
+from .curves import evenly, states_over
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -154,9 +155,10 @@ def spinning_top(ax, build, I0, I, spin, precession):
 TOP = {"I0": 0.02, "I": 0.01, "mgr": 0.5, "omega_z": 30.0}
 
 
-def nutating(precession, time):
-    """The motion of the top, let go at 0.6 rad with this rate of precession."""
-    return integrate(euler(**TOP), time, (0.0, 0.6, 0.0, precession, 0.0))
+def nutating(precession, time, pictures):
+    """Euler's angles of the top, let go at 0.6 rad with this rate of precession."""
+    states = states_over(euler(**TOP), time, (0.0, 0.6, 0.0, precession, 0.0), pictures)
+    return [state[:3] for state in states]
 
 
 def tip(psi, theta, radius=1.0):
@@ -169,8 +171,7 @@ def tip(psi, theta, radius=1.0):
 
 
 def path_of_axis(precession, time, pictures):
-    found = nutating(precession, time).at(np.linspace(0, time, pictures))
-    return [tip(*angles) for angles in zip(found["psi"], found["theta"], strict=True)]
+    return [tip(psi, theta) for psi, theta, _ in nutating(precession, time, pictures)]
 
 
 @with_sliders(
@@ -193,20 +194,19 @@ def nutation_paths(ax, precession):
 def top_film():
     """A film: a top let go at rest, in space, with its path."""
     time, pictures = 1.2, 28
-    found = nutating(0.0, time)
+    times = evenly(0.0, time, pictures)
+    angles = dict(zip(times, nutating(0.0, time, pictures), strict=True))
     path = path_of_axis(0.0, time, 200)
 
     def draw(t, ax):
-        now = found.at(t)
         ground = Frame("ground")
-        body = euler_frame(ground, "top", now["psi"], now["theta"], now["phi"])
+        body = euler_frame(ground, "top", *angles[t])
         s = sketch(ax, ground, azimuth=-60, elevation=28)
         s.ground(O, ground.k, size=0.8)
         draw_top(s, body)
         s.path(path)
         s.line(O, ground.k * 1.05, style="centre")
 
-    times = np.linspace(0, time, pictures)
     return animate(
         draw,
         times,
@@ -269,7 +269,6 @@ def both_rates(I0, I, theta, mgr):
 )
 def hanging_rod(axes, angle, omega):
     """Figure 10.8: the rod on its shaft at ``angle(omega)``, and its effective potential."""
-    thetas = np.radians(np.linspace(-90, 90, 181))
     w0 = math.sqrt(1.5 * 9.81)
     left, right = axes
     ground = Frame("ground")
@@ -281,9 +280,13 @@ def hanging_rod(axes, angle, omega):
     s.hinge(O)
     s.turn((0, 0, 0.25), ground.k, r"$\omega$")
     s.arc(O, (0, 0, -1), end, r"$\theta$", radius=0.5)
-    potential = -np.cos(thetas) - (omega / w0) ** 2 * np.sin(thetas) ** 2 / 2
-    right.plot(np.degrees(thetas), potential, color=BLUE)
-    right.plot(math.degrees(theta), np.interp(theta, thetas, potential), "o", color=ORANGE)
+
+    def potential(angle):
+        return -math.cos(angle) - (omega / w0 * math.sin(angle)) ** 2 / 2
+
+    degrees = range(-90, 91)
+    right.plot(degrees, [potential(math.radians(x)) for x in degrees], color=BLUE)
+    right.plot(math.degrees(theta), potential(theta), "o", color=ORANGE)
     right.set(
         xlim=(-90, 90), ylim=(-1.9, 0.1), xlabel="θ (°)", ylabel="effective potential / (mgL/2)"
     )
@@ -420,9 +423,8 @@ def car(ax, loads, rotor):
 )
 def compass_swings(ax, I0, I, omega_z, earth_rate, latitude):
     """Figure 10.13: azimuth of a gyrocompass against time, for a latitude."""
-    times = np.linspace(0, 120, 400)
     model = gyrocompass(I0, I, omega_z, earth_rate, math.radians(latitude))
-    found = integrate(model, 120.0, (1.0, 0.0)).at(times)
-    ax.plot(times, np.degrees(found["azimuth"]), color=BLUE)
+    azimuths = [math.degrees(x) for x, _ in states_over(model, 120.0, (1.0, 0.0), 400)]
+    ax.plot(evenly(0, 120, 400), azimuths, color=BLUE)
     ax.axhline(0, color="#777777", lw=0.8)
     ax.set(xlim=(0, 120), ylim=(-70, 70), xlabel="time (s)", ylabel="axis east of north (°)")

@@ -1,6 +1,7 @@
 """The figures of chapter 11: work as an area, energies as bars beside what moves."""
 
 import math
+from itertools import accumulate, pairwise
 
 from newton_euler import Frame, integrate, prepare, sin, work_along
 from newton_euler.algebra.late import np, plt
@@ -10,6 +11,7 @@ from newton_euler.dynamics.energy import gyroscope_energy
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
 
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -45,24 +47,24 @@ def _name_scale(ax, name):
 
 def tug(pull, track, winch):
     """Figure 11.1: a sledge pulled towards a winch, and the work as an area."""
-    q = np.linspace(0, 8, 241)
-    places = np.array([track(x)[:2] for x in q], float)
-    steps = np.diff(places, axis=0)
-    s = np.concatenate([[0], np.cumsum(np.hypot(*steps.T))])
-    tangents = np.gradient(places, q, axis=0)
-    tangents /= np.hypot(*tangents.T)[:, None]
-    forces = np.array([pull(*place, 0)[:2] for place in places], float)
-    F_t = (forces * tangents).sum(axis=1)
+    ground, q = Frame("ground"), evenly(0, 8, 241)
+    places = [ground.vector(*track(x)) for x in q]
+    s = [*accumulate((float((b - a).norm()) for a, b in pairwise(places)), initial=0.0)]
+    tangents = [
+        (ground.vector(*track(x + 1e-3)) - ground.vector(*track(x - 1e-3))).direction() for x in q
+    ]
+    forces = [ground.vector(*pull(*place)) for place in places]
+    F_t = [F.dot(e) for F, e in zip(forces, tangents, strict=True)]
 
     def draw(axes, distance):
         n = round(30 * distance)
-        A = (*places[n], 0)
-        sketch = Sketch(axes[0], Frame("ground"), plane="xy")
-        sketch.path([(x, y, 0) for x, y in places])
+        A = places[n]
+        sketch = Sketch(axes[0], ground, plane="xy")
+        sketch.path(places)
         sketch.line(A, (*winch, 0))
         sketch.hinge((*winch, 0))
-        sketch.vector(A, (*forces[n], 0), r"$\mathbf{F}$", kind="force", size="N")
-        sketch.vector(A, (*tangents[n], 0), r"$d\mathbf{r}$")
+        sketch.vector(A, forces[n], r"$\mathbf{F}$", kind="force", size="N")
+        sketch.vector(A, tangents[n], r"$d\mathbf{r}$")
         for place, name in (((*winch, 0), "W"), (A, "A")):
             sketch.label(place, name)
         _area(axes[1], s, F_t, n)
@@ -85,9 +87,8 @@ def _area(ax, s, F_t, n):
     ax.plot(s, F_t, color="black")
     part, force = s[: n + 1], F_t[: n + 1]
     for sign, colour, hatch in ((1, COLOURS[0], ""), (-1, COLOURS[1], "//")):
-        ax.fill_between(
-            part, force, where=sign * force >= 0, color=colour, alpha=0.4, hatch=hatch, lw=0
-        )
+        where = [sign * F >= 0 for F in force]
+        ax.fill_between(part, force, where=where, color=colour, alpha=0.4, hatch=hatch, lw=0)
     ax.axhline(0, color="black", lw=0.8)
     ax.set(xlabel="s (m)", xlim=(s[0], s[-1]), ylim=(-60, 60))
     _name_scale(ax, "$F_t$ (N)")
@@ -275,7 +276,8 @@ def sliding_block(m, slope, mu, length):
 def weight_on_spring(m, stiffness):
     """Figure 11.7: a weight let go on a spring without load, and its potential energies."""
     lowest = 2 * m * G_SI / stiffness
-    x = np.linspace(-0.1 * lowest, 1.15 * lowest, 121)
+    x = evenly(-0.1 * lowest, 1.15 * lowest, 121)
+    cm = [100 * stretch for stretch in x]
     potentials = {"spring": lambda x: stiffness * x * x / 2, "weight": lambda x: -m * G_SI * x}
 
     def total(x):
@@ -295,11 +297,11 @@ def weight_on_spring(m, stiffness):
         sketch.dimension((0.22, -0.3, 0), (0.22, hung[1], 0), "x", offset=0.0)
         ax = axes[1]
         for (name, V), colour, style in zip(potentials.items(), COLOURS, STYLES[1:], strict=False):
-            ax.plot(100 * x, V(x), color=colour, ls=style, label=f"V of the {name}")
-        ax.plot(100 * x, total(x), color="black", label="V, the sum")
+            ax.plot(cm, [*map(V, x)], color=colour, ls=style, label=f"V of the {name}")
+        ax.plot(cm, [*map(total, x)], color="black", label="V, the sum")
         ax.axhline(0, color="#555555", ls="-.", label="E = 0")
         ax.vlines(stretch, total(now), 0, color=COLOURS[2], lw=5, label="T = E − V")
-        ax.set(xlabel="x (cm)", ylabel="J", xlim=(100 * x[0], 100 * x[-1]))
+        ax.set(xlabel="x (cm)", ylabel="J", xlim=(cm[0], cm[-1]))
         ax.legend(frameon=False, fontsize=9, loc="upper left")
 
     interactive_figure(
@@ -480,23 +482,24 @@ def top_energies(I0, I, mgr, spin):
 def pendulum_levels(m, I, l):
     """Figure 11.12: the potential of a pendulum, a level of its energy, and the motion there."""
     swing = prepare(physical_pendulum(m, I, l, G_SI))
-    angles = np.linspace(-math.pi, math.pi, 181)
+    angles = evenly(-180, 180, 181)
     depth = m * G_SI * l
 
     def draw(axes, omega0):
         E = (I + m * l * l) * omega0**2 / 2 - depth
         top = 2000 if depth < E else 200
-        V = -depth * np.cos(angles)
-        axes[0].plot(np.degrees(angles), V, color=COLOURS[0], label="V")
+        V = [-depth * math.cos(math.radians(x)) for x in angles]
+        axes[0].plot(angles, V, color=COLOURS[0], label="V")
         axes[0].axhline(E, color="black", ls="--", label="E")
+        below = [x < E for x in V]
         axes[0].fill_between(
-            np.degrees(angles), V, E, where=V < E, color=COLOURS[2], alpha=0.3, label="T = E − V"
+            angles, V, E, where=below, color=COLOURS[2], alpha=0.3, label="T = E − V"
         )
         axes[0].set(xlabel="θ (°)", ylabel="J", xlim=(-180, 180), ylim=(-1.3 * depth, 3.6 * depth))
         axes[0].legend(frameon=False, fontsize=9, loc="upper left", ncols=3)
-        t = np.linspace(0, 4, 161)
-        theta = [swing(x, (0.0, omega0))[0] for x in t]
-        axes[1].plot(t, np.degrees(theta), color=COLOURS[0])
+        t = evenly(0, 4, 161)
+        theta = [math.degrees(swing(x, (0.0, omega0))[0]) for x in t]
+        axes[1].plot(t, theta, color=COLOURS[0])
         axes[1].set(xlabel="t (s)", ylabel="θ (°)", ylim=(-200, top))
 
     interactive_figure(
@@ -546,13 +549,11 @@ def two_carts(axes, carts, period, t):
 )
 def powers_of_a_car(ax, powers, a, slope):
     """Figure 11.14: the power at the wheels against the speed, from ``powers(v, a, slope)``."""
-    v = np.linspace(0.5, 40, 80)
-    found = powers(v, a, math.atan(slope / 100))
-    for (name, P), colour, style in zip(
-        found.terms.items(), COLOURS, STYLES[1:] + STYLES[:1], strict=True
-    ):
-        ax.plot(v, 1e-3 * P, color=colour, ls=style, label=name)
-    ax.plot(v, 1e-3 * found.value, color="black", lw=2.5, label="sum")
+    v = evenly(0.5, 40, 80)
+    found = [powers(x, a, math.atan(slope / 100)) for x in v]
+    for name, colour, style in zip(found[0].terms, COLOURS, STYLES[1:] + STYLES[:1], strict=True):
+        ax.plot(v, [1e-3 * P.terms[name] for P in found], color=colour, ls=style, label=name)
+    ax.plot(v, [1e-3 * P.value for P in found], color="black", lw=2.5, label="sum")
     ax.axhline(0, color="black", lw=0.8)
     ax.set(xlabel="v (m/s)", ylabel="kW", xlim=(0, 40), ylim=(-30, 110))
     ax.legend(frameon=False, loc="upper left", ncols=2, fontsize=9)
