@@ -1,9 +1,12 @@
 """The first page: what this is, the chapters, how to run and to build them."""
 
+import re
 from collections.abc import Collection, Iterable, Mapping
+from html import escape
 
 from exercises.catalogue import chapter, problems
 from newton_euler import __version__
+from newton_euler.drawing.page.letters import letters
 
 from . import landing
 from .notebooks import Chapter
@@ -86,7 +89,19 @@ def page(
 
 def _chapter(c):
     title, words = c.opening
+    words = re.sub(r"\$[^$]+\$", _as_letters, words)  # MathJax weighs ten times this page
     return f"- **[{title}](chapters/{c.stem}.ipynb)**\n\n  {words.replace(chr(10), chr(10) + '  ')}"
+
+
+def _as_letters(formula):
+    found = ""
+    for run in letters(formula[0]).runs:
+        tags = ("i", run.italic), ("b", run.bold), ("sup", run.level > 0), ("sub", run.level < 0)
+        text = escape(run.text)
+        for tag in (tag for tag, is_so in tags if is_so):
+            text = f"<{tag}>{text}</{tag}>"
+        found += text
+    return found
 
 
 def _problems(name):
