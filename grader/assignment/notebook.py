@@ -144,8 +144,8 @@ def typeset(text: str, p: Problem, replaced: Callable[[re.Match[str]], str] | No
     """
     parts = re.split(r"(\$[^$]*\$)", text)
     for n, part in enumerate(parts):
-        if n % 2:  # a formula; the {i} of a command remains
-            parts[n] = _NAMED.sub(lambda m: p.notation.get(m[1], m[0]), part)
+        if n % 2:  # a formula, in which {r} may be what a command is about
+            parts[n] = _NAMED.sub(lambda m: f"{{{p.notation.get(m[1], m[1])}}}", part)
         else:
             part = typeset_names(part, p.notation)
             parts[n] = _NAMED.sub(replaced, part) if replaced else part

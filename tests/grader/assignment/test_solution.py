@@ -43,6 +43,7 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
         assert re.sub(r"\\[{}]", "", formula).count("{") == formula.replace("\\}", "").count("}")
         assert len(re.findall(r"\\left\b", formula)) == len(re.findall(r"\\right\b", formula))
     assert text.count("$") % 2 == 0
+    assert {*re.findall(r"\\(?:d?dot|hat|bar|text|mathbf)[A-Za-z]+", text)} <= {r"\dots"}
     own = text.partition("*Solution*")[2]
     cited = {int(n) for n in re.findall(r"(?:By equation|section [\d.]+,) \((\d+)\.", own)}
     assert not cited or max(cited) <= int(p.id.partition("/")[0].replace("A", "1"))
