@@ -150,7 +150,7 @@ def _means(p, a):
 
 def _to_fill_in(p, a):
     if a.of:
-        return " #h(1em) ".join(f"#tick #{string(word)}" for word in a.of)
+        return " #h(1em) ".join(f"#box[#tick #{string(word)}]" for word in a.of)
     name = _name(p, a)
     places = a.kind.typeset([BLANK] * a.kind.length)
     return f"{name}{' = ' * bool(name)}${formula(places + unit_symbol(a.unit))}$"
