@@ -54,7 +54,7 @@ class _Charts(click.Command):
 def main(names, only_list, draw_all, models, folder, kind, quick):
     """Measure speed and accuracy, now and on this machine, and draw a chart of each NAME.
 
-    A name of several words stands in quotes, or has hyphens for the blanks:
+    Quote a name of several words, or write hyphens for the blanks:
 
     \b
     a scene that moves, as "top"

@@ -18,7 +18,7 @@ import typing
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from inspect import Parameter, signature
-from typing import Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 from .names import ArgumentError, misfit
 from .scalars import (
@@ -31,6 +31,7 @@ from .scalars import (
     ScalarError,
     _Own,
     advice,
+    allowed,
     clipped,
     is_numeric,
     real_scalar,
@@ -39,6 +40,9 @@ from .scalars import (
 from .vectors import FrameError, Vector
 
 F = TypeVar("F", bound=Callable)
+# by how much numbers may differ; and what an integral is to reach, which floats can
+Tolerance = Annotated[float, "one real number that is not negative"]
+Accuracy = Annotated[float, "a relative error that floats can reach, from 1e-14 to below 1"]
 
 
 def checked(f: F, unchecked: tuple = ()) -> F:
@@ -193,7 +197,7 @@ def _check_of(parameter, f, where):
 
 def _error_for(members):
     """The error for an argument of another kind than these."""
-    if Scalar in members or float in members:
+    if {Scalar, float, Tolerance, Accuracy}.intersection(members):
         return ScalarError
     of_frames = {getattr(k, "__name__", "") for k in members} & {"Frame", "Point", "Vector"}
     return FrameError if of_frames else ArgumentError
@@ -263,7 +267,20 @@ def _true_or_false(x):
     return bool(x) if type(x).__name__ in ("bool", "bool_") else REFUSED
 
 
+def _tolerance(x):
+    try:
+        return allowed(x)
+    except ScalarError:
+        return REFUSED
+
+
+def _accuracy(x):
+    y = _real(x)
+    return y if y is not REFUSED and 1e-14 <= y < 1 else REFUSED
+
+
 _OF_KIND = {Scalar: _number, float: _real, int: _whole, bool: _true_or_false}
+_OF_KIND |= {Tolerance: _tolerance, Accuracy: _accuracy}
 
 LONGEST_SEQUENCE = 10**7  # entries: the most that are iterated over
 
@@ -330,6 +347,8 @@ def words(kind):
         return "a number (float, array, mpf or expression)"
     if kind is types.NoneType:
         return "None"
+    if kind in (Tolerance, Accuracy):
+        return kind.__metadata__[0]
     container, parts = typing.get_origin(kind) or kind, typing.get_args(kind)
     if container is float:
         return "one real number"

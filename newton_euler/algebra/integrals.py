@@ -3,16 +3,18 @@ unit cube by products of Gauss rules, for numbers that SciPy's adaptive cubature
 """
 
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from itertools import count, pairwise, product
 
 from .errors import checked
+from .late import is_here
 from .scalars import (
     ZERO,
     NewtonEulerError,
     Scalar,
     ScalarError,
     SingularError,
+    cos,
     cosh,
     epsilon,
     exp,
@@ -173,10 +175,10 @@ def by_formula(f, start, end):
     import sympy
 
     # SymEngine would lose a Dummy, and the assumptions of a symbol
-    name, q = sympy.Symbol(f"_q{next(_NUMBERS)}"), sympy.Dummy("q", real=True)
+    name = sympy.Symbol(f"_q{next(_NUMBERS)}")
     try:
         start, end, *values = map(_exact, (start, end, *f(name)))
-        found = [sympy.integrate(y.xreplace({name: q}), (q, start, end)) for y in values]
+        found = [_by_sympy(y.xreplace({name: _variable()}), start, end) for y in values]
     except (sympy.SympifyError, ScalarError) as problem:
         raise WorkError(
             f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}"
@@ -186,6 +188,21 @@ def by_formula(f, start, end):
             "SymPy finds no formula for this integral; put numbers in, without exact=True"
         )
     return tuple(found)
+
+
+@cache
+def _variable():
+    import sympy
+
+    return sympy.Dummy("q", real=True)
+
+
+@lru_cache(maxsize=64)
+def _by_sympy(y, start, end):
+    """The integral of y over the variable; SymPy searches for seconds where there is no formula."""
+    import sympy
+
+    return sympy.integrate(y, (_variable(), start, end))
 
 
 def _exact(x):
@@ -209,7 +226,7 @@ def over_cube(f, n):
     if not all(map(is_numeric, present)):
         raise SingularError(f"an integral over a cube takes numbers, got {sample!r}")
     small = min(map(epsilon, present), default=epsilon())
-    rule = _by_arrays if small >= 2.0**-53 else _one_by_one
+    rule = _by_arrays if small >= 2.0**-53 and is_here("numpy") else _one_by_one
     before, last = None, 1
     for order in (m for m in ORDERS if m**n <= MOST):
         found, sizes = rule(f, n, order, sample)
@@ -250,7 +267,7 @@ def _by_arrays(f, n, order, sample):
 
 
 def _one_by_one(f, n, order, sample):
-    """The sums place by place, with all the digits of mpmath."""
+    """The sums place by place, with all the digits of mpmath, or of floats."""
     found, sizes = [ZERO] * len(sample), [ZERO] * len(sample)
     for pairs in product(_gauss(order, epsilon(sum(sample))), repeat=n):
         share = 1
@@ -263,15 +280,18 @@ def _one_by_one(f, n, order, sample):
 
 
 @cache
-def _gauss(order, _small):
-    """Gauss places and weights on (0, 1), to mpmath's working precision, by Newton's method."""
-    from mpmath import mp
+def _gauss(order, small):
+    """Gauss places and weights on (0, 1), to this round-off, by Newton's method."""
+    one = scalar(1.0)
+    if small < 2.0**-53:
+        from mpmath import mpf
 
+        one = mpf(1)
     pairs = []
     for k in range(order):
-        x = mp.cos(mp.pi * (k + mp.mpf(3) / 4) / (order + mp.mpf(1) / 2))
+        x = cos(pi(one) * (k + 3 * one / 4) / (order + one / 2))
         for _ in range(10):
-            before, value = mp.mpf(1), x
+            before, value = one, x
             for m in range(2, order + 1):
                 before, value = value, ((2 * m - 1) * x * value - (m - 1) * before) / m
             slope = order * (before - x * value) / (1 - x * x)

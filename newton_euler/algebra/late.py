@@ -6,6 +6,14 @@ from importlib import import_module
 from typing import Any
 
 
+def is_here(library: str) -> bool:
+    """Whether a library can be imported."""
+    try:
+        return bool(import_module(library))
+    except ModuleNotFoundError:
+        return False
+
+
 class _Late:
     """A module, or a class of it."""
 

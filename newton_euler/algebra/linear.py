@@ -523,8 +523,8 @@ class _Elimination:
             for pivot, row in self.rows.items()
         }
         self.values = {k: row[count] for k, row in self.rows.items() if not self.free[k]}
-        for row in self.dependent.values() if faithful else ():
-            self._check(row)
+        for n, row in self.dependent.items() if faithful else ():
+            self._check(n, row)
 
     def _by_group(self, values):
         """For each equation the largest of its values and of those of the same condition."""
@@ -584,9 +584,9 @@ class _Elimination:
             raise _Varies
         return None
 
-    def _check(self, row):
+    def _check(self, last, row):
         """Raises LinearError if the right side of a row without unknowns does not vanish."""
-        involved, values = self._involved(row), self.values
+        involved, values = self._involved(last, row), self.values
         sizes = self._by_group(
             [
                 [e.right, *(c * values[k] for k, c in enumerate(e.coefficients) if k in values)]
@@ -607,12 +607,12 @@ class _Elimination:
             names,
         )
 
-    def _involved(self, row):
-        """The equations of which a row is the sum, in their order."""
+    def _involved(self, last, row):
+        """The equations of which a row is the sum, in their order, ``last`` however small."""
         parts = enumerate(zip(row[self.count + 1 :], self.usual, strict=True))
         weights = {n: max_abs(w) * usual for n, (w, usual) in parts if w is not ZERO}
         absent = ABSENT * self.round_off * max(weights.values())
-        return [n for n, w in weights.items() if w >= absent]
+        return [n for n, w in weights.items() if w >= absent or n == last]
 
     def relations(self, names):
         """What is known of the unknowns that are not determined, in words."""
@@ -628,8 +628,8 @@ class _Elimination:
 
     def redundant(self):
         """By name, the equations that follow from others."""
-        rows = self.dependent.values()
-        found = ([self.equations[n].name for n in self._involved(row)] for row in rows)
+        rows = self.dependent.items()
+        found = ([self.equations[n].name for n in self._involved(*row)] for row in rows)
         return {last: tuple(others) for *others, last in found if others}
 
 

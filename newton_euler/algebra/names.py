@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from .language import _
 from .scalars import NewtonEulerError, clipped
 
 # what is called otherwise here
@@ -50,7 +51,7 @@ def _plain(name):
 def did_you_mean(name: object, names: Iterable[str], written: str = "{!r}") -> str:
     """ ". Did you mean 'coriolis'?", or "" where none of the ``names`` is near."""
     found = nearest(name, names)
-    return f". Did you mean {written.format(found)}?" if found else ""
+    return _(". Did you mean {name}?", name=written.format(found)) if found else ""
 
 
 # -- attributes

@@ -373,6 +373,14 @@ def real(x, what):
     return y
 
 
+def allowed(tolerance):
+    """A tolerance: one real number that is not negative."""
+    y = real(tolerance, "a tolerance")
+    if not y >= 0:
+        raise ScalarError(f"a tolerance is not negative; got {clipped(tolerance)}")
+    return y
+
+
 def integer_like(x, like):
     """The integer ``x`` in the kind of ``like``, to be as exact as that; others unchanged."""
     exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")

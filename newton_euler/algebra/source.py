@@ -1,5 +1,5 @@
 """Traced steps as Python source: lines in order, each step that is used only once written inside
-its user. On floats, what only one side of a choice needs stands under an ``if``.
+its user. On floats, what only one side of a choice needs is computed under an ``if``.
 """
 
 import math

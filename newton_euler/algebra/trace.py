@@ -161,11 +161,13 @@ def _is(x, number):
 class Trace:
     """The steps of one formula, in order; ``known`` finds equal ones. Of a formula that is
     integrated, ``outer`` is the trace of that around it, and ``captured`` the outer steps it reads.
+    ``called`` and ``meant``: of some steps, by their numbers, a name and what they are in words.
     """
 
     def __init__(self, outer=None):
         self.steps, self.known = [], {}
         self.outer, self.captured = outer, {}
+        self.called, self.meant = {}, {}
 
     def around(self):
         """The traces around this one, from within."""
@@ -215,6 +217,8 @@ class Trace:
             return "#", a.number
         if hasattr(a, "key"):  # a formula inside this one, or a table
             return a.key()
+        if isinstance(a, complex):
+            raise ScalarError(f"a formula that is compiled takes real numbers, got {a}")
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
                 f"an array {a.shape} meets a traced value, which stands for one number: write the "

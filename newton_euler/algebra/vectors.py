@@ -30,6 +30,7 @@ from .scalars import (
     Scalar,
     ScalarError,
     Scaled,
+    allowed,
     atan2,
     clipped,
     hypot,
@@ -545,7 +546,7 @@ def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:
         raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
     # instant by instant; so written that nan is not the same as anything
     largest = where(lengths[0] > lengths[1], *lengths)
-    return max_abs(where(d <= real(tolerance, "the tolerance") * largest, 0, 1)) == 0
+    return max_abs(where(d <= allowed(tolerance) * largest, 0, 1)) == 0
 
 
 def _size(v):

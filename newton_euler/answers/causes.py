@@ -2,15 +2,16 @@
 them. The words complete "it fits a solution that …" and never contain a number of the key.
 """
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
+from ..algebra.language import Words, _, joined, spoken
 from .tolerance import NEARLY
 
-OR = "; or one that "  # between causes that give the same numbers
 WORDS = 30  # of a diagnosis that is read
-BRIEF = 9  # of each of two mistakes that are named together
-ORDINALS = ("first", "second", "third")
+BRIEF = 20  # of two mistakes that are named together, in full
+ORDINALS = Words("first"), Words("second"), Words("third")
 
 
 @dataclass(frozen=True)
@@ -23,24 +24,27 @@ class Cause:
         (the same in going on from earlier answers), both (two listed ones at once), follows (from
         an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text : its words: what was done and, after a colon, why it is wrong
+    text : its words: what was done and, after a colon, why it is wrong; :class:`Words` are said in
+        the reader's language
     where : the place in the book where to read on
+    subject : what slips have in common that are one, in other words: the last of them is named
     """
 
     group: str
     name: str
     text: str = field(compare=False)
     where: str = field(default="", compare=False)
+    subject: str = field(default="", compare=False)
 
     @property
     def what(self) -> str:
         """What was done."""
-        return self.text.partition(": ")[0]
+        return spoken(self.text).partition(": ")[0]
 
     @property
     def why(self) -> str:
         """Why that is wrong; "" where the same sentence says it."""
-        return self.text.partition(": ")[2]
+        return spoken(self.text).partition(": ")[2]
 
     @property
     def is_observation(self) -> bool:
@@ -53,8 +57,10 @@ class Cause:
 
     def after(self, wrong: Sequence[str]) -> "Cause":
         """The same slip in going on from earlier answers, of which these are wrong."""
-        goes_on = f"goes on from your {' and '.join(wrong)}, but " if wrong else ""
-        return replace(self, group="sequel", text=goes_on + self.text)
+        text = self.text
+        if wrong:
+            text = Words("goes on from your {names}, but {cause}", names=joined(wrong), cause=text)
+        return replace(self, group="sequel", text=text)
 
     @property
     def shows_everywhere(self) -> bool:
@@ -79,12 +85,13 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     causes = sorted(causes, key=lambda c: c != CORIOLIS_HALVED)  # the simplest first
     if not causes:
         return None
-    see = f" (see {causes[0].where})" if causes[0].where else ""
+    see = _(" (see {where})", where=causes[0].where) if causes[0].where else ""
     words, *others = dict.fromkeys(c.what for c in causes)
     if not others:
-        words = _within_words(causes[0].text, see) or words
+        words = _within_words(spoken(causes[0].text), see) or words
     for other in others:
-        words = _within_words(words + OR + other, see) or words
+        two = _("{first}; or one that {other}", first=words, other=other)
+        words = _within_words(two, see) or words
     return words + see
 
 
@@ -92,122 +99,237 @@ def _within_words(words, see):
     return words if len((words + see).split()) <= WORDS else None
 
 
-def slip(name: str, text: str, why: str) -> Cause:
+def slip(name: str, text: Words) -> Cause:
     """A slip that is made in any problem."""
-    return Cause("slip", name, f"{text}: {why}")
+    return Cause("slip", name, text)
 
 
 OPPOSITE = slip(
     "opposite",
-    "has the opposite sign in every component",
-    "its direction is reversed against the axes of the text",
+    Words(
+        "has the opposite sign in every component: its direction is reversed against the axes of "
+        "the text"
+    ),
 )
 OPPOSITE_NUMBER = slip(
-    "opposite", "has the opposite sign", "the text says which direction is positive"
+    "opposite", Words("has the opposite sign: the text says which direction is positive")
 )
-TRANSPOSED = slip("transposed", "writes the transposed matrix", "rows stand in place of columns")
+TRANSPOSED = slip(
+    "transposed", Words("writes the transposed matrix: rows stand in place of columns")
+)
+SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
+ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
+INVERTED = slip("inverted", Words("is upside down: what divides and what is divided are exchanged"))
 OFF_DIAGONAL = slip(
     "off diagonal",
-    "has the opposite sign in every entry off the diagonal",
-    "only the entries on the diagonal are right",
+    Words(
+        "has the opposite sign in every entry off the diagonal: only the entries on the diagonal "
+        "are right"
+    ),
 )
-BOUNDS = slip("bounds", "has its bounds in the wrong order", "the lower one comes first")
+BOUNDS = slip("bounds", Words("has its bounds in the wrong order: the lower one comes first"))
 OTHER_ORDER = slip(
-    "order", "has its components in another order", "each belongs to one axis of the text"
+    "order",
+    Words("has its components in another order: each belongs to one axis of the text"),
 )
 AS_SCALARS = slip(
     "as scalars",
-    "adds the rates of turning as numbers",
-    "they are vectors along different axes",
+    Words("adds the rates of turning as numbers: they are vectors along different axes"),
 )
 ROUNDED = slip(
-    "rounded", "rounds the right answer too far", "give three significant figures or more"
+    "rounded",
+    Words("rounds the right answer too far: give three significant figures or more"),
 )
-BOOK = Cause("book", "", "takes the numbers of the book: your sheet has others")
+BOOK = Cause("book", "", Words("takes the numbers of the book: your sheet has others"))
 EARLIER = Cause(
-    "book", "earlier", "takes the numbers of an earlier sheet of yours: this one has others"
+    "book", "earlier", Words("takes the numbers of an earlier sheet of yours: this one has others")
 )
-DIRECTION = Cause("seen", "direction", "its size is right, its direction is not")
+DIRECTION = Cause("seen", "direction", Words("its size is right, its direction is not"))
 NEAR = Cause(
     "seen",
     "near",
-    f"it is within {100 * NEARLY:.0f} % of the right answer: check each number and term in it",
+    Words(
+        "it is within {percent} % of the right answer: check each number and term in it",
+        percent=f"{100 * NEARLY:.0f}",
+    ),
 )
 NEAR_IN_FEW_DIGITS = Cause(
     "seen",
     "near in few digits",
-    f"it is within {100 * NEARLY:.0f} % of the right answer: keep more digits, and round at the "
-    "end",
+    Words(
+        "it is within {percent} % of the right answer: keep more digits, and round at the end",
+        percent=f"{100 * NEARLY:.0f}",
+    ),
 )
 FIRST_DIGITS = Cause(
     "seen",
     "first digits",
-    "it agrees with the right answer in one or two digits only: three are needed",
+    Words("it agrees with the right answer in one or two digits only: three are needed"),
 )
 
 
 def reversed_components(places: Sequence[int]) -> Cause:
     """Some components have the opposite sign."""
-    text = f"has the opposite sign in its {_ordinals(places)} component{'s' * (len(places) > 1)}"
-    why = "check the direction of what adds to it; the rest is right"
-    return slip(f"opposite {_ordinals(places)}", text, why)
+    which = _ordinals(places)
+    several = Words(
+        "has the opposite sign in its {which} components: check the direction of what adds to it; "
+        "the rest is right",
+        which=which,
+    )
+    one = Words(
+        "has the opposite sign in its {which} component: check the direction of what adds to it; "
+        "the rest is right",
+        which=which,
+    )
+    return slip(f"opposite {which}", several if len(places) > 1 else one)
 
 
-def left_out_component(place: int) -> Cause:
-    """One component is zero."""
-    text = f"leaves out its {ORDINALS[place]} component"
-    return slip(f"without {ORDINALS[place]}", text, "it is not zero here")
+def left_out_components(places: Sequence[int]) -> Cause:
+    """Some components are zero."""
+    which = _ordinals(places)
+    text = Words("leaves out its {which} component: it is not zero here", which=which)
+    if len(places) > 1:
+        text = Words("leaves out its {which} components: they are not zero here", which=which)
+    return slip(f"without {which}", text)
+
+
+def is_left_out(cause: Cause) -> bool:
+    """True of one that says only that a component is zero."""
+    return cause in [left_out_components([n]) for n in range(len(ORDINALS))]
 
 
 def exchanged_components(places: Sequence[int]) -> Cause:
     """Two components stand in each other's place, or all three in another order."""
     if len(places) > 2:
         return OTHER_ORDER
-    named = _ordinals(places)
-    why = "each belongs to one axis of the text"
-    return slip(f"exchanged {named}", f"exchanges its {named} components", why)
+    which = _ordinals(places)
+    text = Words(
+        "exchanges its {which} components: each belongs to one axis of the text", which=which
+    )
+    return slip(f"exchanged {which}", text)
+
+
+def exchanged_axes(places: Sequence[int]) -> Cause:
+    """A matrix whose rows and columns are those of other axes."""
+    which = _ordinals(places)
+    text = Words(
+        "exchanges its {which} axes: each row and column belongs to one axis of the text",
+        which=which,
+    )
+    return slip(f"axes {which}", text)
+
+
+def _entry(n, m):
+    return "I_" + "xyz"[n] + "xyz"[m]
+
+
+def entry_left_out(n: int, m: int) -> Cause:
+    """A product of inertia is zero."""
+    name = _entry(n, m)
+    return slip(f"no {name}", Words("leaves out {entry}: it is not zero here", entry=name))
+
+
+def entry_reversed(n: int, m: int) -> Cause:
+    """A product of inertia has the opposite sign."""
+    name = _entry(n, m)
+    text = Words("has {entry} with the opposite sign: the rest is right", entry=name)
+    return slip(f"opposite {name}", text)
+
+
+def exchanged_diagonal(n: int, m: int) -> Cause:
+    """Two moments of inertia stand in each other's place."""
+    a, b = _entry(n, n), _entry(m, m)
+    return slip(
+        f"exchanged {a} {b}", Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
+    )
+
+
+def sum_on_diagonal(n: int) -> Cause:
+    """A moment of inertia is the sum of the two others."""
+    text = Words(
+        "takes {entry} as the sum of the two others: that is right for a flat body in its plane "
+        "only",
+        entry=_entry(n, n),
+    )
+    return slip(f"sum {n}", text)
 
 
 def _ordinals(places: Sequence[int]) -> str:
-    return " and ".join(ORDINALS[n] for n in places)
+    return joined(ORDINALS[n] for n in places)
+
+
+LOST = {2.0: Words("look for a half or a double")} | dict.fromkeys(
+    (3.0, 4.0, math.pi), Words("look for a factor left out")
+)  # all other factors are those between two units
 
 
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
-    how = "large" if large else "small"
-    why = (
-        "the answer has a unit of its own" if " against " in what else "look for a half or a double"
-    )
-    text = f"is {factor:.4g} times too {how} ({what}): {why}"
+    how = Words("large") if large else Words("small")
+    why = LOST.get(factor, Words("the answer has a unit of its own"))
+    text = Words(
+        "is {factor} times too {how} ({what}): {why}",
+        factor=f"{factor:.4g}", how=how, what=what, why=why,
+    )  # fmt: skip
     return Cause("factor", f"{what} {how}", text)
 
 
+def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:
+    """Some components are off by one factor."""
+    how = Words("large") if large else Words("small")
+    one = Words("has its {which} component {factor} times too {how} ({what}): the rest is right")
+    several = Words(
+        "has its {which} components {factor} times too {how} ({what}): the rest is right"
+    )
+    text = Words(
+        (several if len(places) > 1 else one).template,
+        which=_ordinals(places), factor=f"{factor:.4g}", how=how, what=what,
+    )  # fmt: skip
+    return Cause("factor", f"{places} {what} {how}", text)
+
+
 def both(first: Cause, second: Cause) -> Cause:
-    """Two listed mistakes made together; of what is too long, the beginning."""
-    texts = [first.what, second.what]
-    if len(" ".join(texts).split()) > 2 * BRIEF:
-        texts = [" ".join(x.partition(", ")[0].split()[:BRIEF]) for x in texts]
-    text = f"{', and also '.join(texts)}: both change the answer"
-    return Cause("both", f"{first.name} + {second.name}", text)
+    """Two mistakes made together; where that is too long, the shorter in full, and that there is
+    another.
+    """
+    name, one, other = f"{first.name} + {second.name}", first.what, second.what
+    text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
+    if len(f"{one} {other}".split()) > BRIEF:
+        short = min(one, other, key=lambda x: len(x.split())).partition(", ")[0]
+        words, more = short.split()[: BRIEF - 3], short.split()[BRIEF - 3 :]
+        short = " ".join([*words, "…"] if more else words)
+        text = Words("{first}, and makes a second mistake: both change the answer", first=short)
+    return Cause("both", name, text)
 
 
 def in_this_part(cause: Cause) -> Cause:
     """The same cause where other parts are right that it would have made wrong; so named where
     its reason has room, too.
     """
-    here = replace(cause, text=f"in this part {cause.text}")
+    here = replace(cause, text=Words("in this part {cause}", cause=cause.text))
     words = sentence([here if here.where else here.at("section 1.1")]) or ""
     return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
+def in_components(cause: Cause, places: Sequence[int]) -> Cause:
+    """The same cause in some components alone, where the others are right."""
+    which = _ordinals(places) if max(places) < len(ORDINALS) else ""
+    text = Words("in some components {cause}", cause=cause.text)
+    if which and len(places) == 1:
+        text = Words("in its {which} component {cause}", which=which, cause=cause.text)
+    return replace(cause, name=f"{cause.name} in {places}", text=text)
+
+
 def answer_to(key: str) -> Cause:
     """Answers exchanged: this is the right one to another part."""
-    return Cause("exchanged", key, f"answers {key} here: the two parts may be exchanged")
+    text = Words("answers {key} here: the two parts may be exchanged", key=key)
+    return Cause("exchanged", key, text)
 
 
 def follows(names: Sequence[str]) -> Cause:
     """The answer is right given the student's own wrong earlier ones."""
-    return Cause("follows", " ".join(names), f"follows from a wrong {' and '.join(names)}")
+    text = Words("follows from a wrong {names}", names=joined(names))
+    return Cause("follows", " ".join(names), text)
 
 
 def listed(name: str, text: str) -> Cause:
@@ -217,51 +339,55 @@ def listed(name: str, text: str) -> Cause:
 
 def term_left_out(name: str, words: str) -> Cause:
     """A named term of a sum is missing."""
-    return Cause("omitted", name, f"leaves out {words}: this term is not zero here")
+    text = Words("leaves out {term}: this term is not zero here", term=words)
+    return Cause("omitted", name, text)
 
 
 def term_reversed(name: str, words: str) -> Cause:
     """A named term of a sum has the opposite sign."""
-    text = f"has {words} with the opposite sign: the equation adds it"
+    text = Words("has {term} with the opposite sign: the equation adds it", term=words)
     return Cause("term", f"{name} x -1", text)
 
 
 CORIOLIS_HALVED = Cause(
     "term",
     "coriolis / 2",
-    "writes the Coriolis term without the factor 2: two equal effects add up in it",
+    Words("writes the Coriolis term without the factor 2: two equal effects add up in it"),
 )
 
 
 def unconverted(given: str, unit: str) -> Cause:
     """A given is used with its number in another unit than the rest."""
-    text = f"uses {given} in {unit} without converting it"
-    return Cause("unit", given, f"{text}: the units of an equation must fit together")
+    text = Words(
+        "uses {given} in {unit} without converting it: the units of an equation must fit together",
+        given=given, unit=unit,
+    )  # fmt: skip
+    return Cause("unit", str(given), text)
 
 
-def computed(name: str, text: str) -> Cause:
+def computed(name: str, text: str, subject: str = "") -> Cause:
     """A slip in one step of the computation; ``name`` says in which, and which slip."""
-    return Cause("computed", name, text)
+    return Cause("computed", name, text, subject=subject)
 
 
 def other_axes(place: int, frame: str) -> Cause:
     """The components are those along the axes of another frame, at this place among the frames."""
-    return Cause(
-        "axes",
-        str(place),
-        f"gives components along the axes of {frame}: the vector is right, but other axes are "
-        "asked for",
+    text = Words(
+        "gives components along the axes of {frame}: the vector is right, but other axes are asked "
+        "for",
+        frame=frame,
     )
+    return Cause("axes", str(place), text)
 
 
 def turned_the_wrong_way(place: int, frame: str) -> Cause:
     """The components are turned by the transposed matrix between another frame and theirs."""
-    return Cause(
-        "turned",
-        str(place),
-        f"turns the components the wrong way between {frame} and the axes asked for: the matrix is "
+    text = Words(
+        "turns the components the wrong way between {frame} and the axes asked for: the matrix is "
         "transposed",
+        frame=frame,
     )
+    return Cause("turned", str(place), text)
 
 
 def rate(name: str) -> Cause:

@@ -16,12 +16,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..algebra.language import Words, _, spoken
 from .givens import in_notebook
 from .kinds import Kind
 from .seals import is_known, opens
 
 FREE = 6  # wrong answers, after which a check waits
 LONGEST = 600.0  # s until the next check
+FOUND = {
+    True: Words("is right"), False: Words("is not right"), None: Words("is not checked yet"),
+}  # fmt: skip
 FILE = Path(".answers_checked.json")  # beside the notebook, so that a restarted kernel goes on
 
 _kept: dict[str, Any] = {}  # {salt of a seal: {"wrong": [hashes of answers], "next": time}}
@@ -39,11 +43,13 @@ class Check:
 
     def __str__(self) -> str:
         """As what follows the name of an answer."""
-        found = {True: "is right", False: "is not right", None: "is not checked yet"}[self.right]
+        found = spoken(FOUND[self.right])
         if not self.wait:
             return found
-        seconds = math.ceil(self.wait)
-        return f"{found} (after {self.wrong} wrong answers, the next check is in {seconds} s)"
+        return _(
+            "{found} (after {wrong} wrong answers, the next check is in {seconds} s)",
+            found=found, wrong=self.wrong, seconds=math.ceil(self.wait),
+        )  # fmt: skip
 
 
 def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
@@ -53,7 +59,11 @@ def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
     salt = sealed["salt"]
     entry = _read().setdefault(salt, {"wrong": [], "next": 0.0})
     guesses = {_digest(salt, x) for x in (tree.values() if isinstance(tree, dict) else [tree])}
-    wait = min(max(entry["next"] - time.time(), 0.0), LONGEST)
+    now = time.time()
+    if entry["next"] > now + LONGEST:  # the clock was set back
+        entry["next"] = now + LONGEST
+        _write()
+    wait = max(entry["next"] - now, 0.0)
     new = sorted(guesses - set(entry["wrong"]))
     if new and wait:
         return Check(None, len(entry["wrong"]), wait)
@@ -63,7 +73,7 @@ def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
         entry["wrong"] += new
         beyond = len(entry["wrong"]) - FREE
         wait = min(2.0 ** min(beyond, 20), LONGEST) if beyond >= 0 else 0.0
-        entry["next"] = time.time() + wait
+        entry["next"] = now + wait
         _write()
     return Check(False, len(entry["wrong"]), wait)
 
@@ -80,7 +90,7 @@ def _read():
             own = _kept.get(salt, {"wrong": [], "next": 0.0})
             wrong = list(dict.fromkeys([*own["wrong"], *map(str, entry["wrong"])]))
             _kept[salt] = {"wrong": wrong, "next": max(own["next"], float(entry["next"]))}
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
         pass  # there is none, or it is damaged
     return _kept
 

@@ -8,10 +8,18 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import ROUNDED, Cause, both, in_this_part
-from .fit import CLOSE, EXACT, Fit
+from .causes import OPPOSITE_NUMBER, ROUNDED, Cause, both, in_this_part, is_left_out
+from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
-from .slips import is_rounded, multiples, pairs, rates_as_scalars
+from .slips import (
+    is_rounded,
+    multiples,
+    of_components,
+    of_last_resort,
+    of_powers,
+    pairs,
+    rates_as_scalars,
+)
 from .tolerance import NOISE, NUMBER_RTOL, Points, is_apart
 
 MOST = 3  # causes that are named together: more would explain nothing
@@ -78,7 +86,7 @@ def diagnose(
     kind: Kind = KINDS["vector"],
     factors: Mapping[str, float] | None = None,
     elsewhere: Elsewhere | None = None,
-    slips: Callable[[Fit, Kind], Sequence[Near]] = lambda fit, kind: (),
+    slips: Callable[[Fit, Kind], Sequence[Near]] | None = None,
 ) -> tuple[Cause, ...]:
     """What gives the wrong answer ``given``: all causes that give the same numbers; none if nothing
     explains it.
@@ -86,7 +94,8 @@ def diagnose(
     wrong : the wrong models of this answer
     factors : {words: factor} of the units that the answer may be in by mistake
     elsewhere : what the other parts of the problem say
-    slips : finds the slips in the computation that the answer is near to
+    slips : finds the slips in the computation that the answer is near to; None of an answer that
+        is explained, where nothing more general is looked for
     """
     elsewhere = elsewhere or Elsewhere()
     if kind.is_word:  # of few words one is soon met by chance: listed mistakes only
@@ -94,9 +103,23 @@ def diagnose(
         return _best([[hit for hit in models if hit.points == given]], elsewhere)
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
-    if not _closest(single):  # what is listed or general goes first, and costs less
-        single.append(_simplest(fit, slips(fit, kind), elsewhere))
-    return _best(single, elsewhere) or _pair(fit, wrong, elsewhere)
+    general = _closest(single)
+    computed: list[Hit] = []
+    if slips and all(_says_little(h.cause, kind) for h in general):  # what is listed costs less
+        computed = _simplest(fit, slips(fit, kind), elsewhere)
+    if general:  # either may have been done: they give the same numbers
+        both_kinds = *_best(single, elsewhere), *_best([computed], elsewhere)
+        found = _most_explaining(both_kinds, elsewhere)[:MOST]
+    else:
+        found = _best([*single, computed], elsewhere)
+    found = found or _of_components(fit) or _pair(fit, wrong, elsewhere)
+    return found or (_whole(fit, wrong, slips, kind, elsewhere) if slips else ())
+
+
+def _says_little(cause, kind):
+    """True of what a slip gives as well: a factor, a zero, a formula of the book."""
+    of_book = cause.group == "book" and kind.is_formula
+    return of_book or cause.group == "factor" or is_left_out(cause)
 
 
 class Hit(NamedTuple):
@@ -123,6 +146,9 @@ def _best(stages, elsewhere):
         for hits in stages
     ]
     best = _closest(possible) or _closest(here) or next(filter(None, possible), [])
+    if not best:  # numbers in a formula, written in five digits, are never as close
+        formulas = ([h for h in hits if len(h.points) > 1] for hits in here)
+        best = next(filter(None, formulas), [])
     twins = [
         h
         for hits in (*possible, *here)
@@ -146,7 +172,8 @@ def _simplest(fit, near, elsewhere):
     words: dict[str, Hit] = {}
     for n, hit in found:
         if n == simplest:
-            words.setdefault(hit.cause.what, hit)
+            subject = hit.cause.subject
+            words[subject or hit.cause.what] = words.get(hit.cause.what, hit)
     return sorted(words.values(), key=lambda hit: -elsewhere.explains(hit.cause))[:MOST]
 
 
@@ -161,11 +188,16 @@ def _closest(stages):
 
 def _chosen(best, twins, elsewhere):
     """One cause, or several that fit alike; of these, the ones that explain most of the rest."""
-    causes = list(dict.fromkeys([*best, *twins]))
-    if len(causes) > 1:
-        counts = [elsewhere.explains(c) for c in causes]
-        causes = [c for c, n in zip(causes, counts, strict=True) if n == max(counts)]
-    return tuple(causes[:MOST]) if sum(c in best for c in causes) <= MOST else ()
+    causes = _most_explaining(dict.fromkeys([*best, *twins]), elsewhere)
+    return causes[:MOST] if sum(c in best for c in causes) <= MOST else ()
+
+
+def _most_explaining(causes, elsewhere):
+    """Those causes that explain the most other wrong parts."""
+    if len(causes) < 2:
+        return tuple(causes)
+    counts = {c: elsewhere.explains(c) for c in causes}
+    return tuple(c for c in causes if counts[c] == max(counts.values()))
 
 
 def _stages(
@@ -196,12 +228,36 @@ def _stages(
     yield of(group("exchanged"), single)
 
 
+def _of_components(fit):
+    """A factor of some components, met within the digits written: one slip goes before two."""
+    return tuple(cause for cause, x in of_components(fit) if fit(x) >= CLOSE)[:1]
+
+
 def _pair(fit, wrong, elsewhere):
     """Two listed mistakes at once, if no other two fit."""
     listed = [model for model in wrong if model[0].group == "listed"]
     found = [pair for pair in pairs(fit, listed) if fit(pair[-1], NUMBER_RTOL)]
     possible = [p[:2] for p in found if not any(map(elsewhere.contradicts, p[:2]))]
     return (both(*possible[0]),) if len(possible) == 1 else ()
+
+
+def _whole(fit, wrong, slips, kind, elsewhere):
+    """A mistake, and the opposite sign of the whole; or a factor of the whole. A single number
+    meets these by chance, and only its square, root or inverse is named.
+    """
+    near = LOOSE if kind.is_formula else CLOSE
+    if kind.is_met_by_chance or (not kind.is_formula and sum(map(bool, fit.given[0])) < 2):
+        return tuple(cause for cause, x in of_powers(fit) if fit(x) >= near)[:1]
+    given = tuple(tuple(-x for x in point) for point in fit.given)
+    opposite = Fit(given, fit.key, fit.rtol)
+    listed = [model for model in wrong if model[0].group == "listed"]
+    hits = [Hit(opposite(x), cause, x) for cause, x in opposite.near(listed)]
+    if not any(h.level >= CLOSE for h in hits):
+        simple = [near for near in slips(opposite, kind) if near[0] < 2]
+        hits = _simplest(opposite, simple, elsewhere)
+    if found := _closest([hits]):
+        return (both(found[0].cause, OPPOSITE_NUMBER),)
+    return tuple(cause for cause, x in of_last_resort(fit) if fit(x) >= near)[:1]
 
 
 def _is_surely_rounded(fit):

@@ -4,20 +4,27 @@ from functools import partial
 from math import pi
 from typing import Any
 
+from ..algebra.language import Words
 from ..algebra.source import WITHIN
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, unit
 from .causes import Cause, computed
-from .edits_of_givens import of_given, of_one_unit, of_unit
-from .edits_of_operations import (
-    PRODUCT,
-    of_angles,
-    of_constants,
-    of_moment,
-    of_operation,
-    of_product,
+from .edits_of_equations import of_equations
+from .edits_of_givens import (
+    HALF,
+    ONE,
+    TWICE,
+    of_exchanged,
+    of_given,
+    of_integrand,
+    of_one_unit,
+    of_unit,
+    of_vectors,
 )
+from .edits_of_groups import of_constants, of_factors, of_terms
+from .edits_of_operations import PRODUCT, of_angles, of_moment, of_operation, of_product
 from .formulas import (
+    FIRST,
     LEAST,
     LESS,
     RARER,
@@ -26,21 +33,40 @@ from .formulas import (
     Stage,
     dimensions_of,
     needed,
+    steps_in,
     users_of,
 )
+from .typed import Product, described, repeats
 
 MANY = 8  # uses of a step, of which no single one is looked at
+ONCE = 4  # by which the rank of a slip in one use is higher than that of the same in all
 
 
 def edits_of(formulas: Formulas) -> list[Edit]:
     """The edits of the steps that the answers need, each with the place where the book has it."""
     stages = [s for s in formulas.stages if any(isinstance(x, Step) for x in s.parts)]
+    _call(formulas)
     cones = sorted(
         (({s.number for s in needed(stage.parts)}, stage.where) for stage in stages),
         key=lambda cone: len(cone[0]),
     )
     found = sorted(_edits(formulas), key=lambda e: e.rank)
     return [e._replace(cause=_placed(e, cones, formulas.where)) for e in found]
+
+
+def _call(formulas):
+    """Names the steps that are answers, and says of those that are quantities what they are."""
+    for key, answer in formulas.answers.items():
+        for x in answer.parts if len(answer.parts) == 1 else ():
+            if isinstance(x, Step):
+                x.trace.called.setdefault(x.number, key)
+    for stage in formulas.stages:
+        words = stage.means
+        if len(stage.parts) > 1:
+            words = Words("a component of {what}", what=stage.means)
+        for x in stage.parts if stage.means else ():
+            if isinstance(x, Step):
+                x.trace.meant.setdefault(x.number, words)
 
 
 def _placed(edit, cones, otherwise):
@@ -62,20 +88,61 @@ def _edits(formulas):
     yield from of_angles(steps)
     yield from of_constants(steps)
     yield from of_one_unit(given, read, system)
+    yield from of_exchanged(given, read)
     yield from _of_wholes(answers, given, number)
+    yield from _of_unchanged(answers, given, read)
+    yield from of_vectors([a.parts for a in answers.values()])
+    numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
+    yield from _of_differences(answers, numbers, dimensions)
     yield from _of_stages(answers, formulas.stages, dimensions)
     yield from _of_angles(answers)
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
-    for s, users in users_of(steps).items():
+    symbols, users_in = formulas.symbols, users_of(steps)
+    unwritten = _unwritten(users_in)
+    varying = _varying(steps)
+    products = {
+        s: None for s, users in users_in.items()
+        if s.op in PRODUCT and s in varying - unwritten and (s in leaves or not _is_factor(users))
+    }  # fmt: skip
+    factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
+    yield from of_equations(formulas.systems)
+    yield from of_terms(steps, formulas.units)
+    yield from of_factors(products, number)
+    for s, users in users_in.items():
+        if s not in varying or s in unwritten:
+            continue
         slips = [*of_operation(s), *of_moment(s, dimensions[s])]
         if s.op == "argument":
-            name = s.args[0]
-            slips += of_given(s, given, read, number, formulas.means.get(name, ""))
-            slips += of_unit(s, read[name], system)
-        if s.op in PRODUCT and (s in leaves or not _is_factor(users)):
-            slips += of_product(s, number, lambda s: dimensions.get(s) != Dimension())
+            name, means = s.args[0], formulas.means.get(s.args[0], "")
+            found = of_given(s, given, read, number, means, read[name].to_base(1.0, system))
+            # what is alone in a term, as H in D^2 + H^2, is no factor of it
+            slips += [slip for slip in found if slip[1] != ONE or s in factors]
+            # nobody converts the symbols of a formula
+            slips += of_unit(s, read[name], system) if name not in symbols else ()
+        if s in products:
+            slips += of_product(s, number, dimensions.get)
+        if s.op == "argument" and any(user.op == "integral" for user in users):
+            slips += of_integrand(s)
         for n, slip in enumerate(slips):
-            yield from _everywhere_and_once(s, n, slip, users)
+            yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
+
+
+def _unwritten(users_in):
+    """The sums that repeat a given, and what is used in them alone: nobody writes them."""
+    found = {s for s in users_in if repeats(s)}
+    for s, users in reversed(users_in.items()):
+        if s.op in (*PRODUCT, "+", "-") and users and found.issuperset(users):
+            found.add(s)
+    return found
+
+
+def _varying(steps):
+    """The steps that depend on what is given: nobody writes the others down, as cos(pi/2)."""
+    found = set[Step]()
+    for s in steps:
+        if s.op == "argument" or any(a in found for a in steps_in(s)):
+            found.add(s)
+    return found
 
 
 def _is_factor(users):
@@ -98,23 +165,88 @@ def _everywhere_and_once(s, place, slip, users):
     rank, kind, words, expression = slip
     cause = words if isinstance(words, Cause) else computed(f"{kind} {s.number} {place}", words)
     yield Edit(rank, cause, {s.number: expression})
+    if kind in (TWICE, HALF):
+        return  # of one quantity, or a factor of one term
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
     for user in users if len(users) <= MANY and rank <= LESS else ():
         once = (user.op, *(expression if a is s else a for a in user.args))
         name = f"{kind} {s.number} {place} {user.number}"
-        in_one_place = f"{cause.what}, in one place: {cause.why}"
-        yield Edit(rank + 2, computed(name, in_one_place), {user.number: once})
+        more, in_one_place = _in_one_place(cause, kind, user)
+        yield Edit(rank + more, computed(name, in_one_place), {user.number: once})
+
+
+def _in_one_place(cause, kind, user):
+    """By how much less simple a slip is in one use than in all, and its words: a given that is zero
+    or of the other sign in one product makes the product so.
+    """
+    term = described(user, "the term") if user.op in PRODUCT else ""
+    if term and kind == "zero":
+        return 1, Words("leaves out {term}: it is not zero here", term=term)
+    if term and kind == "sign":
+        return ONCE, Words(
+            "has {term} with the opposite sign: its sense is the other one", term=term
+        )
+    return ONCE, Words("{cause.what}, in one place: {cause.why}", cause=cause.text)
 
 
 def _of_wholes(answers, given, number):
     """Whole answers with a given too many or too few."""
     components = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
     for name, step in given.items():
-        for op, words in (("/", "few"), ("*", "many")):
-            text = f"has one factor {name} too {words}: put your units into the whole formula"
+        powers = {Product(x).powers.get(step, 0) for x in components}
+        for op, change in (("/", -1), ("*", 1)):
+            if -change in powers:
+                continue  # without the factor itself: a slip in the product
+            text = _of_power(name, max(powers, key=abs), change)
             cause = computed(f"whole {op} {name}", text)
             instead = {x.number: (op, x, number(step)) for x in components if x is not step}
             yield Edit(LESS, cause, instead)
+
+
+def _of_power(name, power, change):
+    """The words for a whole formula with another power of a given."""
+    if power * change > 0:
+        square = Words("squares {name}", name=name) if abs(power) == 1 else ""
+        more = square or Words("has too high a power of {name}", name=name)
+        return Words("{power}: put your units into the whole formula", power=more)
+    few = Words("has one factor {name} too few: put your units into the whole formula", name=name)
+    many = Words("has one factor {name} too many: put your units into the whole formula", name=name)
+    return few if change < 0 else many
+
+
+def _of_unchanged(answers, given, read):
+    """A given as the answer."""
+    for key, answer in answers.items():
+        own = unit(answer.unit).dimension
+        for name, step in given.items() if own != Dimension() and len(answer.parts) == 1 else ():
+            (x,) = answer.parts
+            if isinstance(x, Step) and x is not step and read[name].dimension == own:
+                words = Words(
+                    "gives {name} unchanged, as if nothing else counted: {key} is asked for",
+                    name=name, key=key,
+                )  # fmt: skip
+                yield Edit(FIRST, computed(f"{name} for {key}", words), {x.number: step})
+
+
+def _of_differences(answers, given, dimensions):
+    """Answers from another origin: less, or more by a given; the rest of a given."""
+    for key, answer in answers.items():
+        for x in answer.parts:
+            for name, step in given.items() if isinstance(x, Step) else ():
+                if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
+                    continue
+                less = Words("takes {name} off {key}: the whole is asked for", name=name, key=key)
+                more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
+                rest = Words(
+                    "gives the difference between {name} and {key}: {key} is asked for",
+                    name=name, key=key,
+                )  # fmt: skip
+                for what, text, other in (
+                    ("less", less, ("-", x, step)), ("more", more, ("+", x, step)),
+                    ("rest", rest, ("-", step, x)),
+                ):  # fmt: skip
+                    cause = computed(f"{what} {name} {x.number}", text)
+                    yield Edit(LEAST, cause, {x.number: other})
 
 
 def _of_angles(answers):
@@ -122,25 +254,31 @@ def _of_angles(answers):
     angles = [a.parts[0] for a in answers.values() if unit(a.unit).is_of_angle]
     angles = [x for x in angles if isinstance(x, Step)]
     others = (
-        (pi, "the supplement of the angle: the other one between the lines is meant"),
-        (pi / 2, "the angle to the normal: that to the line itself is meant"),
+        (
+            pi,
+            Words("gives the supplement of the angle: the other one between the lines is meant"),
+        ),
+        (pi / 2, Words("gives the angle to the normal: that to the line itself is meant")),
     )
     for whole, words in others if angles else ():
-        cause = computed(f"{whole} - angle", f"gives {words}")
+        cause = computed(f"{whole} - angle", words)
         yield Edit(RARER, cause, {x.number: ("-", whole, x) for x in angles})
 
 
 def _of_stages(answers, stages, dimensions):
     """Answers that stop on the way: a quantity of the same dimension, its size, a component."""
-    vectors = [Stage(key, "", a.parts) for key, a in answers.items() if len(a.parts) == 3]
+    vectors = [Stage(key, "", a.parts, key) for key, a in answers.items() if len(a.parts) == 3]
     for key, answer in answers.items():
-        for stage in (*stages, *(vectors if len(answer.parts) == 1 else ())):
+        named = [s for s in stages if s.means]  # of the others there is nothing to read
+        for stage in (*named, *(vectors if len(answer.parts) == 1 else ())):
             for what, rank, parts in _instead(stage.parts, len(answer.parts)):
                 instead = dict(zip(answer.parts, parts, strict=True))
                 moved = {a: x for a, x in instead.items() if isinstance(a, Step) and a is not x}
                 if moved and all(_are_alike(a, x, dimensions) for a, x in instead.items()):
-                    named = f"the {stage.means}" if stage.means else stage.name
-                    text = f"gives {what}{named} here: {key} is asked for"
+                    text = Words(
+                        "gives {part}{quantity} here: {key} is asked for",
+                        part=what, quantity=stage.means, key=key,
+                    )  # fmt: skip
                     cause = computed(f"{what} {stage.name} {key}", text)
                     yield Edit(rank, cause, {a.number: x for a, x in moved.items()})
 
@@ -151,9 +289,9 @@ def _instead(parts, length):
         yield "", RARER, parts
     elif length == 1 and len(parts) == 3:
         squares: Any = [("*", x, x) for x in parts]
-        yield "the size of ", RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
+        yield Words("the size of "), RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
         for x in parts:
-            yield "a component of ", LEAST, [("abs", x)]
+            yield Words("a component of "), LEAST, [("abs", x)]
 
 
 def _are_alike(a, x, dimensions):

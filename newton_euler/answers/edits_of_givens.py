@@ -2,21 +2,27 @@
 mass.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations
 from math import pi
 from typing import Any
 
+from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import unconverted
+from .causes import computed, unconverted
 from .formulas import LESS, RARER, SIMPLE, Edit
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
-G = 9.81  # m/s^2, where the text gives none
+TWICE, HALF, ONE = "doubled", "halved", "one"
+G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
-Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, what stands for the given
+NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
+
+Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, its replacement
 
 
 def of_given(
@@ -25,34 +31,70 @@ def of_given(
     read: Mapping[str, Unit],
     number: Callable[[Step], Any],
     means: str,
+    one: float,
 ) -> Iterator[Slip]:
     """One given for another, twice or half of it, its sign, weight for mass; ``means`` are its
-    words in the text.
+    words in the text, ``one`` is its unit in base units.
     """
     name, own = s.args[0], read[s.args[0]]
-    is_it = f"{name} is the {means}" if means else f"the formula has {name} there"
-    not_one = "it is not 1 here" if own.dimension == Dimension() else "then the units do not fit"
+    is_it = Words("the formula has {name} there", name=name)
+    if means:
+        is_it = Words("{name} is the {means}", name=name, means=means)
+    not_one = NOT_ONE if own.dimension == Dimension() else NO_FIT
     for other, step in given.items():
         if other != name and read[other].dimension == own.dimension:
             rank = RARER if read[other].text == own.text else LESS
-            yield rank, f"given {other}", f"takes {other} for {name}: {is_it}", step
+            words = Words("takes {other} for {name}: {why}", other=other, name=name, why=is_it)
+            yield rank, f"given {other}", words, step
     if own.dimension != MASS:
-        words = f"takes {name} with the opposite sign: the text gives its sense"
+        words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
-    yield rank, "doubled", f"takes twice {name}: {is_it}", ("*", s, 2.0)
-    yield rank, "halved", f"takes half of {name}: {is_it}", ("*", s, 0.5)
-    yield LESS, "zero", f"leaves out {name}: it is not zero here", ("*", s, 0.0)
-    yield LESS, "one", f"leaves out the factor {name}: {not_one}", ("/", s, number(s))
-    if own.dimension in (MASS, FORCE):
-        g = next((number(x) for n, x in given.items() if read[n].dimension == GRAVITY), G)
-        is_weight = own.dimension == FORCE
-        words = (
-            f"takes {name} for a mass: it is a weight" if is_weight else f"multiplies {name} by g"
+    twice = Words("takes twice {name}, or loses a 1/2 beside it: {why}", name=name, why=is_it)
+    yield rank, TWICE, twice, ("*", s, 2.0)
+    half = Words("takes half of {name}, or loses a 2 beside it: {why}", name=name, why=is_it)
+    yield rank, HALF, half, ("*", s, 0.5)
+    yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
+    yield (
+        LESS,
+        ONE,
+        computed(
+            f"{ONE} {s.number}",
+            Words("leaves out the factor {name}: {why}", name=name, why=not_one),
+            f"without {s.number}",
+        ),
+        ("/", s, number(s)),
+    )
+    if own.dimension == GRAVITY:
+        words = Words("takes 10 for {name}: the text gives more digits", name=name)
+        if own.text == "m/s^2":
+            yield LESS, "ten", words, 10.0
+        elsewhere, of = (G, "m/s^2") if own.is_of_feet else (G_OF_FEET, "ft/s^2")
+        words = Words(
+            "takes {other} for {name}: that is in {unit}", other=elsewhere, name=name, unit=of
         )
-        yield RARER, "g", words if is_weight else f"{words}: it is a mass already", ("*", s, g)
-        why = "it is a force already" if is_weight else "it is a mass, not a weight"
-        yield LESS, "g", f"divides {name} by g: {why}", ("/", s, g)
+        yield LESS, "g of others", words, elsewhere * one
+    if own.dimension in (MASS, FORCE):
+        otherwise = G_OF_FEET if own.is_of_feet else G
+        g = next((number(x) for n, x in given.items() if read[n].dimension == GRAVITY), otherwise)
+        if own.dimension == FORCE:
+            more = Words("takes {name} for a mass: it is a weight", name=name)
+            less = Words("divides {name} by g: it is a force already", name=name)
+        else:
+            more = Words("multiplies {name} by g: it is a mass already", name=name)
+            less = Words("divides {name} by g: it is a mass, not a weight", name=name)
+        yield RARER, "g", more, ("*", s, g)
+        yield LESS, "g", less, ("/", s, g)
+
+
+def of_integrand(s: Step) -> Iterator[Slip]:
+    """A given within an integral, with a factor of t^3/3 or t^4/12 lost or confused."""
+    words = Words(
+        "has another factor with {name}: each integral divides by its power", name=s.args[0]
+    )
+    for factor in (3, 4, Fraction(3, 2), Fraction(4, 3)):
+        for f in (factor, 1 / Fraction(factor)):
+            yield LESS, f"integral {f}", words, ("*", s, float(f))
 
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
@@ -60,19 +102,28 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     name, factor = s.args[0], own.to_base(1.0, system)
     for ratio in _ratios(own, system):
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
-        words = f"converts {name} from {own.text} the wrong way: its factor is inverted"
+        words = Words(
+            "converts {name} from {unit} the wrong way: its factor is inverted",
+            name=name, unit=own.text,
+        )  # fmt: skip
         yield LESS, "wrong way", words, ("*", s, ratio * ratio)
     if own.is_of_turning and abs(factor - pi / 180) > 1e-9:
-        words = f"leaves out 2*pi in {name}: a revolution is 2*pi radians"
+        words = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians", name=name)
         yield SIMPLE, "2 pi", words, ("*", s, 0.5 / pi)
     for part in own.parts:
         if part in CONFUSED:
             other = CONFUSED[part]
-            words = f"takes {other} for {part} in {name}: it is given in {own.text}"
+            words = Words(
+                "takes {other} for {part} in {name}: it is given in {unit}",
+                other=other, part=part, name=name, unit=own.text,
+            )  # fmt: skip
             ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
             yield LESS, f"confused {part}", words, ("*", s, ratio)
         if part != own.text and unit(part).to_base(1.0, system) != 1:
-            words = f"does not convert the {part} in {name}: the rest is in other units"
+            words = Words(
+                "does not convert the {part} in {name}: the rest is in other units",
+                part=part, name=name,
+            )  # fmt: skip
             yield LESS, f"part {part}", words, ("*", s, 1 / unit(part).to_base(1.0, system))
             yield LESS, f"part {part}", words, ("*", s, unit(part).to_base(1.0, system))
 
@@ -91,6 +142,44 @@ def _ratios(own, system):
     return sorted(found)
 
 
+def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """Two givens of one unit, each in the place of the other."""
+    for (a, s), (b, t) in combinations(given.items(), 2):
+        if read[a].text == read[b].text:
+            words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
+            yield Edit(LESS, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
+
+
+def of_vectors(answers: Iterable[Sequence[Any]]) -> Iterator[Edit]:
+    """The givens that are the components of one vector, with the opposite sign or left out: those
+    in the same place in all components of an answer.
+    """
+    found = dict[tuple[Step, ...], None]()
+    for parts in answers:
+        if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
+            found |= dict.fromkeys(_alike(parts))
+    for steps in found:
+        names = joined(s.args[0] for s in steps)
+        turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
+        zero = Words("leaves out {names}: they are one vector, and not zero here", names=names)
+        yield Edit(
+            SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
+        )
+        yield Edit(SIMPLE, computed(f"no {names}", zero), {s.number: 0.0 for s in steps})
+
+
+def _alike(steps):
+    """The arguments, all different, that stand in one place in each of several expressions."""
+    ops = {s.op for s in steps}
+    if ops == {"argument"}:
+        if len(set(steps)) == len(steps):
+            yield tuple(steps)
+    elif len(ops) == 1:
+        for args in zip(*(s.args for s in steps), strict=False):
+            if all(isinstance(a, Step) for a in args):
+                yield from _alike(args)
+
+
 def of_one_unit(
     given: Mapping[str, Step], read: Mapping[str, Unit], system: System
 ) -> Iterator[Edit]:
@@ -98,5 +187,5 @@ def of_one_unit(
     for stated in dict.fromkeys(u.text for u in read.values()):
         steps = [s for n, s in given.items() if read[n].text == stated]
         for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():
-            cause = unconverted("what is given", stated)
+            cause = unconverted(Words("what is given"), stated)
             yield Edit(SIMPLE, cause, {s.number: ("*", s, ratio) for s in steps})

@@ -1,27 +1,33 @@
 """Slips in single operations: a sign, a term, a factor, a square, sine for cosine. Each is (rank,
-kind, words, what stands for the step).
+kind, words, its replacement).
 """
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
+from ..algebra.language import Words
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import computed
+from .causes import Cause, computed
+from .edits_of_givens import NO_FIT, NOT_ONE
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
-from .typed import Product, described, typed
+from .typed import Product, described, is_given, typed
 
-Slip = tuple[int, str, str, Any]
+Slip = tuple[int, str, str | Cause, Any]
 AREA, INERTIA = Dimension(0, 2), Dimension(1, 2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
+TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
+INVERSE = ("asin", "acos", "atan", "atan2")
 PRODUCT = ("*", "/")
+LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
 BODIES = {
-    Fraction(1): "a ring", Fraction(1, 2): "a disk about its axis",
-    Fraction(1, 4): "a disk about a diameter", Fraction(1, 3): "a rod about its end",
-    Fraction(1, 12): "a rod about its centre", Fraction(2, 5): "a solid sphere",
-    Fraction(2, 3): "a spherical shell",
+    Fraction(1): Words("a ring"), Fraction(1, 2): Words("a disk about its axis"),
+    Fraction(1, 4): Words("a disk about a diameter"), Fraction(1, 3): Words("a rod about its end"),
+    Fraction(1, 12): Words("a rod about its centre"), Fraction(2, 5): Words("a solid sphere"),
+    Fraction(2, 3): Words("a spherical shell"), Fraction(3, 10): Words("a cone about its axis"),
 }  # fmt: skip
 
 
@@ -37,63 +43,132 @@ def _of_nothing(s):
 def _of_sum(s):
     a, b = s.args
     minus = s.op == "-"
-    signs = "one of the two terms there is subtracted" if minus else "both terms there are added"
+    if minus and a is b:
+        return  # what is zero for every student
+    signs = (
+        Words("one of the two terms there is subtracted")
+        if minus
+        else Words("both terms there are added")
+    )
     turned_first = ("neg", ("+", a, b)) if minus else ("-", b, a)
+    if (whole := typed(s)) and _is_half(a, b, minus):
+        words = Words("takes half of {sum}: it counts in full", sum=whole)
+        yield SIMPLE, "half", words, ("*", s, 0.5)
     for term, left, turned in (
         (a, ("neg", b) if minus else b, turned_first),
         (b, a, ("+" if minus else "-", a, b)),
     ):
         several = isinstance(term, Step) and term.op in ("+", "-")
         rank, what = LESS if several else SIMPLE, _term(term, s)
-        yield rank, "sign", f"has {what} with the opposite sign: {signs}", turned
-        yield rank, "term", f"leaves out {what}: it is not zero here", left
-        for factor, kind in ((2.0, "doubles"), (0.5, "halves")) if not several else ():
+        varies = is_given(term)
+        turning = rank if varies else LESS
+        words = Words("has {term} with the opposite sign: {why}", term=what, why=signs)
+        if a is not b:  # of two equal ones, with one turned nothing is left
+            yield turning, "sign", words, turned
+        yield rank, "term", Words("leaves out {term}: it is not zero here", term=what), left
+        doubles = Words("doubles {term}: it counts once", term=what)
+        halves = Words("halves {term}: it counts once", term=what)
+        kinds = (2.0, "doubles", doubles), (0.5, "halves", halves)
+        for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
-            yield LESS, kind, f"{kind} {what}: it counts once", (s.op, *scaled)
+            yield LESS, kind, words, (s.op, *scaled)
+    if minus:
+        words = Words("leaves out {term}: it is not zero here", term=_term(a, s))
+        yield LESS, "only", words, b
+    if (power := _common_power(a, b)) and (whole := typed(s)):
+        n, x, y = power
+        words = Words("takes the power of a sum for {whole}: the powers come first", whole=whole)
+        yield LESS, "powers", words, ("**", (s.op, x, y), float(n))
+
+
+def _is_half(a, b, minus):
+    """True of like terms of which one with the opposite sign leaves the half of their sum."""
+    x, y = Product(a), Product(b)
+    if x.powers != y.powers or not (x.powers and x.is_exact and y.is_exact):
+        return False
+    p, q = x.coefficient, -y.coefficient if minus else y.coefficient
+    return 2 * abs(p - q) == abs(p + q)
+
+
+def _common_power(a, b):
+    """(n, x, y) of two terms x^n and y^n; None of others."""
+    products = Product(a), Product(b)
+    if not all(len(p.powers) == 1 and p.is_exact and p.coefficient == 1 for p in products):
+        return None
+    ((x, n), (y, m)) = (next(iter(p.powers.items())) for p in products)
+    return (n, x, y) if n == m and n in (2, 3, 4) else None
 
 
 def _term(term, whole):
     if not isinstance(term, Step):
         around = typed(whole)
-        return f"the {term:g} of {around}" if around else "the constant term of a sum"
-    return described(term, "the term") or "one term of a sum"
+        if around:
+            return Words("the {number} of {sum}", number=f"{term:g}", sum=around)
+        return Words("the constant term of a sum")
+    return described(term, "the term") or Words("one term of a sum")
 
 
 def of_product(
-    s: Step, number: Callable[[Step], Any], has_unit: Callable[[Step], bool]
+    s: Step, number: Callable[[Step], Any], dimension: Callable[[Step], Dimension | None]
 ) -> Iterator[Slip]:
     """The slips in a product with all its factors; ``number`` of a factor, in a student's units."""
 
     def why(factor):
-        return ": then the units do not fit" if has_unit(factor) else ": it is not 1 here"
+        return NO_FIT if dimension(factor) not in (None, Dimension()) else NOT_ONE
 
     product = Product(s)
     whole = typed(s)
-    of = (
-        f" of {whole}"
-        if whole
-        else f" of {in_it}"
-        if (in_it := described(s, "the product"))
-        else ""
-    )
+    of = Words(" of {product}", product=whole) if whole else described(s, "of the product")
     for factor, power in product.powers.items():
         if described(factor):
             yield from _of_factor(s, factor, power, number(factor), of, why(factor))
     for part, op in _parts(s, "/"):
-        named = described(part, "the factor") or "a factor"
-        words = f"leaves out {named}{f' of {whole}' if whole else ''}{why(part)}"
+        if (inner := Product(part)).coefficient == 1 and len(inner.powers) == 1:
+            continue  # one factor, as above
+        named = described(part, "the factor") or Words("a factor")
+        words = Words(LEAVES_OUT, factor=named, of=of if whole else "", why=why(part))
         yield LESS, "factor", words, (op, s, number(part))
+    yield from _of_ratios(s, product, dimension, of)
     powers = product.powers.values()
     if min(powers, default=0) < 0 < max(powers):
-        yield LESS, "inverse", f"inverts {whole or 'a quotient'}{why(s)}", ("/", 1.0, s)
+        quotient = whole or Words("a quotient")
+        words = Words("inverts {quotient}: {why}", quotient=quotient, why=why(s))
+        yield LESS, "inverse", words, ("/", 1.0, s)
     c = abs(product.coefficient)
     if product.is_exact and c != 1 and c.denominator < 100:
         for other in (c / 2, 2 * c):
-            words = f"takes the factor {other} for {c}{of}: the formula has {c}"
+            words = Words(
+                "takes the factor {other} for {own}{of}: the formula has {own}",
+                other=other, own=c, of=of,
+            )  # fmt: skip
             yield LESS, f"constant for {other}", words, ("*", s, float(other / c))
+        turn = next((x for x, power in product.powers.items() if (x.op, power) == ("pi", 2)), None)
+        if turn is not None and c.numerator % 4 == 0:
+            words = Words("does not square 2*pi{of}: the formula has its square", of=of)
+            yield LESS, "2 pi", words, ("/", s, ("*", turn, 2.0))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
-            words = f"leaves out the factor {lost}{of}: the formula has it"
+            words = Words(
+                "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of
+            )
             yield SIMPLE, f"constant {lost}", words, ("/", s, float(lost))
+
+
+def _of_ratios(s, product, dimension, of):
+    """A ratio of two quantities of one dimension upside down, or not squared."""
+    above = [(x, n) for x, n in product.powers.items() if n > 0 and dimension(x) is not None]
+    for x, n in above:
+        for y, m in product.powers.items():
+            if m != -n or dimension(y) != dimension(x):
+                continue
+            ratio = {"a": described(x), "b": described(y)}
+            words = Words("inverts a ratio{of}: it is the other way round", of=of)
+            if all(ratio.values()):
+                words = Words("inverts the ratio of {a} to {b}: it is the other way round", **ratio)
+            power = float(2 * n)
+            yield LESS, "ratio", words, ("*", s, ("**", ("/", y, x), power))
+            if n > 1 and all(ratio.values()):
+                words = Words("does not square the ratio of {a} to {b}: the formula does", **ratio)
+                yield LESS, "ratio squared", words, ("*", s, ("/", y, x))
 
 
 def _parts(s, op):
@@ -109,52 +184,89 @@ def _of_factor(s, x, power, factor, of, why):
     named, the_factor = described(x), described(x, "the factor")
     if power == 2:
         of = "" if of == f" of {named}^2" else of
-        yield SIMPLE, "square", f"does not square {named}{of}{why}", ("/", s, factor)
+        words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
+        yield SIMPLE, "square", words, ("/", s, factor)
+        words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
+        yield LEAST, "half", words, ("*", s, 0.25)
+        words = Words("takes twice {factor}{of}: the formula has it once", factor=named, of=of)
+        yield LEAST, "twice", words, ("*", s, 4.0)
     elif power == -2:
-        yield SIMPLE, "square", f"divides by {named}, not by its square{why}", ("*", s, factor)
+        words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
+        yield SIMPLE, "square", words, ("*", s, factor)
     elif power > 0:
-        yield LESS, "factor", f"leaves out {the_factor}{of}{why}", ("/", s, factor)
-        yield LEAST, "squared", f"squares {named}{of}{why}", ("*", s, factor)
-        words = f"divides by {named} instead of multiplying{why}"
+        words = Words(LEAVES_OUT, factor=the_factor, of=of, why=why)
+        cause = computed(f"factor {s.number} {x.number}", words, f"without {x.number}")
+        yield LESS, "factor", cause, ("/", s, factor)
+        words = Words("squares {factor}{of}: {why}", factor=named, of=of, why=why)
+        yield LEAST, "squared", words, ("*", s, factor)
+        words = Words("divides by {factor} instead of multiplying: {why}", factor=named, why=why)
+        if power > 2:
+            words = Words(
+                "has {factor}^{less} for {factor}^{power}{of}: {why}",
+                factor=named, less=power - 2, power=power, of=of, why=why,
+            )  # fmt: skip
         yield LEAST, "divided", words, ("/", ("/", s, factor), factor)
     else:
-        yield LESS, "factor", f"does not divide by {named}{why}", ("*", s, factor)
-        words = f"multiplies by {named} instead of dividing{why}"
+        words = Words("does not divide by {factor}: {why}", factor=named, why=why)
+        cause = computed(f"factor {s.number} {x.number}", words, f"without {x.number}")
+        yield LESS, "factor", cause, ("*", s, factor)
+        words = Words("multiplies by {factor} instead of dividing: {why}", factor=named, why=why)
         yield LEAST, "multiplied", words, ("*", ("*", s, factor), factor)
 
 
 def _of_power(s):
     a, _ = s.args
-    yield (
-        SIMPLE,
-        "power",
-        f"leaves out the power of {described(a) or 'a factor'}: the formula has it",
-        a,
-    )
+    factor = described(a) or Words("a factor")
+    words = Words("leaves out the power of {factor}: the formula has it", factor=factor)
+    yield SIMPLE, "power", words, a
 
 
 def _of_root(s):
     (x,) = s.args
-    words = f"leaves out the square root of {typed(x) or 'a sum'}: its square was found"
+    inside = typed(x) or Words("a sum")
+    words = Words("leaves out the square root of {sum}: its square was found", sum=inside)
     yield SIMPLE, "root", words, x
-    if isinstance(x, Step) and x.op == "+" and all(Product(a).is_square for a in x.args):
-        words = "adds two components as numbers: they are at right angles"
-        yield SIMPLE, "components", words, ("+", *(("sqrt", a) for a in x.args))
+    squares = _summands(x)
+    if len(squares) > 1 and all(Product(a).is_square for a in squares):
+        words = Words("adds components as numbers: they are at right angles")
+        sizes = [("sqrt", a) for a in squares]
+        yield SIMPLE, "components", words, reduce(lambda a, b: ("+", a, b), sizes)
+        return
+    sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in ("+", "-")]
+    for y in [x] if x.op in ("+", "-") else sums:
+        roots: Any = (y.op, *(("sqrt", ("abs", a)) for a in y.args))
+        words = Words("takes the root of each term of a sum: it is the root of the whole")
+        yield LESS, "roots", words, ("*", s, ("/", roots, ("sqrt", y)))
+
+
+def _summands(x):
+    """The terms of nested sums."""
+    if not isinstance(x, Step) or x.op != "+":
+        return [x]
+    return [term for a in x.args for term in _summands(a)]
 
 
 def _of_function(s):
     (x,) = s.args
-    twin, inside = COFUNCTIONS[s.op], typed(x) or "..."
-    words = f"takes {twin}({inside}) for {s.op}({inside}): that is the other side of its triangle"
-    yield SIMPLE, "cofunction", words, (twin, x)
+    inside = typed(x) or "..."
+    for rank, twin in ((SIMPLE, COFUNCTIONS[s.op]), (LESS, TANGENTS[s.op])):
+        words = Words(
+            "takes {other} for {own}: that is another side of its triangle",
+            other=f"{twin}({inside})", own=f"{s.op}({inside})",
+        )  # fmt: skip
+        yield rank, f"cofunction {twin}", words, (twin, x)
     if s.op in ("cos", "acos"):
         words, turned = _SUPPLEMENT[s.op]
-        yield LESS, "supplement", words.format(f"{s.op}({inside})"), turned(s)
+        if x.op == "argument" and s.op == "cos":  # given, as a latitude: no other angle is meant
+            words = Words("has {cosine} with the opposite sign: look at the sign of its term")
+        words = Words(words.template, cosine=f"{s.op}({inside})")
+        yield LESS, "supplement", words, turned(s)
 
 
 _SUPPLEMENT = {
-    "cos": ("has {} with the opposite sign: that is of the supplement", lambda s: ("neg", s)),
-    "acos": ("gives the supplement of {}: a cosine has the opposite sign",
+    "cos": (Words("has {cosine} with the opposite sign: that is of the supplement"),
+            lambda s: ("neg", s)),
+    "acos": (Words("gives the supplement of {cosine}: a cosine has the opposite sign"),
              lambda s: ("acos", ("neg", s.args[0]))),
 }  # fmt: skip
 
@@ -163,13 +275,13 @@ def _of_tangent(s):
     yield (
         LESS,
         "cotangent",
-        "inverts a tangent: the two legs of its triangle are exchanged",
+        Words("inverts a tangent: the two legs of its triangle are exchanged"),
         ("/", 1.0, s),
     )
 
 
 def _of_atan(s):
-    words = "takes the angle from the other axis: the legs of its triangle are exchanged"
+    words = Words("takes the angle from the other axis: the legs of its triangle are exchanged")
     other = ("atan2", *reversed(s.args)) if s.op == "atan2" else ("atan", ("/", 1.0, *s.args))
     yield SIMPLE, "cofunction", words, other
 
@@ -188,27 +300,24 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
     for x, s in sines.items():
         if not any(inner.op == "argument" for inner in needed([x])):
             continue  # a constant
-        named = typed(x) or "an angle"
+        named = typed(x) or Words("an angle")
         if x in cosines:
-            words = f"measures {named} from the other axis: sine and cosine are exchanged"
+            words = Words(
+                "measures {angle} from the other axis: sine and cosine are exchanged", angle=named
+            )
             c = cosines[x]
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
-        words = f"takes {named} the other way round: its positive sense is the opposite one"
-        yield Edit(SIMPLE, computed(f"turned {s.number}", words), {s.number: ("neg", s)})
-
-
-def of_constants(steps: Sequence[Step]) -> Iterator[Edit]:
-    """One constant left out wherever it is a factor, as both halves of (x/2, y/2)."""
-    found: dict[tuple, dict[int, Any]] = {}
-    for s in steps:
-        if s.op in PRODUCT and isinstance(s.args[0], Step) and not isinstance(s.args[1], Step):
-            found.setdefault((s.op, abs(s.args[1])), {})[s.number] = s.args[0]
-    for (op, x), instead in found.items():
-        if len(instead) > 1 and x != 1:
-            lost = f"{'1/' * (op == '/')}{x:g}"
-            words = f"leaves out the factor {lost} in several places: the formulas have it"
-            yield Edit(LESS, computed(f"everywhere {op} {x}", words), instead)
+        if any(inner.op in INVERSE for inner in needed([x])):
+            continue  # computed, and no angle of the text
+        words = Words(
+            "takes {angle} the other way round: its positive sense is the opposite one", angle=named
+        )
+        yield Edit(
+            SIMPLE if typed(x) else LESS,
+            computed(f"turned {s.number}", words),
+            {s.number: ("neg", s)},
+        )
 
 
 def of_moment(s: Step, dimension: Dimension | None) -> Iterator[Slip]:
@@ -218,9 +327,11 @@ def of_moment(s: Step, dimension: Dimension | None) -> Iterator[Slip]:
     product = Product(s)
     own = product.coefficient if product.is_exact else Fraction(0)
     alike = RODS if own in RODS else BODIES.keys() - RODS
-    known = own in RODS or (own in BODIES and dimension == INERTIA)
+    # a mass times a square may be that of a particle, or of a transfer
+    known = own in RODS or (own in BODIES and own != 1 and dimension == INERTIA)
     for other in sorted(alike - {own}) if known else ():
-        words = (
-            f"takes the factor {other} for {own} in a moment of inertia: that is {BODIES[other]}"
-        )
+        words = Words(
+            "takes the factor {other} for {own} in a moment of inertia: that is {body}",
+            other=other, own=own, body=BODIES[other],
+        )  # fmt: skip
         yield RARER, f"body {other}", words, ("*", s, float(other / own))

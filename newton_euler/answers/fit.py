@@ -3,12 +3,13 @@
 import math
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 from .tolerance import DIGITS, NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
+EFFECT = 0.05  # of what a mistake changes: nearer than this is what fits
 
 
 class Fit:
@@ -20,7 +21,8 @@ class Fit:
         self.given, self.key, self.rtol = given, key, rtol
         self.sizes = [math.hypot(*k) for k in key]
         points = range(len(key))
-        self.index = next((n for n in points if math.isfinite(self.sizes[n])), None)
+        own = [k + math.hypot(*x) for k, x in zip(self.sizes, given, strict=False)]
+        self.index = next((n for n in points if math.isfinite(own[n])), None)
 
     def near(self, models: Iterable[tuple[Any, Points]]) -> list[tuple[Any, Points]]:
         """Those of [(cause, points)] that may fit, by one component: nearly all models do not."""
@@ -62,12 +64,14 @@ class Fit:
 
     def _near(self, numbers, rtol):
         level = 0  # while no point has a value
-        for x, given, size in zip(numbers, self.given, self.sizes, strict=True):
+        for x, given, key, size in zip(numbers, self.given, self.key, self.sizes, strict=True):
             own = math.hypot(*x)
             if not (math.isfinite(own) and math.isfinite(size)):
                 continue
             gap = math.dist(x, given)
             if not gap <= max(self.rtol * own, NOISE * size):
+                return 0
+            if gap > max(self.rounding, EFFECT * math.dist(given, key)):
                 return 0
             here = self._closeness(gap, own, size, rtol)
             if not here:
@@ -94,6 +98,7 @@ def most_digits(point: Sequence[float]) -> int:
     return max((written(x)[0] for x in point if x), default=0)
 
 
+@lru_cache(maxsize=64)  # several wrong models are compared with one answer
 def written(x: float) -> tuple[int, int]:
     """(number of digits, place of the last) of a number as it was typed: 1.25 has (3, -2)."""
     if not math.isfinite(x):

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from ..algebra.errors import checked, checked_but
+from ..algebra.language import Words, _, spoken
 from .kinds import KINDS, Kind
 from .messages import AnswerError
 
@@ -32,10 +33,16 @@ class Form:
         name, colon, words = (part.strip() for part in text.partition(":"))
         if colon and name in KINDS and KINDS[name].has_options:
             return cls(KINDS[name], "1", tuple(w.strip() for w in words.split("|")))
-        name, _, unit = (part.strip() for part in text.partition(","))
+        name, _comma, unit = (part.strip() for part in text.partition(","))
         kind = kind_named(name)
         if kind.has_options:
-            raise AnswerError(f"a {kind} lists its words: '{kind}: one | another', not {text!r}")
+            raise AnswerError(
+                _(
+                    "a {kind} lists its words: '{kind}: one | another', not {text}",
+                    kind=kind,
+                    text=repr(text),
+                )
+            )
         return cls(kind, unit or "1")
 
     def __str__(self) -> str:
@@ -43,20 +50,41 @@ class Form:
         return self.kind.name + stated
 
     @property
+    def stated(self) -> str:
+        """The form as a reader reads it: "vector, mm/s", "Vektor, mm/s"."""
+        return str(self).replace(self.kind.name, _(self.kind.name), 1)
+
+    @property
     def words(self) -> str:
         """The form in words for a reader."""
         if self.kind.has_options:
-            return f"one of {', '.join(map(repr, self.of))}"
-        return self.kind.words + ("" if self.unit == "1" else f", in {self.unit}")
+            return _("one of {words}", words=", ".join(map(repr, self.of)))
+        words = spoken(self.kind.words)
+        return words if self.unit == "1" else _("{words}, in {unit}", words=words, unit=self.unit)
 
     @checked
     def error(self, fault: str) -> AnswerError:
         """An :class:`AnswerError` with what was expected, and then the fault."""
-        return AnswerError(f"expected {self.words}; {' '.join(fault.split())}")
+        return AnswerError(
+            _("expected {words}; {fault}", words=self.words, fault=" ".join(fault.split()))
+        )
+
+
+NAMES = (
+    Words("number"), Words("vector"), Words("direction"), Words("matrix"), Words("interval"),
+    Words("count"), Words("choice"), Words("expression"), Words("vector_expression"),
+    Words("matrix_expression"),
+)  # fmt: skip
 
 
 def kind_named(name: str) -> Kind:
     """The kind of this name. Raises :class:`AnswerError` where there is none."""
     if name not in KINDS:
-        raise AnswerError(f"no such kind of answer: {name!r}; there are {', '.join(KINDS)}")
+        raise AnswerError(
+            _(
+                "no such kind of answer: {name}; there are {kinds}",
+                name=repr(name),
+                kinds=", ".join(KINDS),
+            )
+        )
     return KINDS[name]

@@ -1,9 +1,10 @@
 """What a problem computes, traced, and what a slip changes in it."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from ..algebra import scalars
+from ..algebra.linear import Solved
 from ..algebra.scalars import NewtonEulerError
 from ..algebra.source import operations
 from ..algebra.trace import Step, Trace
@@ -11,7 +12,7 @@ from ..algebra.units import Dimension, System, Unit
 from .causes import Cause
 
 # how simple a slip is, in pairs: of two that are equally simple the second is made less often
-SIMPLE, RARER, LESS, LEAST = 2, 3, 4, 6
+FIRST, SIMPLE, RARER, LESS, LEAST = 1, 2, 3, 4, 6
 
 
 class Traced(NamedTuple):
@@ -26,7 +27,7 @@ class Traced(NamedTuple):
 
 class Stage(NamedTuple):
     """A quantity on the way to the answers: its name, where the book has it, its components, and
-    what it is in words.
+    what it is in words, "the speed of B".
     """
 
     name: str
@@ -41,6 +42,8 @@ class Formulas(NamedTuple):
     units : of the givens and symbols, which are the arguments, in base units of the ``system``
     where : the section of the problem
     means : of the givens, in a few words
+    systems : the linear equations that are solved on the way
+    symbols : the arguments that stay symbols in the answers
     """
 
     answers: Mapping[str, Traced]
@@ -49,6 +52,8 @@ class Formulas(NamedTuple):
     stages: Sequence[Stage] = ()
     where: str = ""
     means: Mapping[str, str] = {}
+    systems: Sequence[Solved] = ()
+    symbols: Collection[str] = ()
 
 
 class Edit(NamedTuple):

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
+from ..algebra.language import _
 from ..algebra.scalars import clipped
 
 
@@ -139,9 +140,14 @@ def outdated(problem: str, names: Iterable[str]) -> dict[str, str]:
     for name in names if watch.shell else ():
         other = watch.read.setdefault(name, problem)
         if name in watch.failed:
-            found[name] = f"the cell that gives {name} a value has ended in an error"
+            found[name] = _("the cell that gives {name} a value has ended in an error", name=name)
         elif other != problem and watch.shell.user_ns.get(name) is not None:
-            found[name] = f"{name} has its value from {other}: run your cell of {problem}"
+            found[name] = _(
+                "{name} has its value from {other}: run your cell of {problem}",
+                name=name,
+                other=other,
+                problem=problem,
+            )
     return found
 
 
@@ -164,9 +170,14 @@ def stale(problem: str, answers: dict, names_of_answers: set) -> str:
             # the student's own change of the problem's number, as from degrees to radians
             converted = was.giver == problem and was.changer not in (None, cell)
             if not converted or name in names_of_answers:
-                return (
-                    f"{key} was computed when {name} was {clipped(was.value)}; {problem} gives "
-                    f"{clipped(own)}: run the cell of its givens, then yours"
+                return _(
+                    "{key} was computed when {name} was {value}; {problem} gives {own}: run the"
+                    " cell of its givens, then yours",
+                    key=key,
+                    name=name,
+                    value=clipped(was.value),
+                    problem=problem,
+                    own=clipped(own),
                 )
     return ""
 

@@ -2,11 +2,13 @@
 with the key, worded, typeset, drawn with other numbers and hinted at. A new kind is a class here.
 """
 
+import contextlib
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 from ..algebra.errors import NewtonEulerError
+from ..algebra.language import Words, _, plural
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.vectors import Vector
 from . import slips, tolerance
@@ -66,7 +68,10 @@ class Kind:
 
     def _read(self, parts, value, form, symbols, budget):
         if len(parts) != self.length:
-            raise form.error(f"got {len(parts)} number{'s' * (len(parts) != 1)}: {clipped(value)}")
+            raise form.error(
+                plural("got {n} number: {value}", "got {n} numbers: {value}", len(parts),
+                   value=clipped(value))
+            )  # fmt: skip
         found = [self._component(x, form, symbols, budget) for x in parts]
         return found[0] if self.length == 1 else found
 
@@ -88,12 +93,12 @@ class Kind:
         """
         trees = self.parts(tree)
         if not isinstance(trees, list) or len(trees) != self.length:
-            raise TreeError(f"expected {form.words}")
+            raise TreeError(_("expected {words}", words=form.words))
         return [self._points(trees, form, symbols, budget)]
 
     def _points(self, trees, form, symbols, budget):
         if not all(type(t) in (int, float) for t in trees):
-            raise TreeError(f"expected {form.words}")
+            raise TreeError(_("expected {words}", words=form.words))
         return numbers(trees)
 
     # -- comparing
@@ -172,7 +177,7 @@ class Number(Kind):
     """One number with a unit."""
 
     name = "number"
-    words = "one number"
+    words = Words("one number")
     is_met_by_chance = True
 
 
@@ -180,7 +185,7 @@ class VectorKind(Kind):
     """Three components in the axes that the problem names."""
 
     name = "vector"
-    words = "a vector, three numbers as in [1.0, 0, -2.5]"
+    words = Words("a vector, three numbers as in [1.0, 0, -2.5]")
     length = 3
     is_vector = True
 
@@ -218,7 +223,7 @@ class VectorKind(Kind):
             for points in super(VectorKind, self).readings(part, form, symbols, budget)
         ]
         if not are_one_vector(*found):
-            raise TreeError("its components in two frames are those of two vectors")
+            raise TreeError(_("its components in two frames are those of two vectors"))
         return found
 
     def slips(self, fit):
@@ -253,19 +258,19 @@ class Direction(VectorKind):
     """
 
     name = "direction"
-    words = "a direction, three numbers of any length and either sense, as in [1, 0, -2.5]"
+    words = Words("a direction, three numbers of any length and either sense, as in [1, 0, -2.5]")
     has_size = False
 
     def _read(self, parts, value, form, symbols, budget):
         found = super()._read(parts, value, form, symbols, budget)
         if not any(found):
-            raise form.error("got a vector of length zero, which has no direction")
+            raise form.error(_("got a vector of length zero, which has no direction"))
         return found
 
     def _points(self, trees, form, symbols, budget):
         points = super()._points(trees, form, symbols, budget)
         if not any(points[0]):
-            raise TreeError("a vector of length zero has no direction")
+            raise TreeError(_("a vector of length zero has no direction"))
         return points
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
@@ -303,7 +308,7 @@ class Matrix(Kind):
     """Three rows of three numbers; its components are given row by row."""
 
     name = "matrix"
-    words = "a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"
+    words = Words("a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]")
     length = 9
 
     def slips(self, fit):
@@ -322,7 +327,7 @@ class Interval(Kind):
     """
 
     name = "interval"
-    words = "an interval, two numbers as in [low, high]"
+    words = Words("an interval, two numbers as in [low, high]")
     length = 2
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
@@ -335,7 +340,7 @@ class Interval(Kind):
 class _Formula(Kind):
     """Formulas in the symbols of the problem, which are exact whatever their values."""
 
-    rtol = tolerance.FORMULA_RTOL
+    rtol = tolerance.FORMULA_FIT
     is_formula = True
     has_size = False
 
@@ -370,7 +375,7 @@ class Expression(_Formula):
     """One formula."""
 
     name = "expression"
-    words = "a formula in the problem's symbols"
+    words = Words("a formula in the problem's symbols")
     with_numbers = "number"
 
 
@@ -378,7 +383,7 @@ class VectorExpression(_Formula, VectorKind):
     """Three formulas, components in the axes that the problem names."""
 
     name = "vector_expression"
-    words = "a vector of three formulas, as in [r*omega, 0, 0]"
+    words = Words("a vector of three formulas, as in [r*omega, 0, 0]")
     with_numbers = "vector"
 
 
@@ -386,7 +391,7 @@ class MatrixExpression(_Formula, Matrix):
     """Three rows of three formulas."""
 
     name = "matrix_expression"
-    words = "a 3 x 3 matrix of formulas"
+    words = Words("a 3 x 3 matrix of formulas")
     with_numbers = "matrix"
 
 
@@ -420,20 +425,21 @@ class Count(_Word):
     """A whole number, without a unit."""
 
     name = "count"
-    words = "a whole number"
+    words = Words("a whole number")
     python_type = int
 
     def read(self, value, form, symbols, budget):
-        if isinstance(value, bool) or int(value) != value:
-            raise form.error(f"got {value!r}")
-        return int(value)
+        with contextlib.suppress(ArithmeticError, TypeError, ValueError):
+            if not isinstance(value, (bool, str)) and int(value) == value:
+                return int(value)
+        raise form.error(_("got {value}", value=clipped(value)))
 
 
 class Choice(_Word):
     """One of the words that the form lists."""
 
     name = "choice"
-    words = "one of the words"
+    words = Words("one of the words")
     python_type = str
     has_options = True
 
@@ -442,7 +448,7 @@ class Choice(_Word):
         found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
         given = str(value) if isinstance(value, str) else ""
         if not (word := found.get(given) or found.get(_plain(given))):
-            raise form.error(f"got {str(value)[:80]!r}")
+            raise form.error(_("got {value}", value=repr(str(value)[:80])))
         return word
 
 

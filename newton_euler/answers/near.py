@@ -12,14 +12,17 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
-from .causes import Cause
-from .fit import Fit
+from .causes import Cause, in_components
+from .fit import Fit, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
 
 AROUND = 0.25  # of the size of an answer: where slips are counted
+ROUNDED = 1e-5  # of a number in a formula that was written in five digits
 CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many
 CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits written
+CHANCE_MET = 0.05  # the same where few digits are all that the slip's own number has
+CHANCE_IN_ONE = 0.1  # the share of it where a slip is looked for in the wrong components alone
 CHANCE_BESIDE = 0.05  # the same where some of its components are right
 
 
@@ -66,14 +69,24 @@ class Slips:
         ranked = self.ranked(key)
         if ranked is None or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
             return []
-        places = (
-            _formulas_near(self.at(key, fit.index), fit)
-            if kind.is_formula
-            else _numbers_near(self.at(key, 0), fit, kind, ranked)
+        rows = self.at(key, fit.index if kind.is_formula else 0)
+        if places := _near(rows, fit, kind, ranked):
+            return [
+                (level // 2, cause, kind.like(self._points(key, n), fit.given))
+                for n in places
+                for level, cause in (ranked.slips[n],)
+            ]
+        right = (
+            _right(fit) if not isinstance(rows, list) and (kind.has_size or kind.is_formula) else []
         )
+        if not right:
+            return []
+        mixed = rows.copy()
+        mixed[:, right] = [fit.first[1][n] for n in right]
+        wrong = [n for n in range(len(fit.first[1])) if n not in right]
         return [
-            (level // 2, cause, kind.like(self._points(key, n), fit.given))
-            for n in places
+            (level // 2, in_components(cause, wrong), _mixed(self._points(key, n), fit.key, right))
+            for n in _near(mixed, fit, kind, ranked, CHANCE_IN_ONE)
             for level, cause in (ranked.slips[n],)
         ]
 
@@ -85,20 +98,56 @@ class Slips:
 NO_SLIPS = Slips()
 
 
-def _formulas_near(rows, fit):
-    """Of formulas: those near at the first point where the key has a value; few are, by chance."""
-    given = fit.given[fit.index]
-    most = fit.rtol * math.hypot(*given)
-    return [n for n, gap in enumerate(_gaps(rows, given)) if gap <= most]
+def _near(rows, fit, kind, ranked, share=1.0):
+    """The places of the slips that an answer is nearer to than by this share of the chance."""
+    if kind.is_formula:
+        return _formulas_near(rows, fit, ranked, share)
+    return _numbers_near(rows, fit, kind, ranked, share)
 
 
-def _numbers_near(rows, fit, kind, ranked):
+def _right(fit):
+    """The places of the components that are right, where others are wrong."""
+    given, key, size = fit.first
+    near = max(fit.rounding, ROUNDED * size)
+    right = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) <= near]
+    some = any(abs(key[n]) > NOISE * size for n in right)
+    return right if some and any(x for n, x in enumerate(given) if n not in right) else []
+
+
+def _mixed(points, key, right):
+    """The key in the components that are right, and a slip in the others."""
+    return tuple(
+        tuple(k if n in right else x for n, (x, k) in enumerate(zip(*pair, strict=True)))
+        for pair in zip(points, key, strict=True)
+    )
+
+
+def _formulas_near(rows, fit, ranked, allowed):
+    """Of formulas: those near at the first point where the key has a value; few are, by chance,
+    with the digits that were written.
+    """
+    given, key = fit.given[fit.index], fit.key[fit.index]
+    size = math.hypot(*given)
+    close, gaps = _within(fit.rtol * size, rows, given)
+    wrong = sum(abs(x - k) > fit.rtol * size for x, k in zip(given, key, strict=True))
+
+    def is_chance(n):
+        near = sum(
+            gap <= AROUND * size and rank <= ranked.ranks[n]
+            for gap, rank in zip(gaps, ranked.ranks, strict=True)
+        )
+        share = max(gaps[n] / size, ROUNDED) / AROUND
+        return gaps[n] > ROUND_OFF * size and near * share**wrong > allowed * CHANCE
+
+    return [n for n in close if not is_chance(n)]
+
+
+def _numbers_near(rows, fit, kind, ranked, allowed):
     given, key = fit.given[0], fit.key[0]
     if not kind.has_size:
         rows = [kind.like((tuple(row),), fit.given)[0] for row in rows]
     size = math.hypot(*given)
-    gaps = _gaps(rows, given)
-    close = [n for n, gap in enumerate(gaps) if gap <= fit.rtol * size]
+    close, gaps = _within(fit.rtol * size, rows, given)
     if not close:  # of most answers
         return []
     around = {
@@ -110,24 +159,43 @@ def _numbers_near(rows, fit, kind, ranked):
     there = sum(abs(k) > NOISE * fit.sizes[0] for k in key) or 1
     least = max(nearest, NOISE * fit.sizes[0])
     wrong = sum(abs(x - k) > least for x, k in zip(given, key, strict=True))
+    few = _in_few_digits(rows, around, given)
+    beside = CHANCE_BESIDE if allowed == 1 else allowed * CHANCE
     found = []
     for n in filter(around.__contains__, close):
-        count = len({row for m, row in around.items() if ranked.ranks[m] <= ranked.ranks[n]})
-        share = max(gaps[n], nearest) / (AROUND * size)
-        limit = CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
-        if count * share**there <= limit and count * share**wrong <= CHANCE_BESIDE:
+        # what is met exactly in few digits, as 7.1, is one of few slips that have no more
+        is_met = n in few and gaps[n] <= NOISE * size
+        others = few if is_met else around
+        count = len({around[m] for m in others if ranked.ranks[m] <= ranked.ranks[n]})
+        share = (rounding(given) if is_met else max(gaps[n], nearest)) / (AROUND * size)
+        limit = CHANCE_MET if is_met else CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
+        by_chance = count * share**there > limit or count * share**wrong > beside
+        if not by_chance:
             found.append(n)
     return found
 
 
-def _gaps(rows, given):
-    """How far each row is from what was given."""
+def _in_few_digits(rows, places, given):
+    """The places of the rows without more decimals than were given."""
+    last = min((written(x)[1] for x in given if x), default=0)
+    return {
+        n for n in places
+        if all(abs(x - round(x, -last)) <= NOISE * abs(x) for x in map(float, rows[n]))
+    }  # fmt: skip
+
+
+def _within(most, rows, given):
+    """The places of the rows that are so near to what was given, and how far each is; of an array
+    whose first components are not near, no gaps.
+    """
     if isinstance(rows, list):
-        return [math.dist(row, given) for row in rows]
+        gaps = [math.dist(row, given) for row in rows]
+        return [n for n, gap in enumerate(gaps) if gap <= most], gaps
     import numpy as np
 
     with np.errstate(all="ignore"):  # a student may write 1e300
-        gaps = rows - np.array(given)
-        if gaps.shape[1] == 1:
-            return abs(gaps[:, 0]).tolist()
-        return ((gaps * gaps).sum(axis=1) ** 0.5).tolist()
+        if not (abs(rows[:, 0] - given[0]) <= most).nonzero()[0].size:  # faster than any()
+            return [], []
+        squares = ((column - x) ** 2 for column, x in zip(rows.T, given, strict=True))
+        gaps = abs(rows[:, 0] - given[0]) if len(given) == 1 else sum(squares) ** 0.5
+        return (gaps <= most).nonzero()[0].tolist(), gaps.tolist()

@@ -12,6 +12,7 @@ from ..algebra.source import WITHIN, operations
 from ..algebra.trace import Inner, Step
 from ..algebra.units import unit
 from .edits import edits_of
+from .edits_of_equations import entries, solution, square
 from .formulas import Edit, Formulas, needed, steps_in
 from .near import Ranked, Slips
 
@@ -27,13 +28,14 @@ class Computation:
         self.edits: list[Edit] = edits_of(formulas)
         self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         stages = [x for stage in formulas.stages for x in stage.parts]
-        self.every = needed([*self.steps, *stages])
+        inside = [x for system in square(formulas.systems) for x in entries(system)]
+        self.every = needed([*self.steps, *stages, *inside])
         self.arguments = [s.args[0] for s in self.every if s.op == "argument"]
         system = formulas.system
         self.factors = {k: unit(a.unit).from_base(1.0, system) for k, a in self.answers.items()}
         self.to_base = {n: unit(formulas.units[n]).to_base(1.0, system) for n in self.arguments}
         self.names: dict[str, Any] = _functions()
-        self.names |= {"answer": self._answer, "within": self._within}
+        self.names |= {"answer": self._answer, "within": self._within, "equations": solution}
         exec(compile(_Text(self).text, "the slips", "exec"), self.names)
         self._run = self.names["slips"]
 
@@ -50,10 +52,10 @@ class Computation:
     def _answer(self, key, *components):
         import numpy as np
 
-        found = np.empty((len(self.edits), len(components)))
-        for n, x in enumerate(components):
-            found[:, n] = x
-        return self.factors[key] * found
+        found = np.empty((len(components), len(self.edits)))
+        for row, x in zip(found, components, strict=True):
+            row[:] = x
+        return (self.factors[key] * found).T
 
     def _within(self, op, base, before, args):
         """The values of integrals and roots, computed where an edit reaches them, as the arguments
@@ -70,7 +72,7 @@ class Computation:
         for row in found:
             row[moved] = np.nan
         run = self.names[op]
-        # of one array of places a formula is asked often, by a root
+        # a root evaluates a formula at one array of places many times
         inner = args[0].on(np) if op == "root" else args[0]
 
         def at():

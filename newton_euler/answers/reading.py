@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from ..algebra.language import _
 from .tolerance import ONE_VECTOR, Points
 from .trees import TreeError, check_size, evaluate
 
@@ -21,9 +22,9 @@ def numbers(trees: Sequence[Any]) -> Points:
 
 def _finite(x):
     if isinstance(x, int) and x.bit_length() > 1000:
-        raise TreeError("a number is too large")
+        raise TreeError(_("a number is too large"))
     if not math.isfinite(x):
-        raise TreeError(f"got {x}, which is no number")
+        raise TreeError(_("got {x}, which is no number", x=x))
     return float(x)
 
 
@@ -42,7 +43,7 @@ def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -
     # numbers, arrays and complex ones meet in every operation here, and each library refuses some
     # of them with errors of its own: the fault is always the formula's
     except Exception as error:
-        raise TreeError(f"the formula has no value: {error}") from error
+        raise TreeError(_("the formula has no value: {error}", error=error)) from error
     return tuple(zip(*rows, strict=True))
 
 
@@ -67,7 +68,7 @@ def _real(x, count):
     x = np.broadcast_to(np.asarray(x), (count,))
     if x.dtype.kind == "c":  # NumPy would drop the imaginary part with a warning
         if not (np.abs(x.imag) <= _NOISE * np.abs(x).max()).all():
-            raise TreeError("it gives complex numbers: a root of a negative number")
+            raise TreeError(_("it gives complex numbers: a root of a negative number"))
         x = x.real
     return x.astype(float).tolist()
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
+from ..algebra.language import _
 from .checks import Check, check
 from .forms import AnswerError, Form
 from .givens import in_notebook, outdated, seals, stale
@@ -58,15 +59,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
     >>> receipt("0/1", v=[1, 2.5, 0])
     0/1: v = [1, 2.5, 0] mm/s. Form checked only; the key is not here.
     """
-    if problem not in _expected:
-        raise AnswerError(
-            f"nothing is known of problem {problem!r}; run the cells of the notebook from the top"
-        )
-    forms, symbols, notation, sane = _expected[problem]
-    for key in answers:
-        if key not in forms:
-            asked = ", ".join(forms)
-            raise AnswerError(f"problem {problem} does not ask for {key!r}; it asks for {asked}")
+    forms, symbols, notation, sane = _asked(problem, answers)
     old = outdated(problem, forms.keys() - answers.keys())
     there = {key: (names or {}).get(key) for key in forms}
     answers = there | dict.fromkeys(old) | answers
@@ -74,34 +67,69 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
     receipts[problem] = {"problem": problem, "answers": read, "faults": faults}
     if faults:
         raise AnswerError("\n".join(f"{problem}, {key}: {fault}" for key, fault in faults.items()))
-    execution, blank = os.environ.get("NBGRADER_EXECUTION"), _blank(forms, read)
+    execution = os.environ.get("NBGRADER_EXECUTION")
+    _refuse_in(execution, problem, _blank(forms, read))
+    others = {key for forms, *_others in _expected.values() for key in forms}
+    warning = "; ".join([*old.values(), *filter(None, [stale(problem, answers, others)])])
+    # slow, and not needed in grading
+    checks = {} if execution else _checked(seals.get(problem, {}), forms, read)
+    doubted = None if sane is False else _doubted(forms, read, symbols, sane)
+    return Receipt(problem, read, forms, symbols, warning, notation, doubted, checks)
+
+
+def _asked(problem, answers):
+    """What is known of a problem; refuses answers that it does not ask for."""
+    if problem not in _expected:
+        raise AnswerError(
+            _(
+                "nothing is known of problem {problem}; run the cells of the notebook from the top",
+                problem=repr(problem),
+            )
+        )
+    forms = _expected[problem][0]
+    for key in (key for key in answers if key not in forms):
+        raise AnswerError(
+            _(
+                "problem {problem} does not ask for {key}; it asks for {asked}",
+                problem=problem, key=repr(key), asked=", ".join(forms),
+            )
+        )  # fmt: skip
+    return _expected[problem]
+
+
+def _refuse_in(execution, problem, blank):
+    """Refuses what is open where nbgrader validates, and its own grading."""
     if execution == "validate" and blank:
-        raise OpenAnswer(f"{problem}: no answer yet for {blank}; what stays open costs its points")
+        raise OpenAnswer(
+            _(
+                "{problem}: no answer yet for {blank}; what stays open costs its points",
+                problem=problem, blank=blank,
+            )
+        )  # fmt: skip
     if execution == "autograde":
         raise AnswerError(
-            f"{problem} is not graded here, since nbgrader runs without this course's "
-            "configuration; use its nbgrader_config.py, or python -m grader grade"
+            _(
+                "{problem} is not graded here, since nbgrader runs without this course's "
+                "configuration; use its nbgrader_config.py, or python -m grader grade",
+                problem=problem,
+            )
         )
-    others = {key for forms, *_ in _expected.values() for key in forms}
-    sealed = {} if execution else seals.get(problem, {})  # slow, and not needed in grading
-    checks = {
-        key: outcome
-        for key, seal in sealed.items()
-        if read.get(key) is not None and key in forms
-        if (outcome := check(seal, forms[key].kind, read[key]))
+
+
+def _checked(sealed, forms, read):
+    """{answer: its check} of those that have a seal."""
+    given = {k: seal for k, seal in sealed.items() if k in forms and read.get(k) is not None}
+    found = {k: check(seal, forms[k].kind, read[k]) for k, seal in given.items()}
+    return {k: outcome for k, outcome in found.items() if outcome}
+
+
+def _doubted(forms, read, symbols, sane):
+    """{answer: why it is impossible} of those that are."""
+    beside = {k: (form, read.get(k)) for k, form in forms.items()}
+    found = {
+        k: doubts(form, read.get(k), symbols, sane.get(k), beside) for k, form in forms.items()
     }
-    beside = {key: (form, read.get(key)) for key, form in forms.items()}
-    doubted = (
-        None
-        if sane is False
-        else {
-            key: found
-            for key, form in forms.items()
-            if (found := doubts(form, read.get(key), symbols, sane.get(key), beside))
-        }
-    )
-    warning = "; ".join([*old.values(), *filter(None, [stale(problem, answers, others)])])
-    return Receipt(problem, read, forms, symbols, warning, notation, doubted, checks)
+    return {k: why for k, why in found.items() if why}
 
 
 def _blank(forms, read):
@@ -152,8 +180,8 @@ class Receipt:
 
     def __repr__(self):
         if not self._given:
-            again = f" Look again: {self.warning}." if self.warning else ""
-            return f"{self.problem}: no answer yet.{again}"
+            again = _(" Look again: {warning}.", warning=self.warning) if self.warning else ""
+            return _("{problem}: no answer yet.{again}", problem=self.problem, again=again)
         read = "; ".join(self._as_text(key, tree) for key, tree in self._given.items())
         hints = "".join(f"\n  {hint}" for hint in self._hints())
         return f"{self.problem}: {read}. {self._remarks()}{hints}"
@@ -173,7 +201,7 @@ class Receipt:
         return {key: tree for key, tree in self.answers.items() if tree is not None}
 
     def _as_text(self, key, tree):
-        between = ", in " if isinstance(tree, dict) else " "  # components in several frames
+        between = _(", in ") if isinstance(tree, dict) else " "  # components in several frames
         unit = self.forms[key].unit
         return f"{key} = {in_words(tree)}{between}{unit}".removesuffix(f"{between}1")
 
@@ -189,19 +217,22 @@ class Receipt:
 
     def _hints(self):
         if self.warning:
-            yield f"look again: {self.warning}"
+            yield _("look again: {warning}", warning=self.warning)
         for key, tree in self._given.items() if self.doubted is not None else ():
-            yield from (f"look again at {key}: {doubt}" for doubt in self.doubted.get(key, ()))
+            yield from (
+                _("look again at {key}: {doubt}", key=key, doubt=doubt)
+                for doubt in self.doubted.get(key, ())
+            )
             if self.forms[key].kind.is_formula:
                 found = dimension_hints(tree, self.forms[key], self.symbols)
-                yield from (f"look again at {key}: {hint}" for hint in found)
+                yield from (_("look again at {key}: {hint}", key=key, hint=hint) for hint in found)
 
     def _remarks(self):
         blank = _blank(self.forms, self._given)
-        remarks = "Form checked only; the key is not here."
+        remarks = _("Form checked only; the key is not here.")
         if self.checks:
             remarks = f"{'; '.join(f'{key} {found}' for key, found in self.checks.items())}."
-        return remarks + (f" Still open: {blank}." if blank else "")
+        return remarks + (_(" Still open: {blank}.", blank=blank) if blank else "")
 
 
 def _escaped(text):
@@ -224,6 +255,12 @@ def record(
             faults[key], budget[0] = str(error), left
         # objects of any library may fail in any way: that answer is refused, the others are read
         except Exception as error:
-            fault = form.error(f"the value given cannot be read: {type(error).__name__}: {error}")
+            fault = form.error(
+                _(
+                    "the value given cannot be read: {name}: {error}",
+                    name=type(error).__name__,
+                    error=error,
+                )
+            )
             faults[key], budget[0] = str(fault)[:500], left
     return read, faults

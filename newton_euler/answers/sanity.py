@@ -7,6 +7,7 @@ import random
 from collections.abc import Mapping
 from typing import Any
 
+from ..algebra.language import _
 from ..algebra.units import UnitError, unit
 from .forms import Form
 from .tolerance import ROOM, RTOL
@@ -41,10 +42,10 @@ def doubts(
     if bounds and form.kind.has_size:
         found += _size(points[0], form, *bounds)
     if word == KINETIC and any(x < 0 for (x,) in points):
-        found.append("a kinetic energy is never negative")
+        found.append(_("a kinetic energy is never negative"))
     if word.startswith(MAGNITUDE) and form.kind.length == 1:
         if any(x < 0 for (x,) in points):
-            found.append("a magnitude is never negative")
+            found.append(_("a magnitude is never negative"))
         name = word.removeprefix(MAGNITUDE).removeprefix(" of ")
         found += _magnitude(points, form, name, (beside or {}).get(name), symbols)
     if form.kind.length == 9 and _is_inertia(form.unit):
@@ -68,8 +69,14 @@ def _magnitude(points, form, name, other, symbols):
     vectors = _points(*other, symbols) if other else []
     for (x,), vector in zip(points, vectors, strict=False):
         if abs(x - (size := math.hypot(*vector))) > 2 * RTOL * max(abs(x), size):
-            of = f", which is {size:.4g} {form.unit}" if not form.kind.is_formula else ""
-            yield f"it is not the magnitude of {name}{of}"
+            yield (
+                _("it is not the magnitude of {name}", name=name)
+                if form.kind.is_formula
+                else _(
+                    "it is not the magnitude of {name}, which is {size} {unit}",
+                    name=name, size=f"{size:.4g}", unit=form.unit,
+                )
+            )  # fmt: skip
             return
 
 
@@ -85,10 +92,22 @@ def _values(form, trees, symbols):
 def _size(parts, form, low, high):
     size = math.hypot(*parts)
     if size and not low * (1 - ROOM) <= size <= high * (1 + ROOM):
-        of = "its size" if len(parts) > 1 else "it"
+        what = {
+            "size": f"{size:.3g} {form.unit}".removesuffix(" 1"), "low": f"{low:g}",
+            "high": f"{high:g}",
+        }  # fmt: skip
         yield (
-            f"{of} is {size:.3g} {form.unit}".removesuffix(" 1")
-            + f", and with whatever numbers is between {low:g} and {high:g}: look at the units"
+            _(
+                "its size is {size}, and with whatever numbers is between {low} and {high}: look "
+                "at the units",
+                **what,
+            )
+            if len(parts) > 1
+            else _(
+                "it is {size}, and with whatever numbers is between {low} and {high}: look at the "
+                "units",
+                **what,
+            )
         )
 
 
@@ -108,17 +127,19 @@ def _inertia(points, whole):
         for point, scale in zip(points, scales, strict=True)
         for i, j in across
     ):
-        yield "an inertia matrix is symmetric"
+        yield _("an inertia matrix is symmetric")
         return
     if not whole:
         return
     point, spread = points[0], sum(points[0][::4]) * (1 + ROOM) / (2 + ROOM)
     if not _is_positive(point, ROOM * scales[0], 1):
-        yield "the moment of inertia about some axis would be negative: look at the signs"
+        yield _("the moment of inertia about some axis would be negative: look at the signs")
     elif not _is_positive(point, spread, -1):
         yield (
-            "no body has these moments of inertia: the largest principal one is at most the sum of "
-            "the others"
+            _(
+                "no body has these moments of inertia: the largest principal one is at most"
+                " the sum of the others"
+            )
         )
 
 

@@ -22,7 +22,7 @@ VERSION = 2
 OF_OWN_TOLERANCE = 3  # the version of a seal that says its tolerance
 COST = 2**15  # of scrypt: some 0.1 s
 MEMORY = 2**26  # bytes, twice what it takes
-SHIFTS = 8  # to which the place of the right answer within its cell is told
+SHIFTS = 8  # to which the place of the right answer within its cell is published
 ZERO = NOISE  # a smaller answer is round-off for zero
 FORMULA = 1e-3  # the factor by which cells are finer for formulas, which have all their digits
 
@@ -38,7 +38,7 @@ def seal(
     notebook can hold.
 
     Numbers are those of the cell in which the components lie together. Where in its cell each
-    component lies is told, so that an answer near it is in one or two cells that must be tried.
+    component lies is published, so that an answer near it is in one or two cells, which are tried.
     """
     salt = os.urandom(8).hex()
     if isinstance(numbers, (str, int)):

@@ -9,6 +9,7 @@ from fractions import Fraction
 from functools import cache
 from itertools import combinations
 
+from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
 from . import causes
 from .causes import Cause
@@ -17,14 +18,23 @@ from .tolerance import DIGITS, NOISE, NUMBER_RTOL, Points
 
 Models = Iterator[tuple[Cause, Points]]
 
-PURE = {"a factor of 2": 2.0, "revolutions against radians": 2 * math.pi}
-ANGLES = {"degrees against radians": 180 / math.pi, "rev/min against rad/s": 30 / math.pi}
-LENGTHS = {
-    "m against mm": 1000.0, "ft against in": 12.0, "in against mm": 25.4,
-    "ft against m": 1 / 0.3048, "ft against mm": 304.8,
+PURE: dict[str, float] = {
+    Words("a factor of 2"): 2.0,
+    Words("revolutions against radians"): 2 * math.pi,
+}
+WHOLE = {
+    Words("a factor of 3"): 3.0, Words("a factor of 4"): 4.0, Words("a factor of pi"): math.pi,
 }  # fmt: skip
-WEIGHTS = {
-    "weight against mass (g = 9.81)": 9.81, "weight against mass (g = 32.2)": 32.2,
+ANGLES: dict[str, float] = {
+    Words("degrees against radians"): 180 / math.pi,
+    Words("rev/min against rad/s"): 30 / math.pi,
+}
+LENGTHS: dict[str, float] = {
+    Words("m against mm"): 1000.0, Words("ft against in"): 12.0, Words("in against mm"): 25.4,
+    Words("ft against m"): 1 / 0.3048, Words("ft against mm"): 304.8,
+}  # fmt: skip
+WEIGHTS: dict[str, float] = {
+    Words("weight against mass (g = 9.81)"): 9.81, Words("weight against mass (g = 32.2)"): 32.2,
 }  # fmt: skip
 
 
@@ -33,7 +43,7 @@ def factors(stated_in: str) -> Mapping[str, float]:
     """{words: factor} of the units that an answer, stated in this unit, may be in by mistake."""
     found = PURE | ANGLES
     if unit(stated_in).factor == Fraction(1, 100) and unit(stated_in).dimension == Dimension():
-        found |= {"a fraction against percent": 100.0}
+        found |= {Words("a fraction against percent"): 100.0}
     mass, length, _ = unit(stated_in).dimension.powers
     if length:
         found |= {words: factor ** abs(float(length)) for words, factor in LENGTHS.items()}
@@ -48,6 +58,61 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
     ratio = math.hypot(*given) / (size or math.inf)
     if 0.9 < ratio < 1.1:
         yield causes.OPPOSITE if len(key) > 1 else causes.OPPOSITE_NUMBER, _times(-1.0, fit.key)
+    yield from _factors(fit, ratio, found)
+
+
+def of_last_resort(fit: Fit) -> Models:
+    """Factors that say little, and the inverse: named where nothing else explains an answer."""
+    if fit.index is None:
+        return
+    given, key, size = fit.first
+    yield from _factors(fit, math.hypot(*given) / (size or math.inf), WHOLE)
+    yield from of_components(fit)
+    yield from _of_other_axes(fit) if len(key) == 9 else ()
+    yield from of_powers(fit)
+
+
+def of_powers(fit: Fit) -> Models:
+    """The square, the root and the inverse of the key; of a vector, some components of it."""
+    if fit.index is None:
+        return
+    if len(fit.first[1]) != 1:
+        yield from left_out(fit) if len(fit.first[1]) == 3 else ()
+        return
+    for cause, power in (causes.SQUARED, 2.0), (causes.ROOT, 0.5), (causes.INVERTED, -1.0):
+        yield cause, tuple((_power(x, power),) for (x,) in fit.key)
+
+
+def _power(x, power):
+    return abs(x) ** power if x or power > 0 else math.inf
+
+
+def _of_other_axes(fit):
+    """Two axes of a matrix exchanged."""
+    for order in ((1, 0, 2), (2, 1, 0), (0, 2, 1)):
+        moved = [n for n in range(3) if order[n] != n]
+        inside = [3 * n + m for n in order for m in order]
+        yield causes.exchanged_axes(moved), _ordered(inside, fit.key)
+
+
+def of_components(fit: Fit) -> Models:
+    """A factor of some components, where the others are right."""
+    if fit.index is None:
+        return
+    given, key, size = fit.first
+    near = fit.rtol * size
+    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
+    if len(key) != 3 or not 0 < len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
+        return
+    for words, factor in (PURE | WHOLE).items():
+        for large, f in ((True, factor), (False, 1 / factor)):
+            if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
+                scales = [f if m in off else 1.0 for m in range(3)]
+                cause = causes.component_multiplied(off, words, factor, large)
+                yield cause, _signed(scales, fit.key)
+
+
+def _factors(fit, ratio, found):
     for words, factor in found.items():
         if 0.9 * factor < ratio < 1.1 * factor:
             yield causes.multiplied(words, factor, True), _times(factor, fit.key)
@@ -63,6 +128,25 @@ def of_matrix(fit: Fit) -> Models:
     """A matrix transposed, or with products of inertia of the other sign."""
     yield causes.TRANSPOSED, _ordered((0, 3, 6, 1, 4, 7, 2, 5, 8), fit.key)
     yield causes.OFF_DIAGONAL, _signed((1, -1, -1, -1, 1, -1, -1, -1, 1), fit.key)
+    yield from _of_one_entry(fit)
+
+
+def _of_one_entry(fit):
+    """A matrix with a product of inertia, and its mirror image, left out or of the other sign; two
+    entries on the diagonal exchanged, or one the sum of the others.
+    """
+    if fit.index is None:
+        return
+    for n, m in combinations(range(3), 2):
+        pair, (a, b) = (3 * n + m, 3 * m + n), (4 * n, 4 * m)
+        for cause, factor in ((causes.entry_left_out(n, m), 0), (causes.entry_reversed(n, m), -1)):
+            if fit.first[1][pair[0]]:
+                yield cause, _signed([factor if x in pair else 1 for x in range(9)], fit.key)
+        order = [{a: b, b: a}.get(x, x) for x in range(9)]
+        yield causes.exchanged_diagonal(n, m), _ordered(order, fit.key)
+        last = 4 * (3 - n - m)
+        sums = (tuple(p[a] + p[b] if x == last else p[x] for x in range(9)) for p in fit.key)
+        yield causes.sum_on_diagonal(3 - n - m), tuple(sums)
 
 
 def of_interval(fit: Fit) -> Models:
@@ -88,9 +172,17 @@ def _signs(fit):
     if all(abs(given[n] + key[n]) <= near for n in off):
         signs = [-1 if n in off else 1 for n in range(len(key))]
         yield causes.reversed_components(off), _signed(signs, fit.key)
-    if len(off) == 1 and abs(given[off[0]]) <= NOISE * size and any(given):
+    if len(off) == 1:
+        yield from left_out(fit)
+
+
+def left_out(fit: Fit) -> Models:
+    """The key without the components that are zero in the answer, where one is left."""
+    given, key, size = fit.first
+    off = [n for n, k in enumerate(key) if abs(k) > NOISE * size >= abs(given[n])]
+    if off and any(given):
         kept = [0 if n in off else 1 for n in range(len(key))]
-        yield causes.left_out_component(off[0]), _signed(kept, fit.key)
+        yield causes.left_out_components(off), _signed(kept, fit.key)
 
 
 def _signed(signs, points):
@@ -147,6 +239,8 @@ def pairs(
         (cause, x, [a - b for a, b in zip(x[index], key, strict=True)]) for cause, x in listed
     ]
     for (first, a, da), (second, b, db) in combinations(changed, 2):
+        if abs(key[0] + da[0] + db[0] - given[0]) > near:  # of most pairs
+            continue
         if all(abs(k + p + q - g) <= near for k, p, q, g in zip(key, da, db, given)):  # noqa: B905
             together = tuple(
                 tuple(x + y - k for x, y, k in zip(*point, strict=True))

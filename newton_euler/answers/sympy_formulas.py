@@ -5,6 +5,7 @@ functions are written out by them, sec x as 1/cos x, and what is left unevaluate
 from collections.abc import Mapping
 from typing import Any
 
+from ..algebra.language import _
 from ..algebra.scalars import FUNCTIONS, clipped, without_rates
 from .trees import NODES, Tree, TreeError, check_size
 from .values import read_number, refuse_equation
@@ -67,7 +68,7 @@ def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: list[int
     try:
         check_size(tree, budget)
     except TreeError as error:
-        raise form.error(f"got too much: {error}") from None
+        raise form.error(_("got too much: {error}", error=error)) from None
     return tree
 
 
@@ -92,7 +93,10 @@ class _Reader:
         """The tree of a part."""
         self.left -= 1
         if self.left < 0:
-            fault = f"got more than {NODES} operations. Simplify it, or insert fewer results"
+            fault = _(
+                "got more than {NODES} operations. Simplify it, or insert fewer results",
+                NODES=NODES,
+            )
             raise self.form.error(fault)
         if not hasattr(x, "args") or isinstance(x, (int, float)):
             return read_number(x, self.form)
@@ -112,7 +116,11 @@ class _Reader:
         if x.name not in self.symbols:
             known = ", ".join(self.symbols)
             raise self.form.error(
-                f"it contains {x.name!r}, but the symbols of the problem are {known}"
+                _(
+                    "it contains {name}, but the symbols of the problem are {known}",
+                    name=repr(x.name),
+                    known=known,
+                )
             )
         return x.name
 
@@ -133,7 +141,9 @@ class _Reader:
             return self.read(done)
         refuse_equation(x, self.form)
         known = ", ".join((*_SAME, *_WRITTEN_OUT))
-        raise self.form.error(f"{name} is not among the functions that are read: {known}")
+        raise self.form.error(
+            _("{name} is not among the functions that are read: {known}", name=name, known=known)
+        )
 
     def _piecewise(self, cases):
         """The cases from the last one; what holds in no case is taken as the last."""
@@ -147,6 +157,8 @@ class _Reader:
         if name in ("BooleanTrue", "BooleanFalse"):
             return int(name == "BooleanTrue")
         if name not in _COMPARISONS:
-            raise self.form.error(f"the condition {clipped(x)} is not read; use <, <=, > and >=")
+            raise self.form.error(
+                _("the condition {x} is not read; use <, <=, > and >=", x=clipped(x))
+            )
         parts = self.read if x.is_Relational else self._condition
         return _COMPARISONS[name](*map(parts, x.args))

@@ -10,10 +10,11 @@ Points = tuple[Point, ...]
 RTOL = 0.005  # of the size of the key: accepts three significant figures, rounded up or down
 DIGITS = 3  # significant figures that are asked for
 FORMULA_RTOL = 3e-5  # formulas are exact; this accepts 3.1416 for pi, 6.283 for 2 pi, 0.33333
+FORMULA_FIT = 6e-5  # of a wrong formula and a model: its numbers may have been typed in five digits
 NOISE = 1e-9  # a component smaller than this, relative to the whole, is round-off for zero
 # a mistake differs from the key by this much of its size, or it might be rounding
 SEPARATION = 0.02
-MAJORITY = 0.5  # of the points at which formulas are compared: so many must show a difference
+MAJORITY = 0.5  # of the points at which formulas are compared: at which a difference must show
 # a component of a key is zero, or at least this share of the whole: one left out must show
 COMPONENT = 0.01
 ROUND_OFF = 1e-6  # an answer with all its digits differs from the model it was computed by by less

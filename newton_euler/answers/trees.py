@@ -8,6 +8,7 @@ from operator import add, mul
 from typing import Any, TypeAlias
 
 from ..algebra.errors import NewtonEulerError
+from ..algebra.language import _
 from ..algebra.scalars import FUNCTIONS, ScalarError, function, is_numeric, pi, where
 from ..algebra.units import Dimension, DimensionError, UnitError, unit
 
@@ -32,11 +33,14 @@ def check_size(tree: Tree, budget: list[int]) -> None:
         budget[0] -= 1
         if budget[0] < 0:
             raise TreeError(
-                f"the formulas have more than {NODES} operations. Simplify them, or insert fewer "
-                "results"
+                _(
+                    "the formulas have more than {NODES} operations. Simplify them, or insert "
+                    "fewer results",
+                    NODES=NODES,
+                )
             )
         if depth > DEPTH:
-            raise TreeError(f"the formula is nested more than {DEPTH} deep")
+            raise TreeError(_("the formula is nested more than {DEPTH} deep", DEPTH=DEPTH))
         if isinstance(part, list):
             # of a long list only as much as shows that it is too long
             inner = part[isinstance(part[0], str) if part else 0 : budget[0] + 2]
@@ -51,19 +55,19 @@ def evaluate(tree: Tree, values: Mapping[str, Any], depth: int = 0) -> Any:
     8.0
     """
     if depth > DEPTH:
-        raise TreeError(f"the formula is nested more than {DEPTH} deep")
+        raise TreeError(_("the formula is nested more than {DEPTH} deep", DEPTH=DEPTH))
     if isinstance(tree, bool) or tree is None:
-        raise TreeError(f"not a formula: {tree!r}")
+        raise TreeError(_("not a formula: {tree}", tree=repr(tree)))
     if isinstance(tree, (int, float)):
         return float(tree)  # never a Python integer: 9^9^9 would not end
     if isinstance(tree, str):
         if tree == "pi":
             return pi()
         if tree not in values:
-            raise TreeError(f"unknown symbol {tree[:40]!r}")
+            raise TreeError(_("unknown symbol {tree}", tree=repr(tree[:40])))
         return values[tree]
     if not isinstance(tree, list) or not tree or not isinstance(tree[0], str):
-        raise TreeError("a formula is a number, a symbol or a list that begins with an operator")
+        raise TreeError(_("a formula is a number, a symbol or a list that begins with an operator"))
     name, args = tree[0], [evaluate(a, values, depth + 1) for a in tree[1:]]
     if args and name in ("+", "*"):
         return reduce(add if name == "+" else mul, args)
@@ -78,7 +82,9 @@ def evaluate(tree: Tree, values: Mapping[str, Any], depth: int = 0) -> Any:
         return _chosen(*args)
     if len(args) == 1 and (name == "Abs" or name in FUNCTIONS):
         return abs(*args) if name == "Abs" else function(name, *args)
-    raise TreeError(f"unknown operator {name[:40]!r} with {len(args)} arguments")
+    raise TreeError(
+        _("unknown operator {name} with {args} arguments", name=repr(name[:40]), args=len(args))
+    )
 
 
 _COMPARED = {"<": lambda a, b: a < b, "<=": lambda a, b: a <= b}
@@ -101,7 +107,7 @@ def _chosen(condition, a, b):
 def _alike(a, b):
     """The dimension of both, or an error; a zero has every dimension."""
     if not isinstance(a, Dimension) and not isinstance(b, Dimension):
-        raise TreeError("cases are chosen for numbers, not for symbols")
+        raise TreeError(_("cases are chosen for numbers, not for symbols"))
     zeros = [isinstance(x, (int, float)) and x == 0 for x in (a, b)]
     return b if zeros[0] else a if zeros[1] else a + b
 
@@ -124,7 +130,9 @@ _OF_NUMBERS = {"Max": _larger, "Min": _smaller, "Mod": _remainder}
 def _power(base, exponent):
     if isinstance(exponent, Dimension):
         if isinstance(base, Dimension) and any(base.powers):
-            raise DimensionError(f"a quantity with {base} is raised to a power that is no number")
+            raise DimensionError(
+                _("a quantity with {base} is raised to a power that is no number", base=base)
+            )
         return Dimension()
     if isinstance(exponent, float) and exponent.is_integer():
         exponent = int(exponent)
@@ -134,7 +142,10 @@ def _power(base, exponent):
 def in_words(tree: Tree) -> str:
     """A tree, a list of trees, or components in several frames, as text for a reader."""
     if isinstance(tree, dict):
-        return ", ".join(f"{in_words(part)} in {frame}" for frame, part in tree.items())
+        return ", ".join(
+            _("{value} in {frame}", value=in_words(part), frame=frame)
+            for frame, part in tree.items()
+        )
     if not isinstance(tree, list):
         return f"{tree:.6g}" if isinstance(tree, float) else str(tree)
     head, parts = tree[0] if tree else None, [in_words(part) for part in tree]
@@ -160,17 +171,20 @@ def dimension_hints(tree: Tree, form: Any, symbols: Mapping[str, str]) -> list[s
         tree = next(iter(tree.values()))
     hints, parts = [], form.kind.parts(tree)
     for n, part in enumerate(parts):
-        where = f"component {n + 1}" if len(parts) > 1 else "it"
+        where = _("component {n}", n=n + 1) if len(parts) > 1 else _("it")
         try:
             got = evaluate(part, dimensions)
         except DimensionError as error:
-            hints.append(f"{where} adds unlike quantities ({error})")
+            hints.append(_("{where} adds unlike quantities ({error})", where=where, error=error))
             continue
         except ScalarError:  # its numbers have no real value, and so no dimension
             continue
         got = got if isinstance(got, Dimension) else Dimension()
         if got != asked and part != 0:  # 0 has every dimension
-            has = f"is in {got}" if got != Dimension() else "has no unit"
-            wanted = "a pure number" if asked == Dimension() else form.unit
-            hints.append(f"{where} {has}, but {wanted} is asked")
+            wanted = _("a pure number") if asked == Dimension() else form.unit
+            hints.append(
+                _("{where} is in {got}, but {wanted} is asked", where=where, got=got, wanted=wanted)
+                if got != Dimension()
+                else _("{where} has no unit, but {wanted} is asked", where=where, wanted=wanted)
+            )
     return hints

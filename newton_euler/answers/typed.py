@@ -5,6 +5,7 @@ a size that fits into a sentence.
 from fractions import Fraction
 from typing import Any
 
+from ..algebra.language import Words
 from ..algebra.trace import Step
 
 FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"}
@@ -26,6 +27,10 @@ class Product:
         elif x.op in ("*", "/"):
             self._take(x.args[0], power)
             self._take(x.args[1], power if x.op == "*" else -power)
+        elif len(found := _collected(x)) == 1:
+            ((s, c),) = found.items()
+            self.coefficient *= c**power
+            self._put(s, power)
         elif x.op == "neg":
             self.coefficient *= (-1) ** power
             self._take(x.args[0], power)
@@ -62,28 +67,90 @@ def typed(x: Any, most: int = SHORT) -> str:
     return written if len(written) <= most else ""
 
 
+NOUNS = {  # {noun: (with a formula, with the givens that are in it)}
+    "": ("{formula}", Words("an expression in {names}").template),
+    "the term": (Words("the term {formula}").template, Words("the term in {names}").template),
+    "the factor": (Words("the factor {formula}").template, Words("the factor in {names}").template),
+    "of the product": (
+        Words(" of the product {formula}").template,
+        Words(" of the product in {names}").template,
+    ),
+}
+
+
 def described(x: Any, noun: str = "") -> str:
     """An expression in words: as it is typed, after the ``noun`` if there is one, or by the givens
     that are in it; "" for a number.
     """
-    if written := typed(x):
-        return f"{noun} {written}".strip()
+    whole, parts = NOUNS[noun]
+    meant = x.trace.meant.get(x.number) if isinstance(x, Step) else ""
+    written = typed(x)
+    if written and not (meant and "(" in written):  # of a sum within, its name is plainer
+        return Words(whole, formula=written)
+    if meant:
+        return Words(" of {product}", product=meant) if noun == "of the product" else meant
     names = list(_names(x, {}))
-    return f"{noun or 'an expression'} in {', '.join(names)}" if 0 < len(names) <= NAMES else ""
+    return Words(parts, names=", ".join(names)) if 0 < len(names) <= NAMES else ""
+
+
+def is_given(x: Any) -> bool:
+    """True of an expression with a given in it, False of a number, as pi/2."""
+    return next(_names(x, {}), None) is not None
 
 
 def _names(x, seen):
     if isinstance(x, Step) and x.number not in seen:
         seen[x.number] = True
-        if x.op == "argument":
-            yield x.args[0]
-        for a in x.args if x.op != "argument" else ():
+        name = x.args[0] if x.op == "argument" else x.trace.called.get(x.number)
+        if name:
+            yield name
+        for a in () if name else x.args:
             yield from _names(a, seen)
+
+
+def terms_of(x: Any, sign: int = 1) -> list[tuple[int, Any]]:
+    """[(sign, term)] of nested sums."""
+    if not isinstance(x, Step) or x.op not in ("+", "-"):
+        return [(sign, x)]
+    a, b = x.args
+    return [*terms_of(a, sign), *terms_of(b, sign if x.op == "+" else -sign)]
+
+
+def repeats(x: Any) -> bool:
+    """True of a sum of givens in which one stands twice, as in 2*a - a and R - (R + d): nobody
+    writes it so.
+    """
+    return 0 < len(_collected(x)) < len(terms_of(x))
+
+
+def _collected(x):
+    """{given: its number} in a sum of multiples of givens; {} of any other."""
+    if x.op not in ("+", "-"):
+        return {}
+    found: dict[Step, Fraction] = {}
+    for sign, term in terms_of(x):
+        product = Product(term)
+        (s, power), *others = product.powers.items() or [(x, 0)]
+        if others or power != 1 or s.op != "argument" or not product.is_exact:
+            return {}
+        found[s] = found.get(s, Fraction(0)) + sign * product.coefficient
+    return {s: c for s, c in found.items() if c}
+
+
+def _in_full(found):
+    written = ""
+    for s, c in found.items():
+        one = _power(s, 1) if abs(c) == 1 else f"{abs(c)}*{_power(s, 1)}"
+        sign = (" - ", "-") if c < 0 else (" + ", "")
+        written += sign[not written] + one
+    return written
 
 
 def _sum(x):
     if not isinstance(x, Step) or x.op not in ("+", "-"):
         return _product(x)
+    if repeats(x):
+        return _in_full(_collected(x))
     a, b = map(_sum, x.args)
     if a and a == b and " " not in a:
         return f"2*{a}" if x.op == "+" else ""
@@ -108,6 +175,13 @@ def _product(x):
     return ("-" if c < 0 else "") + "*".join(over) + below
 
 
+def _acute(x):
+    """The supplement of pi less an angle, which has the same sine."""
+    if isinstance(x, Step) and x.op == "-" and getattr(x.args[0], "op", "") == "pi":
+        return x.args[1]
+    return x
+
+
 def _power(s, power):
     base = _atom(s)
     return base if power == 1 or not base else f"{base}^{power}"
@@ -116,11 +190,13 @@ def _power(s, power):
 def _atom(s):
     if s.op == "argument":
         return s.args[0]
+    if s.number in s.trace.called:
+        return s.trace.called[s.number]
     if s.op in ("+", "-"):
         return f"({inside})" if (inside := _sum(s)) else ""
     if s.op == "pi":
         return "pi"
-    if s.op not in FUNCTIONS:
-        return ""
-    inside = [_sum(a) for a in s.args]
+    if s.op not in FUNCTIONS or not any(_names(s, {})):
+        return ""  # sin(pi) is a number
+    inside = [_sum(_acute(a) if s.op == "sin" else a) for a in s.args]
     return f"{s.op}({', '.join(inside)})" if all(inside) else ""

@@ -4,9 +4,10 @@ that a student wrote is run, evaluated as code or simplified here.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from typing import Any, Protocol
 
+from ..algebra.language import Words, _, joined, spoken
 from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
 from .forms import Form
@@ -18,8 +19,13 @@ from .reading import Budget
 from .tolerance import Points
 from .trees import TreeError, in_words
 
-NO_ANSWER = "no answer"
-OTHER_NUMBERS = {BOOK: "the book's numbers", EARLIER: "the numbers of an earlier sheet"}
+NO_ANSWER = Words("no answer")
+OTHER_NUMBERS = {
+    BOOK: Words("not right: this is the answer for the book's numbers; yours are others"),
+    EARLIER: Words(
+        "not right: this is the answer for the numbers of an earlier sheet; yours are others"
+    ),
+}
 
 
 class Asked(Protocol):
@@ -116,21 +122,29 @@ def judge(
     if fault is not None:
         return Judged("unreadable", one_line(fault))
     if tree is None:
-        return Judged("blank", NO_ANSWER)
+        return Judged("blank", spoken(NO_ANSWER))
     try:
         readings = form.kind.readings(tree, form, numbers.symbols, budget)
     except TreeError as error:
-        return Judged("unreadable", f"cannot be read: {one_line(str(error))}")
+        return Judged("unreadable", _("cannot be read: {fault}", fault=one_line(str(error))))
     if factor != 1:
         readings = [tuple(tuple(factor * x for x in point) for point in r) for r in readings]
     key = numbers.key[asked.key]
-    axes = ((int(c.name), points) for c, points in numbers.wrong(asked.key) if c.group == "axes")
-    right = counted(readings, key, asked, axes)
+    right = counted(readings, key, asked, _axes(asked, numbers))
     if right is not None:
-        return Judged("right", "right", right)
+        return Judged("right", _("right"), right)
     near = asked.atol, asked.rtol
     wrong = [given for given in readings if not asked.kind.is_right(given, key, *near)]
-    return Judged("wrong", "not right", wrong[0] if wrong else None)
+    return Judged("wrong", _("not right"), wrong[0] if wrong else None)
+
+
+def _axes(asked, numbers):
+    """The key along the problem's other axes, from wrong models that are computed once the first
+    is asked for: of most right answers, never.
+    """
+    for c, points in numbers.wrong(asked.key):
+        if c.group == "axes":
+            yield int(c.name), points
 
 
 @dataclass(frozen=True)
@@ -156,21 +170,23 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     assert given is not None
     earlier = _followed(asked, given, found, numbers)
     # in what follows, a slip that gives the same numbers was made before
-    slips = () if earlier else (partial(_slips, asked, found, numbers),)
+    slips = () if earlier else (_slips(asked, found, numbers),)
     causes = _causes(asked, given, found, numbers, *slips)
     causes = tuple(c if c.where else c.at(numbers.where) for c in causes)
-    for cause, whose in OTHER_NUMBERS.items():
-        if cause in causes:
-            message = f"not right: this is the answer for {whose}; yours are others"
-            return Explained(message, (cause,))
+    for cause, words in OTHER_NUMBERS.items():
+        if causes == (cause,):
+            return Explained(spoken(words), (cause,))
     if earlier:
-        message = f"not right; it follows from your {' and '.join(earlier)}"
-        also = f"; it also fits a solution that {sentence(causes)}" if causes else ""
+        message = _("not right; it follows from your {names}", names=joined(earlier))
+        why = sentence(causes)
+        also = _("; it also fits a solution that {cause}", cause=why) if why else ""
         return Explained(message, (follows(earlier), *causes), earlier, also)
-    message = f"not right; it fits a solution that {sentence(causes)}" if causes else "not right"
+    message, why = _("not right"), sentence(causes)
+    if why:
+        message = _("not right; it fits a solution that {cause}", cause=why)
     key = asked.kind.like(numbers.key[asked.key], given)
     if not causes and (seen := asked.kind.observed(given, key)):
-        return Explained(f"not right; {seen.text}", (seen,))
+        return Explained(_("not right; {remark}", remark=seen.text), (seen,))
     return Explained(message, causes)
 
 
@@ -182,14 +198,21 @@ def _causes(asked, given, found, numbers, *slips):
     return diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
 
 
-def _slips(asked, found, numbers, fit, kind):
-    """The slips in the computation from the givens, or else from the student's earlier answers."""
-    near = numbers.slips.near(asked.key, fit, kind)
+def _slips(asked, found, numbers):
+    """Finds the slips in the computation from the givens, or else from the student's earlier
+    answers.
+    """
     wrong, earlier = _earlier(numbers.earlier.get(asked.key, ()), found, numbers)
-    if near or not earlier or None in earlier.values():
-        return near
-    sequel = numbers.sequel(asked.key, earlier).near(asked.key, fit, kind)
-    return [(level, c.after(wrong), points) for level, c, points in sequel]
+    sequel = cache(lambda: numbers.sequel(asked.key, earlier))
+
+    def near(fit, kind):
+        slips = numbers.slips.near(asked.key, fit, kind)
+        if slips or not earlier or None in earlier.values():
+            return slips
+        later = sequel().near(asked.key, fit, kind)
+        return [(level, c.after(wrong), points) for level, c, points in later]
+
+    return near
 
 
 def _like(given, asked, numbers):
@@ -207,7 +230,8 @@ def _exchanged(asked, given, found, numbers):
         (answer_to(other.key), asked.kind.like(numbers.key[other.key], given))
         for other in numbers.answers
         if other.key != asked.key and other.key in found
-        if (other.kind, other.unit) == (asked.kind, asked.unit) and not other.kind.is_word
+        if other.kind == asked.kind and not other.kind.is_word
+        if other.unit == asked.unit or not other.kind.is_met_by_chance
         if not other.kind.is_zero(numbers.key[other.key], other.atol)
     ]
 

@@ -480,7 +480,7 @@ def gradient_wind(
     if is_numeric(square) and max_abs(abs(square) - square) > 0:
         raise EarthError(
             f"no steady wind: at radius {to_plain(radius)!r} the Coriolis acceleration balances an "
-            f"outward gradient of at most {to_plain(f * f * radius / 4)!r}, not "
+            f"outward gradient of at most {float(f * f * radius / 4):.3g}, not "
             f"{to_plain(-pressure_gradient)!r}; a high has a flat middle"
         )
     # the root (sqrt(square) - f) radius/2 without its cancellation on large circles

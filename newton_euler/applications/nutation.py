@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from ..algebra.scalars import (
     Scalar,
     acos,
+    allowed,
     atan2,
     cos,
     is_numeric,
@@ -69,6 +70,7 @@ def nutation(
     For floats, mpf and arrays; raises :class:`GyroError` for expressions.
     """
     check_top(I0, I, spin, omega_z)
+    tolerance = allowed(tolerance)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
     given = promote(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
     if not all(map(is_numeric, given)):

@@ -13,7 +13,7 @@ which are (9.3), (9.6), (9.9), (9.10) for any direction.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError, checked
+from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.scalars import (
     Scalar,
     anywhere,
@@ -241,7 +241,7 @@ class Balance:
 
 @checked
 def balance(
-    body: Body, A: Point, B: Point, about: Point | None = None, tolerance: float = 1e-9
+    body: Body, A: Point, B: Point, about: Point | None = None, tolerance: Tolerance = 1e-9
 ) -> Balance:
     """Whether a rotor is balanced (9.4): statically, G on the axis; dynamically, a principal axis.
 

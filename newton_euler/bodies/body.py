@@ -4,7 +4,7 @@ any consistent units; for the sign of the products see :class:`newton_euler.bodi
 
 from collections.abc import Iterable, Sequence
 
-from ..algebra.errors import checked, checked_but
+from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.ledger import Terms
 from ..algebra.names import guided
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, shown
@@ -88,7 +88,7 @@ class Body:
         return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, parts)
 
     @checked
-    def check(self, tolerance: float = 1e-9) -> "Body":
+    def check(self, tolerance: Tolerance = 1e-9) -> "Body":
         """The body itself; :class:`MassError` if it is impossible, see :meth:`Inertia.check`."""
         self.inertia.check(tolerance)
         return self

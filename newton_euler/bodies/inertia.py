@@ -14,7 +14,7 @@ and carry their minus sign in the *inertia matrix* (7.13) only:
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from ..algebra.errors import checked
+from ..algebra.errors import Tolerance, checked
 from ..algebra.jets import Moving
 from ..algebra.ledger import NamedTerms, Terms, latex_number
 from ..algebra.names import guided
@@ -26,7 +26,6 @@ from ..algebra.scalars import (
     is_numeric,
     is_positive,
     is_zero,
-    real,
     real_scalar,
     scalar,
     sqrt,
@@ -71,7 +70,7 @@ class Inertia(Scaled, NamedTerms):
         mass: Scalar = None,
         centre: Point | None = None,
         frame: Frame | None = None,
-        tolerance: float | None = 1e-9,
+        tolerance: Tolerance | None = 1e-9,
     ):
         self.point = place(point, "an inertia matrix")
         self.frame = axes_at(self.point) if frame is None else frame
@@ -84,7 +83,7 @@ class Inertia(Scaled, NamedTerms):
             raise FrameError(f"the axes are those of a Frame; got {clipped(frame)}")
         self._terms: Terms[Inertia] = Terms()
         if tolerance is not None:
-            self.check(real(tolerance, "the tolerance"))
+            self.check(tolerance)
 
     def _like(self, moments, products, **changed):
         """An inertia with the same point, frame, mass and centre unless ``changed``."""
@@ -221,7 +220,7 @@ class Inertia(Scaled, NamedTerms):
         return principal(self, noise)
 
     @checked
-    def symmetry(self, tolerance: float = 1e-9) -> Symmetry:
+    def symmetry(self, tolerance: Tolerance = 1e-9) -> Symmetry:
         """The symmetries that the matrix shows."""
         return symmetry(self, tolerance)
 
@@ -268,7 +267,7 @@ class Inertia(Scaled, NamedTerms):
     # -- admissibility
 
     @checked
-    def check(self, tolerance: float = 1e-9, slack: float = 0.0) -> "Inertia":
+    def check(self, tolerance: Tolerance = 1e-9, slack: float = 0.0) -> "Inertia":
         """The inertia itself, if some body can have it; :class:`MassError` otherwise. Mass and the
         integrals of x^2, y^2, z^2 are positive, hence the triangle inequality of the moments;
         Schwarz's inequality bounds the products; all also about G. Expressions are not checked.

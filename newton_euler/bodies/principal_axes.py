@@ -10,10 +10,12 @@ atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix
 with an arc cosine, ascending.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
-from ..algebra.errors import checked
+from ..algebra.errors import Tolerance, checked
+from ..algebra.late import is_here
 from ..algebra.scalars import (
     ZERO,
     acos,
@@ -39,6 +41,7 @@ from .admissibility import AXES, PRODUCTS, MassError
 
 PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
 ROUND_OFF = 256  # round-offs of the largest moment within which moments count as equal
+SWEEPS = 8  # over all pairs of axes: the products fall quadratically
 UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
 
 
@@ -134,21 +137,25 @@ def _of_numbers(rows):
     if library in ("sympy", "symengine"):
         moments, axes = _by_sympy(rows) or _of_full_matrix(rows)
         return moments, _canonical(moments, axes)
-    return _by_mpmath(rows) if library == "mpmath" else _by_numpy([rows])[0]
+    if library == "mpmath":
+        return _by_mpmath(rows)
+    return _by_numpy([rows])[0] if is_here("numpy") else _by_rotations(rows)
 
 
 def _with_report(inertia, noise, moments, axes):
     """The :class:`Principal` of ascending moments, numbers or arrays."""
-    import numpy as np
-
     first, second, third = moments = tuple(moments)
     noise = ROUND_OFF * float(epsilon(first)) if noise is None else noise
     largest = where(-first > third, -first, third)  # round-off can make the first negative
     low, high = second - first, third - second
     gaps = low, where(low < high, low, high), high
-    noise_of_largest, *floats = (np.asarray(x, dtype=float) for x in (noise * largest, *gaps))
-    turns = tuple(np.arctan2(noise_of_largest, gap) for gap in floats)
+    noise_of_largest, *floats = (_as_floats(x) for x in (noise * largest, *gaps))
+    turns = tuple(atan2(noise_of_largest, gap) for gap in floats)
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
+
+
+def _as_floats(x):
+    return x.astype(float) if getattr(x, "shape", ()) else float(x)
 
 
 def _of_arrays(inertia, noise):
@@ -166,6 +173,25 @@ def _by_numpy(matrices):
     values, columns = np.linalg.eigh(np.asarray(matrices, dtype=float))
     pairs = zip(values.tolist(), columns.swapaxes(-1, -2).tolist(), strict=True)
     return [(v, _canonical(v, c)) for v, c in pairs]
+
+
+def _by_rotations(rows):
+    """The same without NumPy, by Jacobi's rotations: each makes a product of two axes vanish."""
+    axes = [tuple(map(float, map(to_plain, axis))) for axis in UNIT_AXES]
+
+    def entry(u, v):
+        return dot3(axes[u], [float(dot3(row, axes[v])) for row in rows])
+
+    for u, v in PAIRS * SWEEPS:
+        product, gap = entry(u, v), entry(u, u) - entry(v, v)
+        angle = math.atan2(math.copysign(2.0, gap) * product, abs(gap)) / 2
+        c, s = math.cos(angle), math.sin(angle)
+        axes[u], axes[v] = (
+            tuple(c * x + s * y for x, y in zip(axes[u], axes[v], strict=True)),
+            tuple(c * y - s * x for x, y in zip(axes[u], axes[v], strict=True)),
+        )
+    moments, axes = zip(*sorted((entry(n, n), axis) for n, axis in enumerate(axes)), strict=True)
+    return list(moments), _canonical(moments, axes)
 
 
 def _by_mpmath(matrix):
@@ -300,7 +326,7 @@ class Symmetry:
         )
 
 
-def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
+def symmetry(inertia: Any, tolerance: Tolerance = 1e-9) -> Symmetry:
     """The :class:`Symmetry` of an inertia matrix. Products and differences below ``tolerance``
     times the largest moment count as zero; expressions only where their form shows it.
 

@@ -31,7 +31,7 @@ class Notebook:
         self._numbers = count()
 
     def prepare(self, cells: Sequence[str], number: int) -> dict[str, Run]:
-        """Run what a cell needs of those above, unless it stands; {name: the run that bound it}."""
+        """Run what a cell needs, unless it is up to date; {name: the run that bound it}."""
         above = [self.ran.get(n, cell) for n, cell in enumerate(cells[:number])]
         stand: dict[str, Run] = {}
         for n, statement in needed(above, cells[number]):

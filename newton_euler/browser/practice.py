@@ -11,19 +11,23 @@ from tempfile import mkdtemp
 from typing import Any
 
 from ..algebra.errors import NewtonEulerError
+from ..algebra.language import Words, _, choose_language, languages
 from ..answers.forms import AnswerError
 from ..answers.notation import formula, list_symbol, matrix_symbol, number_symbol, unit_symbol
 from ..classroom.practising.advice import advise, causes_of
 from ..classroom.practising.collection import Practice
-from ..classroom.practising.files import HELP, PracticeFile
+from ..classroom.practising.files import HELP, PracticeFile, PracticeFileError
 from ..classroom.practising.numbers import Quantity
 from ..classroom.practising.problems import Message, PracticeProblem
 from ..classroom.practising.progress import Progress
 from ..classroom.practising.typed import typed, typed_tree
 from ..classroom.practising.ways import Ways
 
-ON_A_PAGE = Ways("in its fields, by Check", "among the steps below, by Check step", '"New numbers"')
-AXES = "first", "second", "third"
+ON_A_PAGE = Ways(
+    Words("in its fields, by Check"),
+    Words("among the steps below, by Check step"),
+    Words('"New numbers"'),
+)
 
 
 class _Desk:
@@ -35,25 +39,35 @@ class _Desk:
         self.books: dict[str, Practice] = {}  # by file
 
     def problem(self, number: str) -> PracticeProblem:
+        """A problem of the files that were opened; :class:`NewtonEulerError` if none has it."""
         for book in self.books.values():
             if number in book:
                 return book[number]
-        raise NewtonEulerError(f"no practice file that was opened has problem {number}")
+        raise NewtonEulerError(
+            _("no practice file that was opened has problem {number}", number=number)
+        )
 
 
 _desk = _Desk()
 
 
-def load(name: str, data: str, progress: str = "") -> list[str]:
+def load(name: str, data: str, progress: str = "", language: str = "en") -> dict[str, list[str]]:
     """Open the practice file of this name, ``data`` in base64, and take in what the reader's
-    progress says; the problems that are in it. Raises :class:`PracticeFileError` for another file.
+    progress says; {problem: [title, section]} of those in it. Speaks the ``language`` of the page
+    from now on, if it is known. Raises :class:`PracticeFileError` for another file.
     """
+    if language in languages():
+        choose_language(language)
     path = _desk.folder / f"{len(_desk.books)}.practice"
     path.write_bytes(b64decode(data))
     if progress:
         _take_in(progress)
-    _desk.books[name] = book = Practice([PracticeFile(path)], _desk.progress)
-    return list(book)
+    try:
+        file = PracticeFile(path)
+    except PracticeFileError as error:
+        raise PracticeFileError(str(error).replace(str(path), name)) from None
+    _desk.books[name] = Practice([file], _desk.progress)
+    return {problem: file.titles[problem] for problem in file.problems}
 
 
 def show(problem: str, new: bool = False) -> dict[str, Any]:
@@ -85,10 +99,12 @@ def _field(q: Quantity) -> dict[str, Any]:
 def _parts(kind):
     """The names of the components of a kind."""
     if kind.length == 9:
-        return [f"row {n // 3 + 1}, column {n % 3 + 1}" for n in range(9)]
+        return [_("row {row}, column {column}", row=n // 3 + 1, column=n % 3 + 1) for n in range(9)]
     if kind.length == 2:
-        return ["lower bound", "upper bound"]
-    return [f"{AXES[n]} component" for n in range(3)] if kind.length == 3 else [""]
+        return [_("lower bound"), _("upper bound")]
+    if kind.length == 3:
+        return [_("first component"), _("second component"), _("third component")]
+    return [""]
 
 
 def read(problem: str, key: str, texts: Sequence[str]) -> dict[str, str]:
@@ -134,7 +150,7 @@ def _quantity(p, key):
     for q in p.quantities:
         if q.key == key:
             return q
-    raise NewtonEulerError(f"{p.id} has no quantity {key!r}")
+    raise NewtonEulerError(_("{problem} has no quantity {key}", problem=p.id, key=repr(key)))
 
 
 def _value(p, q, texts):
@@ -147,9 +163,17 @@ def _value(p, q, texts):
     if q.kind.is_word:
         return int(found[0]) if isinstance(found[0], float) and found[0] % 1 == 0 else found[0]
     parts = [found[0]] if isinstance(found[0], list) and not any(texts[1:]) else found
+    lists = [t for t, x in zip(texts, found, strict=True) if isinstance(x, list)]
+    if lists and (parts is found or q.kind.length == 1):
+        raise AnswerError(
+            _(
+                "{text} has a comma: write a decimal point, as -2.5, and nothing between thousands",
+                text=repr(lists[0][:60]),
+            )
+        )
     if None in parts:
         missing = _parts(q.kind)[parts.index(None)]
-        raise AnswerError(f"write the {missing}, too; 0 where there is none")
+        raise AnswerError(_("write the {missing}, too; 0 where there is none", missing=missing))
     parts = _flat(parts)
     return q.kind.nested(parts) if len(parts) == q.kind.length else parts
 
@@ -198,7 +222,7 @@ def advice(titles: Mapping[str, Sequence[str]], now: str = "") -> dict[str, str]
     """What to do next, of the problems {number: (title, section)} of all chapters; ``now``: the one
     that has just been worked.
     """
-    sections = {problem: section for problem, (_, section) in titles.items()}
+    sections = {problem: section for problem, (*other, section) in titles.items()}
     found = advise(sections, _desk.progress, now, _may_err)
     return {"problem": found.problem, "sentence": found.sentence}
 
@@ -222,4 +246,6 @@ def _take_in(text):
     try:
         _desk.progress.take_in(text)
     except ValueError as error:
-        raise NewtonEulerError(f"this file of progress cannot be read: {error}") from None
+        raise NewtonEulerError(
+            _("this file of progress cannot be read: {error}", error=error)
+        ) from None

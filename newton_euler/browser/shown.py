@@ -34,7 +34,7 @@ class Shown:
             self.items.append(["text/plain", text])
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Nothing is buffered."""
 
     def display(self, *objects: Any, raw: bool = False, **_: Any) -> None:
         """Show objects, or where they are ``raw`` their {kind: content}."""
@@ -80,7 +80,9 @@ def _display_module():
     try:
         return import_module(DISPLAY)
     except ModuleNotFoundError:
-        sys.modules["IPython"] = ModuleType("IPython")
+        top: Any = ModuleType("IPython")
+        top.get_ipython = lambda: None  # as where no notebook is
+        sys.modules["IPython"] = top
         return sys.modules.setdefault(DISPLAY, ModuleType(DISPLAY))
 
 

@@ -26,9 +26,12 @@ from string import Template
 from typing import Any
 
 from ..algebra.errors import NewtonEulerError
+from ..algebra.late import is_here
 from ..algebra.names import guided
 from ..algebra.scalars import clipped, real, scalar, to_plain
+from .page.paper import Page
 from .page.recorder import share_window, sketches_on
+from .page.svg import svg
 
 MAX_PICTURES = 600
 MAX_PIXELS = 300e6  # in all pictures together: about ten megabytes of HTML
@@ -44,7 +47,7 @@ class AnimationError(NewtonEulerError, ValueError):
 class Animation:
     """The pictures of a motion. Jupyter shows them; :meth:`save` writes them to a file.
 
-    pictures, times : PNG files, as bytes; in s
+    pictures, times : PNG files, or SVG where there is no Matplotlib, as bytes; in s
     speed : seconds of the motion shown in one second
     alt, size : what it shows, in words; width and height on the screen, in CSS pixels
     """
@@ -54,6 +57,7 @@ class Animation:
     speed: float
     alt: str
     size: tuple[int, int]
+    kind: str = "image/png"
 
     def __repr__(self):
         first, *_, last = self._labels()
@@ -64,22 +68,23 @@ class Animation:
         """What Jupyter shows: the page; or in print the first picture with its alt text."""
         first = base64.b64encode(self.pictures[0]).decode()
         about = {"alt": self.alt or repr(self), "width": self.size[0], "height": self.size[1]}
-        data = {"text/html": self.html(), "image/png": first, "text/plain": repr(self)}
-        return data, {"image/png": about}
+        data = {"text/html": self.html(), self.kind: first, "text/plain": repr(self)}
+        return data, {self.kind: about}
 
     def html(self) -> str:
         """The body of the page, which shows the first picture until it is played."""
         return self._page().partition("<body>\n")[2].partition("\n</body>")[0]
 
     def _page(self):
-        pictures = [base64.b64encode(picture).decode() for picture in self.pictures]
+        coded = (base64.b64encode(picture).decode() for picture in self.pictures)
+        pictures = [f"data:{self.kind};base64,{code}" for code in coded]
         times, labels = self.times, self._labels()
         data = {"pictures": pictures, "times": times, "labels": labels, "speed": self.speed}
         page = Template(Path(__file__).with_name("player.html").read_text(encoding="utf-8"))
         return page.substitute(
             name=f"motion-{uuid.uuid4().hex[:12]}", alt=html.escape(self.alt or repr(self)),
-            data=json.dumps(data), pace=self._pace(), first=pictures[0], last=len(pictures) - 1,
-            width=self.size[0], height=self.size[1],
+            data=json.dumps(data), pace=self._pace(), first=pictures[0],
+            last=len(pictures) - 1, width=self.size[0], height=self.size[1],
         )  # fmt: skip
 
     def save(self, path: str | Path) -> None:
@@ -96,6 +101,8 @@ class Animation:
 
     def _save_gif(self, path):
         """Write a GIF without pictures within 0.02 s: viewers would show them longer."""
+        if self.kind != "image/png":
+            raise AnimationError("a GIF needs pictures by Matplotlib, which is not here")
         from PIL import Image
 
         shown, starts = [], []
@@ -153,24 +160,43 @@ def animate(
     count = len(instants)
     size, dpi = _checked_size(size, dpi)
     _check_amount(count, size, dpi)
+    kind, blank, drawn = (
+        ("image/png", _figure, _pictures)
+        if is_here("matplotlib")
+        else ("image/svg+xml", _page, _svgs)
+    )
     figures, pictures = [], []
     for n, t in enumerate(instants, 1):
-        figures.append(_figure(draw, t, size, dpi))
+        figures.append(blank(size, dpi))
+        _draw(draw, t, figures[-1].axes[0])
         progress(n, 2 * count)
     share_window([sketch for figure in figures for ax in figure.axes for sketch in sketches_on(ax)])
-    for n, picture in enumerate(_pictures(figures), count + 1):
+    for n, picture in enumerate(drawn(figures), count + 1):
         pictures.append(picture)
         progress(n, 2 * count)
     width, height = (round(100 * side) for side in size)
-    return Animation(tuple(pictures), instants, speed, alt, (width, height))
+    return Animation(tuple(pictures), instants, speed, alt, (width, height), kind)
 
 
-def _figure(draw, t, size, dpi):
-    """A figure of the scene at time t, not yet drawn."""
+def _figure(size, dpi):
+    """An empty figure of Matplotlib."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, dpi=dpi)
-    ax = figure.add_axes((0.06, 0.06, 0.88, 0.88))
+    figure.add_axes((0.06, 0.06, 0.88, 0.88))
+    return figure
+
+
+def _page(size, _):
+    return Page(size)
+
+
+def _svgs(pages):
+    return (svg(page).encode() for page in pages)
+
+
+def _draw(draw, t, ax):
+    """The scene at time t, recorded."""
     try:
         draw(t, ax)
     except Exception as error:
@@ -181,7 +207,6 @@ def _figure(draw, t, size, dpi):
             "draw(t, ax) draws with Sketch(ax, ...) on the axes it is given, and did not at t = "
             f"{t:g} s"
         )
-    return figure
 
 
 def _pictures(figures):

@@ -4,9 +4,13 @@ configuration. Redundant constraints are named.
 """
 
 import inspect
+import math
+import random
+from collections import Counter
 from dataclasses import dataclass
+from operator import mul
 
-from ..algebra.errors import NewtonEulerError, checked
+from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.jets import Moving
 from ..algebra.scalars import is_finite, is_numeric, scalar
 from ..algebra.vectors import Vector
@@ -59,7 +63,10 @@ class Freedom:
 
 @checked
 def degrees_of_freedom(
-    bodies: dict, constraints: dict | None = None, at: dict | None = None, tolerance: float = 1e-9
+    bodies: dict,
+    constraints: dict | None = None,
+    at: dict | None = None,
+    tolerance: Tolerance = 1e-9,
 ) -> Freedom:
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
     of coordinates less the rank of the Jacobian. Springs and weights are no constraints.
@@ -135,29 +142,28 @@ class _System:
         return [(name, _number(name, x)) for name, x in self.equations(list(map(float, q)))]
 
     def jacobian(self, q):
-        """The Jacobian, equations by coordinates; a column is one evaluation with derivatives."""
-        import numpy as np
-
+        """The Jacobian, a row for each equation; a column is one evaluation with derivatives."""
         columns = []
         for n in range(self.size):
             moved = [Moving(float(x), 1) if n == m else float(x) for m, x in enumerate(q)]
             rates = ((name, getattr(x, "rate", 0.0)) for name, x in self.equations(moved))
             columns.append([_number(name, x) for name, x in rates])
-        return np.array(columns).T.reshape(-1, self.size)
+        return list(zip(*columns, strict=True))
 
-    def settled(self, near=0.0, spread=1.0):
+    def settled(self, near=None, spread=1.0):
         """A configuration that meets the constraints, by Newton's method from a fixed start."""
-        import numpy as np
-
-        start = q = near + spread * np.random.default_rng(5).normal(size=self.size)
+        chance = random.Random(5)
+        near = [0.0] * self.size if near is None else near
+        start = q = [x + spread * chance.gauss() for x in near]
         # enough also where a gradient vanishes, and each step only halves the distance
         for _ in range(80):
-            values = np.array([x for _, x in self.values(q)])
-            off = np.abs(values).max(initial=0.0) / max(1.0, np.abs(q).max())
+            values = [x for _, x in self.values(q)]
+            off = max(map(abs, values), default=0.0) / max(1.0, *map(abs, q))
             if not off > 1e-13:  # round-off; also ends at nan
                 break
-            # rcond: a redundant equation must not add noise over its vanishing singular value
-            q = q - np.linalg.lstsq(self.jacobian(q), values, rcond=1e-9)[0]
+            # a redundant equation must not add noise over what is left of its gradient
+            basis, _ = _independent(self.jacobian(q), values, 1e-9)
+            q = [x - sum(step * row[n] for row, step in basis) for n, x in enumerate(q)]
         if not off < 1e-9:
             names = ", ".join(name for name, _, _ in self.constraints)
             places = ", ".join(f"{name!r}: ..." for name in self.places)
@@ -171,9 +177,7 @@ class _System:
 
     def _check_gradients(self, start, q):
         """Raises :class:`ConstraintError` where a gradient vanishes, as for x**2 + y**2 = 0."""
-        import numpy as np
-
-        before, after = (np.linalg.norm(self.jacobian(p), axis=1) for p in (start, q))
+        before, after = ([math.hypot(*row) for row in self.jacobian(p)] for p in (start, q))
         for (name, _), a, b in zip(self.values(q), before, after, strict=True):
             if b < 1e-5 * a:  # of a double zero it falls as the square root of the residual 1e-13
                 raise ConstraintError(
@@ -182,20 +186,19 @@ class _System:
                 )
 
     def given(self, at):
-        import numpy as np
-
         if set(at) != set(self.places):
             raise ConstraintError(
                 f"at= gives the coordinates of every body ({', '.join(self.places)}); it has "
                 f"{', '.join(at)}"
             )
-        q = np.concatenate([np.atleast_1d(np.asarray(at[n], dtype=float)) for n in self.places])
+        given = (x if hasattr(x, "__len__") else [x] for x in (at[n] for n in self.places))
+        q = [float(x) for coordinates in given for x in coordinates]
         if len(q) != self.size:
             raise ConstraintError(
                 f"at= holds {len(q)} numbers; the bodies have {self.size} coordinates"
             )
         for name, x in self.values(q):
-            if abs(x) > 1e-6 * max(1.0, abs(q).max()):  # as exact as coordinates are typed in
+            if abs(x) > 1e-6 * max(1.0, *map(abs, q)):  # as exact as coordinates are typed in
                 raise ConstraintError(
                     f"the configuration at= does not meet the constraint {name!r}: it is {x:.3g} "
                     "instead of 0"
@@ -204,21 +207,34 @@ class _System:
 
     def rank(self, q, tolerance):
         """The number of independent constraints, and by name of equations that depend on others."""
-        import numpy as np
+        names, rows = [name for name, _ in self.values(q)], self.jacobian(q)
+        basis, others = _independent(rows, [0.0] * len(rows), tolerance * len(self.constraints))
+        return len(basis), Counter(names[n] for n in others)
 
-        basis, redundant = np.zeros((0, self.size)), {}
-        for (name, _), row in zip(self.values(q), self.jacobian(q), strict=True):
-            rest = row / (np.linalg.norm(row) or 1.0)
-            # the second time removes what round-off left: twice is enough (Giraud, Langou and
-            # Rozloznik 2005)
-            for _ in range(2):
-                rest = rest - basis.T @ (basis @ rest)
-            length = np.linalg.norm(rest)
-            if length > tolerance * len(self.constraints):
-                basis = np.vstack([basis, rest / length])
-            else:
-                redundant[name] = redundant.get(name, 0) + 1
-        return len(basis), redundant
+
+def _independent(rows, values, tolerance):
+    """Pairs (unit vector, its component) of the shortest x with row·x = value for all rows, and the
+    numbers of the rows that depend on those before them.
+    """
+    basis, others = [], []
+    for n, (row, value) in enumerate(zip(rows, values, strict=True)):
+        size = math.hypot(*row) or 1.0
+        rest, left = [x / size for x in row], value / size
+        # the second time removes what round-off left: twice is enough (Giraud, Langou and
+        # Rozloznik 2005)
+        for _ in range(2):
+            for unit, step in basis:
+                along = sum(map(mul, unit, rest))
+                rest, left = (
+                    [x - along * e for x, e in zip(rest, unit, strict=True)],
+                    left - along * step,
+                )
+        length = math.hypot(*rest)
+        if length > tolerance:
+            basis.append(([x / length for x in rest], left / length))
+        else:
+            others.append(n)
+    return basis, others
 
 
 def _number(name, x):

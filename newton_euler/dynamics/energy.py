@@ -7,7 +7,7 @@ Velocities are those in an inertial frame. A sum keeps its terms by name, in an
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError, checked, checked_but
+from ..algebra.errors import Accuracy, NewtonEulerError, Tolerance, checked, checked_but
 from ..algebra.ledger import Amount, summed, value_of
 from ..algebra.scalars import (
     Scalar,
@@ -217,7 +217,7 @@ class Audit:
         return -summed({n: self.works[n] for n in names or self.works})
 
     @checked
-    def balances(self, rtol: float = 1e-9) -> bool:
+    def balances(self, rtol: Tolerance = 1e-9) -> bool:
         """True if the residual is within ``rtol`` of the largest energy and ten times ``error``."""
         # ten times: the estimates of quadrature can be too small; products of numbers below 1e-300
         # underflow and have few digits or none
@@ -242,7 +242,7 @@ def audit(
     end: Scalar,
     potentials: dict | None = None,
     powers: dict | None = None,
-    rtol: float = 1e-10,
+    rtol: Accuracy = 1e-10,
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> Audit:

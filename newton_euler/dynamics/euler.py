@@ -1,7 +1,7 @@
 """Euler's equations, rotation about a fixed line and planar motion (8.2, 8.3, 8.5): moments from
 angular velocity and acceleration, and the reverse, by an inertia matrix.
 
-The matrix, as by ``body.about(P)``, is about the mass centre, or a point at rest or at constant
+The matrix, as by ``body.about(P)``, is about the centre of mass, or a point at rest or at constant
 velocity (8.11); for any other see :func:`newton_euler.dynamics.momentum.resultant_moment`. Rates
 are those seen from an inertial frame. Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """

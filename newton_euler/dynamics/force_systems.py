@@ -14,7 +14,7 @@ unknowns of :func:`newton_euler.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ..algebra.errors import checked
+from ..algebra.errors import Tolerance, checked
 from ..algebra.ledger import distinct
 from ..algebra.names import guided
 from ..algebra.scalars import (
@@ -139,7 +139,7 @@ class ForceSystem:
         return ForceSystem([Force(self.force, P, "resultant"), couple], self.frame)
 
     @checked
-    def equivalent(self, other: "ForceSystem", tolerance: float = 1e-9) -> bool:
+    def equivalent(self, other: "ForceSystem", tolerance: Tolerance = 1e-9) -> bool:
         """True if force and moment are the same to ``tolerance`` times the magnitudes (8.20)."""
         about = self._some_point(other)
         forces = max((_size(f.vector) for f in (*self._forces(), *other._forces())), default=0.0)

@@ -2,7 +2,7 @@
 and the motion from them.
 
 For every point B, however it moves, with the *relative* angular momentum H_B of (7.6) and d from B
-to the mass centre G,
+to the centre of mass G,
 
     M_B = DH_B/Dt + d x m a_B                                                    (8.9), (8.21)
 
@@ -54,7 +54,7 @@ def _point(body, about):
 
 
 def _is_fixed(point, body):
-    """True if the point and the mass centre are given as fixed in the frame of the body."""
+    """True if the point and the centre of mass are given as fixed in the frame of the body."""
     return all(P.frame is body.frame and all(x.rests() for x in P.x) for P in (point, body.centre))
 
 
@@ -82,7 +82,7 @@ def resultant_moment(
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
-        kind = "moment about the mass centre"
+        kind = "moment about the centre of mass"
         return rate.as_sum(kind, f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
     route = _about_fixed_point if _is_fixed(about, body) else _about_any_point
     total, terms = route(body, observer, about, via)

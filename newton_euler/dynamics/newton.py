@@ -1,4 +1,4 @@
-"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system.
+"""Newton's second law for the centre of mass of a body (6.1)-(6.10), in every component system.
 
 *Motion given, which forces?* Pass the acceleration of a point by ``polar(ground, "P", r, theta)``,
 ``frenet(v, a)``, ``ground.point(…)`` … in an inertial frame to :func:`resultant_force` or
@@ -41,8 +41,8 @@ def _mass(m):
 
 @checked
 def resultant_force(m: Scalar, a: Vector) -> Vector:
-    """The resultant external force F = m a (6.1), ``a`` the acceleration of the mass centre in an
-    inertial frame; its terms, times m, are those of the force: (6.5), (6.6), (6.8), (6.9), (6.10).
+    """The resultant external force F = m a (6.1), ``a`` the acceleration of the centre of mass in
+    an inertial frame; its terms, times m, are those of the force: (6.5), (6.6), (6.8) to (6.10).
 
     >>> from newton_euler import Frame, moving, polar
     >>> ground = Frame("ground")
@@ -85,8 +85,8 @@ def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) ->
 
 @checked
 def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
-    """The acceleration of the mass centre by the forces named, Vectors: a = F/m (6.1), with F/m of
-    each as terms, along the axes of the first.
+    """The acceleration of the centre of mass by the forces named, Vectors: a = F/m (6.1), with F/m
+    of each as terms, along the axes of the first.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -98,7 +98,7 @@ def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
         raise FrameError("no force is given; name each of them, as in acceleration_by(m, weight=W)")
     parts = _per_mass(m, forces)
     kind, frame = "acceleration by forces", next(iter(parts.values())).frame
-    return named_sum(kind, "of the mass centre", parts, frame)
+    return named_sum(kind, "of the centre of mass", parts, frame)
 
 
 @checked

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise, product
 
 from ..algebra import WorkError
-from ..algebra.errors import checked
+from ..algebra.errors import Accuracy, Tolerance, checked
 from ..algebra.jets import Moving
 from ..algebra.quadrature import quadrature
 from ..algebra.scalars import (
@@ -181,7 +181,7 @@ class Potential:
 
     force: Callable
     base: Sequence[Scalar]
-    rtol: float = 1e-10
+    rtol: Accuracy = 1e-10
 
     def __call__(self, x: Scalar, y: Scalar, z: Scalar) -> Scalar:
         target = tuple(real_scalar(c) for c in (x, y, z))
@@ -216,7 +216,7 @@ def find_potential(
     base: Sequence[Scalar] = (0, 0, 0),
     box: Sequence[Sequence[Scalar]] = ((-1, 1),) * 3,
     loops: Sequence[Callable] = (),
-    tolerance: float = 1e-9,
+    tolerance: Tolerance = 1e-9,
 ) -> Potential:
     """The potential of a force field (11.16)-(11.18); :class:`NoPotential` if it has none.
 

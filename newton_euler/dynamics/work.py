@@ -17,7 +17,7 @@ consistent ones; in SI J and W. Velocities are those in an inertial frame.
 from collections.abc import Callable, Sequence
 
 from ..algebra import WorkError
-from ..algebra.errors import checked
+from ..algebra.errors import Accuracy, checked
 from ..algebra.jets import Moving
 from ..algebra.ledger import Amount, summed
 from ..algebra.quadrature import quadrature
@@ -32,13 +32,13 @@ def work_integral(
     f: Callable,
     start: Scalar,
     end: Scalar,
-    rtol: float = 1e-10,
+    rtol: Accuracy = 1e-10,
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> Amount:
     """The integral of ``f`` with its estimated error: (11.2), (11.3), (11.4) or (11.11).
 
-    f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
+    f : function of one number. Floats: by an adaptive quadrature to ``rtol``, relative to the
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise
         dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy
     breaks : in order, where f has corners or jumps, or begins and ends a short pulse
@@ -57,7 +57,7 @@ def work_along(
     path: Callable,
     start: Scalar,
     end: Scalar,
-    rtol: float = 1e-10,
+    rtol: Accuracy = 1e-10,
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> Amount:
@@ -98,7 +98,7 @@ def work_in_time(
     velocity: Callable,
     start: Scalar,
     end: Scalar,
-    rtol: float = 1e-10,
+    rtol: Accuracy = 1e-10,
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> Amount:

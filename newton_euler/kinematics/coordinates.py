@@ -156,7 +156,7 @@ def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -
 @checked
 def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -> CoordinatePoint:
     """The point with the spherical coordinates ``R``, ``theta`` (azimuth) and ``phi``
-    (**elevation**) (3.24), numbers or moving.
+    (elevation) (3.24), numbers or moving.
 
     Velocity (3.26) and acceleration (3.27) in ``ground`` are along e_R, e_theta, e_phi; terms
     ``radial, theta, phi``, and ``radial`` with the ``centripetal``, ``euler`` and ``coriolis``

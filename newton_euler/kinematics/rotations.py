@@ -18,7 +18,7 @@ values: they take numbers of all kinds and arrays of shape (N,) as entries, and 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ..algebra.errors import NewtonEulerError, checked, checked_but
+from ..algebra.errors import NewtonEulerError, Tolerance, checked, checked_but
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -160,7 +160,7 @@ def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
 
 
 @checked_but("R")
-def axis_angle(R: Matrix, tolerance: float = 1e-9) -> tuple[tuple, Scalar]:
+def axis_angle(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple[tuple, Scalar]:
     """The axis, a unit triple, and the angle in [0, pi] of any rotation (Euler's theorem, 4.2),
     right-handed. At pi (within 8 round-offs) the first component that is not zero is positive; at
     angle 0 no axis is determined and (0, 0, 1) is returned.
@@ -209,7 +209,7 @@ def _length_and_direction(v):
 # -- checks
 
 
-def checked_rotation(R: Matrix, tolerance: float = 1e-9) -> tuple:
+def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
     """``R`` as three rows, if it is a rotation: R^T R = 1 within ``tolerance`` and determinant +1
     (4.2)-(4.4); :class:`RotationError` otherwise, :class:`ScalarError` for entries without values.
     """
@@ -309,7 +309,7 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
 
 
 @checked_but("R")
-def quaternion_from_matrix(R: Matrix, tolerance: float = 1e-9) -> tuple:
+def quaternion_from_matrix(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
     """The unit quaternion of a rotation matrix, its scalar part not negative; at an angle of pi,
     the sign of :func:`axis_angle`.
 
@@ -392,7 +392,7 @@ def _about_z(angle):
 
 
 @checked_but("R")
-def euler_angles(R: Matrix, tolerance: float = 1e-9) -> tuple:
+def euler_angles(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
     """The angles (psi, theta, phi) in rad of a rotation matrix, body to ground: psi and phi in
     (-pi, pi], theta in [0, pi] (10.5)-(10.10).
 

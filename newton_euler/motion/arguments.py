@@ -21,7 +21,7 @@ def time_span(t):
     given = t if plain else real_numbers(t, what).tolist()  # without NumPy for plain numbers
     try:
         t0, t1 = map(float, given if isinstance(given, (list, tuple)) else (0.0, given))
-    except (ValueError, OverflowError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise ModelError(f"{what}; got {clipped(t)}") from error
     if not (math.isfinite(t0) and math.isfinite(t1) and t0 < t1):
         raise ModelError(f"time runs forward: the end is after the start, got {t0!r} to {t1!r}")

@@ -3,7 +3,9 @@ play: the error of a step across such a place is not proportional to its toleran
 hundred times that; steps up to it and from it on are as accurate as any.
 """
 
-from math import ulp
+from bisect import bisect_right
+from itertools import pairwise
+from math import inf, ulp
 
 from ..algebra.compile import Compiled
 from ..algebra.trace import COMPARISONS, Step
@@ -14,6 +16,9 @@ from .methods.base import StepError
 TRIES = 60  # the most steps for crossings, more than there are others
 AROUND = 2  # units in the last place of the time about a crossing, which is found to one
 WAYS = 1, 4, 16  # rooms to go past a crossing
+SLIDING = 3  # steps in which a motion that slides passes over a place again
+SHORTEST = 1e3  # units in the last place of the time: no step could be much shorter
+LIMIT = 10.0  # tolerances by which a step may differ from its halves
 NEAR = 4  # rooms about a stop: what is as close to the end of a step needs none
 
 
@@ -39,19 +44,45 @@ def _is_square(x):
     return one is other if x.op == "*" else other == 2
 
 
+def compiled_choices(traced):
+    """The function of all arguments that returns the numbers of these pairs, in order."""
+    rhs, leaves = traced.rhs, [x for pair in traced.choices for x in pair]
+    return Compiled("choices", rhs.parameters, rhs.trace, leaves).on_floats
+
+
 def distances(system):
     """The function ``(t, x)`` that returns the distance from each place at which the rates of a
     prepared model change their formula, a list.
     """
-    rhs, p = system.traced.rhs, system.p
-    leaves = [x for pair in system.traced.choices for x in pair]
-    run = Compiled("choices", rhs.parameters, rhs.trace, leaves).on_floats
+    run, p = system.traced.compiled_choices, system.p
 
     def at(t, x):
         values = run(t, *x, *p)
         return [a - b for a, b in zip(values[::2], values[1::2], strict=True)]
 
     return at
+
+
+def unsettled(stepper, end):
+    """How far the steps up to the time ``end`` that pass over such a place are from two halves of
+    each, in sum, relative to the scales. A step that was shortened until its error estimate was
+    small may have got there by chance. Where a motion slides, one of the next steps leads back.
+    """
+    system, count = stepper.system, bisect_right(stepper.step_times, end) - 1
+    run, p, ends = system.traced.compiled_choices, system.p, stepper.steps[: count + 1]
+    values = [run(t, *x, *p) for t, _, *x in ends]
+    values += [run(stepper.t, *stepper.x, *p)] * (count == len(ends))
+    signs = [[a > b for a, b in zip(v[::2], v[1::2], strict=True)] for v in values]
+    crossed = [n for n, (a, b) in enumerate(pairwise(signs)) if a != b]
+    off, largest = [0.0] * len(stepper.x), 0.0
+    for before, n, after in zip([-inf, *crossed], crossed, [*crossed[1:], inf], strict=False):
+        begin, h = stepper.steps[n][:2]
+        if min(n - before, after - n) > SLIDING and h > SHORTEST * ulp(begin + h):
+            apart = stepper.halved(n)
+            if max(map(abs, apart)) > LIMIT * stepper.tolerance:
+                off = [a + b for a, b in zip(off, apart, strict=True)]
+                largest = max(largest, *map(abs, off))
+    return largest
 
 
 class Crossings:

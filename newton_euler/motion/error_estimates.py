@@ -2,7 +2,7 @@
 
 import math
 
-from .sizes import time_round_off
+from .sizes import small, time_round_off
 
 # A run is compared with one of a coarser tolerance. If both are in the regime in which errors are
 # proportional to the tolerance, the error of the fine one is predicted by a power of the ratio of
@@ -52,6 +52,9 @@ def error_by_comparison(before, trajectory, method):
         regular = regular and 1 / STEPS_OFF < growth < STEPS_OFF
     # steps that end at kinks are as regular as others
     if traced.hazards or (traced.surprises and not trajectory.stopping):
+        regular = False
+    # far from the origin the error of a place, which is large, does not set the steps
+    if method.adaptive and trajectory.known and small(*trajectory.known[:2]):
         regular = False
     more = _clock_error(trajectory)
     if method.series and traced.hazards:

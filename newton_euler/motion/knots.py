@@ -10,7 +10,7 @@ from ..algebra.trace import Step
 
 INTERVALS = 16384  # parts of the time: a pulse is found if it is longer than one of them
 # an interval is quiet if a function of time changes in it by less than this fraction of its largest
-# change in any interval, and if so many neighbours are quiet too: what a step may miss there is
+# change in any interval, and if this many neighbours are quiet too: what a step may miss there is
 # less than any rtol
 QUIET, QUIET_RUN = 1e-14, 4
 MAX_EVENTS = 1000  # pulses: more are an oscillation, which no step can miss

@@ -183,7 +183,13 @@ class Model(Portable):
         return compiled(self._formula(self._rates, free))
 
     def _rates(self, s, p, t):
-        return tuple(self.rhs(s, p, t))
+        rates = self.rhs(s, p, t)
+        if not isinstance(rates, Iterable) or isinstance(rates, (str, Mapping)):
+            raise ModelError(
+                f"the right-hand side of {self.name!r} returns the rates of its states, a tuple in "
+                f"the order {', '.join(self.states)}; got one {type(rates).__name__}"
+            )
+        return tuple(rates)
 
     def _formula(self, f, free):
         """A function ``f(s, p, t)`` of this model as one to compile, ``(t, *states, *free)``."""

@@ -97,7 +97,7 @@ def _calm(stepper, arguments, first):
         d = [y - x for x, y in pairwise(row)]
         before = [d[0], *(x * r for x, r in zip(d, ratios, strict=False))]
         after = [*(x / r for x, r in zip(d[1:], ratios, strict=True)), d[-1]]
-        # of the steps beside the first and the last one nothing is known
+        # nothing is known of the steps next to the first and the last one
         if row[0] * row[1] > 0:
             before[0] = -after[0]
         if row[-1] * row[-2] > 0:

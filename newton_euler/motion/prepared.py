@@ -13,7 +13,7 @@ from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .analytic import clocked, hazards, kinks, surprises
-from .crossings import choices
+from .crossings import choices, compiled_choices
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .narrow_arguments import narrow_arguments
 from .verified import Verified
@@ -70,6 +70,11 @@ class Traced:
         return list(choices(self))
 
     @cached_property
+    def compiled_choices(self):
+        """See :func:`newton_euler.motion.crossings.compiled_choices`."""
+        return compiled_choices(self)
+
+    @cached_property
     def narrow(self):
         """See :func:`newton_euler.motion.narrow.narrow_arguments`."""
         return narrow_arguments(self)
@@ -97,7 +102,7 @@ def prepared_model(model):
     is unchanged.
     """
     if not isinstance(model, Model):
-        raise ModelError(f"integrate takes a Model, got {model!r}")
+        raise ModelError(f"integrate takes a Model(name, parameters, states, rhs), got {model!r}")
     found = vars(model).get("_prepared")
     if found is None or not found.holds():
         found = PreparedModel(model)

@@ -305,6 +305,8 @@ class Run:
         if ended or not (method.adaptive and self.system.traced.choices):
             return last, error
         comparison = method, 10 * tolerance, tolerance
+        # the first trajectory, of which these are, may have missed what made a state large
+        known = known if last.failed else last.sizes()
         before = self.compared(*comparison, known, stopping=True)
         if known is None and not before.failed:
             known = before.sizes()

@@ -105,13 +105,13 @@ def as_natural(known):
 
 
 def round_off_over(calls):
-    """The relative round-off that the steps of so many calls of the rates bring into a state."""
+    """The relative round-off in a state after this many calls of the rates."""
     return FORCED * ROUND_OFF * (1 + calls / STEP_CALLS) ** 0.5
 
 
 def forced_error(sizes, natural, calls):
     """The error, relative to their sizes, that round-off forces on states that are small by
-    cancellation, over so many calls of the rates.
+    cancellation, over this many calls of the rates.
     """
     return round_off_over(calls) * worst_ratio(sizes, natural)
 

@@ -159,18 +159,27 @@ class Motion:
         As accurate as the steps, or up to ten times less for the Runge-Kutta methods, whose
         interpolation has one order less. Raises :class:`ModelError` outside the motion.
         """
-        import numpy as np
-
-        what = "at() takes a time of the motion, or an array of times"
-        given = real_numbers(t, what)
-        if given.ndim > 1:
-            raise ModelError(f"{what} of one axis; got an array of shape {given.shape}")
-        times = np.atleast_1d(given)
         begin, end = self.segments[0].t0, self.t_end
-        if not np.all((times >= begin) & (times <= end)):
+        if type(t) in (float, int):
+            inside = begin <= t <= end
+        else:
+            what = "at() takes a time of the motion, or an array of times"
+            t = real_numbers(t, what)
+            if t.ndim > 1:
+                raise ModelError(f"{what} of one axis; got an array of shape {t.shape}")
+            inside = ((begin <= t) & (t <= end)).all()
+        if not inside:
             raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; got t = {t!r}")
-        found = self._at(times)
-        return found if given.ndim else {n: float(x[0]) for n, x in found.items()}
+        return self._at(t) if getattr(t, "ndim", 0) else self._at_one(float(t))
+
+    def _at_one(self, t):
+        found = dict.fromkeys(
+            (n for part in self.segments for n in part.system.model.states), math.nan
+        )
+        if t == self.t_end:
+            return found | self.end
+        part = [part for part in self.segments if part.t0 <= t][-1]
+        return found | dict(zip(part.system.model.states, part.stepper.state_at(t), strict=True))
 
     def _at(self, times):
         import numpy as np

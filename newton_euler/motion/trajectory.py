@@ -6,7 +6,7 @@ from math import inf
 from typing import NamedTuple
 
 from .arguments import start_state
-from .crossings import Crossings
+from .crossings import Crossings, unsettled
 from .endings import why
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
@@ -29,6 +29,9 @@ MIN_SEGMENT = 1e-9
 # fraction of the size of a state during the motion below which its errors do not count; the larger
 # one where rates jump, as otherwise the motion would stall where it comes to rest
 OWN_PART, KINKED_PART = 1e-6, 1e-3
+# the same where steps end at changes of formula: behind one of them a state may begin from zero, by
+# rates of which a small step sees the round-off alone
+STOPPING_PART = 0.1
 # longest step as a fraction of the time, in the first trajectory and in later ones: two runs by the
 # same few steps would agree on what both have passed over
 LONGEST_PARTS = 0.4, 0.13
@@ -127,6 +130,8 @@ class Trajectory:
         if alike and (not self.segments or small(*self.known[:2])):
             sizes, natural, noise = self.known
             floors = least_scales(sizes, natural, own)
+            if self.stopping:
+                floors = [max(f, STOPPING_PART * s) for f, s in zip(floors, sizes, strict=True)]
             likely = [max(s, f / NATURAL_PART) for s, f in zip(sizes, floors, strict=True)]
         else:
             natural, noise = natural_sizes(system, [(t, x)], tuple(map(abs, x)), self.goal - t)
@@ -216,8 +221,10 @@ class Trajectory:
         for part in self.segments if self.repeated else ():
             rows = zip(part.stepper.noise, part.stepper.scales, strict=True)
             total += max([noise / (scale or 1.0) for noise, scale in rows])
-        for system, stepper, *_ in self.segments if self.watched else ():
+        for system, stepper, _, end, _ in self.segments if self.watched else ():
             passed = system.traced.narrow and not stepper.resumable and passage(stepper, 0)
+            if stepper.halved and system.traced.surprises:
+                total += unsettled(stepper, end)
             while passed:
                 total, first = total + passed.size, passed.number + 1
                 passed = first < len(stepper.dense.step_times) - 1 and passage(stepper.dense, first)
@@ -292,7 +299,7 @@ class Trajectory:
 
 
 def _not_begun(system, t, x):
-    """A stepper that could not begin, for the record of where it stands."""
+    """A stepper that could not begin, for the record of where it is."""
     stepper = Stepper.__new__(Stepper)
     stepper.system, stepper.t, stepper.x, stepper.start = system, t, tuple(x), (t, tuple(x))
     stepper.step_times, stepper.steps, stepper.calls = [t], [], 0

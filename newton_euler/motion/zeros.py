@@ -23,6 +23,9 @@ CHECKS = (-0.8617, -0.2913, 0.4477)
 # a polynomial represents the function if its last two coefficients and the differences at the check
 # points are smaller than this fraction of the largest value
 RESOLUTION = 1e-7
+# times as much as in between that a function changes next to an end of a piece where this may see
+# the foot of a peak
+FOOT = 2.0
 # pieces that are sampled at once, and the most that one interval may need
 BATCH, MAX_PIECES = 128, 60_000
 # fractions of the largest value in a piece: above the first a polynomial has the sign of the
@@ -165,6 +168,9 @@ class ZeroSearch:
         smooth = rest <= (RESOLUTION + rounding) * largest
         # no Chebyshev polynomial exceeds 1; 1.5 leaves a margin for what the samples do not show
         empty = sizes[:, 0] > 1.5 * sizes[:, 1:].sum(axis=1)
+        rough = np.flatnonzero(empty & ~smooth)
+        if rough.size:
+            empty[rough] = ~_has_foot(values[rough])
         for k, piece in enumerate(pieces):
             piece.values, piece.fit, piece.largest = values[k], fits[k], float(largest[k])
             piece.state = "empty" if empty[k] else "smooth" if smooth[k] else "split"
@@ -305,6 +311,15 @@ class ZeroSearch:
         places = np.clip(t + near * np.array([-1.0, 1.0, -1e3, 1e3]), self.a, self.b)
         sizes = np.abs(self.values(places))
         return bool(sizes[:2].min() > 100 * sizes[2:].max())
+
+
+def _has_foot(values):
+    """For rows of samples whether nearly all of the change is at one end: perhaps a narrow peak."""
+    edges = (0, 4), (3, DEGREE - 2), (DEGREE - 3, DEGREE + 1)
+    first, between, last = (
+        values[:, a:b].max(axis=1) - values[:, a:b].min(axis=1) for a, b in edges
+    )
+    return (first > FOOT * between) | (last > FOOT * between)
 
 
 def _guess(bracket):

@@ -11,7 +11,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ..algebra.errors import checked, checked_but
+from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import Scalar, is_numeric, max_abs
@@ -150,20 +150,20 @@ class Ladder:
         return np.array([np.broadcast_to(v, times.shape) for v in values], dtype=float)
 
     @checked
-    def observed(self, rung: Rung, accuracy: float) -> "ndarray":
+    def observed(self, rung: Rung, accuracy: Tolerance) -> "ndarray":
         """The same within about ``accuracy``, in the ladder's unit, if this can be reached."""
         values = self.observe(rung, ROUGH)
         return values if ROUGH * abs(values).max() <= accuracy else self.observe(rung, FINEST)
 
     @checked
-    def error(self, rung: Rung, accuracy: float = 0.0) -> float:
+    def error(self, rung: Rung, accuracy: Tolerance = 0.0) -> float:
         """The largest of :meth:`distances`, to within ``accuracy`` (by default the best that can be
         reached); infinite for a rung that cannot be integrated to the end.
         """
         return float(self.distances(rung, accuracy).max())
 
     @checked
-    def distances(self, rung: Rung, accuracy: float = 0.0) -> "ndarray":
+    def distances(self, rung: Rung, accuracy: Tolerance = 0.0) -> "ndarray":
         """The distance from the fullest rung at each of the instants; the largest is the error."""
         import numpy as np
 

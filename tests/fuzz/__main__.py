@@ -27,7 +27,7 @@ def main():
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )  # fmt: skip
     parser.add_argument("names", nargs="*", help="parts of names; default: all")
-    parser.add_argument("--every", type=int, help="only one in so many calls, always the same ones")
+    parser.add_argument("--every", type=int, help="one call in EVERY, always the same ones")
     parser.add_argument("--raw", action="store_true", help="list the calls that are raw or slow")
     parser.add_argument("--json", help="write every call to this file")
     given = parser.parse_args()

@@ -40,7 +40,7 @@ def variants(positional, named, skip):
 def trials(f, call, every=None):
     """[(argument, bad value, its maker, the arguments with a value)] for every argument of the call.
 
-    every : only one in so many, always the same ones
+    every : one call in this many, always the same ones
     """
     positional, named = call
     if inspect.isclass(f):

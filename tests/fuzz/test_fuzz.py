@@ -1,6 +1,7 @@
 """Every public name refuses bad values in words: a sample here, all of them with -m slow."""
 
 import inspect
+import math
 
 import mpmath
 import numpy as np
@@ -20,11 +21,12 @@ PYTHONS_OWN = (
     "takes 0 positional arguments",
 )
 
+SOON = 3.0  # seconds for a refusal
 PATIENCE = 30.0  # seconds for a call: the machine may be busy
 
 
 @pytest.fixture(scope="module")
-def doors():
+def public():
     """The public names, and a valid call of each."""
     functions = public_callables()
     return functions, valid_calls(functions)
@@ -40,8 +42,8 @@ def unworded(found):
     ]
 
 
-def test_nearly_every_public_name_has_a_valid_call(doors):
-    functions, calls = doors
+def test_nearly_every_public_name_has_a_valid_call(public):
+    functions, calls = public
     assert len(functions) > 400
     # figures need a function that draws and a notebook, practice its file; choosing writes one;
     # without_rates and cleared have no arguments
@@ -54,8 +56,8 @@ def test_nearly_every_public_name_has_a_valid_call(doors):
     assert without - of_a_file == shown
 
 
-def test_valid_calls_are_answered(doors):
-    functions, calls = doors
+def test_valid_calls_are_answered(public):
+    functions, calls = public
     for name in ("kinematics.frenet", "bodies.tube", "dynamics.audit", "algebra.Vector.dot"):
         positional, named = calls[name]
         assert outcome(functions[name], positional, named)[0] == "answered", name
@@ -69,8 +71,8 @@ def room_of(name):
 @pytest.mark.parametrize(
     "room", ["algebra", "kinematics", "bodies", "dynamics", "motion", "applications", "classroom"]
 )
-def test_a_sample_of_bad_values_is_refused_in_words(doors, room):
-    functions, calls = doors
+def test_a_sample_of_bad_values_is_refused_in_words(public, room):
+    functions, calls = public
     chosen = {n: f for n, f in functions.items() if room_of(n) == room}
     found = table(chosen, calls, every=60, seconds=PATIENCE)
     assert sum(map(len, found.values())) > 10
@@ -78,20 +80,22 @@ def test_a_sample_of_bad_values_is_refused_in_words(doors, room):
 
 
 # their valid call takes seconds
-LEFT = ("accuracy.timed", "drawing.animate")
+SLOW_CALLS = ("accuracy.timed", "drawing.animate")
 
 
 @pytest.mark.slow
-def test_all_bad_values_are_refused_in_words(doors):
-    functions, calls = doors
+def test_all_bad_values_are_refused_in_words(public):
+    functions, calls = public
     found = table(
-        {n: f for n, f in functions.items() if not n.startswith(LEFT)}, calls, seconds=PATIENCE
+        {n: f for n, f in functions.items() if not n.startswith(SLOW_CALLS)},
+        calls,
+        seconds=PATIENCE,
     )
     assert not unworded(found)
 
 
-def test_no_argument_of_a_model_or_a_motion_takes_a_quantity_and_drops_its_unit(doors):
-    functions, calls = doors
+def test_no_argument_of_a_model_or_a_motion_takes_a_quantity_and_drops_its_unit(public):
+    functions, calls = public
     taken = [
         (name, label, word)
         for name in (n for n in calls if room_of(n) == "motion")
@@ -107,8 +111,8 @@ UNREAL = {"1+2j": 1 + 2j, "of NumPy": np.complex128(1j), "of mpmath": mpmath.mpc
 
 
 @pytest.mark.parametrize("unreal", UNREAL)
-def test_no_number_of_mechanics_is_complex_and_no_array_of_them_empty(doors, unreal):
-    functions, calls = doors
+def test_no_number_of_mechanics_is_complex_and_no_array_of_them_empty(public, unreal):
+    functions, calls = public
     answered, tried = [], 0
     for name in (n for n in calls if room_of(n) in MECHANICS):
         kinds = inspect.signature(functions[name]).parameters
@@ -119,6 +123,38 @@ def test_no_number_of_mechanics_is_complex_and_no_array_of_them_empty(doors, unr
                 answered += [(name, label, found)] * (found[0] != "refused")
     assert tried > 200
     assert not answered
+
+
+# by the name of the parameter; what is to be reached is not zero and not below round-off
+TOLERANCES = "rtol", "atol", "tolerance", "accuracy", "within"
+NO_TOLERANCE = {"nan": math.nan, "-1e-9": -1e-9, "text": "1e-9", "array": np.array([1e-9, 1e-6])}
+NOT_REACHED = {"zero": 0.0, "below round-off": 1e-30, "infinite": math.inf}
+
+
+@pytest.mark.parametrize("bad", [*NO_TOLERANCE, *NOT_REACHED])
+def test_every_tolerance_that_means_nothing_is_refused_at_once(public, bad):
+    functions, calls = public
+    found = {}
+    for name, call in calls.items():
+        for label in inspect.signature(inspect.unwrap(functions[name])).parameters:
+            reached = label == "rtol" and not name.endswith(".balances")  # which compares by it
+            if label in TOLERANCES and (bad in NO_TOLERANCE or reached):
+                found[name] = of_label(
+                    functions[name], call, label, (NO_TOLERANCE | NOT_REACHED)[bad]
+                )
+    assert len(found) > (20 if bad in NO_TOLERANCE else 6)
+    assert {name: x for name, x in found.items() if x[0] != "refused"} == {}
+
+
+def of_label(f, call, label, value):
+    """The outcome of a call with this value for an argument."""
+    (positional, named), names = call, [*inspect.signature(inspect.unwrap(f)).parameters]
+    positional, at = positional[inspect.isclass(f) :], names.index(label)
+    if at < len(positional):
+        positional = [*positional[:at], value, *positional[at + 1 :]]
+    else:
+        named = {**named, label: value}
+    return outcome(f, positional, named, SOON)
 
 
 def test_an_error_from_inside_is_told_from_one_in_words():

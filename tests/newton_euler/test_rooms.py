@@ -63,7 +63,11 @@ def taken_privately(module, source=None):
     return [
         f"{t}.{n}"
         for t, n in imports(module, FILES, source)
-        if n and n.startswith("_") and not n.startswith("__") and room_of(t) != room_of(module)
+        if n
+        and n != "_"
+        and n.startswith("_")
+        and not n.startswith("__")
+        and room_of(t) != room_of(module)
     ]
 
 
@@ -178,12 +182,12 @@ def test_public_names_exist_and_none_is_also_a_module(package):
 
 def test_the_stub_names_what_the_top_gives_and_from_where():
     stub = (ENGINE / "__init__.pyi").read_text(encoding="utf-8")
-    told = dict(
+    written = dict(
         re.findall(r"from \.(\w+) import (?:\w+) as (\w+)", stub)[i][::-1]
         for i in range(len(newton_euler.__all__))
     )
-    assert told == newton_euler._ROOM_OF
-    assert sorted(told) == newton_euler.__all__
+    assert written == newton_euler._ROOM_OF
+    assert sorted(written) == newton_euler.__all__
 
 
 def test_a_name_that_is_not_at_the_top_is_looked_for_in_the_rooms():

@@ -3,9 +3,8 @@
 import math
 from collections.abc import Iterable
 
-from ...algebra.late import EngFormatter
-
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+PREFIXES = {0: "", -1: "m", -2: "µ", -3: "n"}
 
 
 def number(x: float) -> str:
@@ -38,7 +37,9 @@ def seconds(x: float) -> str:
     >>> seconds(1.234e-5)
     'about 10 µs'
     """
-    return f"about {EngFormatter(unit='s')(float(f'{about(x):.0g}'))}"
+    value = float(f"{about(x):.0g}")
+    power = min(0, max(-3, math.floor(math.log10(value * (1 + 1e-9)) / 3)))
+    return f"about {value / 1000.0**power:.3g} {PREFIXES[power]}s"
 
 
 def times(ratio: float) -> str:

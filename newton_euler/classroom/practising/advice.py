@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from datetime import date, timedelta
 from typing import Any
 
+from ...algebra.language import _, joined, plural
 from .progress import Progress, at_first_go
 
 # days until a problem comes again, by how many sets of its numbers were right at first go
@@ -47,21 +48,35 @@ def advise(
     latest = sorted(done, key=lambda d: d.day, reverse=True)
     for d in latest:
         if d.open and d.day == today:
-            return Advice(d.problem, f"{d.problem} is unfinished: {_and(d.open)} is not right yet.")
+            return Advice(d.problem, _unfinished(d))
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:
-            return Advice(d.problem, f"Again {d.problem}, with other numbers: {_why(d, today)}.")
+            return Advice(d.problem, _again(d, today))
     fresh = [p for p in sections if p not in {d.problem for d in done} and p != now]
     for d in latest:
         if d.missed and (near := _alike(d, fresh, sections, may_err)):
-            return Advice(near, f"{near} is of section {d.section}, too: {_why(d, today)}.")
+            return Advice(near, _("{problem} is of section {number}, too: {why}.",
+                                problem=near, number=d.section, why=_why(d, today)))  # fmt: skip
     if fresh:
         return _onwards(fresh, sections, latest)
     if done:
         first = min(done, key=lambda d: d.due)
-        when = f"{(first.due - today).days} days" if first.due > today else "a day"
-        return Advice("", f"All is done for now. {first.problem} comes again in {when}.")
-    return Advice("", "There is no problem to do.")
+        days = max((first.due - today).days, 1)
+        return Advice("", plural(
+            "All is done for now. {problem} comes again in a day.",
+            "All is done for now. {problem} comes again in {n} days.", days, problem=first.problem,
+        ))  # fmt: skip
+    return Advice("", _("There is no problem to do."))
+
+
+def _unfinished(d):
+    return _(
+        "{problem} is unfinished: {names} is not right yet.", problem=d.problem, names=_and(d.open)
+    )
+
+
+def _again(d, today):
+    return _("Again {problem}, with other numbers: {why}.", problem=d.problem, why=_why(d, today))
 
 
 def _done(problem, section, progress):
@@ -80,42 +95,55 @@ def _done(problem, section, progress):
 def _why(d, today):
     """What happened in a problem, as the end of a sentence."""
     days = (today - d.day).days
-    when = "today" if days < 1 else "yesterday" if days == 1 else f"{days} days ago"
+    when = _("today") if days < 1 else plural("yesterday", "{n} days ago", days)
     for key, cause in reversed(d.missed):
         if cause:
-            return f"{when} your {key} of {d.problem} fitted a solution that {cause[2]}"
+            return _(
+                "{when} your {key} of {problem} fitted a solution that {cause}",
+                when=when, key=key, problem=d.problem, cause=cause[2],
+            )  # fmt: skip
     if d.missed:
-        return f"{when} you needed help, or more than one try, for {_and(_names(d.missed))}"
-    return f"{when} all of it was right"
+        names = _and(_names(d.missed))
+        return _(
+            "{when} you needed help, or more than one try, for {names}", when=when, names=names
+        )
+    return _("{when} all of it was right", when=when)
 
 
 def _names(missed):
-    return list(dict.fromkeys(key for key, _ in missed))[:3]
+    return list(dict.fromkeys(key for key, cause in missed))[:3]
 
 
 def _and(names):
-    return " and ".join(names[:3])
+    return joined(names[:3])
 
 
 def _alike(d, fresh, sections, may_err):
     """A new problem of the same section, best one in which the same mistake can be made."""
     near = [p for p in fresh if sections[p] == d.section]
-    causes = {tuple(cause[:2]) for _, cause in d.missed if cause}
+    causes = {tuple(cause[:2]) for key, cause in d.missed if cause}
     return next((p for p in near if causes & may_err(p)), near[0] if near else None)
 
 
 def _onwards(fresh, sections, latest):
     """The next new problem: of the section that was practised last, or the first after it."""
     if not latest:
-        return Advice(fresh[0], f"Begin with {fresh[0]}, section {sections[fresh[0]]}.")
+        begin = _(
+            "Begin with {problem}, section {number}.", problem=fresh[0], number=sections[fresh[0]]
+        )
+        return Advice(fresh[0], begin)
     order = list(sections)
     place = order.index(latest[0].problem)
     p = next((p for p in fresh if order.index(p) > place), fresh[0])
     same = sections[p] == latest[0].section
-    goes_on = f"goes on with section {sections[p]}" if same else f"begins section {sections[p]}"
-    return Advice(p, f"{p} {goes_on}: what you tried before is right.")
+    what = {"problem": p, "number": sections[p]}
+    return Advice(p, (
+        _("{problem} goes on with section {number}: what you tried before is right.", **what)
+        if same
+        else _("{problem} begins section {number}: what you tried before is right.", **what)
+    ))  # fmt: skip
 
 
 def causes_of(page: Mapping[str, Any]) -> set[tuple[str, str]]:
     """The (group, name) of the causes that a page of a practice file can name."""
-    return {(group, name) for _, group, name, *_ in page["labels"]}
+    return {(group, name) for key, group, name, *more in page["labels"]}

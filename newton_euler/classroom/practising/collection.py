@@ -6,13 +6,14 @@ from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import checked
+from ...algebra.language import Words, _, spoken
 from ...answers.givens import in_notebook
 from .advice import advise, causes_of
 from .files import PracticeFile, PracticeFileError
 from .problems import Message, PracticeProblem
 from .progress import Progress, mastery
 
-COUNTS = "tried", "right", "at first go", "with help"
+COUNTS = Words("tried"), Words("right"), Words("at first go"), Words("with help")
 
 
 SETS = Path(__file__).with_name("sets")  # made with the wheel, of all chapters
@@ -34,7 +35,7 @@ def practice(path: str | Path = "", progress: str | Path | None = "") -> "Practi
     kept = (KEPT if comes_along else f"{path}.progress.json") if progress == "" else progress
     paths = [own] if path and comes_along else public() if comes_along else [Path(path)]
     if not paths:
-        raise PracticeFileError(f"no practice comes with this engine: {WRITTEN}")
+        raise PracticeFileError(_("no practice comes with this engine: {how}", how=WRITTEN))
     return Practice([PracticeFile(p) for p in paths], Progress(kept))
 
 
@@ -43,7 +44,7 @@ def public() -> list[Path]:
     return sorted(SETS.glob("*.practice"), key=lambda p: (p.stem.startswith("app"), p.stem))
 
 
-WRITTEN = "in a checkout, `python -m grader sets` writes it; a wheel has it"
+WRITTEN = Words("in a checkout, `python -m grader sets` writes it; a wheel has it")
 
 
 @checked
@@ -60,7 +61,10 @@ def try_problem(problem: str, folder: str | Path = ".") -> Any:
             kept = f"{path}.progress.json" if beside else Path(folder) / KEPT
             p = Practice([file], Progress(kept))[problem]
             return p.form() if in_notebook() and find_spec("ipywidgets") else p
-    text = f"No practice file has problem {problem}, so nothing checks your answer: {WRITTEN}."
+    text = _(
+        "No practice file has problem {problem}, so nothing checks your answer: {how}.",
+        problem=problem, how=WRITTEN,
+    )  # fmt: skip
     return Message(text.replace("`", ""), text)
 
 
@@ -107,9 +111,10 @@ class Practice:
     def table(self) -> Message:
         """What was tried of each problem and how well each section is known."""
         wide = max(len(self._title(p)[0]) for p in self)
-        heads = f"{'problem':8} {'title':{wide}}  {'section':8}"
-        text = [heads + "".join(f"  {c:>11}" for c in COUNTS)]
-        rows = [f"| problem | title | section | {' | '.join(COUNTS)} |", f"|{' --- |' * 7}"]
+        named = [_("problem"), _("title"), _("section"), *map(spoken, COUNTS)]
+        heads = "{:8} {:{wide}}  {:8}".format(*named[:3], wide=wide)
+        text = [heads + "".join(f"  {c:>11}" for c in named[3:])]
+        rows = [f"| {' | '.join(named)} |", f"|{' --- |' * 7}"]
         for p in self:
             title, section = self._title(p)
             counts = self._progress.counts(p)
@@ -117,7 +122,10 @@ class Practice:
             row = f"{p:8} {title:{wide}}  {section:8}"
             text.append(row + "".join(f"  {x:>11}" for x in cells))
             rows.append(f"| {p} | {title} | {section} | {' | '.join(cells)} |")
-        notes = [f"section {s or '-'}: {words}" for s, words in self.mastery.items()]
+        notes = [
+            _("section {number}: {known}", number=s or "-", known=known)
+            for s, known in self.mastery.items()
+        ]
         notes += [self._progress.note] if self._progress.note else []
         listed = [f"- {note}" for note in notes]
         return Message("\n".join([*text, "", *notes]), "\n".join([*rows, "", *listed]))
@@ -136,4 +144,4 @@ class Practice:
         return self.table.text
 
     def _repr_markdown_(self) -> str:
-        return self.table.markdown
+        return self.table._repr_markdown_()

@@ -10,16 +10,18 @@ from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import NewtonEulerError
+from ...algebra.language import _, are_words
 from ...algebra.units import unit
 from ...answers.forms import kind_named
 from ...answers.messages import one_line
 from .programs import OPERATIONS
 
-FORMAT = 4
+FORMAT, READ = 5, (4, 5)  # a cause is words in 5, a text in 4
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
 MOST = 8 * 2**20  # bytes of one member; a problem with ten sets of numbers has 0.1 MB
+DEEPEST = 32  # lists within lists; a file has less than ten
 
 
 class PracticeFileError(NewtonEulerError, ValueError):
@@ -33,19 +35,27 @@ class PracticeFile:
         self.path = Path(path)
         if not self.path.exists():
             raise PracticeFileError(
-                f"there is no practice file {self.path}; it comes from your instructor, who writes "
-                "it by: python -m grader practice ch04 -o ch04.practice"
+                _(
+                    "there is no practice file {path}; it comes from your instructor, who writes "
+                    "it by: python -m grader practice ch04 -o ch04.practice",
+                    path=self.path,
+                )
             )
         head = self._json("practice.json")
-        if not isinstance(head, dict) or head.get("format") != FORMAT:
+        if not isinstance(head, dict) or head.get("format") not in READ:
             found = head.get("format") if isinstance(head, dict) else head
             raise PracticeFileError(
-                f"{self.path} has format {one_line(found)}; this version of newton_euler "
-                f"reads format {FORMAT}: install the version that your instructor used"
-            )
+                _(
+                    "{path} has format {found}; this version of newton_euler reads format "
+                    "{format}: install the version that your instructor used",
+                    path=self.path, found=one_line(found), format=FORMAT,
+                )
+            )  # fmt: skip
         sound = _fits(head, HEAD) and head["help"] in HELP and head["problems"]
         if not sound or not set(head["problems"]) <= set(head["titles"]):
-            raise PracticeFileError(f"{self.path} is damaged: its list of problems cannot be read")
+            raise PracticeFileError(
+                _("{path} is damaged: its list of problems cannot be read", path=self.path)
+            )
         self.help: str = head["help"]
         self.problems: list[str] = head["problems"]
         self.titles: dict[str, list[str]] = head["titles"]
@@ -57,40 +67,69 @@ class PracticeFile:
                 content = member.read(MOST + 1)  # the size stated in an archive may be wrong
         # zipfile and its decompressors have a dozen errors for what is damaged
         except Exception as error:
-            raise PracticeFileError(
-                f"{self.path} is not a practice file: {one_line(str(error))}"
-            ) from error
+            raise self._other_file(error) from error
         if len(content) > MOST:
-            raise PracticeFileError(f"{self.path}: {name} has more than {MOST >> 20} MB")
+            raise PracticeFileError(
+                _(
+                    "{path}: {name} has more than {most} MB",
+                    path=self.path,
+                    name=name,
+                    most=MOST >> 20,
+                )
+            )
         return content
 
     def _json(self, name):
         try:
             found = json.loads(self.read(name))
+            printable = _is_printable(found)
         except (ValueError, RecursionError) as error:
             if isinstance(error, PracticeFileError):
                 raise
-            raise PracticeFileError(f"{self.path} is not a practice file: {error}") from error
-        if not _is_printable(found):
-            raise PracticeFileError(f"{self.path}: {name} holds control characters")
+            raise self._other_file(error) from error
+        if not printable:
+            raise PracticeFileError(
+                _("{path}: {name} holds control characters", path=self.path, name=name)
+            )
         return found
+
+    def _other_file(self, error):
+        """What Python says of the file stays as it is: it is for who made the file."""
+        return PracticeFileError(
+            _("{path} is not a practice file", path=self.path) + f": {one_line(str(error))}"
+        )
 
     def page(self, problem: str) -> dict[str, Any]:
         """What the file has of a problem, "4/16"."""
         if problem not in self.problems:
             raise PracticeFileError(
-                f"{self.path.name} has no problem {problem!r}; it has {', '.join(self.problems)}"
+                _(
+                    "{file} has no problem {problem}; it has {all}",
+                    file=self.path.name,
+                    problem=repr(problem),
+                    all=", ".join(self.problems),
+                )
             )
         page: dict[str, Any] = self._json(f"{problem.replace('/', '-')}.json")
-        fits = _fits(page, PAGE) and page.get("help", HELP[0]) in HELP
+        if _fits(page, EARLIER):
+            page |= {name: [[*row, ""] for row in page[name]] for name in ("labels", "slips")}
+        fits = (
+            _fits(page, PAGE)
+            and page.get("help", HELP[0]) in HELP
+            and _fits(page.get("language", ""), str)
+        )
         if not fits or not _is_whole(page):
-            raise PracticeFileError(f"{self.path} is damaged: problem {problem} cannot be read")
+            raise PracticeFileError(
+                _("{path} is damaged: problem {problem} cannot be read",
+                  path=self.path, problem=problem)
+            )  # fmt: skip
         return page
 
 
 # -- what a file must hold; {str: x}: names with an x each; (x, y): a list of an x and a y
 
 NUMBER = int | float
+TEXT = str | list  # in English, or what it is said by in any language
 HEAD = {"help": str, "problems": [str], "titles": {str: (str, str)}}
 QUANTITY = {
     **dict.fromkeys(("key", "kind", "unit", "means", "plain", "section"), str),
@@ -99,14 +138,19 @@ QUANTITY = {
 }  # fmt: skip
 VARIANT = {
     "givens": {str: (NUMBER, str, str)}, "statement": str, "text": str, "solution": str,
-    "right": {str: str | int | list}, "wrong": [(int, object)], "terms": {str: [str]},
+    "right": {str: str | int | list}, "wrong": [(int, object)], "terms": {str: [TEXT]},
     "program": dict | None, "slips": [(int, list)],
 }  # fmt: skip
+LABEL = (str, str, str, TEXT, TEXT, TEXT)
+SLIP = (str, int, str, TEXT, TEXT, TEXT)
 PAGE = {
-    **dict.fromkeys(("id", "title", "section", "where", "chapter", "preamble", "figure"), str),
+    **dict.fromkeys(("id", "title", "section", "chapter", "preamble", "figure"), str),
+    "where": TEXT,
     "book": bool, "quantities": [QUANTITY], "variants": [VARIANT],
-    "labels": [(str,) * 5], "slips": [(str, int, *(str,) * 3)],
+    "labels": [LABEL], "slips": [SLIP],
 }  # fmt: skip
+# in format 4 slips have no subjects
+EARLIER = PAGE | {"labels": [LABEL[:-1]], "slips": [SLIP[:-1]]}
 PROGRAM = {"operations": [list], "quantities": {str: list}, "earlier": {str: [str]}}
 
 
@@ -127,12 +171,16 @@ def _is_finite(x):
     return abs(x) < math.inf if isinstance(x, float) else x.bit_length() < 1000
 
 
-def _is_printable(x):
-    """True if no text in it has codes for a terminal, or turns the direction of reading."""
+def _is_printable(x, levels=DEEPEST):
+    """True if no text in it has codes for a terminal, or turns the direction of reading; raises
+    RecursionError where it nests deeper than a stack is sure to hold.
+    """
     if isinstance(x, str):
         return x.replace("\n", "").replace("\t", "").replace("\xa0", "").isprintable()
+    if not levels:
+        raise RecursionError(f"it nests more than {DEEPEST} levels deep")
     parts = [*x, *x.values()] if isinstance(x, dict) else x if isinstance(x, list) else ()
-    return all(map(_is_printable, parts))
+    return all(_is_printable(part, levels - 1) for part in parts)
 
 
 def _is_whole(page):
@@ -149,8 +197,18 @@ def _is_whole(page):
         and _fits(page.get("symbols", {}), {str: str})
         and not any(kind.is_formula for kind in kinds.values())
         and all(group != "axes" or place.isdecimal() for _, group, place, *_ in page["labels"])
+        and all(map(are_words, _texts(page)))
         and all(_is_variant(v, kinds, page) for v in page["variants"])
     )  # fmt: skip
+
+
+def _texts(page):
+    """What is said of causes and terms."""
+    yield page["where"]
+    for *_other, text, where, subject in (*page["labels"], *page["slips"]):
+        yield from (text, where, subject)
+    for v in page["variants"]:
+        yield from (text for texts in v["terms"].values() for text in texts)
 
 
 def _is_variant(v, kinds, page):

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from ...algebra.language import Words, _, words
 from ...answers.causes import Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
@@ -43,15 +44,17 @@ class Quantity:
 
 
 class KeptNumbers:
-    """The numbers of one variant of a problem; ``book`` is the variant with the book's."""
+    """The numbers of one variant of a problem; ``book`` is the variant with the book's; ``own``:
+    its texts are in the reader's language.
+    """
 
     sheets = ()
 
-    def __init__(self, quantities, labels, variant, book=None, slips=(), where=""):
+    def __init__(self, quantities, labels, variant, book=None, slips=(), where="", own=True):
         self.answers = [q for q in quantities if q.key in variant["right"]]
         self._labels, self._variant, self._book = labels, variant, book
         self.program = Program(variant["program"])
-        self.where = where
+        self.where, self._own = words(where), own
         self.tried: Collection[str] = ()
         self.slips = KeptSlips(slips, variant.get("slips", ()))
         self.symbols: dict[str, Any] = {}  # all is numbers in practice
@@ -72,8 +75,15 @@ class KeptNumbers:
         for label, numbers in self._variant["wrong"]:
             key, *cause = self._labels[label]
             if key in found:
-                found[key].append((Cause(*cause), _point(numbers)))
+                found[key].append((Cause(*cause[:2], *map(self._said, cause[2:])), _point(numbers)))
         return found
+
+    def _said(self, stored):
+        """The text of a cause; one in another language than the reader's is quoted."""
+        text = words(stored)
+        if self._own or isinstance(text, Words) or not text:
+            return text
+        return ": ".join(_("“{english}”", english=part) for part in text.split(": ", 1))
 
     def wrong(self, key: str) -> list[tuple[Cause, Points]]:
         """What the wrong models make of a quantity."""
@@ -82,15 +92,15 @@ class KeptNumbers:
     @property
     def earlier(self) -> dict[str, list[str]]:
         """{quantity: those through which it is computed and that were tried}."""
-        return {q.key: sorted(self._tried_before(q.key, set())) for q in self.answers}
+        return {q.key: sorted(self._tried_before(q.key)) for q in self.answers}
 
-    def _tried_before(self, key, seen):
-        for name in self.program.earlier.get(key, ()):
-            if name in self.tried:
-                yield name
-            elif name not in seen:
-                seen.add(name)
-                yield from self._tried_before(name, seen)
+    def _tried_before(self, key):
+        waiting, seen = [key], set[str]()
+        while waiting:
+            new = {*self.program.earlier.get(waiting.pop(), ())} - seen
+            seen |= new
+            waiting += new - {*self.tried}
+        return seen & {*self.tried}
 
     def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
         """No slips: the computation of later quantities from earlier ones is one of numbers."""
@@ -116,8 +126,8 @@ class KeptSlips(Slips):
     def __init__(self, labels, kept):
         self._found: dict[str, list] = {}
         for n, numbers in kept:
-            key, rank, *words = labels[n]
-            slip = rank, Cause("computed", *words)
+            key, rank, *texts = labels[n]
+            slip = rank, Cause("computed", *map(words, texts))
             self._found.setdefault(key, []).append((slip, numbers))
 
     def ranked(self, key: str) -> Ranked | None:

@@ -5,11 +5,12 @@ to choose from: in one, JupyterLab takes letters and arrows as commands, and D D
 from html import escape
 from typing import Any
 
+from ...algebra.language import Words, _
 from ...answers.forms import AnswerError, Form
 from .typed import typed
 from .ways import PRESSED
 
-INSTALL = (
+INSTALL = Words(
     "p.form() needs ipywidgets: pip install ipywidgets; without it, p.check(...), "
     "p.check_step(...), p.next_step() and p.solution() do the same"
 )
@@ -22,7 +23,7 @@ def show_form(p: Any) -> Any:
     try:
         import ipywidgets
     except ImportError:
-        raise ImportError(INSTALL) from None
+        raise ImportError(_(INSTALL)) from None
     return _Panel(p, ipywidgets).box
 
 
@@ -33,18 +34,20 @@ class _Panel:
         self.p, self.widgets = p, widgets
         self.top, self.below = widgets.Output(), widgets.Output()
         self.answers = {k: self._field(k, _as_typed(f), f.of) for k, f in self._forms(p.answers)}
-        self.chosen = self._field("step", "the name of a step; arrow down lists them", p.steps)
+        self.chosen = self._field(
+            _("step"), _("the name of a step; arrow down lists them"), p.steps
+        )
         self.chosen.observe(self._expect, "value")
         self.means = widgets.HTML(layout=widgets.Layout(margin="0 0 0 9.5em"))
-        self.step = self._field("its value", "a number or a list")
+        self.step = self._field(_("its value"), _("a number or a list"))
         buttons = self._row(
-            ("Check", self._check_answers, "Check the answers"),
-            ("Next step", self._next_step, "Where to go on; again: more"),
-            ("Solution", self._solution, "The solution in these numbers"),
-            ("New numbers", self._new_numbers, "The same problem with other numbers"),
+            (_("Check"), self._check_answers, _("Check the answers")),
+            (_("Next step"), self._next_step, _("Where to go on; again: more")),
+            (_("Solution"), self._solution, _("The solution in these numbers")),
+            (_("New numbers"), self._new_numbers, _("The same problem with other numbers")),
         )
         steps = [self.chosen, self.means, self.step,
-                 self._row(("Check step", self._check_step, "Check one step"))]  # fmt: skip
+                 self._row((_("Check step"), self._check_step, _("Check one step")))]  # fmt: skip
         rows = [self.top, *self.answers.values(), buttons, *(steps if p.steps else ()), self.below]
         self.box = widgets.VBox(rows)
         self._pressed(self._show_problem)
@@ -66,14 +69,14 @@ class _Panel:
     def _button(self, text, action, tip):
         wide = self.widgets.Layout(width="auto", flex="0 0 auto")
         made = self.widgets.Button(description=text, tooltip=tip, layout=wide)
-        made.on_click(lambda _: self._pressed(action))
+        made.on_click(lambda button: self._pressed(action))
         return made
 
     def _pressed(self, action):
         with self.p.spoken_of(PRESSED):
             action()
 
-    def _expect(self, _=None):
+    def _expect(self, change=None):
         # never in the field of the value: a change there loses what is being typed
         form = dict(self._forms(self.p.steps)).get(name := self.chosen.value)
         self.means.value = escape(f"{self.p.meanings[name]}: {_as_typed(form)}") if form else ""
@@ -88,7 +91,7 @@ class _Panel:
         try:
             read = {key: self._read(key, text) for key, text in texts.items()}
             given = {key: x for key, x in read.items() if x is not None}
-            message = check(**given) if given else self.widgets.HTML("Write a value first.")
+            message = check(**given) if given else self.widgets.HTML(_("Write a value first."))
         except (AnswerError, ValueError) as error:
             message = self.widgets.HTML(f"<div>{escape(str(error))}</div>")
         self._show(message)

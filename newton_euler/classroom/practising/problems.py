@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+import re
 import textwrap
 from base64 import b64encode
 from collections.abc import Iterator
@@ -9,6 +10,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from ...algebra.language import ENGLISH, Words, _, joined, language, spoken, words
 from ...algebra.names import did_you_mean
 from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
@@ -38,7 +40,12 @@ class Message:
         return self.text
 
     def _repr_markdown_(self) -> str:
-        return self.markdown
+        return _without_tags(self.markdown)
+
+
+def _without_tags(markdown):
+    """The same, in which nothing is read as HTML: a practice file may come from anywhere."""
+    return re.sub(r"<(?=[A-Za-z/!?])", "< ", markdown)
 
 
 @dataclass(frozen=True, repr=False)
@@ -78,8 +85,8 @@ class PracticeProblem:
         self._variant = variants[number]
         book = variants[0] if number and self._page["book"] else None
         labels, slips = self._page["labels"], self._page["slips"]
-        where = self._page["where"]
-        self._numbers = KeptNumbers(self._all, labels, self._variant, book, slips, where)
+        where, own = self._page["where"], self._page.get("language", ENGLISH) == language()
+        self._numbers = KeptNumbers(self._all, labels, self._variant, book, slips, where, own)
         self._asked = {q.key: q for q in self._numbers.answers}
         self._found: dict[str, Any] = {}
         self._trees: dict[str, Any] = {}
@@ -153,7 +160,7 @@ class PracticeProblem:
         """
         kind = "svg+xml" if self._variant.get("figure", "").endswith(".svg") else "png"
         data = b64encode(self.figure or b"").decode()
-        words = self._page["figure"] and f"Figure: {self._page['figure']}"
+        words = self._page["figure"] and _("Figure: {words}", words=self._page["figure"])
         return (f"data:image/{kind};base64,{data}", words) if data else ("", words)
 
     def new(self) -> "PracticeProblem":
@@ -179,20 +186,22 @@ class PracticeProblem:
         lines += [f"  {n} = {x:.6g}{_behind(unit)}  {means}".rstrip()
                   for n, (x, unit, means) in givens.items()]  # fmt: skip
         if self._page["figure"]:
-            lines += ["", *_wrapped(f"Figure: {self._page['figure']}")]
-        lines += ["", "Find"] + [f"  {q.key}: {q.plain} ({_stated(q.form)})"
+            lines += ["", *_wrapped(_("Figure: {words}", words=self._page["figure"]))]
+        lines += ["", _("Find")] + [f"  {q.key}: {q.plain} ({_stated(q.form)})"
                                  for q in self._asked.values() if not q.step]  # fmt: skip
         return "\n".join([*lines, "", self._count()])
 
     def _count(self):
-        count = f"Numbers {self.number + 1} of {self.sets}"
-        return f"{count}; {self._ways.new} takes others."
+        return _(
+            "Numbers {number} of {all}; {how} takes others.",
+            number=self.number + 1, all=self.sets, how=self._ways.new,
+        )  # fmt: skip
 
     def _repr_markdown_(self) -> str:
         head = self._variant["statement"].partition("\n")[0]
         numbers = ", ".join(f"`{n} = {x:.6g}`" for n, x in self.givens.items())
-        numbers = f"\n\n*Names to type:* {numbers}" if numbers else ""
-        return f"{head}\n\n{self.statement}{numbers}\n\n*{self._count()}*"
+        numbers = f"\n\n*{_('Names to type:')}* {numbers}" if numbers else ""
+        return _without_tags(f"{head}\n\n{self.statement}{numbers}\n\n*{self._count()}*")
 
     def _ipython_display_(self):
         if not in_notebook():
@@ -234,16 +243,16 @@ class PracticeProblem:
 
     def _check(self, given, names, what, other):
         if not names:
-            raise AnswerError(f"{self.id} has no {what}s to check in this practice file")
+            raise AnswerError(_(_NONE[what], problem=self.id))
         if not given:
-            raise AnswerError(f"write a value for {_A[what]}: {', '.join(names)}")
+            raise AnswerError(_(_WRITE[what], names=", ".join(names)))
         for key in given:
             if key not in names:
-                hint = f". {key} is checked {other.format(key)}" if key in self._asked else ""
-                raise AnswerError(
-                    f"{self.id} has no {what} {key!r}; it has {', '.join(names)}"
-                    f"{hint or did_you_mean(key, names)}"
-                )
+                unknown = _(_UNKNOWN[what], problem=self.id, key=repr(key), names=", ".join(names))
+                hint = did_you_mean(key, names)
+                if key in self._asked:
+                    hint = _(". {key} is checked {how}", key=key, how=_(other, name=key))
+                raise AnswerError(unknown + hint)
         forms = {key: self._asked[key].form for key in given}
         trees, faults = record(forms, {}, given)
         for key, form in forms.items():
@@ -253,20 +262,21 @@ class PracticeProblem:
                 self._asked[key], form, tree, fault, self._numbers, [NODES]
             )  # fmt: skip
         self._numbers.tried = self._found
-        found = [(key, *self._explained(key)) for key in given]
+        found = {key: self._explained(key) for key in given}
         verdicts = {key: self._found[key].verdict for key in given}
-        explained = {key: causes for key, _, causes in found}
+        said = {key: text for key, (text, causes) in found.items()}
+        explained = {key: causes for key, (text, causes) in found.items()}
         for key, verdict in verdicts.items():
             if verdict in ("right", "wrong"):
                 cause = next(iter(explained[key]), None)
                 self._progress.tried(self.id, self.number, key, verdict == "right", cause)
         return Checked(
-            "\n".join(f"{key}: {text}" for key, text, _ in found),
+            "\n".join(f"{key}: {text}" for key, text in said.items()),
             "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
-                      for key, text, _ in found),
+                      for key, text in said.items()),
             verdicts,
             explained,
-            {key: text for key, text, _ in found},
+            said,
         )  # fmt: skip
 
     def _read(self, key):
@@ -279,13 +289,15 @@ class PracticeProblem:
         """(message, the causes that explain it) of a quantity that was checked."""
         found = self._found[key]
         if found.verdict == "right":
-            return ("right" + _EARLY if self._rounded_early(key) else "right"), ()
+            return (_(_EARLY) if self._rounded_early(key) else _("right")), ()
         if found.verdict != "wrong" or found.given is None:
             return found.message, ()
         why = explain(self._asked[key], self._found, self._numbers)
         if why.earlier:
-            names = " and ".join(why.earlier)
-            message = f"not right; it follows rightly from your {names}: mend that first{why.also}"
+            message = _(
+                "not right; it follows rightly from your {names}: mend that first{also}",
+                names=joined(why.earlier), also=why.also,
+            )  # fmt: skip
             return message, why.causes
         return why.message, why.causes
 
@@ -307,11 +319,13 @@ class PracticeProblem:
         again, its equation and what it is computed from; then its value.
         """
         if self.help == HELP[0]:
-            return _plain("this practice file gives no hints")
+            return _plain(_("this practice file gives no hints"))
         waiting = [q for q in self._asked.values() if q.key not in self._passed
                    and getattr(self._found.get(q.key), "verdict", "") != "right"]  # fmt: skip
         if not waiting:
-            return _plain(f"nothing is left to find; {self._ways.new} takes other numbers")
+            return _plain(
+                _("nothing is left to find; {how} takes other numbers", how=self._ways.new)
+            )
         q = waiting[0]
         most = 3 if self.help == HELP[2] else 2
         level = self._shown[q.key] = min(self._shown.get(q.key, 0) + 1, most)
@@ -322,28 +336,33 @@ class PracticeProblem:
 
     def _hint(self, q, level, typeset):
         name = f"`{q.key}`" if typeset else q.key
-        how = (self._ways.step if q.step else self._ways.answer).format(q.key)
-        where = f" Section {q.section}." if q.section else ""
+        how = _(self._ways.step if q.step else self._ways.answer, name=q.key)
+        where = _(" Section {number}.", number=q.section) if q.section else ""
         means = (q.means if typeset else q.plain).rstrip(".")
-        lines = [f"Find {name} ({_stated(q.form)}): {means}.{where} Try it {how}."]
+        lines = [
+            _(
+                "Find {name} ({form}): {means}.{where} Try it {how}.",
+                name=name, form=_stated(q.form), means=means, where=where, how=how,
+            )
+        ]  # fmt: skip
         if level >= 2:
             lines += self._how(q, typeset)
         if level >= 3:
             value = self._value(q, typeset)
-            lines.append(f"It is {value}.")
+            lines.append(_("It is {value}.", value=value))
         return ("\n\n" if typeset else "\n").join(lines)
 
     def _how(self, q, typeset):
         if q.equation:
-            yield f"It is found by equation ({q.equation})."
+            yield _("It is found by equation ({number}).", number=q.equation)
         if terms := self._variant["terms"].get(q.key) if typeset else None:
-            yield f"It is the sum of {'; '.join(terms)}."
+            yield _("It is the sum of {terms}.", terms="; ".join(map(spoken, map(words, terms))))
         before = self._numbers.program.earlier.get(q.key, ())
         if before:
             names = ", ".join(f"`{n}`" if typeset else n for n in before)
-            yield f"It is computed from {names}."
+            yield _("It is computed from {names}.", names=names)
         elif not q.equation:
-            yield "It is computed from what is given."
+            yield _("It is computed from what is given.")
 
     def _value(self, q, typeset):
         x = self._numbers.key[q.key][0]
@@ -357,19 +376,30 @@ class PracticeProblem:
     def solution(self) -> Message:
         """The solution in the numbers at hand: all steps, the terms of sums, the answers."""
         if self.help != HELP[2]:
-            return _plain("this practice file has no solutions")
+            return _plain(_("this practice file has no solutions"))
         for q in self._asked.values():
             self._progress.helped(self.id, self.number, q.key, 3)
             self._passed.add(q.key)
         lines = [f"{q.key} = {self._value(q, False)}  {q.plain}" + (
-                    f", section {q.section}" if q.step and q.section else "")
+                    _(", section {number}", number=q.section) if q.step and q.section else "")
                  for q in self._asked.values()]  # fmt: skip
         return Message("\n".join(lines), self._variant["solution"])
 
 
-_A = {"answer": "an answer", "step": "a step"}
+_NONE = {
+    "answer": Words("{problem} has no answers to check in this practice file"),
+    "step": Words("{problem} has no steps to check in this practice file"),
+}
+_WRITE = {
+    "answer": Words("write a value for an answer: {names}"),
+    "step": Words("write a value for a step: {names}"),
+}
+_UNKNOWN = {
+    "answer": Words("{problem} has no answer {key}; it has {names}"),
+    "step": Words("{problem} has no step {key}; it has {names}"),
+}
 _MARKS = {"right": "✓", "wrong": "✗", "unreadable": "?"}
-_EARLY = ", but rounded too early: keep more digits on the way, and round at the end"
+_EARLY = Words("right, but rounded too early: keep more digits on the way, and round at the end")
 
 
 def _behind(unit):
@@ -378,7 +408,7 @@ def _behind(unit):
 
 def _stated(form):
     """A form for a reader: "vector, mm/s"; "count"."""
-    return str(form).removesuffix(", 1")
+    return form.stated.removesuffix(", 1")
 
 
 def _wrapped(text):

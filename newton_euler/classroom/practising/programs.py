@@ -2,6 +2,7 @@
 
 import math
 import operator
+from functools import partial
 from typing import Any
 
 from ...algebra.scalars import FUNCTIONS, function
@@ -17,14 +18,14 @@ OPERATIONS = {*_BETWEEN, *FUNCTIONS, "atan2"}
 
 
 def operate(name, *numbers):
-    """The result of one operation, a float.
+    """The result of one operation, a float; of floats, since a power of whole numbers has more
+    digits than fit.
 
     >>> operate("*", 3.0, 4.0)
     12.0
     """
-    if name in _BETWEEN:
-        return float(_BETWEEN[name](*numbers))
-    return float(function(name, *numbers))
+    run = _BETWEEN.get(name) or partial(function, name)
+    return float(run(*map(float, numbers)))
 
 
 class Program:

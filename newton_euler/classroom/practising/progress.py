@@ -8,6 +8,7 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
+from ...algebra.language import _
 from ...answers.causes import Cause
 
 FORMAT = 1
@@ -40,7 +41,10 @@ class Progress:
             aside = self.path.with_name(self.path.name + ".damaged")
             with contextlib.suppress(OSError):
                 os.replace(self.path, aside)
-            self.note = f"{self.path} could not be read ({error}); it is kept as {aside.name}"
+            self.note = _(
+                "{path} could not be read ({error}); it is kept as {name}",
+                path=self.path, error=error, name=aside.name,
+            )  # fmt: skip
             return {}
 
     def __str__(self) -> str:
@@ -104,7 +108,7 @@ class Progress:
             beside.write_text(str(self), "utf-8")
             os.replace(beside, self.path)
         except OSError as error:
-            self.note = f"your progress is kept only while this kernel runs: {error}"
+            self.note = _("your progress is kept only while this kernel runs: {error}", error=error)
 
     def counts(self, problem: str) -> dict[str, int]:
         """How many quantities were tried, right, right at first go without help, and helped."""
@@ -127,7 +131,7 @@ def _problems(text):
     try:
         found = json.loads(text)
         if found["format"] != FORMAT:
-            raise ValueError(f"format {found['format']!r}")
+            raise ValueError(_("format {format}", format=repr(found["format"])))
         problems = dict(found["problems"])
         sound = all(
             _is_entry(entry)
@@ -135,10 +139,10 @@ def _problems(text):
             for number, entries in variants.items()
             for entry in (*entries.values(), *([{}] if number.isdecimal() else [None]))
         )
-    except (KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise ValueError(f"no progress stands in it: {error}") from error
+    except (KeyError, TypeError, AttributeError, RecursionError, json.JSONDecodeError) as error:
+        raise ValueError(_("no progress stands in it")) from error
     if not sound:
-        raise ValueError("an entry of it cannot be read")
+        raise ValueError(_("an entry of it cannot be read"))
     return problems
 
 
@@ -168,8 +172,8 @@ def mastery(counts: dict[str, int]) -> str:
     'mastered'
     """
     if not counts["tried"]:
-        return "not tried"
+        return _("not tried")
     share = counts["at first go"] / counts["tried"]
     if counts["tried"] >= ENOUGH and share >= MASTERED:
-        return "mastered"
-    return "nearly there" if share >= MASTERED / 2 else "needs practice"
+        return _("mastered")
+    return _("nearly there") if share >= MASTERED / 2 else _("needs practice")

@@ -1,15 +1,26 @@
 """Reads a typed answer: numbers, lists, arithmetic with given names. Nothing is run as code."""
 
 import ast
+import math
 from collections.abc import Mapping
 from typing import Any
 
+from ...algebra.language import Words, _
 from ...algebra.scalars import FUNCTIONS
 from ...answers.forms import AnswerError
 from ...answers.trees import Tree, TreeError, evaluate
 
 LONGEST = 500  # letters: what nests deeper than this allows would exhaust a browser's stack
-_SIGNS = "only numbers, lists, + - * / ** and functions as sqrt, sin, cos are read"
+# what phones and other texts write for the signs of a formula
+_WRITTEN = str.maketrans(
+    {"\N{MINUS SIGN}": "-", "×": "*", "·": "*", "⋅": "*", "÷": "/", "^": "**", "\xa0": " "}
+)
+_NOT_REAL = Words("it is no real number")
+_WHY = {
+    ZeroDivisionError: Words("it divides by zero"),
+    OverflowError: Words("it is too large"),
+}
+_SIGNS = Words("only numbers, lists, + - * / ** and functions as sqrt, sin, cos are read")
 
 
 def typed(text: str, names: Mapping[str, float], words: tuple[str, ...] = ()) -> Any:
@@ -28,7 +39,8 @@ def typed(text: str, names: Mapping[str, float], words: tuple[str, ...] = ()) ->
     try:
         return _value(tree, names)
     except (ArithmeticError, ValueError, TypeError, RecursionError) as error:
-        raise AnswerError(f"{text[:60]!r} has no value: {error}") from error
+        why = next((words for kind, words in _WHY.items() if isinstance(error, kind)), _NOT_REAL)
+        raise AnswerError(_("{text} has no value: {why}", text=repr(text[:60]), why=why)) from error
 
 
 def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
@@ -38,13 +50,17 @@ def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
     ['+', ['*', 2.0, 'b'], -1.0]
     """
     if len(text) > LONGEST:
-        raise AnswerError(f"{text[:30]!r} … has more than {LONGEST} letters")
+        raise AnswerError(
+            _("{text} … has more than {most} letters", text=repr(text[:30]), most=LONGEST)
+        )
     try:
-        return _tree(ast.parse(text.strip().replace("^", "**"), mode="eval").body, names)
+        return _tree(ast.parse(text.strip().translate(_WRITTEN), mode="eval").body, names)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         if isinstance(error, AnswerError):
             raise
-        raise AnswerError(f"{text[:60]!r} is no number, and no list as [1.0, 0, -2.5]") from None
+        raise AnswerError(
+            _("{text} is no number, and no list as [1.0, 0, -2.5]", text=repr(text[:60]))
+        ) from None
 
 
 def _tree(node, names):
@@ -55,7 +71,11 @@ def _tree(node, names):
     if isinstance(node, ast.Name):
         if node.id in names or node.id == "pi":
             return node.id
-        raise AnswerError(f"{node.id} is none of the given names: {', '.join(names) or 'none'}")
+        raise AnswerError(
+            _("{name} is none of the given names: {names}", name=node.id, names=", ".join(names))
+            if names
+            else _("{name} is none of the given names: none", name=node.id)
+        )
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, (ast.USub, ast.UAdd)):
         x = _tree(node.operand, names)
         return x if isinstance(node.op, ast.UAdd) else _negative(x)
@@ -67,7 +87,7 @@ def _tree(node, names):
             return ["*", *arguments, ["/", "pi", 180.0]]
         if len(arguments) == (2 if name == "atan2" else 1) and name in (*FUNCTIONS, "atan2"):
             return [name, *arguments]
-    raise AnswerError(_SIGNS)
+    raise AnswerError(_(_SIGNS))
 
 
 def _negative(x):
@@ -93,7 +113,9 @@ def _value(tree, names):
     try:
         x = evaluate(tree, names)
     except TreeError:  # a list within a formula
-        raise AnswerError(_SIGNS) from None
+        raise AnswerError(_(_SIGNS)) from None
     if isinstance(x, complex):
-        raise ValueError("it is no real number")
+        raise ValueError
+    if not math.isfinite(x):
+        raise OverflowError
     return float(x)

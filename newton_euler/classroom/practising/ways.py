@@ -2,18 +2,20 @@
 
 from dataclasses import dataclass
 
+from ...algebra.language import Words
+
 
 @dataclass(frozen=True)
 class Ways:
     """How an answer and a step are checked, and other numbers taken, in words."""
 
-    answer: str = "by p.check({}=...)"
-    step: str = "by p.check_step({}=...)"
+    answer: str = Words("by p.check({name}=...)")
+    step: str = Words("by p.check_step({name}=...)")
     new: str = "p.new()"
 
 
 PRESSED = Ways(
-    "in the field {} above, by Check",
-    "in the field of steps, as {} with its value, by Check step",
-    "New numbers",
+    Words("in the field {name} above, by Check"),
+    Words("in the field of steps, as {name} with its value, by Check step"),
+    Words("New numbers"),
 )

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
+from ...algebra.language import Words, _, spoken
 from ...answers.givens import in_notebook
 from . import kept
 from .page import STATIC, opened, plain
@@ -125,12 +126,16 @@ class Tally:
     def __str__(self) -> str:
         first = [p for p in _asked.values() if p.given is not None]
         right, wrong = (sum(p.right is x for p in first) for x in (True, False))
-        count = f"{len(first)} of {len(_asked)} predictions made"
-        return f"{count}: {right} right, {wrong} wrong." if first else f"{count}."
+        counts = {"made": len(first), "all": len(_asked), "right": right, "wrong": wrong}
+        return (
+            _("{made} of {all} predictions made: {right} right, {wrong} wrong.", **counts)
+            if first
+            else _("{made} of {all} predictions made.", **counts)
+        )
 
     __repr__ = __str__
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+    def _repr_mimebundle_(self, **formats: Any) -> dict[str, str]:
         static = '<p class="prediction-tally" hidden></p>'
         return {"text/plain": str(self), "text/html": f"<p>{self}</p>", STATIC: static}
 
@@ -148,7 +153,7 @@ class Again:
         return [Prediction(p.question, again=True) for p in chosen]
 
     def __repr__(self) -> str:
-        return "\n\n".join(map(repr, self.predictions)) or NOTHING
+        return "\n\n".join(map(repr, self.predictions)) or spoken(NOTHING)
 
     def _ipython_display_(self) -> None:
         from IPython.display import display
@@ -161,4 +166,4 @@ class Again:
             display({"text/plain": text, "text/html": f"<p>{text}</p>", STATIC: static}, raw=True)
 
 
-NOTHING = "No prediction was wrong so far, so none is asked again."
+NOTHING = Words("No prediction was wrong so far, so none is asked again.")

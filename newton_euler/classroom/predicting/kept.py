@@ -7,6 +7,8 @@ import json
 import os
 from pathlib import Path
 
+from ...algebra.language import _
+
 FILE = "predictions.json"
 
 
@@ -24,7 +26,7 @@ def keep(question: str, prediction: str) -> str:
         os.replace(beside, FILE)
     except OSError as error:
         _unwritten[question] = prediction
-        return f"It is kept only while this notebook runs: {error}"
+        return _("It is kept only while this notebook runs: {error}", error=error)
     return ""
 
 

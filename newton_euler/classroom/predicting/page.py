@@ -5,6 +5,7 @@ open where the kernel has the buttons.
 import re
 from html import escape
 
+from ...algebra.language import _
 from .question import Question, with_unit
 
 STATIC = "application/vnd.newton-euler.static+html"  # what a page without a kernel shows
@@ -32,7 +33,7 @@ def folded(q: Question) -> str:
 
 
 def _asked(q):
-    return f'<p class="question"><b>Predict.</b> {inline(q.text)}</p>'
+    return f'<p class="question"><b>{_("Predict.")}</b> {inline(q.text)}</p>'
 
 
 def _choice(q, choice):
@@ -54,7 +55,7 @@ def _form(q):
     name = escape(re.sub(r"[$*`\\{}]", "", q.text))
     return (
         f'<form{data} hidden><input type="text" aria-label="{name}" autocomplete="off"> '
-        f"{escape(q.unit)} <button>Predict</button></form>"
+        f"{escape(q.unit)} <button>{_('Predict')}</button></form>"
     )
 
 
@@ -68,7 +69,8 @@ def _folded_answer(q):
         for m, words in (q.mistakes or {}).items()
     )
     return (
-        f'<details class="answer"><summary>Answer</summary><p>{_answer(q)}</p>{mistakes}</details>'
+        f'<details class="answer"><summary>{_("Answer")}</summary>'
+        f"<p>{_answer(q)}</p>{mistakes}</details>"
     )
 
 
@@ -87,13 +89,14 @@ def opened(q: Question, given: str | None, note: str = "") -> str:
 def _said(q, given):
     judged = q.judge(given)
     mark = {True: "✓", False: "✗", None: "·"}[judged.right]
-    lines = [f"<p>{mark} You predicted: <b>{inline(given)}</b>. {inline(judged.words)}</p>"]
+    lines = [f"<p>{mark} {_('You predicted:')} <b>{inline(given)}</b>. {inline(judged.words)}</p>"]
     if q.choices and not judged.right:
-        lines.append(f"<p>The answer: <b>{inline(q.right)}</b>. {inline(_means(q, q.right))}</p>")
+        right = f"<b>{inline(q.right)}</b>. {inline(_means(q, q.right))}"
+        lines.append(f"<p>{_('The answer:')} {right}</p>")
     elif q.choices:
         lines.append(f"<p>{inline(q.why)}</p>")
     else:
-        lines.append(f"<p>The answer: {_answer(q)}</p>")
+        lines.append(f"<p>{_('The answer:')} {_answer(q)}</p>")
     return "".join(lines)
 
 

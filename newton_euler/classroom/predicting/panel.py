@@ -4,6 +4,7 @@ answered. The answer is written into the output, so that the saved notebook show
 
 from typing import Any
 
+from ...algebra.language import _
 from .page import STATIC, folded, plain
 from .question import LETTERS
 
@@ -41,17 +42,19 @@ class _Panel:
 
     def _button(self, letter):
         narrow = self.widgets.Layout(width="3em")
-        made = self.widgets.Button(description=letter, tooltip=f"Predict {letter}", layout=narrow)
-        made.on_click(lambda _: self._chosen(letter))
+        made = self.widgets.Button(
+            description=letter, tooltip=_("Predict {letter}", letter=letter), layout=narrow
+        )
+        made.on_click(lambda button: self._chosen(letter))
         return made
 
     def _field(self):
-        asked = f"a number, {self.p.question.unit}".removesuffix(", ")
-        hint = "your words" if self.p.question.number is None else asked
+        asked = f"{_('a number')}, {self.p.question.unit}".removesuffix(", ")
+        hint = _("your words") if self.p.question.number is None else asked
         field = self.widgets.Text(placeholder=hint, continuous_update=False)
-        button = self.widgets.Button(description="Predict")
+        button = self.widgets.Button(description=_("Predict"))
         field.observe(lambda change: self._chosen(change.new), "value")
-        button.on_click(lambda _: self._chosen(field.value))
+        button.on_click(lambda button: self._chosen(field.value))
         return self.widgets.HBox([field, button])
 
     def _chosen(self, prediction):

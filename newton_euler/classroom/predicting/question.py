@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ...algebra.errors import ArgumentError
+from ...algebra.language import _
 from ...answers.forms import AnswerError
 from ..practising.typed import typed
 
@@ -82,7 +83,9 @@ def question(
     within: float | None,
     why: str,
 ) -> Question:
-    """The question that :func:`~.asking.predict` asks."""
+    """The question that :func:`~.asking.predict` asks, in the reader's language."""
+    text, why, answer = _said(text), _said(why), _said(answer)
+    choices = {_said(c): _said(means) for c, means in (choices or {}).items()}
     if answer is None and not choices:
         return Question(text, why)
     if within is not None:
@@ -97,6 +100,10 @@ def question(
             f"{', '.join(words) or 'none'}"
         )
     return Question(text, why, words, right)
+
+
+def _said(x):
+    return _(x) if isinstance(x, str) else x
 
 
 def _of_number(text, mistakes, answer, unit, within, why):
@@ -123,7 +130,7 @@ def _right(choices, answer, unit):
 
 def _in_words(choice, unit):
     if isinstance(choice, bool):
-        return "yes" if choice else "no"
+        return _("yes") if choice else _("no")
     return with_unit(float(choice), unit) if _is_number(choice) else str(choice)
 
 

@@ -158,7 +158,8 @@ class Solids(Recorder):
         def command(canvas):
             depth = canvas.depth(C) + r / 2
             canvas.line(outline, "body", closed=True, depth=depth)
-            near = [p for p in equator[36:] + equator[:36] if canvas.depth(sub3(p, C)) > 0]
+            far = min(range(len(equator)), key=lambda n: canvas.depth(equator[n]))
+            near = [p for p in equator[far:] + equator[:far] if canvas.depth(sub3(p, C)) > 0]
             canvas.line(near, "seam", depth=depth + canvas.pt)
 
     def box(self, centre: Place, frame: Frame, sizes: Sequence[float]) -> None:

@@ -77,20 +77,26 @@ class _Drawing:
         )
 
     def parts(self):
+        """The elements of the plot as SVG, those in front last."""
         frame = f'x="{self.left:.1f}" y="{self.top:.1f}" width="{self.w:.1f}" height="{self.h:.1f}"'
         yield f'<svg {frame} viewBox="{self.left:.1f} {self.top:.1f} {self.w:.1f} {self.h:.1f}">'
         for mark in self.plot.marks:
             if mark.kind in ("line", "area"):
                 yield self._curve(mark)
+            elif mark.kind == "arrow":
+                yield self._arrow(mark)
         yield "</svg>"
-        yield f'<rect {frame} fill="none" stroke="{BLACK}" stroke-width="0.8"/>'
+        is_framed = self.plot.settings.get("axis") != "off"
+        if is_framed:
+            yield f'<rect {frame} fill="none" stroke="{BLACK}" stroke-width="0.8"/>'
         for mark in self.plot.marks:
             if mark.kind == "dots":
                 yield from self._dots(mark)
             elif mark.kind == "text":
                 x, y = self.at(mark.xs[0], mark.ys[0])
                 yield self._text(mark, x + mark.shift[0], y - mark.shift[1])
-        yield from self._axes()
+        if is_framed:
+            yield from self._axes()
         if self.plot.legend is not None:
             yield from self._legend(**self.plot.legend)
 
@@ -124,6 +130,14 @@ class _Drawing:
             inside = -1 <= x - self.left <= self.w + 1 and -1 <= y - self.top <= self.h + 1
             if inside:
                 yield _dot(mark, x, y)
+
+    def _arrow(self, mark):
+        (x0, y0), (x1, y1) = (self.at(mark.xs[n], mark.ys[n]) for n in (0, -1))
+        if len(mark.xs) == 1:
+            right, up = (self.w * side for side in mark.shift)
+            x0, y0 = x0 - mark.size * right, y0 + mark.size * up
+            x1, y1 = x0 + right, y0 - up
+        return _arrow(mark, x0, y0, x1 - x0, y1 - y0)
 
     def _axes(self):
         for x, text in self.xticks:
@@ -214,6 +228,22 @@ def _dot(mark: Mark, x: float, y: float) -> str:
         f"M{x - r:.1f} {y + r:.1f}L{x + r:.1f} {y - r:.1f}",
     }
     return f'<path d="{shapes[mark.shape]}" {look}/>'
+
+
+def _arrow(mark: Mark, x: float, y: float, dx: float, dy: float) -> str:
+    """An arrow of this colour and width, whose head is not longer than itself."""
+    length, colour = math.hypot(dx, dy), escape(mark.colour)
+    if not 0 < length < 2e4:
+        return ""
+    head = min(5 * mark.width, length)
+    ex, ey, wide = dx / length, dy / length, head / 3
+    bx, by = x + dx - head * ex, y + dy - head * ey
+    return (
+        f'<path d="M{x:.1f} {y:.1f}L{bx:.1f} {by:.1f}" stroke="{colour}" '
+        f'stroke-width="{mark.width:.1f}"/><path d="M{x + dx:.1f} {y + dy:.1f}'
+        f"L{bx - wide * ey:.1f} {by + wide * ex:.1f}L{bx + wide * ey:.1f} {by - wide * ex:.1f}Z"
+        f'" fill="{colour}"/>'
+    )
 
 
 def _tick(x, y, dx, dy):

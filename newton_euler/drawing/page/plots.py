@@ -23,8 +23,8 @@ class NeedsMatplotlib(NewtonEulerError, AttributeError):
 
 
 class Mark(NamedTuple):
-    """Something drawn: a "line", an "area", "dots" or a "text", at places in the units of the axes;
-    None stands for the edge of the axes.
+    """Something drawn: a "line", an "area", "dots", a "text" or an "arrow", at places in the units
+    of the axes; None stands for the edge of the axes.
     """
 
     kind: str
@@ -38,7 +38,8 @@ class Mark(NamedTuple):
     size: float = 6
     opacity: float = 1
     filled: bool = True
-    shift: tuple = (0, 0)  # of a text, in points to the right and up
+    shift: tuple = (0, 0)  # of a text, in points to the right and up; of an arrow without a
+    # second place, from its tail to its tip by the width of the axes
 
 
 @dataclass
@@ -213,9 +214,19 @@ class Plots:
     @_recorded
     def annotate(self, text: str, xy: Any, xytext: Any = (0, 0), **named: Any) -> None:
         """Write a text, its middle or an end (``ha``) some points from a place."""
+        if "arrowprops" in named and not text:
+            return self._arrow(xytext, xy, **named["arrowprops"])
         given = dict(named)
         if given.pop("textcoords", None) != "offset points":
             raise NeedsMatplotlib("a panel writes texts at an offset in points")
+        return self._write(text, xy, xytext, **given)
+
+    @_recorded
+    def text(self, x: float, y: float, text: str, **named: Any) -> None:
+        """Write a text at a place, which its middle or an end (``ha``, ``va``) has."""
+        self._write(text, (x, y), (0, 0), **named)
+
+    def _write(self, text, xy, offset, **given):
         up = {"bottom": 5, "top": -5, "center": 0, "baseline": 4}[given.pop("va", "baseline")]
         side = given.pop("ha", "left")
         bold = given.pop("weight", "") == "bold"
@@ -223,11 +234,39 @@ class Plots:
         _refuse(given)
         x, y = xy
         shift = (
-            xytext[0] + {"left": 0.25, "center": 0, "right": -0.25}[side] * size,
-            xytext[1] + up,
+            offset[0] + {"left": 0.25, "center": 0, "right": -0.25}[side] * size,
+            offset[1] + up,
         )
         mark = Mark("text", [float(x)], [float(y)], BLACK, 1 + bold, (), "", str(text), size)
         self.plotted.marks.append(mark._replace(shift=shift))
+
+    def _arrow(self, tail, tip, arrowstyle, color="k"):
+        if arrowstyle != "->":
+            raise NeedsMatplotlib(f"a panel does not know the arrow {arrowstyle!r}")
+        xs, ys = zip(tail, tip, strict=True)
+        colour = _colour(self.plotted, color)
+        self.plotted.marks.append(Mark("arrow", _numbers(xs), _numbers(ys), colour))
+
+    @_recorded
+    def quiver(self, *sides: Any, **named: Any) -> None:
+        """Draw arrows, ``quiver(x, y, u, v, scale=, width=, color=, pivot=)``: u/scale of the width
+        of the axes to the right and v/scale upwards, each with its tail or its middle at (x, y).
+        """
+        given = {"color": "k", "pivot": "tail", "width": 0.005, **named}
+        scale, width = float(given.pop("scale")), 360 * float(given.pop("width"))
+        colour = _colour(self.plotted, given.pop("color"))
+        middle = {"tail": 0.0, "mid": 0.5}[given.pop("pivot")]
+        _refuse(given)
+        for x, y, u, v in zip(*map(_numbers, sides), strict=True):
+            mark = Mark("arrow", [x], [y], colour, width, size=middle)
+            self.plotted.marks.append(mark._replace(shift=(u / scale, v / scale)))
+
+    def axis(self, which: str) -> None:
+        """``axis("off")``: without a frame and ticks."""
+        if which != "off":
+            raise NeedsMatplotlib(f"a panel does not know axis({which!r})")
+        self.plotted.calls.append(("axis", (which,), {}))
+        self.plotted.settings["axis"] = which
 
     @_recorded
     def legend(self, **named: Any) -> None:

@@ -17,7 +17,7 @@ from .texts import text_at
 FONTS = "var(--sketch-font, 'DejaVu Sans', Verdana, sans-serif)"
 # of each colour, that which a dark page has instead
 DARK = {
-    "#000000": "#f0f2f4", "#ffffff": "#14171a", "#454a50": "#b4bac1", "#aab1b9": "#343a41",
+    "#000000": "#f0f2f4", "#ffffff": "#131416", "#454a50": "#b4bac1", "#aab1b9": "#343a41",
     "#c9ced4": "#3d444c", "#dde1e5": "#4a525b", "#eef0f2": "#59626c", "#8a5a00": "#e0ad50",
     "#0072B2": "#5cb8f0", "#D55E00": "#ff9450", "#008060": "#3fc79c", "#B0408A": "#ec85c8",
     "#6b6f75": "#9aa0a8", "#f1ede4": "#2a2721", "#555555": "#b0b0b0", "#777777": "#9a9a9a",
@@ -48,8 +48,9 @@ def svg(page: Page, alt: str = "") -> str:
     """
     width, height = page.width, page.height
     label = f' aria-label="{escape(" ".join(alt.split()))}"' if alt else ""
+    kind = "sketch wide" if width > 1.7 * height else "sketch"  # which a phone lets one push aside
     parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" class="sketch" viewBox="0 0 {width:g} {height:g}"'
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="{kind}" viewBox="0 0 {width:g} {height:g}"'
         f' width="{width / 0.72:g}" height="{height / 0.72:g}" role="img"{label}'
         f' font-family="{FONTS}" fill-rule="evenodd" stroke-linecap="round"'
         f' stroke-linejoin="round" text-anchor="middle">'

@@ -7,6 +7,7 @@ The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion
 """
 
 from bisect import bisect_right
+from collections.abc import Callable
 from itertools import pairwise
 from math import ulp
 
@@ -54,6 +55,8 @@ class Stepper:
     resumable : True if the method can go back to one of its steps
     repeated : True if it has gone back
     taken : the number of steps where not all of them are kept
+    halved : a function of the number of a step: by how much it differs from two halves of it, over
+        the scales; None for a method that cannot tell
 
     A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
     at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of
@@ -64,6 +67,7 @@ class Stepper:
 
     around = 8
     resumable, repeated, taken = False, False, 0
+    halved: Callable | None = None
 
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
@@ -134,10 +138,15 @@ class Stepper:
     @property
     def checkpoints(self):
         """Two pairs (time, state) from the second half of the steps, at which two runs are
-        compared; empty if there are few steps.
+        compared; empty if there are few steps. Where steps were repeated, most of them are within
+        something narrow, in which the states of two runs differ for a moment: from the second half
+        of the time.
         """
-        count, size = len(self.steps), len(self.x)
+        count, size, times = len(self.steps), len(self.x), self.step_times
         chosen = (3 * count // 5, 4 * count // 5) if count > 4 else ()
+        if self.repeated and chosen:
+            late = (times[0] + part * (self.t - times[0]) for part in (0.6, 0.8))
+            chosen = [max(bisect_right(times, t) - 1, 1) for t in late]
         return [(self.step_times[n], self.steps[n][-size:]) for n in chosen]
 
     def step_index(self, t):

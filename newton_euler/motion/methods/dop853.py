@@ -8,7 +8,7 @@ Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993
 II.6 and II.10.
 """
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import inf, isfinite, sqrt
 from textwrap import indent
 
@@ -187,6 +187,17 @@ class Dop853(Stepper):
         start, _, *x = self.steps[self.step_index(t)]
         self.calls += 12
         return self.code["one_step"](*self.f, start, t - start, x)
+
+    def halved(self, n):
+        """By how much step n differs from two halves of it, over the scales."""
+        (t, h, *x), step = self.steps[n], partial(self.code["one_step"], *self.f)
+        last = n + 1 == len(self.steps)
+        begin, reached = (self.t, self.x) if last else (self.steps[n + 1][0], self.steps[n + 1][2:])
+        if begin > t + h:  # past a stop, which moved the state
+            reached = step(t, h, x)
+        self.calls += 24
+        rows = zip(step(t + h / 2, h / 2, step(t, h / 2, x)), reached, self.scales, strict=True)
+        return [(u - v) / (s or 1.0) for u, v, s in rows]
 
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`; of order 7."""

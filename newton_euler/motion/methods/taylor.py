@@ -225,22 +225,23 @@ class Taylor(Stepper):
         """The states at increasing times, an array (states, times); None if heyoka stops early."""
         import numpy as np
 
-        rows, walk = [], copy(self)  # several threads may need it at once
+        blocks, found, walk = [], 0, copy(self)  # several threads may need it at once
         walk.taken = 0
         with self._integrator() as ta, suppress(LengthError):
             self._put(ta, *self.start)
             if times[0] == ta.time:
-                rows.append(ta.state.copy())
-            while len(rows) < len(times):
-                before, left = ta.time, times[len(rows) :]
-                done = ta.propagate_grid([before, *left], max_steps=MAX_STALLED_STEPS)
-                rows += [*done[-1][1:]]
+                blocks, found = [ta.state[None].copy()], 1
+            while found < len(times):
+                before, grid = ta.time, np.append(ta.time, times[found:])
+                done = ta.propagate_grid(grid, max_steps=MAX_STALLED_STEPS)
+                blocks.append(done[-1][1:])
+                found += len(blocks[-1])
                 walk.t = ta.time
                 if walk._stalled(ta, before, done) or not isfinite(walk.t):
                     break
                 walk.check_length(walk.taken)
         self.calls += walk.taken * ta.order
-        return self._unscaled(np.array(rows).T) if len(rows) == len(times) else None
+        return self._unscaled(np.concatenate(blocks).T) if found == len(times) else None
 
     def _by_steps(self, limit):
         """Take at most ``limit`` steps and keep their series."""
@@ -283,6 +284,12 @@ class Taylor(Stepper):
         increasing = enough and not self.stops and np.all(np.diff(times) > 0)
         found = self._grid(times) if increasing else None
         return self.dense.states(times) if found is None else found
+
+    def state_at(self, t):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`; a run without events has kept no
+        series yet.
+        """
+        return tuple(self.states([t])[:, 0].tolist())
 
     def _polynomials(self, times):
         """The states at an array of times by the series of the steps."""

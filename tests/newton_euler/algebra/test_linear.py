@@ -9,7 +9,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, compiled, cos, sin
@@ -60,6 +60,7 @@ def test_regular_systems_give_the_solution_they_were_made_from(kind, count):
 
 @settings(max_examples=60, deadline=None)
 @given(st.integers(2, 5), st.integers(0, 3), st.integers(0, 10**6))
+@example(2, 2, 39)  # the first two equations are 10^-10 of the others
 def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, seed):
     """Multiplied by powers of ten, shuffled, with sums of them added."""
     dice = np.random.default_rng(seed)

@@ -114,7 +114,7 @@ def test_arrays_of_whole_numbers_do_not_overflow():
 
 @pytest.mark.parametrize(
     "text",
-    ["", "m//s", "m*", "/s", "m^", "m^2.5", "m^x", "m^2^2", "2*m", "m s^", "m-s", "(m)", "µm",
+    ["", "m//s", "m*", "/s", "m^", "m^2.5", "m^x", "m^2^2", "mm^999999999", "2*m", "m s^", "m-s", "(m)", "µm",
      None, 3],
 )  # fmt: skip
 def test_what_cannot_be_read_is_quoted(text):

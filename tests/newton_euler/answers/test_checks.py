@@ -57,7 +57,8 @@ def test_components_in_several_frames_are_several_guesses(clock):
 
 @pytest.mark.parametrize("between", [
     lambda: None, lambda: checks.FILE.write_text("damaged"), lambda: checks.FILE.unlink(),
-], ids=["", "damaged", "deleted"])  # fmt: skip
+    lambda: checks.FILE.write_text("[" * 10**5),
+], ids=["", "damaged", "deleted", "deep"])  # fmt: skip
 def test_a_count_goes_on_in_this_kernel_and_the_next(clock, monkeypatch, between):
     sealed = seal(NUMBER, [2.5])
     guessed(sealed, NUMBER, range(100, 100 + FREE))
@@ -75,6 +76,8 @@ def test_a_clock_set_back_does_not_lock_a_student_out(clock):
     guessed(sealed, NUMBER, range(100, 100 + FREE))
     clock[0] -= 1e8
     assert check(sealed, NUMBER, 2.5).wait == LONGEST
+    clock[0] += LONGEST
+    assert check(sealed, NUMBER, 2.5).right
 
 
 def test_a_seal_of_another_version_says_nothing():

@@ -5,18 +5,28 @@ import math
 import pytest
 
 from newton_euler.answers.causes import (
+    BOOK,
     BOUNDS,
     FIRST_DIGITS,
+    INVERTED,
     NEAR,
     NEAR_IN_FEW_DIGITS,
     OFF_DIAGONAL,
+    ROOT,
     ROUNDED,
+    SQUARED,
     TRANSPOSED,
     Cause,
     both,
+    computed,
+    entry_left_out,
+    entry_reversed,
+    exchanged_diagonal,
+    left_out_components,
     listed,
     other_axes,
     sentence,
+    sum_on_diagonal,
     term_left_out,
     term_reversed,
 )
@@ -110,11 +120,35 @@ TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
     [
         ("matrix", ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),), TURN, TRANSPOSED),
         ("matrix", ((4.0, 1.0, -0.5, 1.0, 5.0, -2.0, -0.5, -2.0, 6.0),), INERTIA, OFF_DIAGONAL),
+        ("matrix", ((4, -1, 0, -1, 5, 2, 0, 2, 6),), INERTIA, entry_left_out(0, 2)),
+        ("matrix", ((4, -1, 0.5, -1, 5, -2, 0.5, -2, 6),), INERTIA, entry_reversed(1, 2)),
+        ("matrix", ((4, -1, 0.5, -1, 6, 2, 0.5, 2, 5),), INERTIA, exchanged_diagonal(1, 2)),
+        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 9),), INERTIA, sum_on_diagonal(2)),
         ("interval", ((3.0, 1.0),), ((1.0, 3.0),), BOUNDS),
+        ("number", ((62.41,),), ((7.9,),), SQUARED),
+        ("number", ((2.811,),), ((7.9,),), ROOT),
+        ("number", ((0.1266,),), ((7.9,),), INVERTED),
+        ("vector", ((7.9, 0.0, 0.0),), ((7.9, 2.0, 3.0),), left_out_components([1, 2])),
     ],
 )
 def test_slips_that_need_no_list_are_named_by_kind(kind, given, key, cause):
-    assert cause in diagnose(given, key, [], KINDS[kind])
+    assert cause in diagnose(given, key, [], KINDS[kind], slips=lambda *_: ())
+
+
+@pytest.mark.parametrize(
+    ("kind", "key", "models", "causes"),
+    [
+        ("vector", ((6.0, -8.0, 0.0),), [], ["factor", "computed"]),
+        ("vector_expression", ((9.0, 9.0, 0.0),), [(BOOK, MODEL)], ["book", "computed"]),
+        ("vector", ((9.0, 9.0, 0.0),), [(BOOK, MODEL)], ["book"]),
+        ("vector", ((6.0, -8.0, 0.0),), [(TURNS, MODEL)], ["listed"]),
+    ],
+)
+def test_a_factor_and_a_formula_of_the_book_do_not_hide_a_slip(kind, key, models, causes):
+    near = lambda *_: [(1, computed("half", "leaves out the hole"), MODEL)]
+    two = {"a factor of 2": 2.0}
+    found = diagnose(MODEL, key, models, KINDS[kind], two, slips=near)
+    assert [c.group for c in found] == causes
 
 
 @pytest.mark.parametrize(

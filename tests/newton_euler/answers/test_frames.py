@@ -24,7 +24,7 @@ class Asked:
 
 
 def turned(components, *turns):
-    """The readings of a vector with these components in a frame of so many turns."""
+    """The readings of a vector with these components in a frame of this many turns."""
     frame = Frame("ground")
     for axis, angle in turns:
         frame = frame.rotate("mine", axis, angle=angle, rate=1.0)

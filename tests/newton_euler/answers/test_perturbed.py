@@ -1,5 +1,6 @@
 """Slips in a traced computation: a thing that slides down and is stopped by a spring."""
 
+import itertools
 import math
 import random
 
@@ -9,7 +10,9 @@ from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.diagnosis import diagnose
-from newton_euler.answers.formulas import Formulas, Traced
+from newton_euler.answers.edits_of_equations import SLIPS, solution
+from newton_euler.answers.edits_of_givens import of_integrand
+from newton_euler.answers.formulas import Formulas, Stage, Traced
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import NO_SLIPS
 from newton_euler.answers.perturbed import Computation, Perturbed
@@ -75,10 +78,120 @@ m, g, s, d, alpha, v, b = GIVEN.values()
         ("I", m * b**2 / 12 - m * d**2, "the term m*d^2 with the opposite sign"),
         ("u", math.sqrt(g * s * math.cos(alpha)), "leaves out the factor 2"),
         ("u", 2 * g * s * math.cos(alpha), "leaves out the square root"),
+        ("u", math.sqrt(2 * 32.2 * s * math.cos(alpha)), "takes 32.2 for g: that is in ft/s^2"),
+        ("I", m * b**2 / 12 + m * (d / 2) ** 2, "takes half of d"),
     ],
 )
 def test_a_slip_is_named(perturbed, key, given, words):
     assert words in named(perturbed, key, float(f"{float(given):.6g}"))
+
+
+def computation(answers, units, **more):
+    """The numbers 1.3, 2.3 ... of the arguments, and their slips."""
+    given = {n: 1.3 + k for k, n in enumerate(units)}
+    return Perturbed(Computation(Formulas(answers, units, SI, **more)), given)
+
+
+def texts(slips, key="x"):
+    return " | ".join(cause.text for _, cause in slips.ranked(key).slips)
+
+
+def test_what_is_the_same_for_everyone_has_no_slips():
+    """As the quarter turn of the axes in which the code writes an angle."""
+    trace = Trace()
+    a, c = trace.new("argument", "a"), trace.new("argument", "c")
+    quarter = trace.step("pi") / 2
+    found = texts(computation({"x": Traced([a * sin(quarter) + c], "m")}, {"a": "m", "c": "m"}))
+    assert "takes c for a" in found
+    assert "pi" not in found
+
+
+def test_terms_have_the_names_of_quantities_that_the_text_knows():
+    trace = Trace()
+    a, c, e = (trace.new("argument", n) for n in "ace")
+    root = sqrt(a * a + c * c)  # an answer of its own
+    work = (a * c + c * e + a * e) * (a + c + e)
+    answers = {"r": Traced([root], "m"), "x": Traced([work - e * e * e * root], "m^4")}
+    stages = [Stage("U", "", [work], "the work of the spring")]
+    found = texts(computation(answers, dict.fromkeys("ace", "m"), stages=stages))
+    assert "leaves out the work of the spring" in found
+    assert "leaves out the term e^3*r" in found
+
+
+def test_a_slip_in_one_of_several_uses_is_less_simple_than_one_in_all():
+    trace = Trace()
+    v, k = trace.new("argument", "v"), trace.new("argument", "k")
+    slips = computation({"x": Traced([k * v + v * v], "m^2/s^2")}, {"v": "km/h", "k": "m/s"})
+    ranks = {cause.text: rank for rank, cause in slips.ranked("x").slips}
+    everywhere = next(r for x, r in ranks.items() if x.startswith("converts v"))
+    in_one = next(r for x, r in ranks.items() if "without converting" in x and "in one" in x)
+    assert everywhere // 2 < in_one // 2
+
+
+def test_a_given_left_out_of_one_product_leaves_out_the_product():
+    trace = Trace()
+    rho, a, c = (trace.new("argument", n) for n in ("rho", "a", "c"))
+    whole = Traced([rho * a * a + rho * c * c * c / a], "kg")
+    found = texts(computation({"x": whole}, {"rho": "kg/m^2", "a": "m", "c": "m"}))
+    assert "leaves out rho, in one place" not in found
+    assert "leaves out the term" in found
+
+
+LENGTHS = {"a": "m", "c": "m", "k": "s"}
+A, C, K = 1.3, 2.3, 3.3
+
+
+def of_three(given):
+    """The diagnosis of a vector, some of whose components are wrong."""
+    trace = Trace()
+    a, c, _ = (trace.new("argument", n) for n in LENGTHS)
+    parts = [a / 3 + c / 2, a * c / (a + c), sqrt(a * a + c * c)]
+    slips = computation({"x": Traced(parts, "m")}, LENGTHS)
+    key = (A / 3 + C / 2, A * C / (A + C), math.hypot(A, C))
+    points = tuple(k if x is None else float(f"{x:.5g}") for x, k in zip(given, key, strict=True))
+    causes = diagnose(
+        (points,), (key,), [], KINDS["vector"], slips=lambda fit, kind: slips.near("x", fit, kind)
+    )
+    return " | ".join(c.text for c in causes)
+
+
+def test_a_slip_in_some_components_alone_is_named_there():
+    assert "in some components takes c for a" in of_three([C / 3 + C / 2, C / 2, None])
+    assert "in some" not in of_three([C / 3 + C / 2, C / 2, math.hypot(C, C)])
+
+
+def test_random_numbers_in_one_component_are_hardly_ever_named():
+    rng = random.Random(2)
+    tries = [[(A / 3 + C / 2) * 3 ** rng.uniform(-1, 1), None, None] for _ in range(400)]
+    assert sum("in its" in of_three([float(f"{x[0]:.4g}"), *x[1:]]) for x in tries) <= 4
+
+
+@pytest.mark.parametrize(
+    ("parts", "wrong", "words"),
+    [
+        (lambda a, c, k: k * (a / (a + c)) ** 2, K * ((A + C) / A) ** 2, "inverts the ratio of a"),
+        (lambda a, c, k: k * (a / (a + c)) ** 2, K * A / (A + C), "does not square the ratio of a"),
+        (lambda a, c, k: sqrt(a * a + c * k), A + math.sqrt(C * K), "the root of each term"),
+        (lambda a, c, k: a * c / k, A * C / K - A, "takes a off x"),
+        (lambda a, c, k: a * c / k, C - A * C / K, "the difference between c and x"),
+    ],
+)
+def test_ratios_roots_and_differences(parts, wrong, words):
+    trace = Trace()
+    given = [trace.new("argument", n) for n in LENGTHS]
+    slips = computation({"x": Traced([parts(*given)], "m")}, dict.fromkeys(LENGTHS, "m"))
+    right = float(parts(A, C, K))
+    causes = diagnose(
+        ((float(f"{wrong:.6g}"),),), ((right,),), [], KINDS["number"],
+        slips=lambda fit, kind: slips.near("x", fit, kind),
+    )  # fmt: skip
+    assert words in " | ".join(c.text for c in causes)
+
+
+def test_the_factor_of_a_power_that_an_integral_divides_by_may_be_another():
+    slips = of_integrand(Trace().new("argument", "b"))
+    factors = {expression[-1] for *_, expression in slips}
+    assert {3.0, 1 / 3, 4.0, 1.5, 4 / 3} < factors  # t^3/3, t^4/12 as t^4/4 and t^4/8, t^5/15
 
 
 def test_random_numbers_are_hardly_ever_named(perturbed):
@@ -99,5 +212,41 @@ def test_a_right_answer_has_no_slip(perturbed):
         assert not named(perturbed, key, float(f(**GIVEN)))
 
 
+def test_each_entry_of_equations_that_are_solved_together_is_turned_left_out_doubled_and_halved():
+    import numpy as np
+
+    left, right = np.array([[2.0, 1.0, 0.5], [1.0, -3.0, 2.0], [0.3, 1.0, 1.5]]), [4.0, 5.0, -1.0]
+    entries = np.column_stack([left, right])
+    for place, factor in itertools.product(range(12), SLIPS):
+        slipped = entries.copy()
+        slipped.flat[place] *= factor
+        expected = np.linalg.solve(slipped[:, :3], slipped[:, 3])
+        found = [solution(4, k, place, factor, *entries.flat) for k in range(3)]
+        np.testing.assert_allclose(found, expected, rtol=1e-9)
+
+
 def test_without_a_computation_nothing_is_named():
     assert not named(NO_SLIPS, "E", 1.0)
+
+
+def _causes(answer, parts, units, unit="m"):
+    trace = Trace()
+    args = {name: trace.new("argument", name) for name in units}
+    computed = {answer: Traced(parts(**args), unit)}
+    return [e.cause.what for e in Computation(Formulas(computed, units, SI)).edits]
+
+
+def test_no_slip_is_named_in_a_sum_that_nobody_writes():
+    found = _causes("I", lambda m, a: [m * a * (2 * a - a)], {"m": "kg", "a": "m"}, "kg*m^2")
+    assert not [words for words in found if "2*a" in words]
+    assert "does not square a of m*a^2" in found
+
+
+def test_a_given_may_be_handed_back_and_a_vector_turned():
+    lengths = dict.fromkeys(["p", "q", "x", "y"], "m") | {"s": "1"}
+    (first, *_) = _causes("d", lambda p, q, **_: [p - 2 * q], lengths)
+    assert first.startswith("gives p unchanged")
+    found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y], lengths)
+    assert "takes x and y and y with the opposite sign" not in found
+    found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y], lengths)
+    assert "takes p and q with the opposite sign" in found

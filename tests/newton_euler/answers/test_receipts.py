@@ -140,15 +140,15 @@ def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
 
 def test_a_receipt_prints_an_answer_that_is_named_by_a_word_as_the_code_does():
     expect("0/13", acc_mag="number, m/s^2", state="choice: stable | unstable")
-    said = receipt("0/13", acc_mag=2.5, state="stable").markdown
-    assert r"`acc_mag` $= 2.5\ \text{m/s}^2$" in said
-    assert "`state`: stable" in said
+    output = receipt("0/13", acc_mag=2.5, state="stable").markdown
+    assert r"`acc_mag` $= 2.5\ \text{m/s}^2$" in output
+    assert "`state`: stable" in output
 
 
 def test_hints_of_a_receipt_are_text_and_no_markdown():
     expect("0/12", {"r": "m", "omega_1": "rad/s"}, v="expression, m/s")
-    said = receipt("0/12", v=symbols("r") * symbols("omega_1") ** 2).markdown
-    assert "\n- look again at v: it is in" in said
+    output = receipt("0/12", v=symbols("r") * symbols("omega_1") ** 2).markdown
+    assert "\n- look again at v: it is in" in output
     assert "look again" in repr(receipt("0/12", v=symbols("r")))
-    assert "**0/12:**" in said
+    assert "**0/12:**" in output
     assert receipt("0/12").markdown == "0/12: no answer yet."

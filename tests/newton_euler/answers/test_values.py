@@ -1,4 +1,4 @@
-"""Numbers and vectors of every library are read; what cannot be read is told with what to write."""
+"""Numbers and vectors of every library are read; of what cannot be read the error says what to write."""
 
 import math
 import re

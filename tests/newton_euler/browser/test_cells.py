@@ -58,6 +58,13 @@ def test_an_error_is_said_with_its_line_after_what_was_shown_before(page, source
     assert cells.run(page, [source], 0)["error"] == words
 
 
+def test_where_no_ipython_is_a_cell_is_not_in_a_notebook(page, monkeypatch):
+    monkeypatch.setitem(sys.modules, "IPython", None)
+    monkeypatch.setitem(sys.modules, "IPython.display", None)
+    source = "import IPython\nIPython.get_ipython()"
+    assert cells.run(page, [source], 0) == {"shown": []}
+
+
 def test_a_cell_runs_after_what_it_needs_and_keeps_what_the_reader_ran(page):
     above = ["print('not seen')\na = 1", "a = a + 1", "broken = 1 / 0\nc = 3"]
     assert cells.run(page, [*above, "a, c"], 3) == {"shown": [["text/plain", "(2, 3)"]]}

@@ -38,7 +38,7 @@ def test_eqn_8_12_rate_of_h_by_way_of_the_body_and_of_a_frame_that_turns_otherwi
 
 
 def spinning_brick(kind):
-    """A brick that turns in three ways about its mass centre, in principal axes."""
+    """A brick that turns in three ways about its centre of mass, in principal axes."""
     a, b, c, t = numbers(kind, "0.4", "-0.7", "1.1", "0.5")
     ground = frame = Frame("ground")
     for n, (axis, f) in enumerate(zip("zxy", turns(a, b, c), strict=True)):

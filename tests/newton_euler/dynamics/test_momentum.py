@@ -26,7 +26,7 @@ def expected(kind, q, about, part, differences):
     angles = list(zip(((0, 0, 1), (1, 0, 0), (0, 3, 4)), turns(a, b, c), strict=True))
 
     def carried(r, count):
-        """A point with coordinates r(s) in the frame after so many turns."""
+        """A point with coordinates r(s) in the frame after this many turns."""
 
         def where(s):
             matrices = (rotation_matrix(axis, angle(s)) for axis, angle in angles[:count])

@@ -79,6 +79,21 @@ def test_a_jump_moves_a_state_that_was_zero(rate, width, rtol):
     assert abs(motion.end["q"] / (rate * width / 2.1) - 1) <= motion.error <= rtol
 
 
+def test_a_step_whose_error_estimate_is_small_by_chance_counts_for_what_its_halves_differ():
+    """A disc of wet ice: within it the speed falls by A for each metre of the chord."""
+    A, R, start = 1.9939835721474755, 0.19590363586154277, (-1.9241012668165525, 1.9880880989080059)
+    u, v, T = 0.5210057588496027, -0.5696466544492487, 7.386103643326437
+
+    def rates(s, p, t):
+        wet = where(s.x**2 + s.y**2 - R**2 < 0, A, 0.0)
+        return s.u, s.v, -wet * s.u, -wet * s.v
+
+    motion = integrate(Model("wet ice", {}, tuple("xyuv"), rates), T, (*start, u, v), 1e-3)
+    aside = (start[0] * v - start[1] * u) / math.hypot(u, v)
+    left = math.hypot(u, v) - 2 * A * math.sqrt(R**2 - aside**2)
+    assert math.hypot(motion.end["u"], motion.end["v"]) == pytest.approx(left, abs=5e-4)
+
+
 def test_a_motion_that_slides_is_refused_with_what_to_write():
     model = Model("relay", {}, ("x",), lambda s, p, t: (where(s.x > 1.0, -2.0, 3.0),))
     for tolerance in (1e-6, 1e-9):

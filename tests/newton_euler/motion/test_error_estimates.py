@@ -134,14 +134,14 @@ class Still:
 
 
 def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,), stopping=False):
-    """A trajectory of so many steps in each segment."""
+    """A trajectory of this many steps in each segment."""
     parts = []
     for n, r in itertools.zip_longest(steps, residuals, fillvalue=0.0):
         of = {"step_times": range(n + 1), "scales": (1.0,), "residual": lambda r=r: r}
         parts.append(Segment(system or Still(), SimpleNamespace(**of), 0.0, 1.0, (1.0,)))
     return SimpleNamespace(
         segments=parts, tolerance=tolerance, count=sum(steps), difference=lambda other: difference,
-        stopping=stopping,
+        stopping=stopping, known=None,
     )  # fmt: skip
 
 

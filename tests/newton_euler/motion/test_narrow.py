@@ -36,7 +36,7 @@ def brake(kind, w, speed=1.0, taken=0.2):
 
 
 def error_at(kind, width, method, rtol, speed=1.0):
-    """The error of the speed after a brake, over the speed, and what is told of it."""
+    """The error of the speed after a brake, over the speed, and its estimate."""
     model, after = brake(kind, width, speed)
     motion = integrate(model, 11.0, (0.0, speed), rtol, method)
     return abs(motion.end["dx"] - after) / speed, motion.error
@@ -46,15 +46,15 @@ def error_at(kind, width, method, rtol, speed=1.0):
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6])
 @pytest.mark.parametrize("kind", BRAKES)
 def test_a_brake_is_seen_however_narrow_it_is(kind, rtol, width):
-    error, told = error_at(kind, width, "auto", rtol)
-    assert error <= told <= rtol
+    error, estimate = error_at(kind, width, "auto", rtol)
+    assert error <= estimate <= rtol
 
 
 @pytest.mark.parametrize("method", ["dop853", "scipy RK45", "scipy DOP853"])
 @pytest.mark.parametrize("kind", ["gauss", "tent"])
 def test_every_runge_kutta_method_sees_it(kind, method):
-    error, told = error_at(kind, 1e-3, method, 1e-4)
-    assert error <= told <= 1e-4
+    error, estimate = error_at(kind, 1e-3, method, 1e-4)
+    assert error <= estimate <= 1e-4
 
 
 @pytest.mark.parametrize("kind", ["gauss", "quotient", "edges"])

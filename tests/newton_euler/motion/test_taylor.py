@@ -124,6 +124,7 @@ def test_each_way_to_the_goal_is_the_same_motion(way, size):
     for times in ([0.0, 0.3, 3.0], [3.0, 0.3], [3.0], [1.0, 2.0], [0.5, 4.0], np.linspace(0, 5, 7)):
         found = one.states(times)
         assert abs(found - swing(np.array(times), size)).max() < 1e-14 * size
+    assert one.state_at(3.0) == pytest.approx(swing(3.0, size), abs=1e-14 * size)
 
 
 @pytest.mark.parametrize("size", [1.0, 1e-6])

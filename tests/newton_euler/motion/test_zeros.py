@@ -211,6 +211,15 @@ def test_each_check_point_alone_shows_an_oscillation_that_vanishes_at_all_other_
     assert len(times(f, 0.0, 1.0)) == changes
 
 
+@pytest.mark.parametrize("foot", [0.9, 1.3, 2.0])
+def test_a_peak_of_which_only_the_end_of_a_step_sees_the_foot_is_resolved(foot):
+    """Where exp(-u^2) is one half: u is ``foot`` at the end."""
+    half = math.sqrt(math.log(2))
+    for w in (1e-4, 1e-3, 4e-3, 1e-2, 3e-2, 0.1):
+        found = times(lambda t, w=w: np.exp(-((t / w - foot) ** 2)) - 0.5, 0.0, 1.0)
+        assert found == pytest.approx([w * (foot - half), w * (foot + half)])
+
+
 def test_a_rough_function_that_stays_away_from_zero_is_looked_at_once():
     asked = Function(lambda t: 5.0 + np.abs(np.sin(37.0 * t)))
     assert times(asked, 0.0, 5.0) == []

@@ -61,7 +61,7 @@ def true_errors(asked, rungs):
 
 
 def judged(name, count, seed):
-    """For so many draws: the rung chosen, whether it is right, and rungs beyond their bound."""
+    """Of this many draws: the rung chosen, whether it is right, and rungs beyond their bound."""
     r = random.Random(f"{name} {seed}")
     for _ in range(count):
         asked, tolerance = DRAWS[name](r)

@@ -105,7 +105,7 @@ def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_is_named(
 
 def test_auto_is_compared_with_the_cheapest_that_reached_the_accuracy(monkeypatch):
     class Runs:
-        """Runs that last so many seconds by the clock of the test."""
+        """Runs that last this many seconds by the clock of the test."""
 
         now = 0.0
 

@@ -1,10 +1,13 @@
 """The numbers of one variant of a practice file, made up by hand."""
 
+import itertools
+
 import pytest
 
 from newton_euler.answers.causes import Cause
 from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.numbers import KeptNumbers, Quantity
+from newton_euler.classroom.practising.programs import operate
 
 WORDS = dict.fromkeys(("means", "plain", "section", "equation", "latex", "sum"), "")
 
@@ -48,6 +51,20 @@ def test_what_follows_is_computed_by_the_kept_program():
     assert found.earlier == {"a": [], "b": ["a"]}
     assert found.following("b", {"a": ((5.0,),)}) == ((10.0,),)
     assert found.following("c", {"a": ((5.0,),)}) is None
+
+
+def test_a_long_chain_of_quantities_is_followed():
+    names = [f"q{n}" for n in range(3000)]
+    chain = {name: [before] for before, name in itertools.pairwise(names)}
+    found = numbers({"q2999": [1.0]}, earlier=chain | {"q0": ["q2999"]})
+    found.tried = {"q0", "q7"}
+    assert found.earlier == {"q2999": ["q7"]}
+
+
+@pytest.mark.parametrize("name", ["**", "pow"])
+def test_no_power_in_a_file_fills_the_memory(name):
+    with pytest.raises(OverflowError):
+        operate(name, 7, 10**10)
 
 
 @pytest.mark.parametrize("book", [None, {"right": {"a": [3.0]}}])

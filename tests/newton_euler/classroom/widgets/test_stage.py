@@ -116,7 +116,7 @@ def test_what_only_some_values_need_of_matplotlib_is_drawn_with_one_window():
     def sometimes(ax, a):
         arrow(ax, a)
         if a > 1:
-            ax.text(0.5, 0.5, "far")
+            ax.text(0.5, 0.5, "far", transform=ax.transAxes)
 
     moving = stage(sometimes, [{"a": a} for a in (1, 2, 3)])
     assert b"matplotlib" in moving.picture({"a": 1})

@@ -104,6 +104,15 @@ def test_what_lies_in_a_bowl_is_seen_and_its_near_wall_hides_the_rest():
     assert colour_at(s, 1, 0, -0.05) == MIDDLE.lower()
 
 
+@pytest.mark.parametrize("azimuth", [-60, 30, 130])
+def test_the_equator_of_a_sphere_is_its_front_alone_from_all_sides(azimuth):
+    """There is no chord between its ends."""
+    s = sketch(azimuth=azimuth, elevation=50)
+    s.sphere(O, 1)
+    colours = {colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}
+    assert len(colours) == 1
+
+
 def test_one_sees_into_an_open_cone():
     s = sketch(azimuth=0, elevation=40)
     s.cone(O, ground.k, 2, 1, open=True)

@@ -75,6 +75,29 @@ def test_a_place_is_drawn_where_its_numbers_are():
     assert float(dot.get("cy")) == pytest.approx(frame.top + frame.h * 3 / 4, abs=0.1)
 
 
+def test_an_arrow_leads_to_its_place_or_is_as_long_as_its_scale_says():
+    def arrows(ax):
+        ax.annotate("", (3, 20), (1, 10), arrowprops={"arrowstyle": "->"})
+        ax.quiver([2], [20], [3.0], [0.0], scale=10, pivot="mid")
+        ax.set(xlim=(0, 4), ylim=(0, 40))
+        ax.axis("off")
+
+    page, tree = tree_of(arrows)
+    frame = _Drawing(page.panel)
+    tails, tips = (
+        [[float(x) for x in re.findall(r"[\d.]+", path.get("d"))[:2]] for path in paths]
+        for paths in (
+            [p for p in tree.iter(NAME + "path") if p.get("stroke")],
+            [p for p in tree.iter(NAME + "path") if p.get("fill")],
+        )
+    )
+    assert tails[0] == pytest.approx(frame.at(1, 10), abs=0.1)
+    assert tips[0] == pytest.approx(frame.at(3, 20), abs=0.1)
+    assert tips[1][0] - tails[1][0] == pytest.approx(0.3 * frame.w, abs=0.2)
+    assert (tips[1][0] + tails[1][0]) / 2 == pytest.approx(frame.at(2, 20)[0], abs=0.2)
+    assert len([*tree.iter(NAME + "rect")]) == 1  # the page: no frame
+
+
 def test_equal_units_are_equal():
     page, _ = tree_of(circle)
     frame = _Drawing(page.panel)

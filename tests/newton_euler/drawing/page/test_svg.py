@@ -106,4 +106,4 @@ def test_every_colour_has_one_for_a_dark_page():
         assert tree.get("aria-label") == 'A "dark" & simple picture'
         used = {e.get(name) for e in tree.iter() for name in ("fill", "stroke")} - {None, "none"}
         assert used <= DARK.keys()
-    assert '.dark svg [fill="#ffffff"]{fill:#14171a}' in dark_css(".dark svg")
+    assert '.dark svg [fill="#ffffff"]{fill:#131416}' in dark_css(".dark svg")

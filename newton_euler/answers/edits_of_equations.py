@@ -1,0 +1,95 @@
+"""Slips in linear equations that are solved together: an unknown or a right side with the opposite
+sign, left out, twice or half of it, in one of them.
+"""
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import Any
+
+from ..algebra.language import Words
+from ..algebra.linear import Solved
+from ..algebra.trace import Step
+from .causes import computed
+from .formulas import LESS, SIMPLE, Edit
+from .typed import described
+
+SLIPS = {
+    -1.0: (
+        SIMPLE,
+        Words("has {term} with the opposite sign in one equation: check which way it points"),
+    ),
+    0.0: (SIMPLE, Words("leaves out {term} in one equation: it acts there, too")),
+    2.0: (LESS, Words("doubles {term} in one equation: it counts once")),
+    0.5: (LESS, Words("halves {term} in one equation: it counts in full")),
+}
+
+
+def square(systems: Sequence[Solved]) -> list[Solved]:
+    """Those with two unknowns or more and as many equations, each once."""
+    found: dict[tuple[Any, ...], Solved] = {}
+    for s in systems:
+        numbers = tuple(x.number for x in s.values.values() if isinstance(x, Step))
+        if numbers and 1 < len(s.equations) == len(s.names) == len(s.values):
+            found.setdefault(numbers, s)
+    return list(found.values())
+
+
+def entries(system: Solved) -> list[Any]:
+    """The coefficients and the right side of each equation, row by row."""
+    return [to_float(x) for row, right in system.equations for x in (*row, right)]
+
+
+def to_float(x: Any) -> Any:
+    """A number; a traced one as it is."""
+    return x if isinstance(x, Step) else float(x)
+
+
+def of_equations(systems: Sequence[Solved]) -> Iterator[Edit]:
+    """The slips in the entries of each system."""
+    for system in square(systems):
+        width, inside = len(system.names) + 1, entries(system)
+        unknowns = [(k, system.values[n]) for k, n in enumerate(system.names)]
+        for place, x in enumerate(inside):
+            name = _name(place % width, x, system.names)
+            if not isinstance(x, Step) and x == 0:
+                continue
+            for factor, (rank, words) in SLIPS.items():
+                instead = {
+                    s.number: ("equations", float(width), float(k), float(place), factor, *inside)
+                    for k, s in unknowns
+                    if isinstance(s, Step)
+                }
+                words = Words(words.template, term=name)
+                cause = computed(f"equations {[*instead]} {place} {factor}", words)
+                yield Edit(rank, cause, instead)
+
+
+def _name(column, x, names):
+    if column == len(names):
+        return described(x, "the term") or Words("the right side")
+    return names[column]
+
+
+def solution(width: float, unknown: float, place: float, factor: float, *inside: float) -> Any:
+    """An unknown of the equations in which the entry at this place is ``factor`` times its own."""
+    x, inverse = _solved(int(width), inside)
+    if x is None:
+        return float("nan")
+    i, j = divmod(int(place), int(width))
+    k, change = int(unknown), (factor - 1) * inside[int(place)]
+    if j == int(width) - 1:
+        return x[k] + change * inverse[k, i]
+    return x[k] - change * x[j] / (1 + change * inverse[j, i]) * inverse[k, i]
+
+
+@lru_cache(maxsize=16)
+def _solved(width, inside):
+    """(solution, inverse matrix), (None, None) of equations without."""
+    import numpy as np
+
+    rows = np.array(inside).reshape(-1, width)
+    try:
+        inverse = np.linalg.inv(rows[:, :-1])
+    except np.linalg.LinAlgError:
+        return None, None
+    return inverse @ rows[:, -1], inverse

@@ -1,0 +1,130 @@
+"""Slips that are made in several places at once: one term wherever it stands, all terms of one
+shape, a factor in all products.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from ..algebra.language import Words
+from ..algebra.trace import Step
+from .causes import computed
+from .formulas import LEAST, LESS, Edit, users_of
+from .typed import Product, described, typed
+
+PRODUCT, SUM = ("*", "/"), ("+", "-")
+LIKE_IT = Words("the other terms like it")
+ALIKE = 8  # terms of one shape, of which more are no single slip
+FRACTIONS = {Fraction(1, n) for n in (2, 3, 4, 12)}  # one is taken for another
+
+
+def of_terms(steps: Sequence[Step], units: Mapping[str, str]) -> Iterator[Edit]:
+    """A term that several sums have, and all terms of one shape, as m*x_1^2 and m*x_2^2: left out,
+    or with the opposite sign.
+    """
+    users = users_of(steps)
+    alike: dict[Any, list[Step]] = {}
+    for s in users:
+        ends = _sums(s, users) if s.op in PRODUCT and described(s) else 0
+        if ends > 1:
+            yield from _of_terms([s], described(s, "the term"))
+        if ends and (shape := _shape(s, units)):
+            alike.setdefault(shape, []).append(s)
+    for terms in alike.values():
+        if 1 < len(terms) <= ALIKE and (first := typed(terms[0])):
+            others = typed(terms[1]) if len(terms) == 2 else ""
+            words = Words("{first} and {others}", first=first, others=others or LIKE_IT)
+            yield from _of_terms(terms, words)
+
+
+def _of_exchanged(places):
+    """1/2 and 1/4 exchanged, as in the moments of inertia of a disk."""
+    halves, quarters = (places.get(("/", float(n)), {}) for n in (2, 4))
+    if halves and quarters:
+        instead = {n: ("/", s, 2.0) for n, s in halves.items()}
+        instead |= {n: ("*", s, 2.0) for n, s in quarters.items()}
+        words = Words("exchanges the factors 1/2 and 1/4: each belongs to its own axis")
+        yield Edit(LESS, computed("halves and quarters", words), instead)
+
+
+def _of_terms(terms, words):
+    name = " ".join(str(s.number) for s in terms)
+    left_out = Words("leaves out {term}: what it stands for counts here", term=words)
+    turned = Words("has {term} with the opposite sign: its sense is the other one", term=words)
+    yield Edit(LESS, computed(f"no terms {name}", left_out), {s.number: 0.0 for s in terms})
+    yield Edit(LEAST, computed(f"turned {name}", turned), {s.number: ("neg", s) for s in terms})
+
+
+def _sums(s, users):
+    """The number of sums of which a step is a term, times a number; 0 if it is anything else."""
+    count = 0
+    for user in users[s]:
+        scaled = user.op in PRODUCT and user.args[0] is s and not isinstance(user.args[1], Step)
+        found = _sums(user, users) if scaled or user.op == "neg" else user.op in SUM
+        if not found:
+            return 0
+        count += found
+    return count
+
+
+def _shape(s, units):
+    """What terms have in common that differ by givens of one unit; None of any other."""
+    product = Product(s)
+    factors = [(units.get(x.args[0]) if x.op == "argument" else x.op, p)
+               for x, p in product.powers.items()]  # fmt: skip
+    simple = all(x.op in ("argument", "pi") for x in product.powers)
+    return (abs(product.coefficient), *sorted(factors)) if product.is_exact and simple else None
+
+
+def of_factors(products: Iterable[Step], number: Callable[[Step], Any]) -> Iterator[Edit]:
+    """A factor that is left out of all products, or squared in none."""
+    squared: dict[Step, dict[int, Any]] = {}
+    used: dict[Step, list[int]] = {}
+    for s in products:
+        for x, power in Product(s).powers.items():
+            used.setdefault(x, []).append(power)
+            if abs(power) == 2:
+                op = "/" if power > 0 else "*"
+                squared.setdefault(x, {})[s.number] = (op, s, number(x))
+    for x, instead in squared.items():
+        if len(instead) > 1 and (named := described(x)):
+            words = Words(
+                "does not square {factor} in several places: then the units do not fit",
+                factor=named,
+            )
+            yield Edit(LESS, computed(f"squares {x.number}", words), instead)
+    for x, powers in used.items():
+        if (len(powers) > 1 or x.op == "pi") and x.op != "argument" and (named := described(x)):
+            words = Words("leaves out the factor {factor}: the formula has it", factor=named)
+            if max(powers) < 0:
+                words = Words("does not divide by {factor}: the formula does", factor=named)
+            yield Edit(LESS, computed(f"no {x.number}", words), {x.number: ("/", x, number(x))})
+
+
+def of_constants(steps: Sequence[Step]) -> Iterator[Edit]:
+    """One constant left out, or taken for another, wherever it is a factor, as both halves of
+    (x/2, y/2).
+    """
+    found: dict[tuple, dict[int, Step]] = {}
+    for s in steps:
+        if s.op in PRODUCT and isinstance(s.args[0], Step) and not isinstance(s.args[1], Step):
+            found.setdefault((s.op, abs(float(s.args[1]))), {})[s.number] = s
+    yield from _of_exchanged(found)
+    for (op, x), places in found.items():
+        c = Fraction(x).limit_denominator(999) if x else Fraction(1)
+        if len(places) < 2 or c == 1 or abs(c - Fraction(x)) > 1e-12 * c:
+            continue
+        own = c if op == "*" else 1 / c
+        for other in {Fraction(1), 2 * own, own / 2, *(FRACTIONS if own in FRACTIONS else ())} - {
+            own
+        }:
+            words = Words(
+                "takes the factor {other} for {own} in several places: the formulas have {own}",
+                other=other, own=own,
+            )  # fmt: skip
+            if other == 1:
+                words = Words(
+                    "leaves out the factor {own} in several places: the formulas have it", own=own
+                )
+            instead = {n: ("*", s, float(other / own)) for n, s in places.items()}
+            yield Edit(LESS, computed(f"{other} everywhere {op} {x}", words), instead)
