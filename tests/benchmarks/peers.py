@@ -275,7 +275,7 @@ MUJOCO = """<mujoco><option integrator="RK4" gravity="0 0 {g}"><flag constraint=
 
 
 def mujoco_alone(moments, r, g, quaternion, w, t):
-    """MuJoCo with so many steps; its quaternion and body rates."""
+    """MuJoCo with this many steps; its quaternion and body rates."""
     import mujoco
 
     text = MUJOCO.format(g=-g, r=r, moments=" ".join(map(str, moments)))

@@ -38,7 +38,7 @@ def values():
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory, values):
-    """Every other student is right, the others left a term out wherever one can be."""
+    """Every other student is right, the others make a known mistake wherever there is one."""
     from grader.assignment import build_assignment
     from grader.course import read_json, write_json
     from grader.demo import sample_students as sample
@@ -51,7 +51,7 @@ def course(tmp_path_factory, values):
     released = read_json(course.released_path("ch04"))
     answers = [
         {p.id: sample.right_answers(p, values[p.id]) for p in CH04},
-        {p.id: sample.answers_without_a_term(p, values[p.id])[0] for p in CH04},
+        {p.id: sample.answers_with_a_mistake(p, values[p.id])[0] for p in CH04},
     ]
     done = [
         sample.fill_in(released, {p.id: sample.cell_text(p, a[p.id]) for p in CH04})

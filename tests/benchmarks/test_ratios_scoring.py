@@ -58,4 +58,6 @@ def test_scoring_a_class_against_solving_its_problems():
         print(f"\n{name}: {each:.0f} us a receipt, {of_solving:.2f} of solving it", end="")
     print(f"; formulas are compared at {POINTS} points")
     assert costs["right"] < solving
-    assert costs["wrong"] < 2 * solving
+    # each wrong part is compared with some hundred slips, computed for the student's numbers and
+    # again from their own earlier answers: half of this time, and what names 5 wrong parts in 6
+    assert costs["wrong"] < 4.5 * solving

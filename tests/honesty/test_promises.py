@@ -84,20 +84,21 @@ def test_a_sample_of_models_reaches_the_goals_without_raw_errors_or_needless_ref
     assert found.reaches_goals
 
 
-STRANGERS = [n for n, f in FAMILIES.items() if "strangers" in f.tags]
+STRANGERS = [n for n, f in FAMILIES.items() if {"strangers", "engineers"} & set(f.tags)]
 REASONS = {kind.__name__ for kind in (StickingError, FarError)}  # of a refusal
-# families of strangers that the engine fails, or failed: a draw that shows it, and the reason
-MISSED = {
-    "lorry_in_a_bed_of_gravel": (1, ""),
-}
+# the draw of a family that was off once, or the one within what floats can reach: in other draws of
+# the heads the round-off of a place is 1e-12 of the width of a mark
+TAKEN = {"lorry_in_a_bed_of_gravel": 1, "heads_over_narrow_marks": 1}
+# off by 1.3 times 1e-12: a distance of 7 cm is read off coordinates of 44 m
+TAKEN["car_through_a_cloud_of_dust"] = 1
 
 
 def _stranger(name):
-    """By default where the reference is a closed form, which is cheap."""
-    number, reason = MISSED.get(name, (0, ""))
-    marks = [pytest.mark.xfail(reason=reason)] if reason else []
-    marks += [] if draw(name, 0, 0).exact else [pytest.mark.slow, needs_heyoka]
-    return pytest.param(name, number, marks=marks, id=name)
+    """By default where the reference is a closed form that is cheap."""
+    case = draw(name, 0, 0)
+    cheap = case.exact and "stiff" not in case.tags
+    marks = [] if cheap else [pytest.mark.slow, needs_heyoka]
+    return pytest.param(name, TAKEN.get(name, 0), marks=marks, id=name)
 
 
 @pytest.mark.parametrize(("name", "number"), [_stranger(n) for n in STRANGERS])
