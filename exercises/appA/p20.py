@@ -1,30 +1,28 @@
-"""A/20: double cross products as combinations of factors, by vectors with these dot products."""
+"""A/20: double cross products as combinations of factors, from their dot products."""
 
-from exercises.tools import plus
-from newton_euler import Frame, solve_linear
+from exercises.tools import cross, plus
+from newton_euler import Frame
 
 COEFFICIENTS = Frame("A, B, C")
 
 
-def double(g, PQ, PR, QR):
-    """The coefficients of Q and R in P x (Q x R), from the dot products: it lies in their plane."""
-    axes = Frame("axes")
-    Q, R = axes.i * g.one, axes.vector(QR, 1, 0)
-    v = axes.vector(PQ, PR - PQ * QR, 1).cross(Q.cross(R))
-    found = solve_linear(lambda q, r: q * Q + r * R - v)
-    return found.q, found.r
+def double(PQ, PR):
+    """The coefficients of Q and R in P x (Q x R) = (P.R) Q - (P.Q) R."""
+    return PR, -PQ
 
 
 def solve(g):
-    first = double(g, g.AB, g.CA, g.BC)
-    second = double(g, g.BC, g.AB, g.CA)
-    third = double(g, g.CA, g.BC, g.AB)
+    first, second, third = double(g.AB, g.CA), double(g.BC, g.AB), double(g.CA, g.BC)
     three = {
         "first": COEFFICIENTS.vector(0, *first),
         "second": COEFFICIENTS.vector(second[1], 0, second[0]),
         "third": COEFFICIENTS.vector(*third, 0),
     }
     return three | {"total": total(g, **three)}
+
+
+def steps(g):
+    return {"on_B": double(g.AB, g.CA)[0]}
 
 
 def total(g, first, second, third):
@@ -35,16 +33,17 @@ follows = {"total": total}
 
 
 def prove(g):
-    """By the rule of the book for (P x Q) x R, the brackets exchanged."""
-    dot = {"AB": g.AB, "BA": g.AB, "BC": g.BC, "CB": g.BC, "CA": g.CA, "AC": g.CA}
+    """By vectors with these dot products: P x (Q x R) is in the plane of Q and R."""
 
-    def double(P, Q, R):
-        """P x (Q x R) = -(Q x R) x P = (P.R) Q - (P.Q) R."""
-        return [{Q: dot[P + R], R: -dot[P + Q]}.get(name, 0) for name in "ABC"]
+    def double(PQ, PR, QR):
+        Q, R = [1, 0, 0], [QR, 1, 0]
+        x, y, _ = cross([PQ, PR - PQ * QR, 1], cross(Q, R))
+        return x - QR * y, y
 
-    three = double("A", "B", "C"), double("B", "C", "A"), double("C", "A", "B")
-    found = dict(zip(("first", "second", "third"), three, strict=True))
-    return found | {"total": plus(*three)}
+    first, second = double(g.AB, g.CA, g.BC), double(g.BC, g.AB, g.CA)
+    third = double(g.CA, g.BC, g.AB)
+    three = [0, *first], [second[1], 0, second[0]], [*third, 0]
+    return {"first": three[0], "second": three[1], "third": three[2], "total": plus(*three)}
 
 
 def mistakes(g):

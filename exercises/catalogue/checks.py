@@ -74,7 +74,7 @@ def alike(p: Problem, seeds: int = 1) -> list[str]:
         }
         same = pairs if same is None else same & pairs
     return [
-        f"the mistakes {one} and {other} give the same wrong {key}: whoever makes one is told both"
+        f"the mistakes {one} and {other} give the same wrong {key}: whoever makes one reads both"
         for key, one, other in sorted(same or ())
     ] + _exchanged(p)
 

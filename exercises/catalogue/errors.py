@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from .model import Givens
-from .places import home, place
+from .places import EXERCISES, home, homes, place
 
 
 def meant(name: str, known: Iterable[str], form: str = "{}") -> str:
@@ -23,13 +23,28 @@ def explained(problem_id: str, error: Exception) -> str:
     folder = home(place(problem_id)[0])
     frames = list(traceback.walk_tb(error.__traceback__))
     own = [f for f in frames if Path(f[0].f_code.co_filename).parent == folder]
-    if isinstance(error, SyntaxError) and error.filename:
-        return f"{_shown(error.filename)}, line {error.lineno}: {error.msg}"
+    if isinstance(error, SyntaxError) and len(error.args) > 1:
+        # of its attributes Dask brings none from another process
+        message, (file, line, *_) = error.args
+        return f"{_shown(file)}, line {line}: {message}"
     if not own:
         return _words(error)
     (first, _), (last, line) = own[0], own[-1]
     name = "" if first.f_code.co_name == "<module>" else f"{first.f_code.co_name}: "
     return f"{name}{_shown(last.f_code.co_filename)}, line {line}: {_reason(error, last, line)}"
+
+
+def of_own_problem(error: Exception) -> str:
+    """The error as a sentence if a course's own problem raised it, here or in another process; else
+    "".
+    """
+    text = "".join(traceback.format_exception(error))
+    for file, line in reversed(re.findall(r'File "([^"\n]+)", line (\d+)', text)):
+        folder = Path(file).parent
+        if folder.parent != EXERCISES and homes().get(folder.name) == folder:
+            words = explained(f"{folder.name}/1", error)  # of its chapter
+            return words if _shown(file) in words else f"{_shown(file)}, line {line}: {words}"
+    return ""
 
 
 def _shown(file):

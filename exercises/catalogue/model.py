@@ -63,7 +63,7 @@ class Answer:
     """What a problem asks for.
 
     kind : may be given by its name. atol : the absolute tolerance, in ``unit``, for a key that is
-    zero. weight : its share of the problem's points, beside those of the other answers.
+    zero. weight : its share of the problem's points, relative to those of the other answers.
     follow_through : the part of them that it earns where it is wrong, but follows from a student's
     own earlier answers. latex : how it is printed, where its key does not say it. rtol : the
     relative tolerance of its numbers, which a sheet may change.
@@ -84,7 +84,7 @@ class Answer:
         if isinstance(self.kind, str):
             object.__setattr__(self, "kind", kind_named(self.kind))
 
-    @property
+    @cached_property
     def form(self) -> Form:
         """The form in which it is answered."""
         return Form(self.kind, self.unit, self.of)
@@ -168,7 +168,8 @@ class Problem:
     ``steps`` has unit, means, section and equation of the steps that its code computes by key.
     ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a
     text, or list of them}. ``same_in_book`` names the mistakes that give the right answer for the
-    numbers of the book. ``figure`` is empty where there is none.
+    numbers of the book. ``figure`` is empty where there is none. ``said`` is what steps of its
+    code mean in another language.
     """
 
     id: str
@@ -185,6 +186,7 @@ class Problem:
     steps: dict[str, dict[str, str]] = field(default_factory=dict)
     checked: dict[str, Any] = field(default_factory=dict)
     same_in_book: frozenset[str] = frozenset()
+    said: dict[str, str] = field(default_factory=dict)
 
     @property
     def chapter(self) -> str:
@@ -298,10 +300,10 @@ class Problem:
         """
         results = self.code.solve(self.base(values, one))
         asked = [a.key for a in self.answers]
-        if list(results) != asked:
+        if not isinstance(results, dict) or list(results) != asked:
+            got = ", ".join(results) if isinstance(results, dict) else type(results).__name__
             raise CatalogueError(
-                f"solve of {self.id} returns {', '.join(results)}; the problem asks for "
-                f"{', '.join(asked)}"
+                f"solve of {self.id} returns {got}; the problem asks for {', '.join(asked)}"
             )
         (found,) = self._with_words(lambda g: [self.code.solve(g)], [results], values, one)
         return found
@@ -338,7 +340,7 @@ class Problem:
 
     def formulas(self) -> dict[str, Any]:
         """The answers with every symbol as a SymPy symbol and the givens of the book as numbers;
-        exact ones beside symbols, 3/2 for 1.5.
+        exact ones next to symbols, 3/2 for 1.5.
         """
         import sympy
 

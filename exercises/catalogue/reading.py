@@ -4,13 +4,14 @@ import re
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import yaml
 
 from .format import read_chapter, read_problem
+from .loading import load
 from .model import CatalogueError, Chapter, Problem, place
 from .places import home, homes
+from .translations import translated, translated_chapter
 
 
 def chapters() -> tuple[str, ...]:
@@ -18,9 +19,13 @@ def chapters() -> tuple[str, ...]:
     return tuple(homes())
 
 
-@cache
 def chapter(name: str) -> Chapter:
-    """The chapter of this name: ``chapter("ch04").title``."""
+    """The chapter of this name, in the reader's language: ``chapter("ch04").title``."""
+    return translated_chapter(_chapter(name))
+
+
+@cache
+def _chapter(name):
     path = home(name) / "chapter.yaml"
     if not path.exists():
         raise CatalogueError(
@@ -30,9 +35,13 @@ def chapter(name: str) -> Chapter:
     return _read(path, read_chapter)
 
 
-@cache
 def problems(name: str) -> tuple[Problem, ...]:
     """All problems of the chapter of this name, in the order of the book: ``problems("ch04")``."""
+    return tuple(map(translated, _problems(name)))
+
+
+@cache
+def _problems(name):
     if name not in chapters():
         raise CatalogueError(f"there is no chapter {name!r}; there are {', '.join(chapters())}")
     paths = [path for path in home(name).glob("[!.]*.y*ml") if path.name != "chapter.yaml"]
@@ -45,9 +54,15 @@ def problems(name: str) -> tuple[Problem, ...]:
     return tuple(_problem_at(path) for path in sorted(paths, key=lambda path: int(path.stem[1:])))
 
 
-@cache
 def problem(problem_id: str) -> Problem:
-    """The problem with this number: ``problem("4/16")``. Only its own file is read."""
+    """The problem with this number, ``problem("4/16")``, its texts in the reader's language where
+    they are given in it. Only its own file is read.
+    """
+    return translated(_problem(problem_id))
+
+
+@cache
+def _problem(problem_id):
     name, stem = place(problem_id)
     path = home(name) / f"{stem}.yaml"
     if path.exists():
@@ -77,36 +92,11 @@ def select(names: Iterable[str]) -> list[Problem]:
 
 def forget() -> None:
     """Read all anew when it is asked for again."""
-    for kept in (homes, chapter, problems, problem, _problem_at):
+    for kept in (homes, _chapter, _problems, _problem, _problem_at):
         kept.cache_clear()
 
 
 # -- files
-
-
-# the C parser reads a chapter 10 times faster
-class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
-    """The safe loader, which also refuses a repeated key: YAML would drop the first."""
-
-    def construct_mapping(self, node, deep=False):
-        keys = [key.value for key, _ in node.value]
-        for key, _ in node.value:
-            if keys.count(key.value) > 1:
-                raise yaml.constructor.ConstructorError(
-                    None, None, f"the key {key.value} is there twice", key.start_mark
-                )
-        return super().construct_mapping(node, deep)
-
-
-# 1e-3 is a number too; YAML 1.1 wants 1.0e-3
-_Loader.add_implicit_resolver(
-    "tag:yaml.org,2002:float", re.compile(r"[-+]?[0-9]+[eE][-+]?[0-9]+$"), list("-+0123456789")
-)
-
-
-def load(text: str) -> Any:
-    """What a text of YAML holds."""
-    return yaml.load(text, _Loader)
 
 
 @cache

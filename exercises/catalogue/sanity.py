@@ -1,4 +1,4 @@
-"""What any answer to a problem must be, whoever's numbers it has: told to students, whose receipts
+"""What any answer to a problem must be, whoever's numbers it has: shown to students, whose receipts
 warn of an answer that cannot be.
 """
 

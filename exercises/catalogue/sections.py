@@ -7,6 +7,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 from newton_euler import chapters
+from newton_euler.algebra.language import _, language
 
 from .model import Problem
 
@@ -19,7 +20,7 @@ def section_line(p: Problem, chapters: str = "") -> str:
     """
     if not p.section:
         return ""
-    what = "Appendix" if p.section[0].isalpha() else "Section"
+    what = _("Appendix") if p.section[0].isalpha() else _("Section")
     found = headings().get(p.section)
     if found is None:
         return f"*{what}* {p.section}"
@@ -34,15 +35,21 @@ def section_line(p: Problem, chapters: str = "") -> str:
 
 
 def section_anchor(number: str) -> str:
-    """Where a section stands on its page of the site: "section-4-10"."""
+    """The anchor of a section on its page of the site: "section-4-10"."""
     return f"section-{number.replace('.', '-')}"
 
 
-@cache
 def headings() -> dict[str, tuple[str, str]]:
-    """{section: (name of the notebook, its heading there)} of the notebooks of the chapters."""
-    found = {}
-    for path in sorted(Path(chapters.__path__[0]).glob("ch*.ipynb")):
+    """{section: (name of the notebook, its heading there)} of the notebooks of the chapters, in
+    the reader's language where they are given in it.
+    """
+    return _headings(language())
+
+
+@cache
+def _headings(spoken):
+    found, folder = {}, Path(chapters.__path__[0])
+    for path in (*sorted(folder.glob("ch*.ipynb")), *sorted((folder / spoken).glob("ch*.ipynb"))):
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
             if cell["cell_type"] == "markdown":
                 for heading in re.findall(r"(?m)^#+ (\d+\.\d+ .+)$", "".join(cell["source"])):

@@ -11,9 +11,9 @@ from typing import Any
 import yaml
 
 from .format import OPTIONAL, read_problem
+from .loading import load
 from .model import CatalogueError, place
 from .places import EXERCISES
-from .reading import load
 
 WIDTH = 160  # of a line of text
 TEXTS = ("text", "figure", "frame")

@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
+from newton_euler.algebra.language import Words
 from newton_euler.algebra.scalars import Scalar, is_numeric, to_plain
 from newton_euler.algebra.units import Dimension, DimensionError, System, unit
 from newton_euler.algebra.vectors import Vector
@@ -128,7 +129,8 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
     own = getattr(p.code, "steps", None)
     found = own(g) if own else _from_answers(p, g)
     computed = found.items() if isinstance(found, dict) else found
-    return [s if isinstance(s, Step) else _with_text(p, *s) for s in computed]
+    listed = [s if isinstance(s, Step) else _with_text(p, *s) for s in computed]
+    return [replace(s, means=p.said.get(s.key, s.means)) for s in listed] if p.said else listed
 
 
 @cache
@@ -180,7 +182,11 @@ def _stated(step, p):
     value = in_unit(step.value, step.unit, p.system)
     if not step.term:
         return replace(step, value=value)
-    return replace(step, value=value, means=f"{term_text(*step.term, p)}, in {step.of}")
+    return replace(
+        step,
+        value=value,
+        means=Words("{term}, in {sum}", term=term_text(*step.term, p), sum=step.of),
+    )
 
 
 def in_unit(value: Any, stated_in: str, system: System) -> Any:

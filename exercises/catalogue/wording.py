@@ -2,6 +2,7 @@
 
 import re
 
+from newton_euler.algebra.language import Words, joined
 from newton_euler.algebra.ledger import Equation
 
 from .model import Problem
@@ -9,15 +10,48 @@ from .model import Problem
 # the terms of the equations of relative motion, whose symbols v_B, a_B would be taken for the
 # velocity and acceleration of a point B of the problem, and of (4.15)
 RELATIVE_MOTION = {
-    ("velocity", "origin"): "the velocity of the origin of the moving frame",
-    ("velocity", "relative"): "the velocity relative to the moving frame, v_r",
-    ("velocity", "rotation"): "the term omega x r",
-    ("acceleration", "origin"): "the acceleration of the origin of the moving frame",
-    ("acceleration", "relative"): "the acceleration relative to the moving frame, a_r",
-    ("acceleration", "euler"): "the term alpha x r",
-    ("rate", "relative"): "the rate of change in the moving frame, dQ/dt",
-    ("rate", "rotation"): "the term omega x Q, by the turning of the moving frame",
+    ("velocity", "origin"): Words("the velocity of the origin of the moving frame"),
+    ("velocity", "relative"): Words(
+        "the velocity relative to the moving frame, {formula}", formula="v_r"
+    ),
+    ("velocity", "rotation"): Words("the term {formula}", formula="omega x r"),
+    ("acceleration", "origin"): Words("the acceleration of the origin of the moving frame"),
+    ("acceleration", "relative"): Words(
+        "the acceleration relative to the moving frame, {formula}", formula="a_r"
+    ),
+    ("acceleration", "euler"): Words("the term {formula}", formula="alpha x r"),
+    ("rate", "relative"): Words(
+        "the rate of change in the moving frame, {formula}", formula="dQ/dt"
+    ),
+    ("rate", "rotation"): Words(
+        "the term {formula}, by the turning of the moving frame", formula="omega x Q"
+    ),
 }
+TYPESET = {
+    "v_r": r"$\mathbf{v}_r$", "a_r": r"$\mathbf{a}_r$", "dQ/dt": r"$d\mathbf{Q}/dt$",
+}  # fmt: skip
+KINDS = {
+    "coriolis": Words("the Coriolis term"),
+    "centripetal": Words("the centripetal term"),
+    "euler": Words("the Euler term"),
+    "relative": Words("the relative term"),
+    "origin": Words("the origin term"),
+    "rotation": Words("the rotation term"),
+    "tangential": Words("the tangential term"),
+    "normal": Words("the normal term"),
+    "radial": Words("the radial term"),
+    "transverse": Words("the transverse term"),
+    "axial": Words("the axial term"),
+    "orbital": Words("the orbital term"),
+    "own": Words("the own term"),
+}
+OTHERS = {str(kind): kind for kind in (
+    Words("acceleration"), Words("attraction"), Words("centrifugal"), Words("dynamic"),
+    Words("dynamic Euler"), Words("fall"), Words("fall turned"), Words("gravity"),
+    Words("gyroscopic"), Words("inertia"), Words("launch"), Words("launch turned"),
+    Words("moment"), Words("precession"), Words("reference"), Words("static"),
+    Words("static Euler"), Words("turning"), Words("weight"),
+)}  # fmt: skip
 
 
 def term_text(
@@ -26,36 +60,49 @@ def term_text(
     """A term in the words of the problem, with its formula if it has one: as text or in LaTeX."""
     if (equation.kind, name) in RELATIVE_MOTION:
         text = RELATIVE_MOTION[equation.kind, name]
-        bold = re.sub(r"\b([av])_r", r"$\\mathbf{\1}_r$", text)
-        return bold.replace("dQ/dt", r"$d\mathbf{Q}/dt$") if latex else text
+        formula = str(text.values.get("formula", ""))
+        return Words(text.template, formula=TYPESET.get(formula, formula)) if latex else text
     if name in equation.terms:
         kind, *of = name.split("_")  # coriolis_theta_phi, of two coordinates; static_euler
         kind = " ".join([kind, *(x for x in of if x == "euler")])
-        kind = kind.replace("coriolis", "Coriolis").replace("euler", "Euler")
-        of = [x for x in of if x != "euler"]
-        whose = f" of {' and '.join(of)}," * bool(of)
+        whose = joined(x for x in of if x != "euler")
         formula = f"${equation.terms[name][1]}$" if latex else equation.terms[name][0]
-        return f"the {kind} term{whose} {formula}"
+        other = kind.replace("euler", "Euler")
+        the_term = KINDS.get(kind) or Words("the {kind} term", kind=OTHERS.get(other, other))
+        if whose:
+            return Words(
+                "{term} of {coordinates}, {formula}",
+                term=the_term, coordinates=whose, formula=formula,
+            )  # fmt: skip
+        return Words("{term} {formula}", term=the_term, formula=formula)
     if not equation.kind.startswith("angular"):
-        return f"the term {name}"
+        return Words("the term {formula}", formula=name)
     if " x " not in name:
         # of an angular acceleration; the cross products are how the turning changes direction
-        growth = "the growth of " * (equation.kind == "angular acceleration")
-        return f"{growth}the turning {_of_frame(name, problem)}"
+        whose = _of_frame(name, problem)
+        if equation.kind == "angular acceleration":
+            return Words("the growth of the turning {whose}", whose=whose)
+        return Words("the turning {whose}", whose=whose)
     first, second = (_of_frame(n, problem) for n in name.split(" x "))
-    return f"the cross product of the turning {first} and the turning {second}"
+    return Words(
+        "the cross product of the turning {first} and the turning {second}",
+        first=first, second=second,
+    )  # fmt: skip
 
 
 def _of_frame(name, problem):
     """A frame in the words of the problem, after "the turning": "of the arm", "about y"."""
     if name.startswith("about ") or name in ("x", "y", "z"):
-        return f"about {name.removeprefix('about ')}"
-    return f"of {body_text(name)}" if named_in_text(name, problem) else "of a moving frame"
+        return Words("about {axis}", axis=name.removeprefix("about "))
+    if named_in_text(name, problem):
+        return Words("of {body}", body=body_text(name))
+    return Words("of a moving frame")
 
 
 def body_text(name: str) -> str:
     """A body or frame in a sentence: "the arm", "CD"."""
-    return name if not name.islower() or len(name) == 1 else f"the {name}"
+    is_name = not name.islower() or len(name) == 1
+    return name if is_name else Words("the {body}", body=name)
 
 
 def named_in_text(name: str, problem: Problem | None) -> bool:

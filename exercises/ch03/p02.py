@@ -17,7 +17,8 @@ def direction(g, frame=GROUND):
 
 
 def v_n(g, v):
-    return v.dot(direction(g, v.frame).direction())
+    n = direction(g, v.frame)
+    return v.dot(n) / n.norm()
 
 
 follows = {"v_n": v_n}

@@ -39,10 +39,16 @@ def times_from_rest(g, c, n):
     """t is the integral of dtheta/theta'. With 2 n theta/c = pi/2 - 2 asin(sin(w)/sqrt(2)) it is an
     elliptic integral of the first kind, in which w falls from pi/2 at the start to 0 at theta_1.
     """
-    right, scale = pi(g.one) / 2, c / sqrt(2 * n * g.A_1)
+    scale = c / sqrt(2 * n * g.A_1)
+    return {"t_h": falls(g)[0] * scale, "t_1": falls(g)[1] * scale}
+
+
+def falls(g):
+    """This integral from where w is at theta_1/2, and from 0."""
+    right = pi(g.one) / 2
     at_half = asin(sqrt(2 * g.one) * sin(right / 4))
-    time = lambda end: scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
-    return {"t_h": time(at_half), "t_1": time(0)}
+    fall = lambda end: integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
+    return fall(at_half), fall(0)
 
 
 def solve(g):
@@ -54,7 +60,13 @@ follows = {"z_uniform": lambda g, theta_uniform: rise(g.p) * theta_uniform}
 
 def steps(g):
     c, n = of_symbols(g)
-    return {"c": c, "n": n, "w": 2 * n * g.theta / c, "c_1": of_numbers(g)[0]}
+    return {
+        "c": c,
+        "n": n,
+        "w": 2 * n * g.theta / c,
+        "c_1": of_numbers(g)[0],
+        **dict(zip(("K_h", "K_1"), falls(g), strict=True)),
+    }
 
 
 def prove(g):

@@ -1,12 +1,13 @@
 """3/9: the angle between velocity and acceleration, and the rate of the speed."""
 
 from exercises.devices import instant_of_motion as device
-from newton_euler import asin, cos, kinematics
+from newton_euler import acos, asin, cos, kinematics
 
 
 def solve(g):
     v, a = device.vectors(g)
-    return {"angle": v.angle_to(a), "speed_rate": kinematics.speed_rate(v, a)}
+    cosine = v.dot(a) / (v.norm() * a.norm())
+    return {"angle": acos(cosine), "speed_rate": kinematics.speed_rate(v, a)}
 
 
 follows = {"speed_rate": lambda g, angle: device.vectors(g)[1].norm() * cos(angle)}

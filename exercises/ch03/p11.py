@@ -3,7 +3,7 @@
 from exercises.devices.instant_of_motion import figure, speed_and_flexure
 from exercises.tools import mp, rot, scaled, size, times
 from newton_euler import Frame, atan2, cos, pi, sin
-from newton_euler.kinematics import flexure, frenet, speed_rate
+from newton_euler.kinematics import flexure, speed_rate
 
 
 def vectors(g):
@@ -20,8 +20,8 @@ def solve(g):
 
 
 def steps(g):
-    P = frenet(*vectors(g))
-    return {"speed": P.speed, "a_n": P.acceleration.y}
+    v, a = vectors(g)
+    return {"speed": v.norm(), "a_n": v.cross(a).norm() / v.norm()}
 
 
 def prove(g):

@@ -7,17 +7,17 @@ from newton_euler import Frame
 
 
 def blocks(g):
-    return hanging(g, "A", g.W_A), hanging(g, "B", g.W_B)
+    return hanging(g, "B", g.W_B), hanging(g, "A", g.W_A)
 
 
 def solve(g):
-    found = motion(g, *blocks(g))
-    return {"a_A": -found.a_A, "a_B": found.a_B, "T": found.T}
+    found = motion(*blocks(g))
+    return {"a_A": -found.second, "a_B": found.first, "T": found.T}
 
 
 def steps(g):
-    A, B = blocks(g)
-    yield from block_steps(g, B, A, "T - W_B = m_B*a and W_A - T = m_A*a")
+    B, A = blocks(g)
+    yield from block_steps(B, A, "T - W_B = m_B*a and W_A - T = m_A*a")
 
 
 follows = {"a_B": lambda g, a_A: a_A, "T": lambda g, a_A: g.W_A * (1 - a_A / g.g)}

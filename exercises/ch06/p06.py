@@ -17,13 +17,13 @@ def blocks(g):
 
 
 def solve(g):
-    found = motion(g, *blocks(g))
-    return {"a_B": -found.a_B, "T": found.T}
+    found = motion(*blocks(g))
+    return {"a_B": -found.second, "T": found.T}
 
 
 def steps(g):
     A, B = blocks(g)
-    yield from block_steps(g, A, B, "T - W_At = m_A*a and W_B - T = m_B*a")
+    yield from block_steps(A, B, "T - W_At = m_A*a and W_B - T = m_B*a")
 
 
 follows = {"T": lambda g, a_B: g.W_B * (1 - a_B / g.g)}

@@ -16,18 +16,18 @@ def blocks(g):
     return on_face(g, "A", g.W_A, g.theta_A), on_face(g, "B", g.W_B, g.theta_B, toward=-1)
 
 
-def answers(g, A, B):
-    found = motion(g, A, B)
-    return {"a_A": found.a_A, "T": found.T}
+def answers(A, B):
+    found = motion(A, B)
+    return {"a_A": found.first, "T": found.T}
 
 
 def solve(g):
-    return answers(g, *blocks(g))
+    return answers(*blocks(g))
 
 
 def steps(g):
     A, B = blocks(g)
-    yield from block_steps(g, A, B, "T - W_At = m_A*a and W_Bt - T = m_B*a")
+    yield from block_steps(A, B, "T - W_At = m_A*a and W_Bt - T = m_B*a")
 
 
 follows = {"T": lambda g, a_A: g.W_A * (sin(g.theta_A) + a_A / g.g)}
@@ -49,7 +49,7 @@ def prove(g):
 def mistakes(g):
     quarter = pi(g.theta_A) / 2
     return {
-        "full_weights": answers(g, hanging(g, "A", g.W_A), hanging(g, "B", g.W_B)),
+        "full_weights": answers(hanging(g, "A", g.W_A), hanging(g, "B", g.W_B)),
         "same_sign": solve(g.but(theta_A=-g.theta_A)),
         "mass_of_A": {"a_A": solve(g)["a_A"] * (g.W_A + g.W_B) / g.W_A},
         "cosines": solve(g.but(theta_A=quarter - g.theta_A, theta_B=quarter - g.theta_B)),

@@ -11,18 +11,18 @@ def blocks(g):
     return hanging(g, "A", g.W_A, parts=2), hanging(g, "B", g.W_B)
 
 
-def answers(g, A, B):
-    found = motion(g, A, B)
-    return {"a_A": found.a_A, "a_B": -found.a_B, "T": found.T}
+def answers(A, B):
+    found = motion(A, B)
+    return {"a_A": found.first, "a_B": -found.second, "T": found.T}
 
 
 def solve(g):
-    return answers(g, *blocks(g))
+    return answers(*blocks(g))
 
 
 def steps(g):
     A, B = blocks(g)
-    yield from block_steps(g, A, B, "2*T - W_A = m_A*a and W_B - T = 2*m_B*a")
+    yield from block_steps(A, B, "2*T - W_A = m_A*a and W_B - T = 2*m_B*a")
 
 
 follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a_A / g.g)}
@@ -41,9 +41,9 @@ def prove(g):
 def mistakes(g):
     A, B = blocks(g)
     return {
-        "same_acceleration": answers(g, replace(A, runs=1), B),
-        "one_tension": answers(g, replace(A, pulls=1), B),
-        "the_other_way": answers(g, replace(A, runs=1), replace(B, runs=2)),
+        "same_acceleration": answers(replace(A, runs=1), B),
+        "one_tension": answers(replace(A, pulls=1), B),
+        "the_other_way": answers(replace(A, runs=1), replace(B, runs=2)),
         "as_in_statics": {"T": g.W_A / 2},
     }
 

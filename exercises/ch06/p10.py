@@ -1,4 +1,4 @@
-"""6/10: the tension in a pendulum's wire, held and let go; weight and wire are the units."""
+"""6/10: the tension in a pendulum's wire before and after release; weight and wire are units."""
 
 from exercises.tools import Sketch, mp, plus, rate, root, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, polar, sin, solve_linear

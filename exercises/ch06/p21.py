@@ -3,13 +3,13 @@
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
 from exercises.tools import Sketch, mp
 from exercises.tools import root as place_of
-from newton_euler import Frame, cos, pi, root, sin
-from newton_euler.applications import flight_time, launch_velocity, range_east
+from newton_euler import Frame, asin, cos, pi, sin
+from newton_euler.applications import flight_time, launch_velocity
 
 
 def elevation(g):
-    """The smaller one for the range D without rotation; 45 degrees carry farthest."""
-    return root(lambda e: range_east(g.v_0, e, g.g, 0 * g.omega_e) - g.D, 0 * g.lat, pi(g.lat) / 4)
+    """The smaller one for the range D = v_0^2 sin(2 phi)/g without rotation."""
+    return asin(g.g * g.D / g.v_0**2) / 2
 
 
 def landing(g, phi):

@@ -2,7 +2,7 @@
 
 from exercises.tools import Sketch, proofs
 from newton_euler import Frame, integral
-from newton_euler.bodies import plate, simplex
+from newton_euler.bodies import plate
 
 PLATE = Frame("plate")  # its origin is the centre of mass
 follows = {"I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
@@ -14,17 +14,18 @@ def corners(g):
     return [*base, PLATE.point("C", 0, 2 * g.h / 3, 0)]
 
 
-def triangle(g):
-    return simplex(*corners(g), mass=g.m)
-
-
 def about_base(g):
     """By strips of the mass 2 m (1 - u/h) du/h at the height u above the base."""
     return integral(lambda u: 2 * g.m / g.h * (1 - u / g.h) * u**2, 0, g.h)
 
 
+def about_axis(g):
+    """By the same strips, of the width b (1 - u/h)."""
+    return integral(lambda u: g.m / g.h * (1 - u / g.h) * (g.b * (1 - u / g.h)) ** 2 / 6, 0, g.h)
+
+
 def solve(g):
-    I_xx, I_yy = about_base(g) - g.m * (g.h / 3) ** 2, triangle(g).inertia.moment("y")
+    I_xx, I_yy = about_base(g) - g.m * (g.h / 3) ** 2, about_axis(g)
     return {"I_xx": I_xx, "I_yy": I_yy, "I_zz": I_xx + I_yy}
 
 

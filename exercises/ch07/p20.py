@@ -3,7 +3,7 @@
 from exercises.devices.connecting_rod import about_A, figure, mean_square, two_masses
 from exercises.tools import mp
 from exercises.tools import root as proof_root
-from newton_euler import root, sqrt
+from newton_euler import sqrt
 
 
 def at_G(g, r_a):
@@ -13,17 +13,17 @@ def at_G(g, r_a):
 
 
 def solve(g):
-    def excess(r_a):
-        A, _, B = about_A(g.m, g.I_AA, r_a, g.L - r_a)
-        return A.about(B).moment("z") - g.I_BB
-
-    r_a = root(excess, 0, g.L)
+    r_a = (g.L + apart(g)) / 2
     return {"r_a": r_a, "k_G": at_G(g, r_a)}
 
 
+def apart(g):
+    """r_a - r_b: r_a^2 - r_b^2 is (r_a + r_b) (r_a - r_b)."""
+    return (g.I_AA - g.I_BB) / (g.m * g.L)
+
+
 def steps(g):
-    apart = (g.I_AA - g.I_BB) / (g.m * g.L)
-    return {"apart": apart, "I_GG": g.I_AA - g.m * solve(g)["r_a"] ** 2}
+    return {"apart": apart(g), "I_GG": g.I_AA - g.m * solve(g)["r_a"] ** 2}
 
 
 follows = {"k_G": lambda g, r_a: at_G(g, r_a)}

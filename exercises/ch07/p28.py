@@ -1,34 +1,31 @@
 """7/28: the cone that has the same moment of inertia about all axes through its centre of mass."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame, bodies, root, tan
+from newton_euler import Frame, atan, bodies, sqrt
 
 CONE = Frame("cone")  # its origin is the apex, z points to the base
 
 
-def of_height_1(g, radius):
-    return bodies.cone(radius, g.one, CONE, "z", mass=g.one)
+def shares(g):
+    """Of a cone as wide as high: the height of G, the axial moment, and that by the heights."""
+    cone = bodies.cone(g.one, g.one, CONE, "z", mass=g.one)
+    d, own = cone.centre.position(CONE).z, cone.inertia.moment("z")
+    return d, own, cone.about(CONE).moment("x") - own / 2 - d**2
 
 
-def angle(g, excess):
-    """The alpha at which ``excess``, a function of the cone, vanishes."""
-    return root(lambda a: excess(of_height_1(g, tan(a))), g.one / 10, 14 * g.one / 10)
-
-
-def difference(body):
-    I = body.inertia
-    return I.moment("z") - I.moment("x")
+def angle(own, tall):
+    """The alpha at which both moments are equal, tan(alpha)^2 own/2 = tall."""
+    return atan(sqrt(2 * tall / own))
 
 
 def solve(g):
-    return {"alpha": angle(g, difference)}
+    _, own, tall = shares(g)
+    return {"alpha": angle(own, tall)}
 
 
 def steps(g):
-    body = of_height_1(g, g.one)  # as wide as high
-    own = body.inertia.moment("z")
-    tall = body.inertia.moment("x") - own / 2
-    return {"d": body.centre.position(CONE).z, "own": own, "tall": tall}
+    d, own, tall = shares(g)
+    return {"d": d, "own": own, "tall": tall}
 
 
 def prove(g):
@@ -46,12 +43,11 @@ def prove(g):
 
 
 def mistakes(g):
-    at_apex = lambda body: body.inertia.moment("z") - body.about(CONE).moment("x")
-    wrong_centre = lambda body: at_apex(body) + body.mass * (body.centre.position(CONE).z / 3) ** 2
+    d, own, tall = shares(g)
     return {
-        "at_the_apex": {"alpha": angle(g, at_apex)},
-        "full_angle": {"alpha": 2 * solve(g)["alpha"]},
-        "quarter_from_the_apex": {"alpha": angle(g, wrong_centre)},
+        "at_the_apex": {"alpha": angle(own, tall + d**2)},
+        "full_angle": {"alpha": 2 * angle(own, tall)},
+        "quarter_from_the_apex": {"alpha": angle(own, tall + d**2 - (d / 3) ** 2)},
     }
 
 

@@ -6,17 +6,18 @@ from newton_euler.dynamics import ForceSystem, resultant_moment, weight
 
 
 def limit(g, mu_B, A_at_rest=False):
-    """a, N_A and N_B with friction mu N_A forward at A and mu_B N_B upward at B, for the unit of
-    mass and of length.
+    """a, and n_A and n_B, the normal forces over the weight, with friction mu n_A forward at A and
+    mu_B n_B upward at B, for the unit of mass and of length.
 
     A_at_rest : the mistake of moments about A as if it were at rest
     """
 
-    def laws(a, N_A, N_B):
+    def laws(a, n_A, n_B):
         ground = Frame("ground")
         A = ground.point("A", moving(0, rate=0, acceleration=a), 0, 0)
         frame = ground.translate("truck", A).rotate("bar", "z", angle=g.theta)
         bar = bodies.rod(g.one, frame.point("G", g.one / 2, 0, 0), "x", mass=g.one, name="bar")
+        N_A, N_B = n_A * g.g, n_B * g.g
         forces = ForceSystem({
             "weight": (weight(bar, ground.j, g.g), bar.centre),
             "A": (ground.vector(g.mu * N_A, N_A, 0), A),
@@ -38,7 +39,7 @@ def solve(g):
 
 def steps(g):
     found = limit(g, g.mu)
-    return {"n_B": found.N_B / g.g, "n_A": found.N_A / g.g}
+    return {"n_B": found.n_B, "n_A": found.n_A}
 
 
 def prove(g):

@@ -11,18 +11,22 @@ def hanging(g, body=ring):
     return body(g.a, frame.point("G", 0, -g.a, 0), "z", mass=1), frame.point("A", 0, 0, 0)
 
 
-def excess(g, body, A, inertia, cos_beta, rate_squared):
-    """The moment about x that the turning needs less that of the weight, both over sin(beta)."""
+def moments(g, body, A, inertia, cos_beta):
+    """About x and over sin(beta): what the turning needs at 1 rad/s, and that of the weight."""
     up = A.frame.vector(0, cos_beta, 1)  # over sin(beta) in its component along the normal
-    needed = up.cross(inertia.times(up)) * rate_squared
-    return needed.x - (body.centre - A).cross(up * -g.g).x
+    return up.cross(inertia.times(up)).x, (body.centre - A).cross(up * -g.g).x
 
 
 def angles(g, body, A, inertia=None):
     inertia = inertia or body.about(A)
-    swung = solve_linear(lambda cos_beta: excess(g, body, A, inertia, cos_beta, g.omega**2))
-    upright = solve_linear(lambda omega_squared: excess(g, body, A, inertia, 1, omega_squared))
-    return {"beta_ring": acos(swung.cos_beta), "omega_max": sqrt(upright.omega_squared)}
+
+    def excess(cos_beta):
+        needed, of_weight = moments(g, body, A, inertia, cos_beta)
+        return needed * g.omega**2 - of_weight
+
+    needed, of_weight = moments(g, body, A, inertia, 1)
+    beta = acos(solve_linear(excess).cos_beta)
+    return {"beta_ring": beta, "omega_max": sqrt(of_weight / needed)}
 
 
 def solve(g):

@@ -2,42 +2,28 @@
 
 from exercises.devices.wobbling import neutral_length
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame, composite, particle, solve_linear, sqrt
+from newton_euler import Frame, sqrt
 from newton_euler.bodies import disk
 
 
-def assembly(g, b, part=None):
-    """Two disks at the distance b, O in the middle; ``part(centre, name)`` makes other bodies."""
-    frame = Frame("assembly")
-    part = part or (lambda centre, name: disk(g.r, centre, "z", mass=g.m, name=name))
-    ends = [(name, frame.point(name, 0, 0, z)) for name, z in (("P", -b / 2), ("Q", b / 2))]
-    body = composite("assembly", [part(end, f"disk {name}") for name, end in ends])
-    return body, frame.point("O", 0, 0, 0)
+def in_the_middle(g):
+    """The axial and the transverse moment of inertia if the centres of both disks were at O."""
+    both = disk(g.r, Frame("rod").point("O", 0, 0, 0), "z", mass=2 * g.m)
+    return both.inertia.moment("z"), both.inertia.moment("x")
 
 
-def length(g, across, axial):
-    """The length at which the transverse moment, quadratic in it, equals the axial one."""
-    flat, apart = across(0 * g.r), across(g.r)
-    share = solve_linear(lambda square: flat + (apart - flat) * square - axial).square
-    return {"b": g.r * sqrt(share)}
-
-
-def axial(g):
-    body, O = assembly(g, g.r)
-    return body.about(O).moment("z")
-
-
-def across(g, b):
-    body, O = assembly(g, b)
-    return body.about(O).moment("x")
+def length(g, I, across, share=2):
+    """The b at which ``across`` and what the distances add, m b^2/share, are the axial moment."""
+    return {"b": sqrt(share * (I - across) / g.m)}
 
 
 def solve(g):
-    return length(g, lambda b: across(g, b), axial(g))
+    return length(g, *in_the_middle(g))
 
 
 def steps(g):
-    return {"I": axial(g), "I_flat": across(g, 0 * g.r)}
+    I, I_flat = in_the_middle(g)
+    return {"I": I, "I_flat": I_flat}
 
 
 def prove(g):
@@ -50,19 +36,11 @@ def prove(g):
 
 
 def mistakes(g):
-    def as_particles(b):
-        body, O = assembly(g, b, lambda centre, name: particle(g.m, centre, name))
-        return body.about(O).moment("x")
-
-    def about_one_end(b):
-        body, _ = assembly(g, b)
-        return body.about(body.frame.point("P", 0, 0, b / 2)).moment("x")
-
-    I = axial(g)
+    I, I_flat = in_the_middle(g)
     return {
-        "from_the_middle": length(g, lambda b: across(g, 2 * b), I),
-        "particles": length(g, as_particles, I),
-        "about_one_end": length(g, about_one_end, I),
+        "from_the_middle": length(g, I, I_flat, share=g.one / 2),
+        "particles": length(g, I, 0),
+        "about_one_end": length(g, I, I_flat, share=1),
     }
 
 

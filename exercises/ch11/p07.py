@@ -1,8 +1,7 @@
 """11/7: a linkage of two pairs of links that folds down on a spring."""
 
 from exercises.tools import Sketch, Step, minus, mp, until
-from newton_euler import Frame, acos, atan2, cos, root, sin, sqrt
-from newton_euler.dynamics import spring_potential, weight_potential
+from newton_euler import Frame, acos, atan2, cos, sin, sqrt
 
 
 def scene(g, theta, side=1):
@@ -16,41 +15,29 @@ def scene(g, theta, side=1):
     return ground, K, upper.point("C", 0, -g.b, 0)  # from KO, turned by theta
 
 
-def heights(g, theta):
-    """The heights of the knees and of the collar."""
-    ground, K, C = scene(g, theta)
-    return K.position(ground).y, C.position(ground).y
-
-
-def energies(g, theta):
-    """What the weights of collar and balls have lost since the start, and what the spring has."""
-    y, h = heights(g, theta)
-    x = g.a + g.b - h
-    lost = weight_potential(g.m_c, x, g.g), 2 * weight_potential(g.m_b, g.a - y, g.g)
-    return *lost, spring_potential(g.k, x)
+def height(g):
+    """p, q and the height of the collar in k h^2/2 - p h + q = 0: the energies over x = a + b - h,
+    which is 0 where all began, and times h.
+    """
+    p = g.k * (g.a + g.b) / 2 - (g.m_c + g.m_b) * g.g
+    q = g.m_b * g.g * (g.b - g.a)
+    return p, q, (p + sqrt(p**2 - 2 * g.k * q)) / g.k
 
 
 def solve(g):
-    """Theta = 180 degrees, where all began, fulfils the equation, too."""
-
-    def excess(theta):
-        collar, balls, spring = energies(g, theta)
-        return spring - collar - balls
-
-    return {"theta": root(excess, 0.6, 3)}
+    return folded(g, height(g)[2])
 
 
 def steps(g):
-    p = g.k * (g.a + g.b) / 2 - (g.m_c + g.m_b) * g.g
-    q = g.m_b * g.g * (g.b - g.a)
+    p, q, h = height(g)
     yield Step("p", p, "N", "coefficient k*(a + b)/2 - (m_c + m_b)*g in the equation for the "
                "height h of the collar then: each ball drops by x*(h + b - a)/(2*h) while the "
                "collar drops by x = a + b - h, and the energies, divided by x and multiplied by h, "
                "give k*h^2/2 - p*h + q = 0", "11.18", "11.32")  # fmt: skip
     yield Step("q", q, "J", "coefficient m_b*g*(b - a) in it", "11.18", "11.32")
-    yield Step("h", (p + sqrt(p**2 - 2 * g.k * q)) / g.k, "mm", "height of the collar above O, the "
-               "larger root, to which it comes first; the links a and b and the height h form a "
-               "triangle with the angle theta", "11.18")  # fmt: skip
+    yield Step("h", h, "mm", "height of the collar above O, the larger root, to which it comes "
+               "first; the links a and b and the height h form a triangle with the angle theta",
+               "11.18")  # fmt: skip
 
 
 def prove(g):
@@ -83,18 +70,17 @@ def prove(g):
     return {"theta": mp.acos(cosine), "h": h}
 
 
-def folded(g, x):
-    """The angle at which the spring is shortened by x."""
-    h = g.a + g.b - x
+def folded(g, h):
+    """The angle at the knee with the collar at the height h, by the law of cosines."""
     return {"theta": acos((g.a**2 + g.b**2 - h**2) / (2 * g.a * g.b))}
 
 
 def mistakes(g):
     weight = (g.m_c + 2 * g.m_b) * g.g
     return {
-        "balance_of_forces": folded(g, weight / g.k),
+        "balance_of_forces": folded(g, g.a + g.b - weight / g.k),
         "one_ball": solve(g.but(m_b=g.m_b / 2)),
-        "balls_drop_with_collar": folded(g, 2 * weight / g.k),
+        "balls_drop_with_collar": folded(g, g.a + g.b - 2 * weight / g.k),
         "no_collar": solve(g.but(m_c=0 * g.m_c)),
     }
 

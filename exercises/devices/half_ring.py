@@ -23,7 +23,7 @@ def from_G(g, own, d):
 
 
 def with_half_disk(g, at_centre):
-    """The mistake of the half disk's mass centre: from the moment at the centre to that at M."""
+    """The mistake of the half disk, from the moment about its centre to that about M."""
     d = depth(half_disk(g.r, RING, "z", "-y", mass=g.m))
     return from_G(g, at_centre - g.m * d**2, d)
 

@@ -5,71 +5,82 @@ The rope pulls either block along its own line, toward the pulley.
 """
 
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 from exercises.tools import Sketch, Step, minus, rate, root
-from newton_euler import Frame, cos, pi, sin, solve_linear, tan
+from newton_euler import Frame, cos, pi, sin, tan
 from newton_euler.algebra.vectors import Vector
-from newton_euler.dynamics import mass_from_weight, resultant_force, weight
+from newton_euler.dynamics import mass_from_weight
 
 
 @dataclass
 class Block:
-    """A block: the rope pulls it along ``line``, a face pushes it along ``normal``, if any."""
+    """A block that the rope pulls along ``line``; ``on_face``: of a wedge."""
 
     name: str
-    m: object
+    W: Any
+    m: Any
     line: Vector
-    normal: Vector | None = None
+    on_face: bool = False
     pulls: int = 1  # the parts of the rope that pull on it
     runs: int = 1  # those that shorten as it moves along its line
 
+    @property
+    def W_t(self):
+        """The part of its weight against the pull of the rope."""
+        return self.W * self.line.y
+
 
 def hanging(g, name, W, parts=1):
-    """A block of this weight that hangs on so many parts of the rope."""
-    return Block(name, mass_from_weight(W, g.g), Frame("ground").j, None, parts, parts)
+    """A block of this weight that hangs on this many parts of the rope."""
+    return Block(name, W, mass_from_weight(W, g.g), Frame("ground").j, False, parts, parts)
 
 
 def on_face(g, name, W, angle, toward=1):
     """On a smooth face that rises at ``angle``, to the right, or with ``toward`` -1 to the left."""
-    ground = Frame("ground")
-    line = ground.vector(toward * cos(angle), sin(angle), 0)
-    normal = ground.vector(-toward * sin(angle), cos(angle), 0)
-    return Block(name, mass_from_weight(W, g.g), line, normal)
+    line = Frame("ground").vector(toward * cos(angle), sin(angle), 0)
+    return Block(name, W, mass_from_weight(W, g.g), line, on_face=True)
 
 
-def motion(g, A, B):
-    """a_A and a_B along the pull of the rope, tension T, N_A and N_B, by ``solve_linear``."""
-    pushed = [b for b in (A, B) if b.normal]
+class Motion(NamedTuple):
+    """Accelerations of two blocks along the pull of the rope, and its tension."""
 
-    def laws(a_A, a_B, T, *pushes):
-        N = {b.name: N * b.normal for b, N in zip(pushed, pushes, strict=True)}
-        equations = {"rope": A.runs * a_A + B.runs * a_B}
-        for b, a in ((A, a_A), (B, a_B)):
-            F = weight(b.m, b.line.frame.j, g.g) + T * (b.pulls * b.line)
-            F = F + N[b.name] if b.name in N else F
-            equations[b.name] = resultant_force(b.m, a * b.line) - F
-        return equations
-
-    return solve_linear(laws, ["a_A", "a_B", "T", *(f"N_{b.name}" for b in pushed)])
+    first: Any
+    second: Any
+    T: Any
 
 
-def block_steps(g, A, B, laws):
+def motion(A, B):
+    """The :class:`Motion` of A and B: each has pulls*T - W_t = m*a, and the rope its length."""
+    F, M = without_tension(A, B)
+    a = F / M
+    T = (A.W_t + A.m * (B.runs * a)) / A.pulls
+    return Motion(B.runs * a, -A.runs * a, T)
+
+
+def without_tension(A, B):
+    """(F, M): the force and the mass that are left of the equations of motion without T, where A
+    moves ``B.runs`` times and B ``-A.runs`` times the acceleration F/M.
+    """
+    F = A.pulls * B.W_t - B.pulls * A.W_t
+    return F, A.m * (B.runs * B.pulls) + B.m * (A.runs * A.pulls)
+
+
+def block_steps(A, B, laws):
     """The masses, the parts of the weights along the lines, and what is left without the tension of
     the equations of motion, which ``laws`` writes, for the acceleration a of ``A`` toward its
     pulley.
     """
     for b in (A, B):
         yield Step(f"m_{b.name}", b.m, "slug", f"mass of {b.name}, W/g")
-    along = {b.name: -weight(b.m, b.line.frame.j, g.g).dot(b.line) for b in (A, B)}
     for b in (A, B):
-        if b.normal:
-            yield Step(f"W_{b.name}t", along[b.name], "lb",
-                       f"part of the weight of {b.name} down its face", "6.1", "6.3")  # fmt: skip
-    yield Step("F", A.runs * along[B.name] - B.runs * along[A.name], "lb",
-               f"force that is left of the equations of motion {laws} without T", "6.1",
-               "6.3")  # fmt: skip
-    yield Step("M", A.m * B.runs**2 + B.m * A.runs**2, "slug", "mass that it accelerates, F = M*a",
+        if b.on_face:
+            means = f"part of the weight of {b.name} down its face"
+            yield Step(f"W_{b.name}t", b.W_t, "lb", means, "6.1", "6.3")
+    F, M = without_tension(A, B)
+    yield Step("F", F, "lb", f"force that is left of the equations of motion {laws} without T",
                "6.1", "6.3")  # fmt: skip
+    yield Step("M", M, "slug", "mass that it accelerates, F = M*a", "6.1", "6.3")
 
 
 def by_energy(g, W_A, W_B, places, reach):

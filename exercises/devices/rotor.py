@@ -56,7 +56,7 @@ def principal_steps(body, *axes):
     """The moments about the centre that count, each (key, axis of the body, which it is)."""
     for key, axis, which in axes:
         yield Step(key, body.inertia.moment(axis), "kg*m^2", f"moment of inertia {which}",
-                   "7.4", "8.16")  # fmt: skip
+                   "7.6")  # fmt: skip
 
 
 def shaft_steps(r, products="xy"):
@@ -71,13 +71,13 @@ def shaft_steps(r, products="xy"):
 
 
 def steps(r, *axes):
-    """The steps of a body of one part, its mass centre on the axis; see principal_steps."""
+    """The steps of a body of one part, its centre of mass on the axis; see principal_steps."""
     yield from principal_steps(r.body.parts[0], *axes)
     yield from shaft_steps(r)
 
 
 def force_steps(r):
-    """Steps for a mass centre off the axis: its acceleration, the parts of each bearing force."""
+    """Steps for G off the axis: its acceleration, the parts of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
     yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "9.5", "9.7")
     for key, force in ("F_A", forces(r).A), ("F_B", forces(r).B):

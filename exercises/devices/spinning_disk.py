@@ -54,13 +54,13 @@ def answers(d, couple):
 
 
 def force(d):
-    """What moves the mass centre, a point of the arm."""
+    """What moves the centre of mass, a point of the arm."""
     C = d.body.frame.origin
     return dynamics.resultant_force(d.body.mass, C.acceleration(d.ground)).expressed_in(d.arm)
 
 
 def balance(d):
-    """The word, from the distance of the mass centre from the axis and the rate of H_O."""
+    """The word, from the distance of the centre of mass from the axis and the rate of H_O."""
     omega, H = d.arm.angular_velocity(d.ground), momentum(d)
     G = d.body.centre - d.O
     rests = abs(omega.cross(G)) <= 1e-9 * abs(omega) * abs(G)
@@ -70,8 +70,8 @@ def balance(d):
 def spin_steps(d, spin):
     axial, across = moments(d, spin)
     means = "moment of inertia about the axis of the disk"
-    yield Step("I_s", axial, "kg*m^2", means, "7.4", "8.16")
-    yield Step("I_d", across, "kg*m^2", "moment of inertia about a diameter", "7.4", "8.16")
+    yield Step("I_s", axial, "kg*m^2", means, "7.6")
+    yield Step("I_d", across, "kg*m^2", "moment of inertia about a diameter", "7.6")
     omega = d.body.frame.angular_velocity(d.ground).expressed_in(d.arm)
     yield Step("omega_disk", omega, "rad/s", "angular velocity of the disk in the inertial frame",
                "4.9", "4.22")  # fmt: skip

@@ -52,7 +52,7 @@ def of_weights(m, g, points, theta):
 
 
 def two_rings(k_z, k_x, c=0):
-    """Mass points with these radii of gyration about O and the mass centre at the distance c."""
+    """Mass points with these radii of gyration about O and the centre of mass at the distance c."""
     h = mp.sqrt(k_x**2 - c**2 - k_z**2 / 2)
     return [
         (share / 2, plus(place, [0, 0, c + side * h]))

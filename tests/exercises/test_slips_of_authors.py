@@ -213,6 +213,6 @@ SLIPS = {
 
 @pytest.mark.parametrize("slip", SLIPS, ids=[s.replace(" ", "_") for s in SLIPS])
 def test_a_slip_is_found_and_said(slip, tmp_path):
-    edits, told = SLIPS[slip]
+    edits, message = SLIPS[slip]
     sentences = found(edited(tmp_path, *edits))
-    assert any(re.search(told, s, re.S) for s in sentences), sentences
+    assert any(re.search(message, s, re.S) for s in sentences), sentences

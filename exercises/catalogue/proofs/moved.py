@@ -3,7 +3,7 @@ force and moment that it needs.
 
 A motion is a function of time whose value is such a list of pairs (share of the mass, place) as
 ``mass_points`` makes, the places moved in the inertial axes. Nothing is known of moments of
-inertia, of the mass centre or of angular velocity.
+inertia, of the centre of mass or of angular velocity.
 """
 
 from collections.abc import Callable, Sequence

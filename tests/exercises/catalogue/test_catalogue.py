@@ -1,5 +1,5 @@
 """The catalogue: texts, data and code of the problems are read and fit together; what is wrong is
-told in words.
+reported in words.
 """
 
 import re
@@ -115,7 +115,7 @@ LACKING = {"beta_1": 120, "b": 8, "L": 16}
 
 
 @pytest.mark.parametrize(
-    ("ask", "told"),
+    ("ask", "message"),
     [
         (lambda: problem("4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
         (lambda: problem("99/1"), "there is no problem 99/1: the chapters with problems are .*ch04"),
@@ -129,8 +129,8 @@ LACKING = {"beta_1": 120, "b": 8, "L": 16}
         (lambda: problem("4/16").answer("a_C"), "problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"),
     ],
 )  # fmt: skip
-def test_what_is_not_there_is_named_with_what_is(ask, told):
-    with pytest.raises(CatalogueError, match=told):
+def test_what_is_not_there_is_named_with_what_is(ask, message):
+    with pytest.raises(CatalogueError, match=message):
         ask()
 
 
@@ -154,7 +154,7 @@ def refused(ask, name):
 
 
 @pytest.mark.parametrize(
-    ("right", "wrong", "told"),
+    ("right", "wrong", "message"),
     [
         ("title: A wheel", "name: A wheel", "a problem has the unknown key 'name'; its keys are id, title, section, text, "
 "answers and"),
@@ -201,9 +201,9 @@ def refused(ask, name):
         ('id: "77/1"', 'id: "78/1"', "the id 78/1 belongs in ch78/p01.yaml; rename this file, or correct the id"),
     ],
 )  # fmt: skip
-def test_what_does_not_fit_is_told_with_its_file(write, right, wrong, told):
+def test_what_does_not_fit_is_refused_with_its_file(write, right, wrong, message):
     write("p01.yaml", changed(right, wrong))
-    assert refused(problem, "77/1").startswith(f"ch77/p01.yaml: {told}")
+    assert refused(problem, "77/1").startswith(f"ch77/p01.yaml: {message}")
 
 
 @pytest.mark.parametrize(
@@ -215,10 +215,10 @@ def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, va
     lines[line] = f"{lines[line].partition(':')[0]}: {value}"
     write("p01.yaml", "\n".join(lines))
     try:
-        told = f"read {problem('77/1').id}"
+        message = f"read {problem('77/1').id}"
     except CatalogueError as error:
-        told = str(error)
-    assert re.match(r"read 77/1$|ch77/p01.yaml: .* (must be|has|lacks|is not|belongs)", told)
+        message = str(error)
+    assert re.match(r"read 77/1$|ch77/p01.yaml: .* (must be|has|lacks|is not|belongs)", message)
 
 
 @pytest.mark.parametrize("text", ["", "- " + ENTRY.strip().replace("\n", "\n  "), "a wheel"])
@@ -250,7 +250,7 @@ BROKEN_YAML = (
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "message"),
     [
         (changed('"4.8"', '"4.8'), BROKEN_YAML),
         (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
@@ -260,9 +260,9 @@ BROKEN_YAML = (
     ],
     ids=["broken", "key twice", "encoding"],
 )  # fmt: skip
-def test_what_cannot_be_read_is_told_with_file_and_line(write, text, told):
+def test_what_cannot_be_read_is_refused_with_file_and_line(write, text, message):
     write("p01.yaml", text)
-    assert re.fullmatch(told, refused(problem, "77/1"), re.DOTALL)
+    assert re.fullmatch(message, refused(problem, "77/1"), re.DOTALL)
 
 
 def test_the_same_problem_twice_is_told(write):
@@ -280,15 +280,15 @@ DIGITS = ": the id 77/1 belongs in ch77/p01.yaml; rename this file, or correct t
 
 
 @pytest.mark.parametrize(
-    ("name", "told"),
+    ("name", "message"),
     [(name, DIGITS) for name in ("p1.yaml", "p001.yaml")]
     + [(name, f" {NO_NUMBER}") for name in ("problems.yaml", "16.yaml", "p02.yml", "p2 copy.yaml")],
 )
-def test_a_file_that_is_not_named_after_its_problem_is_told(write, name, told):
-    if told != DIGITS:
+def test_a_file_that_is_not_named_after_its_problem_is_refused(write, name, message):
+    if message != DIGITS:
         write("p01.yaml", ENTRY)
     write(name, ENTRY)
-    assert refused(problems, "ch77") == f"ch77/{name}{told}"
+    assert refused(problems, "ch77") == f"ch77/{name}{message}"
 
 
 def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_editor(write):
@@ -317,8 +317,8 @@ def test_a_chapter_has_a_title_and_what_holds_for_all_its_problems(write):
 
 def test_a_text_without_code_is_told(write):
     write("p01.yaml", ENTRY)
-    told = "problem 77/1 has a text but no code: write exercises/ch77/p01.py"
-    assert refused(lambda name: problem(name).code, "77/1") == told
+    message = "problem 77/1 has a text but no code: write exercises/ch77/p01.py"
+    assert refused(lambda name: problem(name).code, "77/1") == message
 
 
 def test_code_without_a_function_is_told(write, monkeypatch):

@@ -102,8 +102,8 @@ def test_a_mistake_without_a_text_is_caught():
 def test_a_mistake_under_the_key_of_another_answer_is_a_warning(monkeypatch):
     stored = lambda wrong, g: {**wrong, "no_coriolis": {"v_D": wrong["no_coriolis"]["a_D"]}}
     monkeypatch.setattr(P.code, "mistakes", mistaken(stored)["mistakes"])
-    told = "the mistake no_coriolis gives v_D the dimension of a_D: is it stored under its key?"
-    assert told in alike(P)
+    message = "the mistake no_coriolis gives v_D the dimension of a_D: is it stored under its key?"
+    assert message in alike(P)
 
 
 def test_frames_of_another_call_in_the_tree_of_an_answer_are_a_fault(tamper):

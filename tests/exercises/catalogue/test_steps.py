@@ -126,8 +126,8 @@ def test_steps_in_code_and_text_are_the_same(monkeypatch):
     monkeypatch.setattr(p.code, "steps", lambda g: {"m": g.W / g.g, "I_G": g.W / g.g * g.L**2})
     assert faults(p, p.book_values) == ["the step a_G is in p03.yaml but not computed"]
     monkeypatch.setattr(p.code, "steps", lambda g: {"a_C": g.g})
-    told = "8/3: the step 'a_C' is computed but not in p03.yaml; did you mean a_G?"
-    assert faults(p, p.book_values) == [told]
+    faults_found = "8/3: the step 'a_C' is computed but not in p03.yaml; did you mean a_G?"
+    assert faults(p, p.book_values) == [faults_found]
 
 
 def proving(monkeypatch, **found):
@@ -147,8 +147,8 @@ def test_a_step_that_the_proof_finds_too_is_compared(monkeypatch):
 
 
 def test_what_the_proof_finds_and_nobody_asks_for_is_a_fault(monkeypatch):
-    told = check(proving(monkeypatch, omega_AB=lambda g: g.omega))
-    assert told == [
+    faults_found = check(proving(monkeypatch, omega_AB=lambda g: g.omega))
+    assert faults_found == [
         "prove returns omega_AB, which is neither asked for nor one of the steps (seed 0)"
     ]
 
@@ -162,7 +162,7 @@ def test_steps_are_checked_with_the_problem(monkeypatch):
 
 def test_a_problem_without_sums_has_no_steps_of_its_own():
     p = SimpleNamespace(id="0/1", code=SimpleNamespace(solve=lambda g: {"x": 2.0}), units={},
-                        answers=(), base=lambda values, one: None)  # fmt: skip
+                        answers=(), said={}, base=lambda values, one: None)  # fmt: skip
     assert steps(p, {}) == []
 
 

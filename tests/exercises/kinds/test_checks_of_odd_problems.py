@@ -1,5 +1,5 @@
 """Checks of problems of other kinds: without numbers, with a key that is zero, with a proof that
-stops at the digits of its numbers, with mistakes that cannot be told apart.
+stops at the digits of its numbers, with mistakes that cannot be distinguished.
 """
 
 from dataclasses import replace

@@ -94,12 +94,12 @@ def test_nothing_is_overwritten(spec):
         written(spec)
 
 
-@pytest.mark.parametrize(("chapter", "only", "told"), [
+@pytest.mark.parametrize(("chapter", "only", "message"), [
     ("ch02", ["2/9"], "has no problem 2/9; of ch02 it has 2/1, 2/2"),
     ("ch03", [], "has no problem of ch03; of ch03 it has none"),
 ])  # fmt: skip
-def test_what_is_not_in_the_spec_is_told(spec, chapter, only, told):
-    with pytest.raises(CatalogueError, match=told):
+def test_what_is_not_in_the_spec_is_refused(spec, chapter, only, message):
+    with pytest.raises(CatalogueError, match=message):
         write_chapter(chapter, spec, only, spec.parent)
 
 
@@ -118,16 +118,16 @@ def test_a_spec_loses_nothing_that_a_problem_has(p, tmp_path):
     assert vars(read_problem(load(problem_yaml(entry)), path)) == vars(read_problem(entry, path))
 
 
-@pytest.mark.parametrize(("right", "wrong", "told"), [
+@pytest.mark.parametrize(("right", "wrong", "message"), [
     ("  title: Gradient", "  titel: Gradient", "unknown key 'titel'.*; did you mean title"),
     ("  mistakes: []", "  mistake: []", "unknown key 'mistake'.*; did you mean mistakes"),
     ("kind: expression", "kin: expression", "unknown key 'kin'.*; did you mean kind"),
     ("  answers: [{key: g", "  answer: [{key: g", "unknown key 'answer'.*; did you mean answers"),
 ])  # fmt: skip
-def test_an_unknown_key_of_a_spec_is_refused(spec, right, wrong, told):
+def test_an_unknown_key_of_a_spec_is_refused(spec, right, wrong, message):
     assert SPEC.count(right) == 1
     spec.write_text(SPEC.replace(right, wrong))
-    with pytest.raises(CatalogueError, match=told):
+    with pytest.raises(CatalogueError, match=message):
         written(spec)
 
 

@@ -80,8 +80,8 @@ def test_a_problem_of_words_is_drawn_though_a_mistake_gives_the_right_word(made)
 
 def test_numbers_next_to_those_of_another_word_are_rejected(made):
     p = made(lambda g: {"sense": sense(g.v_0 - g.g * g.t)}, answers=(SENSE,), givens=THROWN)
-    told = objection(p, {**p.book_values, "v_0": 9.81, "t": 0.9999})
-    assert told == "is ill-conditioned: 0.1 % of t changes sense"
+    message = objection(p, {**p.book_values, "v_0": 9.81, "t": 0.9999})
+    assert message == "is ill-conditioned: 0.1 % of t changes sense"
 
 
 def test_points_of_words_are_words(made):
