@@ -22,6 +22,7 @@ class _Commands(click.Group):
 
     def invoke(self, context):
         from exercises.catalogue import CatalogueError
+        from exercises.catalogue.errors import of_own_problem
         from newton_euler.algebra.units import UnitError
 
         from .course import CourseError
@@ -38,6 +39,10 @@ class _Commands(click.Group):
             raise click.UsageError(
                 f"{error.filename or 'the system'}: {error.strerror or error}"
             ) from error
+        except Exception as error:
+            if words := of_own_problem(error):
+                raise click.UsageError(f"{words}; see python -m grader prove") from error
+            raise
 
 
 @click.group(

@@ -1,6 +1,5 @@
 """The assignment that a command names: of a course, of a file, or of chosen problems."""
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -8,8 +7,7 @@ from typing import Any
 
 from exercises.catalogue import Problem, chapters, select
 
-from ..course import Course, read_json
-from .cells import own_metadata
+from ..course import Course
 from .sheet import with_tolerance
 from .spec import Item, Spec, in_range, read_spec, spec_of
 from .written import spec_of_course
@@ -27,13 +25,13 @@ def chosen(
     """
     only, points, path = tuple(only), tuple(points), Path(assignment)
     if course and not only and course.source(path.stem).exists():
-        return _of_course(course, path.stem)
+        return spec_of_course(course, path.stem)
     if path.suffix not in (".yaml", ".yml"):
         path = Path(f"{assignment}.yaml")
     if not only and (path.exists() or path.name == assignment):
         return read_spec(path)
     if course and not only and path.stem not in chapters():
-        return _of_course(course, path.stem)  # which says what there is
+        return spec_of_course(course, path.stem)  # which says what there is
     return spec_of(Path(assignment).stem, only, points)
 
 
@@ -45,7 +43,7 @@ def named(names: Iterable[str], course: Course | None = None) -> dict[Problem, M
     for name in names:
         file = Path(name if Path(name).suffix in (".yaml", ".yml") else f"{name}.yaml")
         if course and "/" not in name and course.source(name).exists():
-            items = spec_of_course(course, name)[0].items
+            items = spec_of_course(course, name).items
         elif file.exists() or file.name == name:
             items = read_spec(file).items
         else:
@@ -61,22 +59,3 @@ def as_asked(p: Problem, options: Mapping[str, Any]) -> Problem:
     p, weights = with_tolerance(p, options.get("tolerance")), options.get("weights") or {}
     answers = (replace(a, weight=weights.get(a.key, a.weight)) for a in p.answers)
     return replace(p, answers=tuple(answers)) if weights else p
-
-
-_FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
-
-
-def _of_course(course, name):
-    """With the changed texts of problems, and all texts that an instructor has put between them."""
-    spec, base = spec_of_course(course, name)[0], course.built(name)
-    asked, items = {i.problem.id: i for i in spec.items if i.problem}, []
-    built = {c["id"]: c["source"] for c in read_json(base)["cells"]} if base.exists() else {}
-    for cell in read_json(course.source(name))["cells"]:
-        own, text = own_metadata(cell), cell["source"]
-        role, number = own.get("role", ""), own.get("problem", "")
-        if role == "statement" and number in asked:
-            changed = text != built.get(cell["id"], text)
-            items.append(replace(asked[number], text=_FIGURE.sub("", text) if changed else ""))
-        elif cell["cell_type"] == "markdown" and role not in ("statement", "introduction"):
-            items.append(Item(text=text))
-    return replace(spec, items=tuple(items))

@@ -139,6 +139,8 @@ class _Reader:
                     self.unknowns.setdefault(x.number, (equations, name, sign))
         # formulas for which a later one has the name, and components that are as short as theirs
         self.called, self.shorter, self.short = {}, [], {}
+        self.products = {}  # {name: formula} of products of givens
+        self.constants = {}  # {number: name} of those that are the same for all givens
         self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
         first = {}  # {number: the quantity that has its name}
         for key in sorted(self.found.components, key=lambda k: k in self.terms):
@@ -193,17 +195,8 @@ class _Reader:
         found = before(parts) - numbers_of(parts)
         answers = [a for a in self.found.components if a in self.answers_by]
         return tuple(
-            a
-            for a in answers
-            if a not in self.derivations and self._leads(self.answers_by[a], found)
+            a for a in answers if a not in self.derivations and self.answers_by[a] <= found
         )
-
-    def _leads(self, numbers, found):
-        """Whether the numbers of an answer are among those that are ``found`` before: all of a
-        vector, or one that is an unknown of equations.
-        """
-        is_vector = len(numbers) > 1
-        return (is_vector and numbers <= found) or any(n in self.unknowns for n in numbers & found)
 
     def _derived(self, key):
         """The derivation of a quantity, which is known from now on."""
@@ -245,6 +238,8 @@ class _Reader:
         """Makes a quantity known to later ones, but for the terms of an answer, whose names no line
         has.
         """
+        import sympy
+
         if key in self.terms:
             return
         if len(parts) == 1 and formulas[0] is not None and formulas[0].is_positive:
@@ -254,8 +249,17 @@ class _Reader:
         if len(parts) == 1:
             self._rename(key, parts[0])
         named = [(f, x) for f, x in zip(formulas, symbols, strict=True) if f is not None]
+        self.constants |= {float(f): x for f, x in named if f.is_Float}
+        givens = {*self.found.givens}
+        self.products |= {
+            x: f for f, x in named if f.is_Mul and {s.name for s in f.free_symbols} <= givens
+            and not f.has(sympy.Add, sympy.Function)
+        }  # fmt: skip
         if len(parts) == 1 or any(f.count_ops() > SHORT for f, _ in named):
-            self.shorter += [(f, x) for f, x in named if not is_atom(f) and not f.is_number]
+            # a vector's w/2 is of several bodies that lie side by side
+            shared = {f for f, _ in named if len(parts) > 1 and f.as_coeff_Mul()[1].is_Symbol}
+            longer = [(f, x) for f, x in named if f not in shared]
+            self.shorter += [(f, x) for f, x in longer if not is_atom(f) and not f.is_number]
         else:
             self.short |= {x: f for f, x in named}
 
@@ -274,6 +278,7 @@ class _Reader:
             formula = self._without_ones(formula)
             if is_atom(formula):
                 formula = formula.xreplace(self.short)
+            formula = self._without_multiples(formula)
         except Unwritten:
             return None
         is_itself = formula.is_Symbol and formula.name == name and name not in self.found.givens
@@ -291,6 +296,15 @@ class _Reader:
                 if signs in ({True}, {False}):
                     formula = formula.xreplace({bars: inside if True in signs else -inside})
         return formula
+
+    def _without_multiples(self, formula):
+        """The formula with products of givens written out where a number times one stands alone:
+        as 4*I_1/3, it is equal by chance.
+        """
+        import sympy
+
+        terms = [x.as_coeff_Mul() for x in sympy.Add.make_args(formula)]
+        return sympy.Add(*(c * (self.products.get(x, x) if abs(c) != 1 else x) for c, x in terms))
 
     def _without_ones(self, formula):
         """The formula without squares of components of a unit vector that add up to one."""
@@ -316,7 +330,8 @@ class _Reader:
         import sympy
 
         if not isinstance(x, Step):
-            return constant(x)
+            number = constant(x)
+            return self.constants.get(float(x), number) if number.is_Float else number
         if (name := self.names.of(x)) is not None:
             return name
         if x.number in memo:

@@ -12,15 +12,13 @@ SIZE = 5.2, 4.0  # inches
 COLUMNS = 5  # of a contact sheet
 
 
-def figure_png(
-    problem: Problem, values: Values, size: tuple[float, float] = SIZE, dpi: int = 100
-) -> bytes | None:
+def figure_png(problem: Problem, values: Values) -> bytes | None:
     """The figure of a problem as PNG bytes, None for a problem without one; ``values`` in the units
     of the text. A symbol without a number is drawn at the middle of its range.
     """
     if not problem.figure:
         return None
-    return _png(_drawn(problem, values, size).figure, dpi)
+    return _png(_drawn(problem, values).figure, 100)
 
 
 def figure_svg(problem: Problem, values: Values) -> bytes | None:
@@ -31,7 +29,7 @@ def figure_svg(problem: Problem, values: Values) -> bytes | None:
         return None
     out = io.BytesIO()
     with matplotlib.rc_context({"svg.hashsalt": "", "svg.fonttype": "path"}):
-        drawn = _drawn(problem, values, SIZE).figure
+        drawn = _drawn(problem, values).figure
         drawn.savefig(out, format="svg", bbox_inches="tight", metadata={"Date": None})
     return out.getvalue()
 
@@ -48,12 +46,10 @@ def figure_faults(problem: Problem, values: Values) -> list[str]:
     """Sentences on what is hard to read in the figure of a problem."""
     from newton_euler.drawing.page.legibility import faults
 
-    return faults(_drawn(problem, values, SIZE))
+    return faults(_drawn(problem, values))
 
 
-def contact_sheet(
-    problems: Iterable[Problem], values_of: Callable[[Problem], Values], dpi: int = 72
-) -> bytes:
+def contact_sheet(problems: Iterable[Problem], values_of: Callable[[Problem], Values]) -> bytes:
     """One PNG of the figures of many problems, each with its number."""
     from matplotlib.figure import Figure
 
@@ -67,14 +63,14 @@ def contact_sheet(
         sheet.text(left + 0.05 / columns, top - 0.03 / rows, p.id, va="top", weight="bold")
         place = left + 0.02 / columns, top - 0.98 / rows, 0.96 / columns, 0.96 / rows
         _draw(p, values_of(p), sheet.add_axes(place))
-    return _png(sheet, dpi)
+    return _png(sheet, 72)
 
 
-def _drawn(problem, values, size):
+def _drawn(problem, values):
     """Axes with the figure of a problem."""
     from matplotlib.figure import Figure
 
-    ax = Figure(figsize=size, dpi=100).add_axes((0.02, 0.02, 0.96, 0.96))
+    ax = Figure(figsize=SIZE, dpi=100).add_axes((0.02, 0.02, 0.96, 0.96))
     _draw(problem, values, ax)
     return ax
 

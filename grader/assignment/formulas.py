@@ -63,6 +63,11 @@ def _is_apart(text):
     return "/" in text or (text[:1] in "-0123456789" and not text.replace(".", "").isdigit())
 
 
+def _is_function(text):
+    r"""True if a power or factor behind what is written for a symbol would go into it: \cos b."""
+    return text.startswith((r"\sin ", r"\cos ", r"\tan "))
+
+
 def _one_root(product):
     """A product with its square roots of factors as one."""
     import sympy
@@ -115,6 +120,9 @@ class _Names:
     def _is_apart(self, expr):
         return expr.is_Symbol and _is_apart(self._print_Symbol(expr))
 
+    def _is_function(self, expr):
+        return expr.is_Symbol and _is_function(self._print_Symbol(expr))
+
 
 @cache
 def _printer(latex):
@@ -140,16 +148,18 @@ def _latex_printer():
             return rf"\operatorname{{atan2}}\left({y},\ {x}\right)"
 
         def _needs_mul_brackets(self, expr, first=False, last=False):
-            return self._is_apart(expr) or super()._needs_mul_brackets(expr, first, last)
+            apart = self._is_apart(expr) or (not last and self._is_function(expr))
+            return apart or super()._needs_mul_brackets(expr, first, last)
 
         def _needs_function_brackets(self, expr):
-            return self._is_apart(expr) or super()._needs_function_brackets(expr)
+            factors = self.numbers and expr.is_Mul and not any(x.is_Pow for x in expr.args)
+            return self._is_apart(expr) or factors or super()._needs_function_brackets(expr)
 
         def parenthesize_super(self, s):
             return s  # no symbol of ours has a power of its own
 
         def parenthesize(self, item, level, is_neg=False, strict=False):
-            if self._is_apart(item):
+            if self._is_apart(item) or self._is_function(item):
                 return rf"\left({self._print(item)}\right)"
             return super().parenthesize(item, level, is_neg, strict)
 
@@ -168,6 +178,12 @@ def _text_printer():
 
         def _print_Float(self, expr):
             return f"{float(expr):.6g}"
+
+        def stringify(self, args, sep, level=0):
+            """The arguments of a function, which has brackets of its own."""
+            return (
+                super().stringify(args, sep, level) if level else sep.join(map(self._print, args))
+            )
 
         def parenthesize(self, item, level, strict=False):
             if self._is_apart(item):

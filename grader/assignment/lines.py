@@ -9,6 +9,7 @@ from typing import Any
 from exercises.catalogue import Problem
 from exercises.catalogue.steps import Step, steps
 from exercises.catalogue.variants import flat
+from newton_euler.algebra.language import Words
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.notation import (  # fmt: skip
@@ -51,7 +52,7 @@ class Line:
 
 WORD, SUM = "it is a word, or counted", "its terms stand above"
 RESULT, SAME = "the result is a formula", "it is the same whatever is given"
-TOO_LONG = "its formula is too long for a page"
+TOO_LONG = Words("its formula is too long for a page")
 
 
 def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True) -> Iterator[Line]:
@@ -97,7 +98,7 @@ class _Writer:
 
     def _know(self, name, named, x, stated):
         self.names[name], self.units[name] = named if self.latex else name, stated
-        if is_numeric(x):
+        if is_numeric(x) or not x.free_symbols:
             self.numbers[name] = x, stated
             self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
 
@@ -254,6 +255,8 @@ class _Writer:
         value = s.value
         if isinstance(value, Vector):
             value = value.rounded(self._noise(s.unit))
+        elif is_numeric(value) and abs(value) <= self._noise(s.unit):
+            value = 0
         text = latex_of(value, self.p.notation) if self.latex else formatted(value)
         return text + self._unit(s)
 

@@ -59,11 +59,23 @@ class Names:
         candidates = self._candidates(x)
         if not candidates or (x.op == "neg" and x.args[0].number in self.fixed):
             return None
+        if self.size == 9 and not (candidates := self._in_place(candidates)):
+            return None
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
         if others and x.args and all(self._is_plain(a) for a in x.args):
             return None  # as b/2, of two bodies that lie side by side
         return self._at_place(candidates[key], self.sizes[key])
+
+    def _in_place(self, candidates):
+        """Without the entries of other matrices that stand elsewhere in these, and so are equal by
+        chance; the latest first.
+        """
+        return {
+            k: by_place
+            for k, by_place in reversed(candidates.items())
+            if self.sizes[k] != 9 or self.place in by_place
+        }
 
     def _is_plain(self, a):
         return not isinstance(a, Step) or a.number in self.fixed

@@ -21,6 +21,7 @@ from exercises.catalogue import Problem
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.sanity import sane_answers
 from exercises.catalogue.sections import section_line
+from newton_euler.algebra.language import ENGLISH, Words, _, language
 from newton_euler.answers.notation import (
     GREEK,
     bare_unit,
@@ -51,37 +52,40 @@ from sympy import symbols
 from newton_euler import Frame, at, atan2, cos, cross, dot, moving, radians, sin, solve_rates, sqrt, tan
 from newton_euler.classroom import expect, given, receipt
 """  # noqa: E501  # a text that students have
-MASTER_COPY = (
+MASTER_COPY = Words(
     "> **This copy has the numbers of the book.** Yours has numbers of its own: "
     "fetch the assignment with nbgrader, set up for this course, or ask for your copy."
 )
-INTRODUCTION = """\
-# {title}
-
-{whose}
-
+OWN_COPY = Words("The copy of **{student}**.")
+INTRODUCTION = Words("""\
 Each problem has a cell for your work. It begins with names set to `None`; give each its value, in the unit that is written behind it, and run the
 cell below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). {told}
 
 - Vectors are written `[x, y, z]`, in the frame named in the problem; a `Vector` of `newton_euler` is taken too. Angles go into `sin` and `cos` in
   radians.
 - The numbers of the problem are in the cell above yours; they are your own. Where a formula is asked for, the symbols are there instead.
-- The cells are run once more for grading, from top to bottom, also those that you add; each within {seconds:g} s, and all of them within {total:g} s.
+- The cells are run once more for grading, from top to bottom, also those that you add; each within {seconds} s, and all of them within {total} s.
   An answer is what its name holds where the receipt stands.
 - A problem left at `None` costs nothing but its points.
-"""  # noqa: E501  # a text that students have
-
-
-COMPARED = """\
+""")  # noqa: E501  # a text that students have
+COMPARED = Words("""\
 It does not know the right answer; that is
-compared after you hand in, part by part"""
-HINTED = ", with a hint where a common slip explains the difference"
-SEALED = "Where your copy lets it, it also says at once whether an answer is right.\n"
-EXAM = """\
+compared after you hand in, part by part.""")
+HINTED = Words("""\
+It does not know the right answer; that is
+compared after you hand in, part by part, with a hint where a common slip explains the difference.""")  # noqa: E501
+SEALED = Words("Where your copy lets it, it also says at once whether an answer is right.")
+EXAM = Words("""\
 **This is an exam**: it says nothing of whether an answer is right.
 Hand in once, within the window of the exam: the first work counts, and a later one does not replace it. Feedback comes when the exam has closed for
 everybody.
-"""  # noqa: E501  # a text that students have
+""")  # noqa: E501  # a text that students have
+GIVEN, WORK = Words("what is given"), Words("your work; then a value for each name")
+SPEAKING = """\
+
+from newton_euler.algebra.language import choose_language
+choose_language("{language}")
+"""
 
 
 def number(x: float) -> str:
@@ -114,27 +118,28 @@ def statement(
         listed = (
             f"{_quantity(p, n, values, code)}, {typeset(p.givens[n].means, p)}" for n in others
         )
-        lines += ["", f"Given: {'; '.join(listed)}."]
+        lines += ["", _("Given: {quantities}.", quantities="; ".join(listed))]
     if figure:
         words = re.sub(r"[\[\]]", r"\\\g<0>", " ".join(p.figure.split()))
-        lines += ["", f"![Figure: {words}](attachment:figure.png)"]
+        lines += ["", f"![{_('Figure: {words}', words=words)}](attachment:figure.png)"]
     if p.frame:
         lines += ["", f"*{frame_heading(p)}:* {typeset(p.frame, p)}"]
     if code:
-        lines += ["", "*Find*", "", *(_asked(p, a) for a in p.answers)]
+        lines += ["", f"*{_('Find')}*", "", *(_asked(p, a) for a in p.answers)]
     lines += ["", section_line(p, chapters)] if p.section else []
     return "\n".join(lines)
 
 
 def frame_heading(p: Problem) -> str:
     """What ``p.frame`` is called: that of a problem without vectors says no components."""
-    return "Components" if any(a.kind.length > 2 for a in p.answers) else "Note"
+    is_vector = any(a.kind.length > 2 for a in p.answers)
+    return _("Components") if is_vector else _("Note")
 
 
 def _asked(p, a):
     symbol = "" if is_word(a.key) and not a.latex else f" ${p.notation[a.key]}$"
-    words = f": {', '.join(a.of[:-1])} or {a.of[-1]}" if a.of else ""
-    unit = "" if a.unit == "1" else f", in ${bare_unit(a.unit)}$"
+    words = _(": {others} or {last}", others=", ".join(a.of[:-1]), last=a.of[-1]) if a.of else ""
+    unit = "" if a.unit == "1" else f"{_(', in ')}${bare_unit(a.unit)}$"
     return f"- `{a.key}`:{symbol and symbol + ','} {typeset(a.means, p)}{unit}{words}"
 
 
@@ -165,7 +170,7 @@ def givens(p: Problem, values: Values) -> str:
 
 def definitions(p: Problem, values: Values) -> list[str]:
     """The lines that define a student's numbers, and the symbols of a formula."""
-    lines = [f"# {p.id}: what is given", *givens_lines(p, values)]
+    lines = [f"# {p.id}: {_(GIVEN)}", *givens_lines(p, values)]
     if p.symbols:
         names = list(p.symbols)
         lines.append(
@@ -179,7 +184,7 @@ def givens_lines(p: Problem, values: Values) -> list[str]:
     """The line of each given: its name, number, unit and meaning."""
     width = max((len(f"{n} = {number(values[n])}") for n in p.givens), default=0)
     return [
-        f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else 'a ratio'}: "
+        f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else _('a ratio')}: "
         f"{g.means}"
         for n, g in p.givens.items()
     ]
@@ -188,8 +193,8 @@ def givens_lines(p: Problem, values: Values) -> list[str]:
 def starter(p: Problem) -> str:
     """The source of the answer cell as it is handed out."""
     width = max(len(a.key) for a in p.answers)
-    lines = [f"# {p.id}: your work; then a value for each name"]
-    lines += [f"{a.key:<{width}} = None  # {a.form}: {a.means}" for a in p.answers]
+    lines = [f"# {p.id}: {_(WORK)}"]
+    lines += [f"{a.key:<{width}} = None  # {a.form.stated}: {a.means}" for a in p.answers]
     return "\n".join(lines)
 
 
@@ -233,17 +238,18 @@ def build_notebook(
     """
     listed = [x if isinstance(x, Item) else Item(x) for x in items]
     levels = {x.options.get("help") for x in listed if x.problem}
-    told = EXAM if exam else COMPARED + HINTED * (levels != {"none"}) + ".\n"
-    told += SEALED * bool(levels - {None, "none"})
-    text = INTRODUCTION.format(
-        title=title, seconds=seconds, total=total, whose=MASTER_COPY, told=told.strip()
-    )
+    told = [EXAM if exam else COMPARED if levels == {"none"} else HINTED]
+    told += [SEALED] * bool(levels - {None, "none"})
+    limits = {"seconds": f"{seconds:g}", "total": f"{total:g}"}
+    text = _(INTRODUCTION, told="\n".join(_(x).strip() for x in told), **limits)
+    text = f"# {title}\n\n{_(MASTER_COPY)}\n\n{text}"
+    setup = SETUP if language() == ENGLISH else SETUP + SPEAKING.format(language=language())
     locked: NbgraderMetadata = {
         "grade": False, "solution": False, "locked": True, "grade_id": "setup",
     }  # fmt: skip
     cells = [
         markdown_cell("introduction", text, {"role": "introduction"}),
-        code_cell("setup", SETUP.strip(), {"role": "setup"}, locked),
+        code_cell("setup", setup.strip(), {"role": "setup"}, locked),
     ]
     for n, item in enumerate(listed):
         if p := item.problem:
@@ -288,7 +294,7 @@ def _problem_cells(p, values, figure, chapters, options, exam):
 
 
 def _statement_cell(p, values, figure, chapters, tolerance):
-    right = f"\n\n*Tolerance:* {100 * tolerance:g} %" if tolerance else ""
+    right = f"\n\n*{_('Tolerance')}:* {100 * tolerance:g} %" if tolerance else ""
     cell = markdown_cell(
         f"statement-{slug(p.id)}",
         statement(p, values, figure is not None, chapters) + right,
@@ -322,7 +328,7 @@ def personal_notebook(
             if "figure.png" in cell.get("attachments", {}) and figures.get(number_of):
                 cell["attachments"] = {**cell["attachments"], **_attached(figures[number_of])}
         elif role == "introduction":
-            text = cell["source"].replace(MASTER_COPY, f"The copy of **{student}**.")
+            text = cell["source"].replace(_(MASTER_COPY), _(OWN_COPY, student=student))
             cell = {**cell, "source": text}
         cells.append(cell)
     return {**released, "cells": cells}
@@ -349,7 +355,7 @@ def _around_numbers(p, text):
     found += [(m, by_markup[m[1]], number) for m in earlier.finditer(text)]
     found.sort(key=lambda f: f[0].start())
     pieces, at = [], 0
-    for m, *_ in found:
+    for m, *_names in found:
         pieces.append(f"{text[at : m.end(1)]} = ")
         at = m.end()
     return [*pieces, text[at:]], [(name, written) for _, name, written in found]

@@ -1,7 +1,6 @@
 """What an assignment may say of a problem, in its file or in the metadata of the answer cell."""
 
 import difflib
-import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
@@ -29,7 +28,7 @@ def unknown(word: object, known: Iterable[str], what: str = "is not one of") -> 
 
 def _number(value, least, most, words):
     good = isinstance(value, int | float) and not isinstance(value, bool)
-    if not good or not math.isfinite(value) or not least <= value <= most:
+    if not good or not least <= value <= most:
         raise ValueError(f"{value!r} is {words}")
     return int(value) if float(value).is_integer() else float(value)
 
@@ -48,7 +47,7 @@ def _tolerance(value, p=None):
 
 
 def _percent(value):
-    """A share, also of a text with a percent sign; what is none as it is."""
+    """A share, also from a text with a percent sign; anything else unchanged."""
     text = str(value).strip()
     try:
         return float(text.removesuffix("%")) / 100 if text.endswith("%") else value

@@ -37,13 +37,12 @@ def make_personal_copies(
     students = list(students) if students is not None else course.roster()
     if unknown := sorted(set(students) - set(course.roster())):
         raise CourseError(
-            f"{', '.join(unknown)}: not on the roster; add the student first: nbgrader db "
-            f"student add {unknown[0]}"
+            f"{', '.join(unknown)}: not on the roster; add the student first: python -m grader "
+            "enrol roster.csv"
         )
     if not students:
         raise CourseError(
-            "nobody is on the roster; add students with: nbgrader db student add ID, or build "
-            "--students roster.csv"
+            "nobody is on the roster; add students with: python -m grader enrol roster.csv"
         )
     notebooks = {n: r for n, r in released(course, assignment).items() if r.tasks}
     asked = sorted({number for r in notebooks.values() for number in r.tasks})

@@ -5,6 +5,7 @@ import re
 from exercises.catalogue import Problem
 from exercises.catalogue.book_equations import book_equations, own_number
 from exercises.catalogue.wording import term_text
+from newton_euler.algebra.language import _, spoken
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.answers.notation import symbol, unit_symbol
 
@@ -18,7 +19,7 @@ def worked_solution(p: Problem, values: Values, text: bool = True, formulas: boo
     """The worked solution as Markdown; ``text``: with the text of the problem before it;
     ``formulas``: with how each value is found, which holds for other numbers too.
     """
-    out = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
+    out = [statement(p, values, figure=False), "", f"*{_('Solution')}*", ""] if text else []
     found = {line.step.key: line for line in lines(p, values, formulas=formulas)}
     answers = {a.key: found[a.key].step.value for a in p.answers}
     shown = {*answers, *(key for key, line in found.items() if is_sum(answers.get(line.step.of)))}
@@ -37,8 +38,8 @@ def _chain(line):
     first, *others = line.equal
     begin = f"{line.name} = {first}" if line.name else first
     pieces = [f"${begin}$", *(f"$= {x}$" for x in others)]
-    begin = _equations(line) or "from the equations above" * line.above
-    end = f" ({line.reason})" * (line.reason == TOO_LONG)
+    begin = _equations(line) or (_("from the equations above") if line.above else "")
+    end = f" ({_(TOO_LONG)})" * (line.reason == TOO_LONG)
     return f"{begin}: {' '.join(pieces)}{end}" if begin else f"{' '.join(pieces)}{end}"
 
 
@@ -46,14 +47,15 @@ def _equations(line):
     """The equations that are solved first, "" if there are none."""
     rows = "; ".join(f"${row}$" for row in line.together)
     numbers = "; ".join(f"${row}$" for row in line.with_numbers)
-    return f"from {rows}" * bool(rows) + f", with numbers {numbers}" * bool(numbers)
+    found = _("from {equations}", equations=rows) if rows else ""
+    return found + (_(", with numbers {numbers}", numbers=numbers) if numbers else "")
 
 
 def _means(step, p):
     """The description of a step, with formulas in LaTeX."""
     if not step.term:
         return _typeset(step.means, p)
-    return f"{_words(*step.term, p)}, in ${symbol(step.of, step.is_vector)}$"
+    return f"{_words(*step.term, p)}{_(', in ')}${symbol(step.of, step.is_vector)}$"
 
 
 def _typeset(means, p):
@@ -62,7 +64,7 @@ def _typeset(means, p):
 
 def _words(name, equation, p):
     """A term in words; its formula is LaTeX of the engine, in which {a} is not a given."""
-    parts = re.split(r"(\$[^$]*\$)", term_text(name, equation, p, latex=True))
+    parts = re.split(r"(\$[^$]*\$)", spoken(term_text(name, equation, p, latex=True)))
     return "".join(x if n % 2 else typeset(x, p) for n, x in enumerate(parts))
 
 
@@ -74,7 +76,9 @@ def _sentence(means):
 
 def _where(s):
     """Where the book finds a quantity; the equation as it writes it, but for a term of a sum."""
-    places = [f"section {s.section}" if s.section != "A" else "appendix A"] * bool(s.section)
+    places = [
+        _("section {number}", number=s.section) if s.section != "A" else _("appendix A")
+    ] * bool(s.section)
     if s.equation:
         stated = book_equations().get(s.equation)
         places.append(f"({s.equation})" + f" ${stated}$" * bool(stated and not s.term))
@@ -106,10 +110,14 @@ def _ledger(a, value, p, found):
     for x in found.values():
         if x.together:
             yield from (f"{_sentence(_equations(x))}:", "")
-    cited = f"By equation ({number}){f', ${stated}$,' * bool(stated)} the sum of"
-    yield cited if number else "The sum of"
+    formula = f", ${stated}$," * bool(stated)
+    yield (
+        _("By equation ({number}){formula} the sum of", number=number, formula=formula)
+        if number
+        else _("The sum of")
+    )
     yield ""
-    yield "| term | value |"
+    yield f"| {_('term')} | {_('value')} |"
     yield "| --- | --- |"
     for name, term in explained.terms.items():
         if name in equation.terms or any(x != 0 for x in map(to_plain, term.c)):

@@ -33,17 +33,22 @@ from .options import BY_SHEET, OPTIONS, read_option, unknown
 
 @dataclass(frozen=True)
 class Item:
-    """A problem with what its answer cell is worth, or a ``text`` between problems."""
+    """A problem with what its answer cell is worth, a ``text`` between problems, or a ``question``
+    of the instructor's own, by its cell: its ``text``, and ``key``, what a person grades it by.
+    """
 
     problem: Problem | None = None
     text: str = ""
     options: Mapping[str, Any] = field(default_factory=dict)
+    question: str = ""
+    key: str = ""
 
 
 @dataclass(frozen=True)
 class Spec:
     """An assignment: its name, its title, its items. ``due`` and ``opens`` are texts of dates;
-    ``late``, one of :data:`~grader.course.exam.LATE`, is empty where it is no exam.
+    ``late``, one of :data:`~grader.course.exam.LATE`, is empty where it is no exam; ``left_out``:
+    the cells of a notebook that are no items.
     """
 
     name: str
@@ -52,10 +57,13 @@ class Spec:
     due: str = ""
     opens: str = ""
     late: str = ""
+    left_out: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.late and any(i.options.get("help", "none") != "none" for i in self.items):
             raise CourseError(f"{self.name} is an exam, in which there is no help: leave it out")
+        if self.opens and self.due and due_date(self.opens) >= due_date(self.due):
+            raise CourseError(f"{self.name} opens at {self.opens}, when it has closed: {self.due}")
 
     @property
     def problems(self) -> list[Problem]:
@@ -87,7 +95,7 @@ class Spec:
             if len(asked) > 1 and all(key in o for o in asked)
         }
         content = {"title": self.title, **{k: x for k, x in head.items() if x}, **common}
-        content["problems"] = [_entry(i, common) for i in self.items]
+        content["problems"] = [_entry(i, common) for i in self.items if not i.question]
         return yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
 
 
@@ -102,9 +110,7 @@ def _entry(item, common):
     return {item.problem.id: own} if own else item.problem.id
 
 
-def spec_of(
-    name: str, chosen: Iterable[str] = (), points: Iterable[str] = (), title: str = ""
-) -> Spec:
+def spec_of(name: str, chosen: Iterable[str] = (), points: Iterable[str] = ()) -> Spec:
     """The assignment ``name`` of the problems ``chosen``, as "4/3", "11/1-11/6" or "ch04"; of none,
     all of the chapter of that name. ``points``: texts as "4/3=10".
     """
@@ -123,7 +129,7 @@ def spec_of(
     if missing := worth.keys() - {p.id for p in found}:
         raise CourseError(f"--points {min(missing)}: it is not among the problems of {name}")
     items = tuple(Item(p, options={"points": worth[p.id]} if p.id in worth else {}) for p in found)
-    return Spec(name, title or (chapter(name).title if whole else name), items)
+    return Spec(name, chapter(name).title if whole else name, items)
 
 
 def in_range(text: str) -> list[Problem]:
@@ -199,7 +205,7 @@ def read_spec(path: Path) -> Spec:
     """The assignment that a file describes; its name is that of the file."""
     try:
         content: Any = yaml.load(path.read_text(encoding="utf-8"), _Loader)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+    except (OSError, ValueError, RecursionError, yaml.YAMLError) as error:  # ValueError: of dates
         raise CourseError(f"{path} cannot be read: {error}") from error
     if not isinstance(content, _Map) or not isinstance(content.get("problems"), list):
         raise CourseError(
@@ -247,8 +253,6 @@ def _dates(path, content):
     if (late := content.get("late", LATE[0])) not in LATE:
         raise wrong("late", unknown(late, LATE))
     closes, opens = (_date(path, content, key) for key in ("closes", "opens"))
-    if opens and due_date(opens) >= due_date(closes):
-        raise wrong("opens", "the exam opens after it closes")
     return {"due": closes, "opens": opens, "late": late}
 
 

@@ -2,6 +2,7 @@
 
 import math
 from functools import lru_cache
+from itertools import combinations
 from typing import Any
 
 LONGEST = 30  # operations of a formula that a reader follows
@@ -21,6 +22,7 @@ def readable(formula: Any) -> Any:
     if formula.has(sympy.sin) and formula.has(sympy.cos) and not is_long(formula):
         other = sympy.trigsimp(sympy.expand(formula))
         return min(formula, other, key=lambda f: f.count_ops())
+    formula = without_conjugates(formula)
     if not LONGEST / 2 < formula.count_ops() < HOPELESS:
         return formula
     other = sympy.simplify(formula)
@@ -48,6 +50,30 @@ def integrated(formula: Any) -> Any:
     return formula.replace(
         lambda x: isinstance(x, sympy.Integral) and x.function.is_polynomial(x.limits[0][0]), value
     )
+
+
+def without_conjugates(formula: Any) -> Any:
+    """The formula with a^2 - b^2 for (a + b)*(a - b), also under one power, and 1/sqrt(x) for
+    sqrt(1/x).
+    """
+    import sympy
+
+    def is_root(x):
+        return x.is_Pow and x.base.is_Pow and (x.exp, x.base.exp) == (sympy.S.Half, -1)
+
+    formula = formula.replace(is_root, lambda x: 1 / sympy.sqrt(x.base.base))
+    return formula.replace(lambda x: x.is_Mul, _joined)
+
+
+def _joined(product):
+    import sympy
+
+    factors = [x.as_base_exp() for x in product.args if x.as_base_exp()[0].is_Add]
+    for (a, n), (b, m) in combinations(factors, 2):
+        whole = sympy.expand(a * b)
+        if n == m and len(whole.args) == 2:
+            return product / (a**n * b**n) * whole**n
+    return product
 
 
 def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
@@ -105,12 +131,12 @@ def simplest(formula: Any) -> Any:
 
     if formula.count_ops() > HOPELESS:
         return formula
-    if formula.has(sympy.Float):  # beside rounded numbers pi and the square root of 2 are some, too
+    if formula.has(sympy.Float):  # next to rounded numbers pi and sqrt(2) are rounded too
         formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
     forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
     if formula.has(sympy.sin) and formula.count_ops() < 60:
         forms.append(sympy.trigsimp(formula))
-    shortest = min(forms, key=lambda f: f.count_ops())
+    shortest = without_conjugates(min(forms, key=lambda f: f.count_ops()))
     return shortest.xreplace(
         {x: sympy.Integer(1) for x in shortest.atoms(sympy.Float) if float(x) == 1}
     )

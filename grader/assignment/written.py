@@ -1,5 +1,7 @@
-"""The file of an assignment, written from the source notebook that is in a course."""
+"""An assignment as its source notebook in a course is now."""
 
+import re
+from collections.abc import Iterator, Mapping
 from datetime import datetime
 
 from exercises.catalogue import CatalogueError
@@ -10,24 +12,32 @@ from .cells import Notebook, kind, nbgrader_metadata, own_metadata
 from .options import OPTIONS
 from .spec import Item, Spec
 
+OTHERS = "test", "solution", "locked", "plain"  # kinds of cells that are the instructor's own
+_FOR_GRADERS = re.compile(
+    r"(?ms)^[^\n]*BEGIN (SOLUTION|MARK SCHEME)\b[^\n]*\n(.*?)^[^\n]*END \1\b[^\n]*$\n?"
+)
+_FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
 
-def spec_of_course(course: Course, name: str) -> tuple[Spec, list[str]]:
-    """(the assignment as its source notebook is now, the cells that a file cannot say: questions
-    of the instructor's own, problems that are no longer there).
+
+def spec_of_course(course: Course, name: str) -> Spec:
+    """The assignment as its source notebook is now: problems, each with its text where the
+    instructor has changed it, texts between them, and questions of their own that a person grades.
     """
-    path = course.source(name)
+    path, base = course.source(name), course.built(name)
+    course.require(name)
     if not path.exists():
-        known = ", ".join(sorted(p.name for p in (course.path / "source").glob("*/")))
-        raise CourseError(f"{course.path} has no assignment {name}; it has {known or 'none'}")
+        raise CourseError(f"{path.parent} has no notebook {path.name}")
     notebook = read_json(path)
-    items, left = _items(notebook)
+    built = {c["id"]: c["source"] for c in read_json(base)["cells"]} if base.exists() else {}
+    found = [*_items(notebook, built)]
+    items = tuple(x for x in found if isinstance(x, Item))
+    left = tuple(x for x in found if isinstance(x, str))
     with course.gradebook() as book:
         due = next((a.duedate for a in book.assignments if a.name == name), None)
     exam = course.settings.get("exams", {}).get(name, {})
     opens = datetime.fromisoformat(exam["opens"]) if exam.get("opens") else None
     late = exam.get("late", "")
-    spec = Spec(name, _title(notebook) or name, tuple(items), _text(due), _text(opens), late)
-    return spec, left
+    return Spec(name, _title(notebook) or name, items, _text(due), _text(opens), late, left)
 
 
 def _text(when):
@@ -41,25 +51,42 @@ def _title(notebook: Notebook) -> str:
     return ""
 
 
-def _items(notebook):
-    items, left = [], []
+def _items(notebook: Notebook, built: Mapping[str, str]) -> Iterator[Item | str]:
+    """The items, and the names of the cells that are none."""
+    changed: dict[str, str] = {}
     for cell in notebook["cells"]:
-        role = kind(cell)
-        if role == "answer":
+        role, text = kind(cell), cell["source"]
+        if role == "statement" and text != built.get(cell["id"], text):
+            changed[own_metadata(cell).get("problem", "")] = _FIGURE.sub("", text)
+        elif role == "answer":
             try:
-                items.append(_problem(cell))
+                yield _problem(cell, changed)
             except CatalogueError as error:
-                left.append(str(error))
-        elif cell["cell_type"] == "markdown" and (role == "plain" or role.startswith("text-")):
-            items.append(Item(text=cell["source"]))
-        elif role in ("test", "hand", "task", "solution", "locked", "plain"):
-            left.append(nbgrader_metadata(cell).get("grade_id") or "a cell of code")
-    return items, left
+                yield str(error)
+        elif role in ("hand", "task"):
+            yield _question(cell)
+        elif role.startswith("text-") or (role in OTHERS and cell["cell_type"] == "markdown"):
+            yield Item(text=text)
+        elif role in OTHERS:
+            yield nbgrader_metadata(cell).get("grade_id") or "a cell of code"
 
 
-def _problem(cell):
+def _problem(cell, changed):
     own, p = own_metadata(cell), find_problem(own_metadata(cell)["problem"])
     options = {key: own[key] for key in OPTIONS if key in own}  # type: ignore[literal-required]
     points = nbgrader_metadata(cell).get("points", 0)
     worth = {} if points == len(own.get("asked", p.answers)) else {"points": points}
-    return Item(p, options=worth | options)
+    return Item(p, changed.get(p.id, ""), options=worth | options)
+
+
+def _question(cell):
+    """A cell that a person grades; nbgrader puts its stub in the place of an answer that has no
+    region of its own.
+    """
+    marks, source = nbgrader_metadata(cell), cell["source"]
+    text, key = _FOR_GRADERS.sub("", source), _FOR_GRADERS.sub(r"\2", source)
+    text = "" if text == source and marks.get("solution") else text
+    if cell["cell_type"] == "code":
+        text, key = (f"```\n{x.rstrip()}\n```" if x.strip() else "" for x in (text, key))
+    points = {"points": marks.get("points", 0)}
+    return Item(text=text, options=points, question=marks["grade_id"], key=key)

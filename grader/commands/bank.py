@@ -53,7 +53,7 @@ def bank(
 
     Each has variants with numbers and figures of their own, the tolerance of our grading, and each
     listed mistake as a wrong answer with its diagnosis as feedback. Problems in symbols are asked
-    with numbers. What a platform cannot ask is printed, and stands in FILE.txt.
+    with numbers. What a platform cannot ask is printed and written to FILE.txt.
 
     \b
     bank hw3 --course ~/mechanics --format moodle --variants 20

@@ -20,9 +20,12 @@ class Span(click.ParamType):
     def convert(self, value, param, context):
         low, dash, high = value.partition("-")
         try:
-            return float(low or 0), float(high or math.inf) if dash else float(low)
+            first, last = float(low or 0), float(high or math.inf) if dash else float(low)
         except ValueError:
+            first, last = math.nan, math.nan
+        if not first <= last:
             self.fail(f"{value!r} is no range: write 3, 2-4, 2- or -4", param, context)
+        return first, last
 
 
 SPAN = Span()
@@ -38,10 +41,10 @@ SPAN = Span()
     "--equation", "equations", multiple=True, metavar="4.18", help="That uses this equation."
 )
 @click.option("--search", "words", metavar="WORDS", help="With all these words in its texts.")
-@click.option("--steps", type=SPAN, help="With so many steps on the way to its answers.")
+@click.option("--steps", type=SPAN, help="By the number of steps to its answers.")
 @click.option("--difficulty", type=SPAN, help="From 1 to 5, estimated from the computation.")
 @click.option("--minutes", type=SPAN, help="That takes so long, estimated.")
-@click.option("--sheets", type=SPAN, help="Of which so many different sheets can be drawn.")
+@click.option("--sheets", type=SPAN, help="By the number of different sheets that can be drawn.")
 @click.option(
     "--course",
     "course_path",
@@ -70,7 +73,7 @@ def problems(
     """List the problems to choose from, by what they are about and how hard they are.
 
     Difficulty and minutes are estimates from the steps, equations and operations of the solution;
-    with --course what students earned stands beside them. Where the number of sheets is 1, all
+    with --course also what students earned. Where the number of sheets is 1, all
     students have the same problem.
 
     \b

@@ -9,6 +9,8 @@ from pathlib import Path
 import click
 from rich.panel import Panel
 
+from newton_euler.algebra.language import choose_language, languages
+
 from .example import EXAM_EXAMPLE, EXAMPLE, indented
 from .shared import (
     COURSE,
@@ -92,6 +94,12 @@ and midterm.yaml:
     "does not exist. Default: nbgrader's own.",
 )
 @click.option(
+    "--language",
+    type=click.Choice(languages()),
+    help="Of a new course: of its sheets, receipts and feedback. What is not given in it stays in "
+    "English. Default: en.",
+)
+@click.option(
     "--chapters",
     metavar="URL|FOLDER",
     help="What the sections that a sheet names link to, from now on in this course: the address "
@@ -117,6 +125,7 @@ def build(
     opens: str | None,
     name: str | None,
     exchange: Path | None,
+    language: str | None,
     chapters: str | None,
     update: bool,
 ) -> None:
@@ -125,11 +134,13 @@ def build(
     from ..course.due import due_date, set_due
     from ..course.exam import LATE
 
-    if update and (name or exchange):
+    if update and (name or exchange or language):
         raise click.UsageError(
-            "--name and --exchange are for a new course; those of this one are in course.json "
-            "and nbgrader_config.py"
+            "--name, --exchange and --language are for a new course; those of this one are in "
+            "course.json and nbgrader_config.py"
         )
+    if language:
+        choose_language(language)
     only = (*only, *more)
     what: str | Spec = assignment
     if Path(assignment).suffix in (".yaml", ".yml"):
@@ -189,7 +200,9 @@ def spec(assignment: str, course_path: Path, path: Path | None) -> None:
     from ..course import Course
     from ..course.files import write_text
 
-    found, left = spec_of_course(Course(course_path), assignment)
+    found = spec_of_course(Course(course_path), assignment)
+    left = [*(i.question for i in found.items if i.question), *found.left_out]
+    left += [f"your text of {i.problem.id}" for i in found.items if i.problem and i.text]
     if path:
         write_text(path, found.as_yaml, 0o644)
         click.echo(f"Wrote {path}")

@@ -243,7 +243,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
 
     Each mistake is made with each set of numbers and scored as a student's answer: it is named, or
     misnamed as another, or stays unnamed; passed would be taken for right, and ends with exit
-    code 1. A second table is of slips that nobody listed, made by random edits of the formulas.
+    code 1. A second table is of unlisted slips, made by random edits of the formulas.
     """
     from exercises.catalogue import select
 

@@ -84,3 +84,5 @@ def paper(
     if written.sheets:
         click.echo(f"{len(written.sheets)} sheets in {folder / 'sheets'}")
     click.echo(f"{len(written.keys)} keys in {folder / 'keys'}: not for students")
+    if spec.left_out:
+        click.echo(f"Left out, since paper does not run it: {', '.join(spec.left_out)}", err=True)

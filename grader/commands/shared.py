@@ -57,10 +57,10 @@ def _use(context, _, folders):
 
 
 def _know(context, _, course_path):
-    from ..course.folder import know_problems
+    from ..course.folder import prepare
 
     if course_path:
-        know_problems(course_path)
+        prepare(course_path)
         context.call_on_close(lambda: _reopen(course_path))
     return course_path
 

@@ -8,6 +8,8 @@ import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
+from newton_euler.algebra.language import ENGLISH, language
+
 from .files import write_json, write_text
 from .folder import SECRET_BYTES, UNFINISHED, Course
 from .identity import CourseError, course_id
@@ -42,7 +44,8 @@ def new_course(
     path: str | Path, name: str | None = None, exchange: str | Path | None = None
 ) -> Iterator[Course]:
     """A context with a new course, in a folder that is empty or does not exist yet; if the block
-    raises, nothing of it remains. Its id follows from ``name``, by default that of the folder.
+    raises, nothing of it remains. Its id follows from ``name``, by default that of the folder; its
+    language is the one that is spoken.
 
     The folder is marked as unfinished until the block has ended, so that the next build replaces
     what a killed one has left.
@@ -72,9 +75,9 @@ def _write_all(path, name, exchange):
     path.chmod(0o700)  # personal copies, submissions and the secret are private
     secret = secrets.token_bytes(SECRET_BYTES)
     write_text(path / ".course_secret", secret.hex() + "\n")
-    write_json(
-        path / "course.json", {"id": name, "secret_sha256": hashlib.sha256(secret).hexdigest()}
-    )
+    made = {"id": name, "secret_sha256": hashlib.sha256(secret).hexdigest()}
+    spoken = {} if language() == ENGLISH else {"language": language()}
+    write_json(path / "course.json", made | spoken)
     write_text(path / ".gitignore", _template("gitignore.in"), 0o644)
     student = path / "student"
     student.mkdir(mode=0o755)

@@ -1,6 +1,6 @@
 """The due date of an assignment, for everybody and for single students.
 
-A student's own date stands in COURSE/extensions.json, since nbgrader has a place for it only once
+A student's own date is kept in COURSE/extensions.json, since nbgrader has a place for it only once
 the student has handed in; grading writes it there.
 """
 
@@ -37,9 +37,12 @@ def set_due(course: Course, assignment: str, when: datetime | None) -> None:
     """Set the due date of an assignment in nbgrader's gradebook, which keeps it without a zone;
     None: it has none.
     """
-    _check_assignment(course, assignment)
+    course.require(assignment)
+    due = when and when.replace(tzinfo=None)
+    opens = course.settings.get("exams", {}).get(assignment, {}).get("opens")
+    if opens and due and due <= datetime.fromisoformat(opens):
+        raise CourseError(f"the exam {assignment} opens at {opens} UTC, after that date")
     with course.gradebook() as book:
-        due = when and when.replace(tzinfo=None)
         book.update_or_create_assignment(assignment, duedate=due)
 
 
@@ -53,7 +56,7 @@ def set_own_due(
     course: Course, assignment: str, students: Iterable[str], when: datetime | None
 ) -> None:
     """Give these students a due date of their own; None: they have that of everybody."""
-    _check_assignment(course, assignment)
+    course.require(assignment)
     students = list(students)
     if unknown := sorted(set(students) - set(course.roster())):
         raise CourseError(f"{', '.join(unknown)}: not on the roster of {course.path}")
@@ -83,7 +86,7 @@ def extensions(course: Course, assignment: str, due: datetime | None) -> dict[st
     return {s: date - due for s, date in dates.items()} if due else {}
 
 
-def is_over(course: Course, assignment: str, now: datetime | None = None) -> bool:
+def is_over(course: Course, assignment: str) -> bool:
     """True if an assignment has a due date that has passed for everybody: also for those with a
     date of their own who have not handed in.
     """
@@ -94,20 +97,12 @@ def is_over(course: Course, assignment: str, now: datetime | None = None) -> boo
             return False
         own = [s.extension for s in master.submissions if s.extension]
     last = due + max([timedelta(), *own, *extensions(course, assignment, due).values()])
-    return (now or datetime.now(UTC).replace(tzinfo=None)) > last
+    return datetime.now(UTC).replace(tzinfo=None) > last
 
 
 def _dates(course):
     path = course.path / EXTENSIONS
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-
-
-def _check_assignment(course, assignment):
-    if not (course.path / "source" / assignment).is_dir():
-        known = sorted(p.name for p in (course.path / "source").glob("*/"))
-        raise CourseError(
-            f"{course.path} has no assignment {assignment}; it has {', '.join(known) or 'none'}"
-        )
 
 
 def set_late_share(course: Course, text: str) -> float:

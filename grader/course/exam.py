@@ -1,16 +1,18 @@
 """Exams: assignments with a window of time and one attempt, whose numbers nothing else has.
 
-What an exam is stands in course.json. It closes at its due date, for a student with an extension at
-theirs (:mod:`~grader.course.due`). Of what a student hands in the first work within the window
-counts, since whoever has handed in may talk; where there is none, the first work of all, which is
-refused if it is late, or graded with a remark, by the exam's rule. An instructor who wants another
-one to count takes it in (``take-in --replace``).
+The settings of an exam are in course.json. It closes at its due date, for a student with an
+extension at theirs (:mod:`~grader.course.due`). Of what a student hands in the first work within
+the window counts, since whoever has handed in may talk; where there is none, the first work of all,
+which is refused if it is late, or graded with a remark, by the exam's rule. An instructor who wants
+another one to count takes it in (``take-in --replace``).
 """
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
 from typing import Any
+
+from newton_euler.algebra.language import _
 
 from .due import extensions, is_over
 from .folder import Course
@@ -46,13 +48,13 @@ class Window:
         :class:`LateError` if it is refused.
         """
         if when is None:
-            return "it is not known whether this was handed in within the window of the exam"
+            return _("it is not known whether this was handed in within the window of the exam")
         if self.opens and when < self.opens:
-            return f"handed in {_span(self.opens - when)} before the exam opened"
+            return _("handed in {time} before the exam opened", time=_span(self.opens - when))
         late = when - self.closing(student)
         if late <= timedelta():
             return ""
-        words = f"handed in {_span(late)} after the exam closed"
+        words = _("handed in {time} after the exam closed", time=_span(late))
         if self.late == "mark":
             return words
         raise LateError(

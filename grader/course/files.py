@@ -38,10 +38,10 @@ def load_json(data: bytes) -> Any:
     return json.loads(data.decode("utf-8-sig"))  # some editors begin a file with a byte-order mark
 
 
-def write_json(path: Path, content: Any, indent: int | None = 1, mode: int = PRIVATE) -> None:
+def write_json(path: Path, content: Any, indent: int | None = 1) -> None:
     """Write JSON, atomically and private; ``indent=None`` is 20 times faster."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_text(path, json.dumps(content, ensure_ascii=False, indent=indent) + "\n", mode)
+    write_text(path, json.dumps(content, ensure_ascii=False, indent=indent) + "\n")
 
 
 def write_notebook(path: Path, notebook: Mapping[str, Any]) -> None:

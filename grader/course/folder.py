@@ -24,12 +24,14 @@ from typing import Any
 
 from exercises.catalogue import Problem, variants
 from exercises.catalogue.places import use
+from newton_euler.algebra.errors import NewtonEulerError
+from newton_euler.algebra.language import choose_language
 
 from .files import write_json
 from .identity import CourseError, check_id, same_student
 
 SECRET_BYTES = 32
-UNFINISHED = ".unfinished_build"  # stands in a folder while a course is made in it
+UNFINISHED = ".unfinished_build"  # exists in a folder while a course is made there
 
 _ADVICE = {  # by the primary code of SQLite's error
     "SQLITE_BUSY": "another program is writing to it; wait until it has ended, then run this "
@@ -60,7 +62,7 @@ class Course:
                 f"{path} is not a course folder: it has no nbgrader_config.py. Make one "
                 f"with: python -m grader build ch04 --course {path}"
             )
-        know_problems(self.path)
+        prepare(self.path)
 
     @property
     def settings(self) -> dict[str, Any]:
@@ -134,6 +136,14 @@ class Course:
     def source(self, assignment: str) -> Path:
         """The path of an assignment's source notebook."""
         return self.path / "source" / assignment / f"{assignment}.ipynb"
+
+    def require(self, assignment: str) -> None:
+        """Raise :class:`CourseError` unless there is a source folder of the assignment."""
+        if not self.source(assignment).parent.is_dir():
+            known = ", ".join(sorted(p.name for p in (self.path / "source").glob("*/")))
+            raise CourseError(
+                f"{self.path} has no assignment {assignment}; it has {known or 'none'}"
+            )
 
     def built(self, assignment: str) -> Path:
         """The path of the source notebook as the last build would have written it afresh."""
@@ -255,10 +265,17 @@ def newest_schema() -> str:
     return str(ScriptDirectory(Path(nbgrader.__file__).parent / "alembic").get_current_head())
 
 
-def know_problems(path: Path) -> None:
-    """Let the catalogue know a course's own problems, in the folders that course.json names."""
-    folders = []
-    with contextlib.suppress(OSError, ValueError, AttributeError):  # said where it is opened
-        folders = json.loads((path / "course.json").read_bytes()).get("problems_from", [])
-    for folder in folders:
+def prepare(path: Path) -> None:
+    """Know a course's own problems, in the folders that course.json names, and speak its language
+    from now on.
+    """
+    known: dict[str, Any] = {}
+    with contextlib.suppress(OSError, ValueError):  # reported where it is opened
+        known = dict(json.loads((path / "course.json").read_bytes()))
+    for folder in known.get("problems_from", []):
         use(path / folder)
+    if spoken := known.get("language"):
+        try:
+            choose_language(spoken)
+        except NewtonEulerError as error:
+            raise CourseError(f"{path / 'course.json'}: {error}") from None

@@ -35,13 +35,14 @@ SILENT = frozenset(WORDS.findall("""
     sheet solution solutions student students submission submissions submit submitted task tasks
     the upload uploads version week work works zip s v v1 v2 v3 v4 v5
 """))  # fmt: skip
+_BEFORE_DIGITS = re.compile(r"(?<=[^\W\d_])[-_. ]+(?=\d)")
 LONGEST_NAME = 6  # words of a name that may be joined in any order
 
 
 @dataclass(frozen=True)
 class Person:
     """The words by which a student is known: ids, the whole name, the name joined to one word in
-    any order, and all that may stand beside these.
+    any order, and what may surround them.
     """
 
     ids: tuple[Words, ...]
@@ -68,12 +69,12 @@ class Person:
         return all(w in self.own or _is_silent(w, silent) for w in found) and (
             any(_holds(found, i) for i in telling)
             or (bool(self.name) and {*self.name} <= {*found})
-            or not self.joined.isdisjoint(found)
+            or not self.joined.isdisjoint({*found} - silent)
         )
 
 
 def _is_silent(word, silent, digits=4):
-    """True for a word of nobody, and a number of so few digits, as of a copy or in a date."""
+    """True for a word that names nobody, or a number as short as that of a copy or in a date."""
     return word in silent or (word.isdigit() and len(word) <= digits)
 
 
@@ -98,7 +99,7 @@ class Roster:
 
     @property
     def silent(self) -> frozenset[str]:
-        """The words that tell of nobody."""
+        """The words that identify nobody."""
         return SILENT | self.title
 
     def tells(self, part: str) -> bool:
@@ -115,8 +116,9 @@ class Roster:
         found = tuple(w for w in words(who) if w not in common)
 
         def named(silent):
-            return [s for s, p in self.people.items()
-                    if p.is_named(found, silent) and not (number and p.number)]  # fmt: skip
+            spelled = found, words(_BEFORE_DIGITS.sub("", who))  # "ada 2" may be of ada2
+            return [s for s, p in self.people.items() if not (number and p.number)
+                    if any(p.is_named(x, silent) for x in spelled)]  # fmt: skip
 
         exact = named(self.title) if match else []
         return exact or (named(self.silent) if titled else [])
@@ -142,7 +144,7 @@ def _of_platform(part):
 
 
 def _said(part, match):
-    """(who handed a part in, their number or None, whether more may be said than who)."""
+    """(who handed a part in, their number or None, whether they may be named)."""
     if not match:
         return part, None, True
     found = match.groupdict()

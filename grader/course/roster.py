@@ -158,7 +158,7 @@ def _columns(path, names, id_column):
         if id_column not in names:
             raise CourseError(f"{path} has no column {id_column!r}; it has {names}")
         columns["id"] = names.index(id_column)
-    elif "id" in names:  # nbgrader's own format, where it stands in small letters
+    elif "id" in names:  # nbgrader's own format, in which it is lower case
         columns["id"] = names.index("id")
     if "id" not in columns:
         raise CourseError(f"{path}: {_EXPECTED}; got the columns {names}")

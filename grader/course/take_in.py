@@ -55,6 +55,9 @@ def take_in(
         entries = z.infolist()
         if len(entries) > MAX_ENTRIES:
             raise CourseError(f"{archive} has {len(entries)} entries, more than a class has")
+        if lost := _listed(archive, z.start_dir) - len(entries):
+            why = f"its list of contents is damaged, and hides {lost} more; get the archive again"
+            result.refused.append((Path(archive).name, why))
         chosen = _chosen(entries, assignment, people, result)
         _write(course, assignment, z, chosen, replace, times, result)
     return result
@@ -65,6 +68,13 @@ def _opened(archive):
         return zipfile.ZipFile(archive)
     except Exception as error:  # zipfile has a dozen for what is damaged
         raise CourseError(f"{archive} is not a zip archive that can be read ({error})") from error
+
+
+def _listed(archive, start):
+    """How many entries the list of contents has; a wrong length in one hides those behind it."""
+    with open(archive, "rb") as f:
+        f.seek(start)
+        return f.read().count(b"PK\x01\x02")
 
 
 def _chosen(entries, assignment, people, result):

@@ -50,7 +50,7 @@ class Part:
 
     @property
     def weight(self) -> float:
-        """Its share of the points, beside those of the other parts."""
+        """Its share of the points, relative to the other parts."""
         return self.asked.weight
 
     @property
@@ -159,7 +159,7 @@ def _off(a, point, key):
 
 
 def _merged(wrong):
-    """Wrong answers that cannot be told apart as one, with both diagnoses."""
+    """Wrong answers that cannot be distinguished, as one, with both diagnoses."""
     found: list[tuple[Wrong, list[str]]] = []
     for w in wrong:
         texts = next((texts for other, texts in found if _alike(w, other)), None)

@@ -81,6 +81,8 @@ def write_bank(
 
 def _of_sheet(spec):
     """What a sheet does and a bank does not."""
+    if own := [*(i.question for i in spec.items if i.question), *spec.left_out]:
+        yield f"{', '.join(own)} left out: cells of your own"
     if any(len(p.answers) > 1 for p in spec.problems):
         yield "each answer is judged by itself: one that follows from a wrong one earns nothing"
     if spec.late:

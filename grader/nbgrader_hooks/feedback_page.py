@@ -13,6 +13,7 @@ from nbgrader.preprocessors import NbGraderPreprocessor
 
 from exercises.catalogue import CatalogueError
 from exercises.catalogue import problem as find_problem
+from newton_euler.algebra.language import _, language
 
 from ..assignment.cells import own_metadata
 from .grading_page import LONGEST, html_with_mathml, student_html
@@ -71,6 +72,8 @@ class Sections(NbGraderPreprocessor):
                 sections["question", section.name] = section
         first = notebook.cells[0].source if notebook.cells else ""
         resources["newton_euler"] = {
+            "language": language(),
+            "say": _,
             "sections": list(sections.values()),
             "note": first.partition("\n")[0][2:] if first.startswith("> ") else "",
         }

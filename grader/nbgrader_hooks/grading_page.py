@@ -12,13 +12,15 @@ from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from nbconvert.preprocessors import Preprocessor
 from nbformat import NotebookNode
 
+from newton_euler.algebra.language import in_all
+
 from ..assignment.cells import kind, own_metadata
+from ..assignment.notebook import OWN_COPY
 from ..submission.mathml import mathml
 from ..submission.rebuild import PICTURES
 from .shared import Processed
 
 Attachments = dict[str, dict[str, str]]  # of a cell: {name: {MIME type: data}}
-WHOSE = re.compile(r"The copy of \*\*.*?\*\*\.")
 BY_STUDENTS = ("own", "hand", "plain")  # kinds of cells whose text is the student's
 MOST_PICTURES = 2**26  # characters of all pictures in one text
 # the time of the Markdown library can grow quadratically: 1 MB would take hours
@@ -36,7 +38,9 @@ class WithoutName(Preprocessor):
         self, cell: NotebookNode, resources: dict[str, Any], index: int
     ) -> Processed:
         if own_metadata(cell).get("role") == "introduction":
-            cell.source = WHOSE.sub("", cell.source)
+            for text in in_all(OWN_COPY):
+                whose = re.escape(text).replace(re.escape("{student}"), ".*?")
+                cell.source = re.sub(whose, "", cell.source)
         return cell, resources
 
 

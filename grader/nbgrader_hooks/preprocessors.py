@@ -3,6 +3,7 @@ write the gradebook, prepare the feedback page.
 """
 
 import atexit
+from base64 import b64encode
 from typing import Any
 
 from nbformat import NotebookNode
@@ -10,8 +11,9 @@ from nbgrader.api import Gradebook
 from nbgrader.converters.base import NbGraderException
 from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor
 
-from ..assignment.cells import kind, nbgrader_metadata
-from ..assignment.released import released
+from ..assignment.cells import kind, nbgrader_metadata, own_metadata
+from ..assignment.figures import figure_for_page
+from ..assignment.released import released, sheet_numbers
 from ..course import Course
 from ..course.exam import judged
 from ..grading.gradebook import Entry, instructors_cells, save
@@ -95,11 +97,13 @@ class GradesAndFigures(GetGrades):
     course_path = course_path()
 
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
-        names = resources["nbgrader"]
-        notebooks = released(Course(self.course_path), names["assignment"])
+        names, course = resources["nbgrader"], Course(self.course_path)
+        found = released(course, names["assignment"])[names["notebook"]]
+        self._tasks = found.tasks
+        self._numbers = sheet_numbers(course, names["assignment"], names["student"])
         self._seen = {
             nbgrader_metadata(c).get("grade_id"): c["source"]
-            for c in notebooks[names["notebook"]].notebook["cells"]
+            for c in found.notebook["cells"]
             if kind(c) in ("test", "task", "locked")
         }
         return super().preprocess(notebook, resources)
@@ -116,10 +120,10 @@ class GradesAndFigures(GetGrades):
         seen = self._seen.get(nbgrader_metadata(cell).get("grade_id"))
         if seen is not None:
             cell.source = seen
-        pictures = cell.pop("attachments", {})
-        # only the figure of a problem: students' attachments are not shown, and could fill memory
-        for name, kinds in pictures.items() if kind(cell) == "statement" else ():
-            for mime, data in kinds.items():
-                shown = f"data:{mime};base64,{data}"
-                cell.source = cell.source.replace(f"attachment:{name}", shown)
+        cell.pop("attachments", None)  # a student's are not shown, and could fill memory
+        number = own_metadata(cell).get("problem")
+        if kind(cell) == "statement" and number in self._tasks:
+            svg = figure_for_page(self._tasks[number].exercise, self._numbers[number]) or b""
+            shown = f"data:image/svg+xml;base64,{b64encode(svg).decode()}"
+            cell.source = cell.source.replace("attachment:figure.png", shown)
         return super().preprocess_cell(cell, resources, index)

@@ -1,4 +1,4 @@
-"""Worked solutions on the feedback page, once nobody can hand them in any more."""
+"""Worked solutions on the feedback page, once the assignment is closed to everybody."""
 
 from typing import Any
 

@@ -23,19 +23,22 @@ from .markup import BLANK, formula, in_line, string, typst
 
 LOOK = Path(__file__).with_name("paper.typ")
 ROOM = 4.0, 1.5  # cm to write into: for a problem, and for each answer of it
+OWN_ROOM, YOURS = 6.0, "*Your answer*"  # of a question of the instructor's own
 Files = dict[str, bytes]  # what Typst compiles: {name: content}
 
 
 @dataclass(frozen=True)
 class Entry:
     """A problem of a sheet, with its text where the instructor has changed it, and what the sheet
-    says of it; or a text.
+    says of it; a text; or a ``question`` of the instructor's own with its ``key``.
     """
 
     problem: str = ""
     text: str = ""
     points: float = 0
     options: Mapping[str, Any] = field(default_factory=dict)
+    question: str = ""
+    key: str = ""
 
     @property
     def asked(self) -> Problem:
@@ -55,22 +58,27 @@ class Student:
 
 def sheet(title: str, entries: Iterable[Entry], student: Student) -> Files:
     """The files of one student's sheet."""
-    entries, files, out = list(entries), {}, []
-    for e in entries:
-        if not e.problem:
-            out.append(typst(e.text))
-            continue
-        p, values = e.asked, student.values[e.problem]
-        text = statement(p, values, figure=False, code=False)
-        text = statement_with(p, e.text, values) if e.text else text
-        parts = [_points(e.points), f"[{typst(text)}]"]
-        if svg := figure_svg(p, values):
-            files[name := f"{slug(p.id)}.svg"] = svg
-            parts.append(f"drawing: {string(name)}, words: {string(plain(p.figure, p.units))}")
-        rows = ", ".join(_asked(p, a) for a in p.answers)
-        parts += [f"asked: answers({rows})", f"room: {ROOM[0] + ROOM[1] * len(p.answers)}cm"]
-        out.append(f"#problem({', '.join(parts)})\n\n")
+    entries, files = list(entries), Files()
+    out = [_written(e, student, files) for e in entries]
     return files | _page(title, student, entries, out)
+
+
+def _written(e, student, files):
+    """An entry of a sheet; its figure is added to the files."""
+    if e.question:
+        return f"#problem({_points(e.points)}, [{typst(e.text or YOURS)}], room: {OWN_ROOM}cm)\n\n"
+    if not e.problem:
+        return typst(e.text)
+    p, values = e.asked, student.values[e.problem]
+    text = statement(p, values, figure=False, code=False)
+    text = statement_with(p, e.text, values) if e.text else text
+    parts = [_points(e.points), f"[{typst(text)}]"]
+    if svg := figure_svg(p, values):
+        files[name := f"{slug(p.id)}.svg"] = svg
+        parts.append(f"drawing: {string(name)}, words: {string(plain(p.figure, p.units))}")
+    rows = ", ".join(_asked(p, a) for a in p.answers)
+    parts += [f"asked: answers({rows})", f"room: {ROOM[0] + ROOM[1] * len(p.answers)}cm"]
+    return f"#problem({', '.join(parts)})\n\n"
 
 
 def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
@@ -79,7 +87,10 @@ def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
     """
     entries, out = list(entries), []
     for e in entries:
-        if e.problem:
+        if e.question:
+            out.append(f"#problem({_points(e.points)}, [{typst(f'## {e.question}')}])\n")
+            out.append(typst(e.key))
+        elif e.problem:
             p, values = e.asked, student.values[e.problem]
             stated = [number_symbol(values[n]) + unit_symbol(g.unit) for n, g in p.givens.items()]
             given = zip(p.givens, stated, strict=True)

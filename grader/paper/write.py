@@ -113,8 +113,9 @@ def _write(job):
 
 def _entry(item):
     p = item.problem
-    points = item.options.get("points", len(p.answers)) if p else 0
-    return Entry(p.id if p else "", item.text, points, dict(item.options))
+    points = item.options.get("points", len(p.answers) if p else 0)
+    options = dict(item.options)
+    return Entry(p.id if p else "", item.text, points, options, item.question, item.key)
 
 
 def _student(spec, known, course, secret):

@@ -13,7 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from exercises.catalogue import Problem, chapter, problem
+from exercises.catalogue.translations import has_own_texts
 from exercises.catalogue.wording import term_text
+from newton_euler.algebra.language import ENGLISH, language, speaking, stored, with_values
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
@@ -33,7 +35,7 @@ from .relations import relations
 from .slips import slip_numbers
 from .twins import sets_of_numbers, twin
 
-COLOURS = 64  # of a figure: a quarter of the bytes, and nobody sees it
+COLOURS = 64  # of a figure: a quarter of the bytes, without a visible difference
 
 
 def png(p: Problem, values: Values) -> tuple[str, bytes] | None:
@@ -89,8 +91,9 @@ def write_practice(
     names = [p.id for p in problems]
     own = [(rules or {}).get(name, {}) for name in names]
     given = repeat(count), repeat(help), [graded.get(name) for name in names], own, repeat(draw)
+    texts = [language() if has_own_texts(name, language()) else ENGLISH for name in names]
     with process_pool(workers) as pool:
-        for found in pool.map(page_of, names, *given):
+        for found in pool.map(_page_in, texts, names, *given):
             if isinstance(found, LeftOut):
                 left.append(found)
             else:
@@ -118,6 +121,11 @@ def _write(path, pages, help):
                 packed = zipfile.ZIP_STORED if name.endswith(".png") else zipfile.ZIP_DEFLATED
                 archive.writestr(zipfile.ZipInfo(name), figure, packed)
     os.replace(beside, path)
+
+
+def _page_in(language, *given):
+    with speaking(language):
+        return page_of(*given)
 
 
 def page_of(
@@ -157,12 +165,13 @@ def page_of(
     labels = _numbered(variants, "wrong")
     slips = _numbered(variants, "slips")
     page = {
-        "id": name, "title": p.title, "section": p.section, "where": section(p.section),
+        "id": name, "language": language(), "title": p.title, "section": p.section,
+        "where": stored(section(p.section)),
         "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *astuple(c)) for key, c in labels],
-        "slips": [(key, rank, *astuple(c)[1:]) for key, rank, c in slips],
+        "labels": [(key, *map(stored, astuple(c))) for key, c in labels],
+        "slips": [(key, rank, *map(stored, astuple(c)[1:])) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
         "symbols": {n: p.notation[n] for n in p.givens},
     }  # fmt: skip
@@ -236,10 +245,14 @@ def _variant(p, values, described, right, help):
 def _terms(p, values):
     """{answer: [the terms of its sum, in words]}."""
     return {
-        key: [typeset(term_text(name, x.equation, p, latex=True), p) for name in x.terms]
+        key: [stored(_typeset_term(name, x.equation, p)) for name in x.terms]
         for key, x in p.solve(values).items()
         if isinstance(x, Vector) and len(x.terms) > 1
     }
+
+
+def _typeset_term(name, equation, p):
+    return with_values(term_text(name, equation, p, latex=True), lambda x: typeset(x, p))
 
 
 def _plain(p, values):

@@ -1,4 +1,4 @@
-"""The numbers that a course grades, and the answers for them, near which nobody practises."""
+"""The numbers that a course grades, and the answers for them, which practice avoids."""
 
 import json
 from collections.abc import Callable, Iterable

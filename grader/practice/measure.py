@@ -17,7 +17,7 @@ from newton_euler.answers.causes import (
     ROUNDED,
     Cause,
     exchanged_components,
-    left_out_component,
+    left_out_components,
     reversed_components,
 )
 from newton_euler.answers.kinds import KINDS
@@ -150,7 +150,7 @@ def slips(kind: str, right: Sequence[float]) -> list[tuple[Any, list[float]]]:
             turned = [-x if m == n else x for m, x in enumerate(right)]
             found.append((reversed_components([n]), turned))
             without = [0.0 if m == n else x for m, x in enumerate(right)]
-            found.append((left_out_component(n), without))
+            found.append((left_out_components([n]), without))
         for a, b in ((0, 1), (1, 2), (0, 2)):
             swapped = list(right)
             swapped[a], swapped[b] = right[b], right[a]

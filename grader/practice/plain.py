@@ -13,7 +13,7 @@ _FUNCTIONS = r"\b(sin|cos|tan|cot|sqrt|ln|exp|log)"
 
 def plain(text: str, names: Collection[str], quantity: Callable[[str], str] | None = None) -> str:
     """``text`` for a terminal: each ``{name}`` of ``names`` by the name, and outside of formulas by
-    what ``quantity`` makes of it where it first stands.
+    what ``quantity`` makes of it at its first place.
 
     >>> plain(r"A drum turns with $\\dot\\theta = {omega}$, where {omega}.", {"omega"}, "{} = 2 1/s".format)
     'A drum turns with theta_dot = omega, where omega = 2 1/s.'

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import newton_euler
 from exercises.catalogue import chapters, problems
+from newton_euler.algebra.language import language, speaking
 
 from .build import LeftOut, svg, write_practice
 from .graded import graded_numbers, rules_of
@@ -29,7 +30,8 @@ def write_public(
         :func:`write_practice`
     done : called after each problem
     """
-    graded, rules = (graded_numbers(course), rules_of(course)) if course else (None, None)
+    with speaking(language()):  # not the course's, which is opened
+        graded, rules = (graded_numbers(course), rules_of(course)) if course else (None, None)
     left = []
     for name in names or chapters():
         path = folder / f"{name}.practice"

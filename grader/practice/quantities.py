@@ -11,6 +11,7 @@ import numpy as np
 from exercises.catalogue import Problem
 from exercises.catalogue.steps import in_unit, listed_steps, repeated, steps
 from exercises.catalogue.variants import flat
+from newton_euler.algebra.language import spoken
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.causes import listed
 from newton_euler.answers.kinds import KINDS
@@ -31,8 +32,8 @@ def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[s
     described, right = [], {}
     for s in [s for s in steps(p, values) if s.key not in repeated(p)]:
         described.append({
-            "key": s.key, "kind": s.kind.name, "unit": s.unit, "means": typeset(s.means, p),
-            "plain": plain(s.means, p.units), "section": s.section or p.section,
+            "key": s.key, "kind": s.kind.name, "unit": s.unit, "means": typeset(spoken(s.means), p),
+            "plain": plain(spoken(s.means), p.units), "section": s.section or p.section,
             "equation": s.equation, "latex": symbol(s.key, s.is_vector), "atol": 0.0, "of": [],
             "sum": s.of, "step": True, "rtol": p.answers[0].rtol,
         })  # fmt: skip

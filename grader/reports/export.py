@@ -1,12 +1,15 @@
 """Writes results as CSV: every part, or the files of Canvas, Moodle and Gradescope."""
 
 import csv
+import re
 from pathlib import Path
 
 from ..course import Course
 from .records import entries, lines, questions
 
-_FORMULA = frozenset("=+-@＝＋－＠\t\r\n")  # a spreadsheet may run a text that begins so
+_SIGNS = "=+-@−＝＋－＠﹦﹢﹣﹫"  # a spreadsheet may run a text that begins so,
+# or that goes on so behind what another language's spreadsheet takes for the end of a cell
+_NEXT_CELL = re.compile(rf"(?<=[;\t\r\n])(?=[{re.escape(_SIGNS)}])")
 
 
 def export(
@@ -19,7 +22,7 @@ def export(
     rows = FORMATS[form](course, assignment, found, maximum)
     # with a byte-order mark Canvas and Moodle take UTF-8 too, and a spreadsheet needs it
     with open(path, "w", newline="", encoding="utf-8-sig" if form == "parts" else "utf-8") as f:
-        csv.writer(f).writerows(map(_cell, row) for row in rows)
+        csv.writer(f).writerows(map(cell, row) for row in rows)
     return sum(line.waiting for line in found), sum(line.penalty > 0 for line in found)
 
 
@@ -71,11 +74,17 @@ def _gradescope(course, assignment, found, maximum):
         yield (*names, line.id, line.email, "", line.points, maximum)
 
 
-def _cell(x):
-    """A cell of the file: a number, or a text that no spreadsheet takes for a formula."""
-    if isinstance(x, str):
-        return f"'{x}" if _FORMULA & {x[:1], x.lstrip()[:1]} else x
-    return "" if x is None else f"{x:.10g}"
+def cell(x: str | float | None) -> str:
+    """A cell of a CSV file: a number, or a text that no spreadsheet takes for a formula.
+
+    >>> cell(0.5), cell("=1+1"), cell("Ada;=1+1")
+    ('0.5', "'=1+1", "Ada;'=1+1")
+    """
+    if not isinstance(x, str):
+        return "" if x is None else f"{x:.10g}"
+    first = next((c for c in x if c.isprintable() and not c.isspace()), " ")
+    runs = first in _SIGNS or x[:1] in {"\t", "\r", "\n"}
+    return "'" * runs + _NEXT_CELL.sub("'", x)
 
 
 FORMATS = {"parts": _parts, "canvas": _canvas, "moodle": _moodle, "gradescope": _gradescope}

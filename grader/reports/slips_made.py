@@ -121,7 +121,7 @@ class _Evaluation:
         return self.found[x.number]
 
     def _instead(self, step, instead):
-        without = _Evaluation(self.values)  # what stands for a step may contain it
+        without = _Evaluation(self.values)  # the replacement of a step may contain it
         without.within = self.within
         return without.value(instead)
 

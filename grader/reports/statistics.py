@@ -11,6 +11,7 @@ from rich.table import Table
 
 from ..course import Course
 from ..submission.pipeline import MARK
+from .export import cell
 from .records import BY_HAND, Entry, entries, questions
 from .tables import plain_table, shown
 
@@ -115,10 +116,11 @@ def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
         for p in parts:
             shares = ("" if x is None else f"{x:.4f}" for x in (p.difficulty, p.discrimination))
             verdicts = (p.verdicts[v] for v in MARK)
-            own = (p.problem, p.key, p.students, f"{p.out_of:g}", *shares, *verdicts, p.waiting)
+            name = cell(p.problem)
+            own = (name, p.key, p.students, f"{p.out_of:g}", *shares, *verdicts, p.waiting)
             writer.writerow((*own, "", ""))
             empty = [""] * (len(own) - 2)
-            writer.writerows((p.problem, p.key, *empty, *m) for m in p.mistakes)
+            writer.writerows((name, p.key, *empty, cell(m), n) for m, n in p.mistakes)
 
 
 def statistics_figure(parts: Sequence[PartStatistics], path: str | Path) -> None:

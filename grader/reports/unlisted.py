@@ -3,14 +3,14 @@
 import math
 import random
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 import numpy as np
 
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import draw
 from newton_euler.answers.fit import EXACT, Fit
-from newton_euler.answers.slips import multiples
+from newton_euler.answers.slips import multiples, of_last_resort
 from newton_euler.answers.tolerance import is_apart
 from newton_euler.answers.verdicts import Judged, explain
 
@@ -23,9 +23,7 @@ RANDOM = "random numbers"
 TRIES = 5  # random numbers for each answer
 
 
-def slip_shares(
-    problems: Iterable[Problem], draws: int, progress: Callable[[], object] | None = None
-) -> dict[str, Counter[str]]:
+def slip_shares(problems: Iterable[Problem], draws: int) -> dict[str, Counter[str]]:
     """{kind of slip: Counter of :data:`SLIP_OUTCOMES`} over drawn numbers, of the wrong answers of
     :func:`.slips_made.made` and of random numbers.
 
@@ -41,8 +39,6 @@ def slip_shares(
                 outcomes = [*_of_slips(p, values, rng), *_of_random(p, values, rng)]
             for kind, outcome in outcomes:
                 found.setdefault(kind, Counter())[outcome] += 1
-        if progress:
-            progress()
     return dict(sorted(found.items()))
 
 
@@ -108,7 +104,7 @@ def _gives(causes, exact, asked, numbers, judged):
     key, kind = numbers.key[asked.key], asked.kind
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
     models = [*numbers.wrong(asked.key), *kind.slips(fit)]
-    models += multiples(fit, kind.factors(asked.unit))
+    models += [*multiples(fit, kind.factors(asked.unit)), *of_last_resort(fit)]
     models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
     models += [(c, numbers.book[asked.key]) for c in causes if c.group == "book"]
     models += [(c, numbers.key[c.name]) for c in causes if c.group == "exchanged"]

@@ -14,7 +14,9 @@ from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow_in_base
 from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, flat
+from exercises.catalogue.wording import term_text
 from newton_euler.algebra.compile import Compiled
+from newton_euler.algebra.language import Words, cached_by_language, spoken
 from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import unit
 from newton_euler.answers.formulas import Formulas, Stage, Traced, needed, with_arguments
@@ -45,15 +47,15 @@ def perturbed_sequel(
 
 
 def columns(problem: Problem, earlier: Mapping[str, Any]) -> dict[str, Any]:
-    """{name of a component: its points} of earlier answers."""
+    """{name of a component: its number, or its points} of earlier answers."""
     return {
-        n: column
+        n: column[0] if len(column) == 1 else np.array(column, float)
         for name, points in earlier.items()
-        for n, column in zip(names(problem, name), np.array(points, float).T, strict=True)
+        for n, column in zip(names(problem, name), zip(*points, strict=True), strict=True)
     }
 
 
-@cache
+@cached_by_language
 def _sequel(problem_id, key):
     return Computation(_following(find_problem(problem_id), key))
 
@@ -76,7 +78,7 @@ def _of_one(p, key, parts, stated):
     return Formulas(answers, {**p.units, **stated}, p.system, (), section(p.section), _means(p))
 
 
-@cache
+@cached_by_language
 def followed(problem_id: str) -> Mapping[str, Formulas]:
     """{later answer: how it is computed from earlier ones} as the computation of the problem goes
     through these.
@@ -140,12 +142,12 @@ def names(p: Problem, key: str) -> list[str]:
     return [key] if length == 1 else [f"{key}_{n}" for n in range(1, length + 1)]
 
 
-@cache
+@cached_by_language
 def _computation(problem_id):
     return Computation(formulas(find_problem(problem_id)))
 
 
-@cache
+@cached_by_language
 def _computation_of_steps(problem_id):
     return Computation(formulas(find_problem(problem_id), of_steps=True))
 
@@ -165,13 +167,16 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     if of_steps:
         answers = {s.key: Traced(found.components[s.key], s.unit) for s in steps}
     stages = [Stage(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
-    return Formulas(answers, p.units, p.system, stages, section(p.section), _means(p))
+    symbols = p.units.keys() - p.givens.keys()
+    where, means = section(p.section), _means(p)
+    return Formulas(answers, p.units, p.system, stages, where, means, found.solved, symbols)
 
 
 def _named(step):
     """What a step is in a few words: its name is not one of the text."""
-    term = f"{step.term[0]} term" if step.term else "quantity on the way"
-    return _brief(step.means) or term
+    if brief := _brief(spoken(step.means)):
+        return Words("the {what}", what=brief.removeprefix("the "))
+    return term_text(*step.term) if step.term else ""
 
 
 def _means(p):
@@ -190,9 +195,15 @@ def _where(p, step):
     at, equation = (
         n if n.partition(".")[0] == chapter else "" for n in (step.section, step.equation)
     )
-    return section(at or p.section) + (f", ({equation})" if equation else "")
+    found = section(at or p.section)
+    return Words("{section}, ({equation})", section=found, equation=equation) if equation else found
 
 
+@cache
 def section(number: str) -> str:
     """A section of the book in words, "section 4.10"; "" for none."""
-    return f"{'section' if number[0].isdigit() else 'appendix'} {number}" if number else ""
+    if not number:
+        return ""
+    if number[0].isdigit():
+        return Words("section {number}", number=number)
+    return Words("appendix {number}", number=number)

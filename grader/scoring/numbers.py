@@ -13,6 +13,7 @@ import numpy as np
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
+from newton_euler.algebra.language import cached_by_language
 from newton_euler.answers.causes import listed
 from newton_euler.answers.near import NO_SLIPS
 
@@ -166,12 +167,12 @@ def numbers_of(problem, values, earlier_sheets=()):
     return Numbers(problem, values, earlier_sheets)
 
 
-@cache
+@cached_by_language
 def _without_givens(problem_id):
     return Numbers(find_problem(problem_id), {})
 
 
-@cache
+@cached_by_language
 def _of_book(problem_id):
     p = find_problem(problem_id)
     return Numbers(p, p.book_values).key
@@ -191,7 +192,7 @@ def _sample(problem, values):
 
 
 def points_of(answer, components):
-    """The points of an answer: of a number that stands beside formulas, in a problem with symbols,
+    """The points of an answer: of a number next to formulas, in a problem with symbols,
     the one that it is at all of them.
     """
     if not answer.kind.is_formula:
@@ -227,7 +228,7 @@ def _run_key(problem, sample):
         return run(**sample) if run else _key_formula(problem, sample)
 
 
-@cache
+@cached_by_language
 def _traced_wrong(problem_id):
     """(labels, formula) of the wrong models; the labels are filled when the formula is traced."""
     labels = []

@@ -12,6 +12,7 @@ from dataclasses import astuple, dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
+from newton_euler.algebra.language import Words, _, heard
 from newton_euler.answers.causes import Cause
 from newton_euler.answers.messages import one_line
 from newton_euler.answers.notation import formula, unit_symbol
@@ -20,6 +21,11 @@ from newton_euler.answers.verdicts import explain, judge, value_line
 
 from .numbers import numbers_of
 from .sheet import asked_parts
+
+TOO_LONG = Words(  # as the cage says it
+    "TimeLimit: the cell ran longer than {n} s; look for a loop that does not end, or a simplify "
+    "of a long formula"
+)
 
 
 @dataclass(frozen=True)
@@ -74,7 +80,9 @@ class Score:
     @property
     def without_reasons(self) -> "Score":
         """The same, in which a student is not shown why an answer is wrong."""
-        parts = (replace(p, message="not right") if p.verdict == "wrong" else p for p in self.parts)
+        parts = (
+            replace(p, message=_("not right")) if p.verdict == "wrong" else p for p in self.parts
+        )
         return replace(self, parts=tuple(parts))
 
     def as_dict(self) -> dict[str, Any]:
@@ -118,7 +126,14 @@ def score_receipt(
     answers = receipt.get("answers") if isinstance(receipt.get("answers"), dict) else {}
     faults = receipt.get("faults") if isinstance(receipt.get("faults"), dict) else {}
     error = receipt.get("error")
-    notes = [n for n in (note, f"the cell stopped with {one_line(error)}" if error else "") if n]
+    notes = [
+        n
+        for n in (
+            note,
+            _("the cell stopped with {error}", error=heard(one_line(error))) if error else "",
+        )
+        if n
+    ]
     sheet = asked_parts(problem, points, weights, asked, follow_through)
     numbers, budget = numbers_of(problem, values, earlier_sheets), [NODES]
     found = {}
@@ -149,6 +164,7 @@ def _part(part, found, numbers, answers):
         return Part(key, earned, out_of, own.verdict, own.message, read=value)
     why = explain(part.answer, found, numbers)
     earned = part.following if why.earlier else 0
-    share = f", which earns {earned:.3g} of {out_of:.3g}" if earned else ""
-    message = why.message + share + why.also
+    share = {"earned": f"{earned:.3g}", "all": f"{out_of:.3g}"}
+    earns = _(", which earns {earned} of {all}", **share) if earned else ""
+    message = why.message + earns + why.also
     return Part(key, earned, out_of, "wrong", message, why.diagnosis, value, causes=why.causes)

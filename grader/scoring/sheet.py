@@ -1,6 +1,5 @@
 """What a released sheet asked for, and what each part of it is worth."""
 
-import math
 from dataclasses import dataclass
 
 from exercises.catalogue import Answer
@@ -77,6 +76,8 @@ def _form(problem, key, text):
 
 def _factor(problem, answer, form):
     """The factor from the unit on the sheet to that of today's exercise."""
+    if (form.kind, form.unit) == (answer.kind, answer.unit):
+        return 1.0
     change = f"{problem.id} asks for {answer.key} as {answer.form!s}"
     if form.kind != answer.kind:
         raise ScoreError(
@@ -84,8 +85,6 @@ def _factor(problem, answer, form):
             "cannot be compared. Grade with the version of the exercises that the sheet was made "
             "with"
         )
-    if form.unit == answer.unit:
-        return 1.0
     there, here = unit(form.unit), unit(answer.unit)
     if there.dimension != here.dimension:
         raise ScoreError(
@@ -111,6 +110,6 @@ def _weights(problem, answers, weights):
 
 def _number(x, what):
     good = isinstance(x, (int, float)) and not isinstance(x, bool)
-    if not good or not math.isfinite(x) or x < 0:
+    if not good or not 0 <= x < 1e300:
         raise ScoreError(f"{what} must be a number, 0 or more, and is {x!r}")
     return x

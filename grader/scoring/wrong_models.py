@@ -6,6 +6,7 @@ import warnings
 
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
+from newton_euler.algebra.language import Words
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import causes
@@ -63,7 +64,9 @@ def _where(right, problem):
     """The equation of a sum, if it is one of the chapter of the problem."""
     number, own = right.equation.number if right.equation else "", problem.section
     in_chapter = number.partition(".")[0] == own.partition(".")[0]
-    return f"{section(own)}, ({number})" if number and in_chapter else ""
+    if not (number and in_chapter):
+        return ""
+    return Words("{section}, ({equation})", section=section(own), equation=number)
 
 
 def _rates(right):
@@ -86,7 +89,7 @@ def _frames(right, problem):
         if frame is right.frame:
             continue
         known = named_in_text(frame.name, problem) and not frame.name.startswith("about ")
-        name = body_text(frame.name) if known else "another frame"
+        name = body_text(frame.name) if known else Words("another frame")
         yield causes.other_axes(place, name), right.components(frame)
         turned = Vector(right.c, frame).components(right.frame)
         yield causes.turned_the_wrong_way(place, name), turned

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from exercises.catalogue import CatalogueError, problem
+from newton_euler.algebra.language import _
 from newton_euler.answers.notation import is_word
 
 from ..assignment.cells import Cell, Notebook, Sources, nbgrader_metadata, own_metadata
@@ -57,7 +58,7 @@ def _output(score: Score) -> dict[str, Any]:
         f"{MARK[p.verdict]} {p.key}: {p.points:g} / {p.out_of:g}  {p.message}" for p in score.parts
     )
     text = "\n".join([score.note, *lines]).strip()
-    page = _template().render(score=score, mark=MARK, **_quantities(score.problem))
+    page = _template().render(score=score, mark=MARK, _=_, **_quantities(score.problem))
     data = {"text/plain": text, "text/html": page}
     return {"output_type": "display_data", "metadata": {}, "data": data}
 

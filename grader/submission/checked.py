@@ -6,6 +6,8 @@ be more than a number.
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from newton_euler.algebra.language import _
+
 from ..assignment.cells import Notebook, own_metadata
 
 MOST = 10**6
@@ -26,8 +28,8 @@ def checked_notes(master: Notebook, submitted: Mapping[str, Any]) -> dict[str, s
         found = counts.get(own.get("problem", ""), {})
         texts = [f"{key} {found[key]}" for key in own.get("asked", ()) if key in found]
         if texts:
-            notes[own["problem"]] = (
-                f"wrong answers checked before it was handed in: {', '.join(texts)}"
+            notes[own["problem"]] = _(
+                "wrong answers checked before it was handed in: {counts}", counts=", ".join(texts)
             )
     return notes
 

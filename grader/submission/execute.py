@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from newton_euler.algebra.language import Words, _, heard
+
 from ..assignment import notebook as nb
 from ..assignment.cells import Cell, Notebook, kind, nbgrader_metadata, own_metadata
 from ..assignment.sheet import Task
@@ -16,7 +18,13 @@ from .sheet import Sheet
 RUN = ("setup", "locked", "plain", "solution", OWN)
 
 
-PROCESS_ENDED = "the end of its process: the cell ended Python, crashed it, or closed its files"
+ENDINGS = (  # as the cage says them
+    Words("stopped after {n} s"), Words("stopped at {n} GB of memory"),
+    Words("stopped from outside"), Words("stopped after {n} bytes of output"),
+)  # fmt: skip
+PROCESS_ENDED = Words(
+    "the end of its process: the cell ended Python, crashed it, or closed its files"
+)
 
 
 @dataclass
@@ -118,13 +126,18 @@ def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
     asked = [c["problem"] for c in cells if c["role"] == "harvest"]
     unread = [i for i in asked if i not in receipts]
     if result["ended"] != "done":
-        notes.append(f"the notebook was {result['ended']}; answers that came later were not read")
+        how = heard(result["ended"])
+        notes.append(_("the notebook was {how}; answers that came later were not read", how=how))
     elif unread:
         notes.append(
-            f"the notebook ended by itself in the cell of {unread[0]}; answers that came later "
-            "were not read"
+            _(
+                "the notebook ended by itself in the cell of {problem}; answers that came later "
+                "were not read",
+                problem=unread[0],
+            )
         )
-        lost: Receipt = {"id": unread[0], "answers": None, "faults": None, "error": PROCESS_ENDED}
+        ended = _(PROCESS_ENDED)
+        lost: Receipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
         receipts[unread[0]] = lost
     note = "; ".join(notes)
     return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)

@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from newton_euler.algebra.language import _, spoken
+
 from ..assignment.cells import Notebook, kind, nbgrader_metadata
 from ..course import CourseError
 from ..sandbox import CAGED, Harvester
@@ -56,7 +58,7 @@ def grade_notebook(
                 what, marks, score, untouched, executed.tests.get(name)
             )
         if marks.get("solution") or what == "task":
-            empty = "No response." if untouched and what != "task" else None
+            empty = _("No response.") if untouched and what != "task" else None
             graded.comments[name] = feedback_comment(score) if score else empty
     return graded
 
@@ -97,7 +99,7 @@ def points_of_test(outcome: Outcome | None, most: float) -> float:
 
 def feedback_comment(score: Score) -> str:
     """The feedback on one problem as Markdown, for nbgrader's automatic comment."""
-    if all(part.message == NO_ANSWER for part in score.parts) and not score.note:
-        return "No answer."
+    if all(part.message == spoken(NO_ANSWER) for part in score.parts) and not score.note:
+        return _("No answer.")
     lines = [f"- {MARK[part.verdict]} `{part.key}`: {part.message}" for part in score.parts]
-    return "\n".join([*([f"Note: {score.note}", ""] if score.note else []), *lines])
+    return "\n".join([*([_("Note: {note}", note=score.note), ""] if score.note else []), *lines])

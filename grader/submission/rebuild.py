@@ -10,6 +10,7 @@ from functools import lru_cache
 from typing import Any
 
 from exercises.catalogue import Problem
+from newton_euler.algebra.language import Words, _
 
 from ..assignment.cells import (
     Cell,
@@ -30,14 +31,19 @@ ALSO_WORKED_IN = ("setup", "givens", "locked")
 MOST_CELLS = 500  # cells that a student added
 MOST_COPIES = 20  # copies of one cell
 MOST_TEXT = 2**20  # characters of the cells that a student added, and of each answer
+COPIES = Words("the notebook holds {count} copies of the answer cell; the first one was graded")
+COPIES_FILLED_IN = Words(
+    "the notebook holds {count} copies of the answer cell; the first one that was filled in was "
+    "graded"
+)
 PICTURES = ("image/png", "image/jpeg", "image/gif")
 
 
 @dataclass
 class Work:
     """What rebuilding has found: notes by problem (an answer cell is missing, or was copied; how
-    many wrong answers a receipt told), grade ids of the answers that are as they were handed out, a
-    note on the whole.
+    many wrong answers a receipt reported), grade ids of the answers that are as they were handed
+    out, a note on the whole.
     """
 
     notes: dict[str, str] = field(default_factory=dict)
@@ -94,10 +100,11 @@ def _sorted_out(master, submitted):
             added.setdefault(last, []).append((cell, text))
     note = ""
     if count > MOST_CELLS or size > MOST_TEXT:
-        note = (
-            f"the notebook has {count} cells of the student's own, with {size} characters; only "
-            f"the first {MOST_CELLS} of them, with at most {MOST_TEXT} characters, were used"
-        )
+        note = _(
+            "the notebook has {count} cells of the student's own, with {size} characters; only "
+            "the first {cells} of them, with at most {text} characters, were used",
+            count=count, size=size, cells=MOST_CELLS, text=MOST_TEXT,
+        )  # fmt: skip
     return found, added, note
 
 
@@ -117,9 +124,10 @@ def _edited(cell, what, copies):
     """
     if not copies:
         missing = {**_clean(cell), "source": "" if what == "answer" else cell["source"]}
-        note = (
-            f"the answer cell of {own_metadata(cell).get('problem')} is missing from the notebook; "
-            "fetch the assignment again and paste your work into it"
+        note = _(
+            "the answer cell of {problem} is missing from the notebook; fetch the assignment again "
+            "and paste your work into it",
+            problem=own_metadata(cell).get("problem"),
         )
         return [] if what == "plain" else [missing], note if what == "answer" else ""
     texts = [text_of(c)[:MOST_TEXT] for c in copies[:MOST_COPIES]]
@@ -134,9 +142,8 @@ def _edited(cell, what, copies):
         cells += [_own_cell(*other) for other in others]
     if len(copies) == 1:
         return cells, ""
-    which = "the first one that was filled in" if changed else "the first one"
-    note = f"the notebook holds {len(copies)} copies of the answer cell; {which} was graded"
-    return cells, note
+    text = COPIES_FILLED_IN if changed else COPIES
+    return cells, _(text, count=len(copies))
 
 
 def is_untouched(cell: Cell, text: str) -> bool:

@@ -4,19 +4,30 @@ out, and where an editor has removed those, by what its text says.
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from typing import Any
 
+from newton_euler.algebra.language import in_all
+
 from ..assignment.cells import Notebook, nbgrader_metadata, own_metadata
+from ..assignment.notebook import GIVEN, WORK
 
 OWN = "own"  # the role of a cell that the student added
-# what we write into the first line of a cell, by the role of the cell
-_FIRST_LINES = {
-    "setup": r"from math import pi$",
-    "statement": r"## (?P<problem>[\w/]+) ",
-    "givens": r"# (?P<problem>[\w/]+): what is given",
-    "answer": r"# (?P<problem>[\w/]+): your work",
-    "receipt": r"expect\(\"(?P<problem>[\w/]+)\"",
-}
+
+
+@cache
+def _first_lines():
+    """{role: pattern} of what we write into the first line of a cell, in any language."""
+    given, work = (
+        "|".join(re.escape(text.partition(";")[0]) for text in in_all(x)) for x in (GIVEN, WORK)
+    )
+    return {
+        "setup": r"from math import pi$",
+        "statement": r"## (?P<problem>[\w/]+) ",
+        "givens": rf"# (?P<problem>[\w/]+): (?:{given})",
+        "answer": rf"# (?P<problem>[\w/]+): (?:{work})",
+        "receipt": r"expect\(\"(?P<problem>[\w/]+)\"",
+    }
 
 
 def places_of(cells: Sequence[Mapping[str, Any]], master: Notebook) -> list[int | None]:
@@ -87,7 +98,7 @@ def cell_names(cell: Mapping[str, Any]) -> Iterator[tuple[str | None, ...]]:
 def _name_in_text(cell: Mapping[str, Any]) -> tuple[str | None, ...] | None:
     """The role in a problem that the first line of a cell names."""
     line = text_of(cell).lstrip().partition("\n")[0]
-    for role, pattern in _FIRST_LINES.items():
+    for role, pattern in _first_lines().items():
         if found := re.match(pattern, line):
             return "role", role, found.groupdict().get("problem")
     return None

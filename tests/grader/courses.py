@@ -89,9 +89,9 @@ def points(course, assignment="ch04"):
         for submission in book.assignment_submissions(assignment):
             cells = found.setdefault(submission.student.id, {})
             for notebook in submission.notebooks:
-                said = {c.name: c.auto_comment for c in notebook.comments}
+                printed = {c.name: c.auto_comment for c in notebook.comments}
                 for g in notebook.grades:
-                    cells[g.name] = (g.auto_score, g.manual_score, said.get(g.name))
+                    cells[g.name] = (g.auto_score, g.manual_score, printed.get(g.name))
     return found
 
 

@@ -167,8 +167,8 @@ def test_grade_says_when_there_is_nothing_to_grade(fresh):
 def test_running_without_a_cage_has_a_banner_an_exit_code_and_a_word_in_every_row(fresh):
     code, out = command("grade", "ch04", "--course", fresh.path, "--unsandboxed", "--force")
     assert code == 3
-    said = " ".join(out.replace("│", " ").split())
-    assert said.count("Students' code runs WITHOUT A CAGE, as you") == 2  # also below the table
+    output = " ".join(out.replace("│", " ").split())
+    assert output.count("Students' code runs WITHOUT A CAGE, as you") == 2  # also below the table
     assert "UNSANDBOXED" in out
     rows = [line.split() for line in out.splitlines()]
     students = [row for row in rows if row and row[0] in fresh.roster()]

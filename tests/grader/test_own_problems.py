@@ -10,6 +10,7 @@ import pytest
 import yaml
 
 from exercises.catalogue import CatalogueError, places, problem, select
+from exercises.catalogue.errors import explained
 from grader.assignment import make_personal_copies, problems_of
 from grader.course import Course
 from grader.demo import sample_students as sample
@@ -75,16 +76,16 @@ def test_an_own_problem_is_built_graded_and_taken_into_the_next_year(course, tmp
     ran(nbgrader("generate_assignment", "hw1", cwd=tmp_path / "m27"))
 
 
-@pytest.mark.parametrize(("name", "told"), [
+@pytest.mark.parametrize(("name", "message"), [
     ("ch04", "the name ch04 is taken by the book"),
     ("devices", "the name devices is taken by the book"),
     ("all", "the name all is taken"),
     ("Bridge", "small letters, digits and _, as in bridge"),
 ])  # fmt: skip
-def test_a_name_that_is_taken_is_refused_in_words(tmp_path, name, told):
+def test_a_name_that_is_taken_is_refused_in_words(tmp_path, name, message):
     shutil.copytree(GOOD / "bead", tmp_path / name)
     before = select(["ch04"])
-    with pytest.raises(CatalogueError, match=told):
+    with pytest.raises(CatalogueError, match=message):
         places.use(tmp_path)
     assert select(["ch04"]) == before
 
@@ -108,10 +109,36 @@ def test_own_chapters_come_after_those_of_the_book_by_name_and_number(tmp_path):
     assert len(select(["all"])) == 289
 
 
+@pytest.mark.parametrize(("line", "words"), [
+    ("v = grond", "bead/p01.py, line 14: NameError: name 'grond' is not defined"),
+    ("return None", "solve of bead/1 returns NoneType; the problem asks for v_B"),
+    ("1 / 0", "bead/p01.py, line 14: ZeroDivisionError"),
+    ("def", "bead/p01.py, line 14: invalid syntax"),
+], ids=["a name", "nothing", "a number", "Python"])  # fmt: skip
+def test_an_error_in_an_own_problem_is_a_sentence_here_and_in_other_processes(
+    tmp_path, line, words
+):
+    shutil.copytree(GOOD, tmp_path, dirs_exist_ok=True)
+    code = tmp_path / "bead/p01.py"
+    code.write_text(code.read_text().replace("def solve(g):\n", f"def solve(g):\n    {line}\n"))
+    with place(tmp_path):
+        for asked in (("preview", "--text"), ("practice", "-o", tmp_path / "b.practice")):
+            done, out = command(asked[0], "bead/1", *asked[1:])
+            assert done == 2
+            assert words in " ".join(out.split())
+
+
+def test_an_error_of_python_that_lost_its_attributes_on_the_way_has_its_line_all_the_same():
+    """As by Dask, which sends errors in its own way wherever it was imported."""
+    error = SyntaxError("invalid syntax", ("/course/bead/p01.py", 14, 8, "def", 14, 9))
+    error.msg = error.filename = error.lineno = None
+    assert explained("bead/1", error) == "bead/p01.py, line 14: invalid syntax"
+
+
 @pytest.mark.parametrize(
-    ("where", "told"), [("own", "1 passed, 0 failed"), ("site-packages", "install -e")]
+    ("where", "message"), [("own", "1 passed, 0 failed"), ("site-packages", "install -e")]
 )
-def test_a_package_of_problems_is_known_by_its_entry_point(tmp_path, where, told):
+def test_a_package_of_problems_is_known_by_its_entry_point(tmp_path, where, message):
     """Among the libraries, where the code of students may read, it is refused."""
     home = tmp_path / where
     shutil.copytree(GOOD, home / "our_problems")
@@ -127,7 +154,7 @@ def test_a_package_of_problems_is_known_by_its_entry_point(tmp_path, where, told
         env={"PYTHONPATH": f"{home}:{root}", "PATH": "/usr/bin"}, cwd=tmp_path,
         capture_output=True, text=True,
     )  # fmt: skip
-    assert told in done.stdout + done.stderr
+    assert message in done.stdout + done.stderr
 
 
 def commands(workflow):

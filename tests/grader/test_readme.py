@@ -47,8 +47,8 @@ def test_the_commands_for_instructors_work_verbatim_for_an_ordinary_user(tmp_pat
     home, student = tmp_path / "home", tmp_path / "student"
     home.mkdir()
     (student / ".jupyter").mkdir(parents=True)
-    said = as_ordinary_user(first, home)
-    assert "Enrolled 1 students (ids from the column 'Username'" in said
+    output = as_ordinary_user(first, home)
+    assert "Enrolled 1 students (ids from the column 'Username'" in output
     course = Course(home / "mechanics")
     for file in (course.path / "student").iterdir():
         shutil.copy(file, student / ".jupyter")
@@ -61,8 +61,8 @@ def test_the_commands_for_instructors_work_verbatim_for_an_ordinary_user(tmp_pat
     path.chmod(0o644)
     path.write_text(json.dumps(sample.fill_in(fetched, texts)))
     as_ordinary_user("nbgrader submit ch04 --student=ada", student, student)
-    said = as_ordinary_user(second, home)
-    assert "unsandboxed" not in said
+    output = as_ordinary_user(second, home)
+    assert "unsandboxed" not in output
     everything = sum(len(p.answers) for p in problems)
     assert total(points(course)["ada"]) == everything
     assert f'"Lovelace, Ada",,,ada,,{everything}' in (home / "ch04.csv").read_text()

@@ -46,6 +46,12 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
 
 def test_a_name_with_a_bar_stands_in_parentheses_under_a_power():
     assert written(a**3, {"a": "l/r"}, latex=True) == r"\left(l/r\right)^{3}"
+    assert written(a**2, {"a": r"\sin \phi"}, latex=True) == r"\left(\sin \phi\right)^{2}"
+
+
+def test_a_sine_of_a_product_of_numbers_has_brackets():
+    numbers = written(sympy.sin(a * b), {"a": "2", "b": "3"}, latex=True, numbers=True)
+    assert numbers == r"\sin{\left(2 \cdot 3 \right)}"
 
 
 def test_a_result_is_short():
@@ -53,10 +59,10 @@ def test_a_result_is_short():
 
 
 def test_equations_that_are_solved_together_are_shown_once_with_their_unknowns():
-    found = derivations(problem("6/5"), problem("6/5").book_values)
+    found = derivations(problem("6/13"), problem("6/13").book_values)
     shown = [d.together for d in found.values() if d.together]
     assert [len(equations) for equations in shown] == [3]
-    assert found["a_A"].unknowns == {"a_A", "a_B", "T"}
+    assert found["a_A"].unknowns == {"a_A", "alpha", "T"}
     assert found["T"].solved
     assert not found["T"].together
 
@@ -104,12 +110,14 @@ def test_of_bodies_that_are_partly_equal_each_has_its_own_names():
     used = " ".join(shown("7/9", "I_wall"))
     assert "d_wall_y" in used
     assert "d_base" not in used
+    assert "V_block*b/2" in shown("5/3", "Q")[1]  # and not times the cylinder's y, which is b/2 too
 
 
 def test_a_step_stands_after_the_answer_that_it_is_found_from():
-    p = problem("A/16")
-    keys = [line.step.key for line in lines(p, p.book_values)]
-    assert keys.index("y") < keys.index("known_PR") < keys.index("x")
+    for name, *order in (("A/16", "y", "known_PR", "x"), ("6/21", "phi", "t_f", "x")):
+        p = problem(name)
+        keys = [line.step.key for line in lines(p, p.book_values)]
+        assert sorted(order, key=keys.index) == order
 
 
 def test_an_unknown_has_its_sign_in_the_equations():

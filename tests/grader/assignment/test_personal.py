@@ -74,7 +74,7 @@ def test_an_empty_roster_is_reported(ungraded):
             book.remove_student(s)
     with pytest.raises(CourseError, match=r"nobody is on the roster; add students with"):
         make_personal_copies(ungraded, "ch04")
-    with pytest.raises(CourseError, match=r"zoe: not on the roster; .*nbgrader db student add zoe"):
+    with pytest.raises(CourseError, match=r"zoe: not on the roster; .*enrol roster.csv"):
         make_personal_copies(ungraded, "ch04", ["zoe"])
 
 

@@ -20,7 +20,7 @@ def copy():
 
 def run(notebook, answers):
     """The texts of the receipts when a student has these answers."""
-    names, said = {}, {}
+    names, output = {}, {}
     for cell in notebook["cells"]:
         own = cell["metadata"]["newton_euler"]
         if cell["cell_type"] != "code":
@@ -29,20 +29,20 @@ def run(notebook, answers):
         head, _, last = source.rpartition("\n")
         exec(head if own["role"] == "receipt" else source, names)
         if own["role"] == "receipt":
-            said[own["problem"]] = repr(eval(last, names))
-    return said
+            output[own["problem"]] = repr(eval(last, names))
+    return output
 
 
 def test_right_answers_are_said_to_be_right_and_others_not(copy):
     notebook, values = copy
     right = {name: right_answers(problem(name), values[name]) for name in ASKED}
-    said = run(notebook, {n: cell_text(problem(n), x) for n, x in right.items()})
+    output = run(notebook, {n: cell_text(problem(n), x) for n, x in right.items()})
     for name in ASKED:
         for key in right[name]:
-            assert f"{key} is right" in said[name], said[name]
+            assert f"{key} is right" in output[name], output[name]
     wrong = {**right, "4/16": {**right["4/16"], "a_D": "[1, 2, 3]"}}
-    said = run(notebook, {n: cell_text(problem(n), x) for n, x in wrong.items()})
-    assert "v_D is right; a_D is not right" in said["4/16"]
+    output = run(notebook, {n: cell_text(problem(n), x) for n, x in wrong.items()})
+    assert "v_D is right; a_D is not right" in output["4/16"]
 
 
 def test_an_answer_that_the_sheet_asks_for_in_another_form_has_no_seal(copy):

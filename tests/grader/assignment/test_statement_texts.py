@@ -51,16 +51,16 @@ def test_a_sentence_that_promises_numbers_has_them(p):
 
 @by_id
 def test_a_text_stands_alone(p):
-    said = " ".join(texts(p))
-    assert re.findall(r"[Pp]roblems? (?:A|\d+)/\d+|(?:previous|preceding) problem", said) == []
+    output = " ".join(texts(p))
+    assert re.findall(r"[Pp]roblems? (?:A|\d+)/\d+|(?:previous|preceding) problem", output) == []
 
 
 @by_id
 def test_the_alternative_text_is_what_the_catalogue_says_of_the_figure(p):
     shown = re.search(r"!\[Figure: (.*)\]\(attachment:figure.png\)", printed(p))
-    said = " ".join(p.figure.split())
-    assert shown[1].replace(r"\[", "[").replace(r"\]", "]") == said
-    assert "{" not in said
+    output = " ".join(p.figure.split())
+    assert shown[1].replace(r"\[", "[").replace(r"\]", "]") == output
+    assert "{" not in output
 
 
 @by_id

@@ -53,15 +53,15 @@ def notebook(answer):
 def test_nbgraders_own_words_stay_true_where_nothing_is_replaced(tmp_path, state):
     answer, sentence = STATES[state]
     (tmp_path / "x.ipynb").write_text(json.dumps(notebook(answer)))
-    _, said = nbgrader("validate", "x.ipynb", cwd=tmp_path)
+    _, output = nbgrader("validate", "x.ipynb", cwd=tmp_path)
     if sentence is None:
-        assert "Success! Your notebook passes all the tests." in said
-        assert "cannot be converted" not in said
+        assert "Success! Your notebook passes all the tests." in output
+        assert "cannot be converted" not in output
     else:
-        (error,) = re.findall(r"(?s)The error was:(.*?)(?=\[ValidateApp|\[IPK|$)", said)
+        (error,) = re.findall(r"(?s)The error was:(.*?)(?=\[ValidateApp|\[IPK|$)", output)
         assert " ".join(error.split()) == sentence
         assert "..." not in error  # nbgrader cuts lines that are too long for it
-    assert "Traceback" not in re.sub(AT_THE_END_OF_A_KERNEL, "", said)
+    assert "Traceback" not in re.sub(AT_THE_END_OF_A_KERNEL, "", output)
 
 
 UNTOUCHED = "v_D = None\na_D = None"
@@ -120,11 +120,11 @@ def with_students_settings(folder):
 
 @pytest.mark.parametrize("state", SHEETS)
 def test_validate_says_what_is_open_and_what_cannot_be_read(tmp_path, state):
-    content, said = SHEETS[state]
+    content, output = SHEETS[state]
     (tmp_path / "x.ipynb").write_text(json.dumps(content))
     _, out = nbgrader("validate", "x.ipynb", cwd=with_students_settings(tmp_path))
     lines = out.splitlines()
-    for words in said:
+    for words in output:
         assert [line for line in lines if line.startswith(words)], out
     assert ("Success" in out) == (state == "all")
     assert "failed" not in out.lower().replace("assertionerror", "")

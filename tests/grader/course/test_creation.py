@@ -22,11 +22,11 @@ def test_build_says_how_many_it_enrolled_and_how_the_roster_was_read(tmp_path):
         "build", "ch04", "--course", place, "--students", roster, "--problem", "4/1",
         "--due", "2027-01-31 23:59 Europe/Berlin", "--exchange", tmp_path / "exchange",
     ))  # fmt: skip
-    said = " ".join(out.split())
-    assert "Enrolled 2 students (ids from the column 'Matrikelnummer', UTF-8, sep" in said
-    assert "2 students are on the roster of the course Meca-2026." in said
-    assert "Due 2027-01-31 22:59 UTC" in said
-    assert "'Next" not in said
+    output = " ".join(out.split())
+    assert "Enrolled 2 students (ids from the column 'Matrikelnummer', UTF-8, sep" in output
+    assert "2 students are on the roster of the course Meca-2026." in output
+    assert "Due 2027-01-31 22:59 UTC" in output
+    assert "'Next" not in output
     assert stat.S_IMODE((tmp_path / "exchange").stat().st_mode) == 0o777
     course = Course(place)
     assert course.config().Exchange.root == str(tmp_path / "exchange")
@@ -146,3 +146,10 @@ def test_a_build_killed_at_any_time_can_be_run_again(tmp_path):
             code, out = command(*arguments, place, "--update")
         assert code == 0, out
         assert Course(place).roster() == ["ada", "ben"]
+
+
+def test_a_course_in_a_language_that_is_not_there_is_refused(tmp_path):
+    with new_course(tmp_path / "kurs") as course:
+        course.set(language="xx")
+    with pytest.raises(CourseError, match=r"course.json: there is no language 'xx' here"):
+        Course(tmp_path / "kurs")

@@ -98,6 +98,16 @@ def test_a_student_whose_name_is_a_common_word_is_found_where_a_platform_names_w
     assert owners([name], "ch04", {"late": student}) == {name: ["late"]}
 
 
+def test_a_number_behind_an_id_may_be_of_the_id():
+    assert owned(["ada-2.ipynb", "ada (2).ipynb", "eve 2.ipynb"], "ada2") == ["", "ada", "eve"]
+    assert owned(["s 7654321.ipynb", "s_7654321/ch04.ipynb"], "s7654321") == ["s7654321"] * 2
+
+
+def test_a_name_that_joined_is_a_common_word_is_nobodys_in_a_file():
+    student = Person.read(Student(id="nb1", first_name="Note", last_name="Book"))
+    assert owners(["my notebook.ipynb"], "ch04", {"nb1": student}) == {"my notebook.ipynb": []}
+
+
 def test_a_title_in_all_names_and_a_folder_around_all_are_nobodys():
     assert owned(["Mechanics II/eve.ipynb", "Mechanics II/ben.ipynb"]) == ["eve", "ben"]
     assert owned(["Mechanics eve.ipynb", "Mechanics ben.ipynb"]) == ["eve", "ben"]

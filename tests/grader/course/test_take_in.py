@@ -111,6 +111,17 @@ def test_one_damaged_notebook_loses_none_of_the_others(named, tmp_path, packed):
     assert (name, "it is damaged" in why) == (f"{packed}ben.ipynb", True)
 
 
+@pytest.mark.parametrize(("length", "hidden"), [(55, 1), (127, 2)])
+def test_what_a_damaged_list_of_contents_hides_is_said(named, tmp_path, length, hidden):
+    path = archive(tmp_path / "w.zip", {f"{s}.ipynb": '"x"' for s in ("ada", "ben", "dan")})
+    raw = bytearray(path.read_bytes())
+    raw[raw.index(b"PK\x01\x02") + 32] = length  # of the comment on the first entry
+    path.write_bytes(raw)
+    found = take_in(named, "ch04", path)
+    ((name, why),) = found.refused
+    assert (name, f"hides {hidden} more" in why, len(found.taken)) == ("w.zip", True, 3 - hidden)
+
+
 def test_work_that_cannot_be_written_loses_none_of_the_others(named, tmp_path):
     (named.path / "submitted").mkdir(exist_ok=True)
     (named.path / "submitted/ben").write_text("a file where a folder belongs")

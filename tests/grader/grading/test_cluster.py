@@ -60,7 +60,7 @@ class Cluster:
         return [worker for worker in self.workers if worker.poll() is None]
 
     def at_least(self, count):
-        """Have so many workers."""
+        """Set the number of workers."""
         self.workers += [
             dask("worker", "--scheduler-file", self.file, "--nthreads", 1, "--no-nanny")
             for _ in range(count - len(self.living()))
@@ -94,6 +94,16 @@ def two_workers(cluster):
     return cluster.at_least(2)
 
 
+def test_no_scheduler_and_no_workers_are_reported(fresh, cluster, monkeypatch):
+    with monkeypatch.context() as changed:
+        changed.setattr("grader.grading.cluster.ANSWER_SECONDS", 1)
+        with pytest.raises(CourseError, match=r"no scheduler of Dask answers at tcp://127.0.0.1:9"):
+            grade(fresh, "ch04", scheduler="tcp://127.0.0.1:9")
+    assert not cluster.workers  # the other tests start them
+    with pytest.raises(CourseError, match=r"has no workers; start some with: dask worker tcp:"):
+        grade(fresh, "ch04", scheduler=cluster.address)
+
+
 def test_a_cluster_gives_the_same_scores_and_leaves_nothing_running(fresh, two_workers, course):
     said = []
     results = grade(fresh, "ch04", scheduler=two_workers.address, report=said.append)
@@ -108,7 +118,7 @@ def test_a_cluster_gives_the_same_scores_and_leaves_nothing_running(fresh, two_w
     assert all(r.unchanged for r in again)
 
 
-def test_a_damaged_submission_and_somebody_unknown_are_told_as_without_a_cluster(
+def test_a_damaged_submission_and_somebody_unknown_are_reported_as_without_a_cluster(
     fresh, two_workers
 ):
     submit(fresh, "ada", DAMAGED["truncated"][0])
@@ -149,19 +159,6 @@ def test_no_secret_and_no_work_passes_the_scheduler(fresh, two_workers):
         assert len(data) < 1000
         assert fresh.secret not in data
         assert fresh.secret.hex().encode() not in data
-
-
-def test_no_scheduler_and_no_workers_are_reported(fresh, tmp_path, monkeypatch):
-    with monkeypatch.context() as changed:
-        changed.setattr("grader.grading.cluster.ANSWER_SECONDS", 1)
-        with pytest.raises(CourseError, match=r"no scheduler of Dask answers at tcp://127.0.0.1:9"):
-            grade(fresh, "ch04", scheduler="tcp://127.0.0.1:9")
-    cluster = Cluster(tmp_path)
-    try:
-        with pytest.raises(CourseError, match=r"has no workers; start some with: dask worker tcp:"):
-            grade(fresh, "ch04", scheduler=cluster.address)
-    finally:
-        cluster.end()
 
 
 def test_a_worker_that_sees_another_course_is_refused(fresh, two_workers, monkeypatch):

@@ -128,5 +128,5 @@ def test_what_a_test_says_never_reaches_the_student(mixed):
     notebook = with_texts(work(mixed, "dan", p4_31="raise ValueError(str(seen))"), square=spy)
     submit(mixed, "dan", notebook)
     grade(mixed, "ch04", ["dan"])
-    said = [comment for _, _, comment in points(mixed)["dan"].values() if comment]
-    assert not [text for text in said if "hidden words" in text or "49" in text]
+    output = [comment for _, _, comment in points(mixed)["dan"].values() if comment]
+    assert not [text for text in output if "hidden words" in text or "49" in text]

@@ -47,7 +47,7 @@ def wait_until(reached):
 
 
 def wait_for(course, pattern, count=1):
-    """Until so many such files of the course are there."""
+    """Wait until the course has this many such files."""
     wait_until(lambda: len(list(course.path.glob(pattern))) >= count)
 
 

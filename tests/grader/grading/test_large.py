@@ -29,11 +29,11 @@ print(re.search(r"VmHWM:\\s+(\\d+)", open("/proc/self/status").read())[1])
 
 def peak(course):
     """The peak memory of ``python -m grader grade`` in MB."""
-    said = ran(run(
+    output = ran(run(
         sys.executable, "-c", SCRIPT, "grade", "ch04", "--course", str(course.path),
         "--workers", "1",
     ))  # fmt: skip
-    return int(said.split()[-1]) / 1024
+    return int(output.split()[-1]) / 1024
 
 
 @pytest.mark.slow

@@ -95,11 +95,11 @@ def test_a_folder_of_somebody_unknown_is_reported_and_gets_no_entry(fresh):
     submit(fresh, "nobody", work(fresh, "dan"))
     code, out = command("grade", "ch04", "--course", fresh.path, "--workers", 1)
     assert code == 1
-    said = " ".join(out.split())
+    output = " ".join(out.split())
     assert (
         "Not graded: nobody is not on the roster; check the folder's name, or add the student "
         "with: nbgrader db student add nobody"
-    ) in said
+    ) in output
     assert "nobody" not in fresh.roster()
     assert {s: total(c) for s, c in points(fresh).items()} == {**RIGHT, "dan": 0}
 

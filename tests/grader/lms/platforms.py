@@ -23,11 +23,11 @@ def moodle(content):
 
 def _chosen(alternatives, response):
     """The first alternative that a response meets: (text, tolerance, fraction, feedback)."""
-    for text, off, fraction, said in alternatives:
+    for text, off, fraction, output in alternatives:
         if off is None and text == response:
-            return fraction, said
+            return fraction, output
         if off is not None and abs(float(text) - response) <= off * (1 + 1e-12):
-            return fraction, said
+            return fraction, output
     return 0.0, ""
 
 
@@ -35,15 +35,15 @@ def _answers(q):
     alternatives = []
     for a in q.iterfind("answer"):
         off = a.findtext("tolerance")
-        said = html.unescape(a.findtext("feedback/text") or "")
+        output = html.unescape(a.findtext("feedback/text") or "")
         alternatives.append(
-            (a.findtext("text"), off and float(off), float(a.get("fraction")) / 100, said)
+            (a.findtext("text"), off and float(off), float(a.get("fraction")) / 100, output)
         )
 
     def judge(response):
         ((answer,),) = response
-        fraction, said = _chosen(alternatives, answer)
-        return fraction, [said]
+        fraction, output = _chosen(alternatives, answer)
+        return fraction, [output]
 
     return judge
 
@@ -55,7 +55,7 @@ def _cloze(q):
     ):
         alternatives = []
         for one in re.split(r"(?<!\\)~", inside):
-            fraction, answer, said = re.fullmatch(
+            fraction, answer, output = re.fullmatch(
                 r"(=|%-?\d+%)?((?:&#|[^#])+)#?(.*)", one, re.S
             ).groups()
             share = (
@@ -63,19 +63,19 @@ def _cloze(q):
                 if fraction in ("=", None)
                 else float(fraction.strip("%")) / 100
             )
-            said = html.unescape(html.unescape(said))
+            output = html.unescape(html.unescape(output))
             if kind == "NUMERICAL":
                 x, off = re.fullmatch(rf"({NUMBER}):({NUMBER})", answer).groups()
-                alternatives.append((x, float(off), share, said))
+                alternatives.append((x, float(off), share, output))
             else:
-                alternatives.append((html.unescape(html.unescape(answer)), None, share, said))
+                alternatives.append((html.unescape(html.unescape(answer)), None, share, output))
         fields.append((int(weight or 1), alternatives))
 
     def judge(response):
         flat = [x for part in response for x in part]
         judged = [(w, *_chosen(a, x)) for (w, a), x in zip(fields, flat, strict=True)]
         total = sum(w for w, *_ in judged)
-        return sum(w * f for w, f, _ in judged) / total, [said for *_, said in judged]
+        return sum(w * f for w, f, _ in judged) / total, [output for *_, output in judged]
 
     return judge
 
@@ -122,7 +122,7 @@ def _qti_item(item):
         for d in item.iterfind(f"{Q}responseDeclaration")
     }
     words = {c.text: c.get("identifier") for c in item.iter(f"{Q}simpleChoice")}
-    said = {
+    output = {
         m.get("identifier"): "".join(m.itertext()).strip()
         for m in item.iterfind(f"{Q}modalFeedback")
     }
@@ -141,7 +141,7 @@ def _qti_item(item):
                         if outcome.get("identifier") == "SCORE":
                             score += float(value)
                         else:
-                            shown.append(said[value])
+                            shown.append(output[value])
                     break
         return score / total, shown
 
@@ -187,7 +187,7 @@ def canvas(content):
         def judge(response):
             judged = [j([[response[part][n]]]) for (part, n), j in judges.items()]
             return sum(p * f for p, f, _ in judged) / sum(p for p, *_ in judged), [
-                s for *_, said in judged for s in said
+                s for *_, output in judged for s in output
             ]
 
         return judge
@@ -200,7 +200,7 @@ def _canvas_item(item):
         f.findtext(f"{C}fieldlabel"): f.findtext(f"{C}fieldentry")
         for f in item.iter(f"{C}qtimetadatafield")
     }
-    said = {
+    output = {
         f.get("ident"): html.unescape(re.sub("<[^>]*>", " ", f.findtext(f".//{C}mattext")))
         for f in item.iterfind(f"{C}itemfeedback")
     }
@@ -222,7 +222,7 @@ def _canvas_item(item):
             right = any(
                 low - 1e-9 * abs(low) <= x <= high + 1e-9 * abs(high) for low, high in margins
             )
-            return points, float(right), [] if right else [said.get("general_incorrect_fb", "")]
+            return points, float(right), [] if right else [output.get("general_incorrect_fb", "")]
 
         return judge
 
@@ -232,7 +232,7 @@ def _canvas_item(item):
         for c in item.iter(f"{C}respcondition"):
             if c.findtext(f".//{C}varequal") == words[word]:
                 score = max(score, float(c.findtext(f"{C}setvar") or 0))
-                shown += [said[d.get("linkrefid")] for d in c.iterfind(f"{C}displayfeedback")]
+                shown += [output[d.get("linkrefid")] for d in c.iterfind(f"{C}displayfeedback")]
         return points, score / 100, shown
 
     return choose

@@ -100,10 +100,10 @@ def _mistakes(judge, p, values, asked, right):
                 ours = a.kind.is_right((tuple(wrong),), (tuple(right[m]),), a.atol)
             if ours or any(x != x for x in wrong):
                 continue
-            share, said = judge([*right[:m], wrong, *right[m + 1 :]])
+            share, output = judge([*right[:m], wrong, *right[m + 1 :]])
             assert share < 1 - 1e-9, (p.id, name, a.key)
             text = " ".join(plain(p.mistakes[name], p.units).split())
-            assert any(text in s for s in said), (p.id, name, a.key, said)
+            assert any(text in s for s in output), (p.id, name, a.key, output)
             seen += 1
     return seen
 
@@ -133,10 +133,10 @@ def test_what_is_left_out_is_said(tmp_path):
     made = write_bank(
         tmp_path / "b", spec_of("hw", ["A/19", "5/26", "7/1"]), "qti", 3, SEED, workers=1
     )
-    said = "\n".join(made.notes)
-    assert "A/19 n left out: a direction" in said
-    assert "5/26 has 1 of 3 variants" in said
-    assert "7/1 asks for formulas on a sheet: asked with numbers" in said
+    output = "\n".join(made.notes)
+    assert "A/19 n left out: a direction" in output
+    assert "5/26 has 1 of 3 variants" in output
+    assert "7/1 asks for formulas on a sheet: asked with numbers" in output
     assert made.questions == 3 + 1 + 3
 
 
@@ -211,7 +211,7 @@ def test_a_bank_of_an_exam_or_of_a_sheet_without_help_has_no_diagnoses(form, tmp
         (judge,) = PLATFORMS[form]((tmp_path / "b").read_bytes()).values()
         right = {a.key: as_read(a, p.solve(values)[a.key]) for a in p.answers}
         wrong = {k: [*flat(x)] for k, x in next(iter(p.wrong(values).values())).items()}
-        assert any(text in said for said in judge([*{**right, **wrong}.values()])[1]) == says
+        assert any(text in output for output in judge([*{**right, **wrong}.values()])[1]) == says
         assert any("no diagnoses" in note for note in made.notes) != says
         assert any("the window of the exam" in note for note in made.notes) == bool(sheet.late)
         assert any("follows from a wrong one" in note for note in made.notes)
@@ -237,9 +237,9 @@ def test_signs_of_the_formats_in_a_text_do_no_harm(tmp_path):
     part = replace(q.parts[1], wrong=(Wrong((1.0, 2.0, 3.0), (0.1, 0.1, 0.1), evil),))
     q = replace(q, parts=(part, q.parts[2]))
     judge = PLATFORMS["moodle"](moodle.write("hw", [q]))[q.ident]
-    share, said = judge([[1.0, 2.0, 3.0], list(q.parts[1].key)])
+    share, output = judge([[1.0, 2.0, 3.0], list(q.parts[1].key)])
     assert share == pytest.approx(0.5)
-    assert said[:3] == [f"It fits a solution that {evil}."] * 3
+    assert output[:3] == [f"It fits a solution that {evil}."] * 3
 
 
 def test_the_command_offers_every_format():
@@ -251,7 +251,7 @@ def test_the_command_offers_every_format():
 def test_the_command_writes_a_bank_and_what_it_leaves_out(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     options = "--format", "canvas", "--variants", 2
-    said = ran(command("bank", "hw3", "--problems", "4/16", "A/19", *options))
-    assert "4 questions of 2 problems" in said
+    output = ran(command("bank", "hw3", "--problems", "4/16", "A/19", *options))
+    assert "4 questions of 2 problems" in output
     assert "A/19 n left out" in (tmp_path / "hw3-canvas.zip.txt").read_text()
     assert zipfile.is_zipfile(tmp_path / "hw3-canvas.zip")

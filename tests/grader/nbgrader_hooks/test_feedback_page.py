@@ -75,6 +75,7 @@ def test_the_page_has_landmarks_headers_of_tables_focus_and_alternative_texts(pa
     assert page.all("html") == [{"lang": "en"}]
     assert all(a.get("scope") in ("row", "col") for a in page.all("th"))
     assert page.all("img")
+    assert all(a["src"].startswith("data:image/svg+xml;base64,") for a in page.all("img"))
     assert all(len(a["alt"]) > 20 for a in page.all("img"))
     ids = {a["id"] for _, a in page.elements if "id" in a}
     assert all(a["href"].removeprefix("#") in ids for a in page.all("a"))

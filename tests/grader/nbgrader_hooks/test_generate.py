@@ -80,8 +80,8 @@ def test_what_a_person_gave_for_a_cell_is_there_again_when_the_cell_comes_back(g
 def test_a_release_that_fails_leaves_the_one_that_was_there(graded):
     before = graded.released_path("ch04").read_bytes()
     graded.source("ch04").write_text("{}")
-    code, said = nbgrader("generate_assignment", "ch04", "--force", cwd=graded.path)
+    code, output = nbgrader("generate_assignment", "ch04", "--force", cwd=graded.path)
     assert code
-    assert "The release that was there is kept" in said
+    assert "The release that was there is kept" in output
     assert graded.released_path("ch04").read_bytes() == before
     assert total(graded) == (11, 11)

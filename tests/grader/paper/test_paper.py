@@ -1,5 +1,6 @@
 """Sheets and keys as PDF: what they show, for whom they are, and that every problem can be printed."""
 
+import copy
 import csv
 import doctest
 import hashlib
@@ -17,6 +18,7 @@ from grader.paper.markup import formula, typst
 from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
 from grader.paper.write import NEEDED, pdf
 from tests.grader.courses import command, ran
+from tests.grader.instructors_cells import OWN, cell
 
 pytestmark = pytest.mark.skipif(
     not all(map(importlib.util.find_spec, NEEDED)), reason="typst is not installed"
@@ -191,7 +193,7 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
     from grader.assignment.chosen import chosen
     from grader.course import Course
     from grader.course.files import read_json, write_json
-    from grader.paper.sheet import sheet as made
+    from grader.paper.write import _entry
 
     path = Course(course).source("hw3")
     notebook = read_json(path)
@@ -199,12 +201,27 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
         c for c in notebook["cells"] if c["metadata"]["newton_euler"]["role"] == "statement"
     )
     text["source"] = text["source"].replace("The base of a robot", "The base of Marvin")
+    rubric = cell("markdown", "Is $a$ constant?\n### BEGIN SOLUTION\nNever.\n### END SOLUTION",
+                  "rubric", grade=True, solution=True, points=4)  # fmt: skip
+    rule = cell("markdown", "No *pens*.", "rule", locked=True)
+    notebook["cells"] += [*copy.deepcopy(OWN), rubric, rule]
     write_json(path, notebook)
-    ran(command("paper", "hw3", "--course", course))
+    output = ran(command("paper", "hw3", "--course", course))
+    assert "does not run it: helper, square, test_square, share, a cell of code\n" in output
     assert (course / "paper" / "hw3" / "sheets" / "ada.pdf").exists()
-    (item,) = chosen("hw3", course=Course(course)).items
-    assert item.options["points"] == 7
-    kept = Course(course).values("hw3", "ada", [item.problem])
-    files = made("hw3", [Entry("4/3", item.text, 7)], Student("ada", "Ada", "X", kept))
-    assert "Marvin" in files["main.typ"].decode()
-    assert all(f"{x:g}" in files["main.typ"].decode() for x in kept["4/3"].values())
+    items = chosen("hw3", course=Course(course)).items
+    entries = [_entry(i) for i in items]
+    assert [e.points for e in entries] == [7, 3, 2, 5, 4, 0]
+    kept = Course(course).values("hw3", "ada", [items[0].problem])
+    student = Student("ada", "Ada", "X", kept)
+    front, solved = (
+        made("Homework", entries, student)["main.typ"].decode() for made in (sheet, key)
+    )
+    assert "Marvin" in front
+    assert all(f"{x:g}" in front for x in kept["4/3"].values())
+    for asked, graded_by in (("Measure it", "2 for a photo"), ("constant?", "Never"),
+                             ("Your answer", "Why?"), ("Your answer", "# your plot")):  # fmt: skip
+        assert asked in front
+        assert graded_by not in front
+        assert graded_by in solved
+    assert "MARK SCHEME" not in front + solved

@@ -128,16 +128,16 @@ def test_the_numbers_of_all_students_of_a_course_are_read(course):
 def test_the_command_writes_a_file_and_says_how_it_is_opened(tmp_path, course):
     path = tmp_path / "ch04.practice"
     options = "-o", path, "--variants", 2, "--course", course.path
-    said = ran(command("practice", "4/16", "4/31", "4/2", *options))
-    assert "2 problems, 2 sets of numbers each" in said
-    assert "4/2 left out: it is graded as a formula" in " ".join(said.split())
-    assert 'practice("ch04.practice")["4/16"]' in said
+    output = ran(command("practice", "4/16", "4/31", "4/2", *options))
+    assert "2 problems, 2 sets of numbers each" in output
+    assert "4/2 left out: it is graded as a formula" in " ".join(output.split())
+    assert 'practice("ch04.practice")["4/16"]' in output
 
 
 def test_the_measured_shares_are_printed_by_one_command():
-    said = ran(command("diagnose", "4/16", "2/18", "--practice", "--draws", 2))
+    output = ran(command("diagnose", "4/16", "2/18", "--practice", "--draws", 2))
     for row in ("listed mistakes", "slips in steps"):
-        (line,) = [x for x in said.splitlines() if row in x]
+        (line,) = [x for x in output.splitlines() if row in x]
         assert line.split()[-4:] == ["100.0", "0.0", "0.0", "0.0"]
 
 

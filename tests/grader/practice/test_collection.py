@@ -37,9 +37,9 @@ def test_without_a_file_that_has_it_try_problem_opens_what_comes_with_the_engine
 
 def test_an_engine_without_any_says_how_they_are_written(tmp_path, monkeypatch):
     monkeypatch.setattr(collection, "SETS", tmp_path)
-    said = try_problem("4/12", tmp_path)
-    assert "No practice file has problem 4/12" in str(said)
-    assert "`python -m grader sets`" in said.markdown
+    output = try_problem("4/12", tmp_path)
+    assert "No practice file has problem 4/12" in str(output)
+    assert "`python -m grader sets`" in output.markdown
     with pytest.raises(PracticeFileError, match="no practice comes with this engine"):
         practice()
 

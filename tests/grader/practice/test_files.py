@@ -3,6 +3,7 @@
 import copy
 import json
 import random
+import re
 import subprocess
 import sys
 import zipfile
@@ -87,6 +88,7 @@ def test_whatever_part_of_a_file_is_broken_is_refused_in_words(whole, tmp_path, 
 
 @pytest.mark.parametrize("content", [
     b"", b"[", b"{}", b"null", b"[" * 10**5, b"\xff", b"9" * 5000, b'{"format": 2}',
+    *(b"[" * n + b"]" * n for n in (50, 400, 700)), b'{"a":' * 600 + b"1" + b"}" * 600,
 ])  # fmt: skip
 @pytest.mark.parametrize("member", ["practice.json", MEMBER])
 def test_what_is_no_page_is_refused(whole, tmp_path, member, content):
@@ -123,6 +125,19 @@ def test_codes_for_a_terminal_are_not_written_to_it(whole, tmp_path, capsys, pla
     with pytest.raises(PracticeFileError) as refused:
         everything(written(tmp_path / "p", whole | made))
     assert code not in str(refused.value)
+
+
+def test_no_text_of_a_file_is_html_in_a_notebook(whole, tmp_path):
+    html, page = "<img src=x onerror=alert(1)><!-- $a<b$ </p>", json.loads(whole[MEMBER])
+    head = json.loads(whole["practice.json"])
+    head["titles"]["4/16"][0] = page["variants"][0]["statement"] = html
+    page["variants"][0]["solution"] = page["quantities"][0]["means"] = html
+    made = {"practice.json": json.dumps(head), MEMBER: json.dumps(page | {"preamble": html})}
+    problems = practice(written(tmp_path / "p", whole | made), progress=None)
+    p = problems["4/16"]
+    for shown in (problems, p, p.next_step(), p.next_step()):
+        assert "< img" in (text := shown._repr_markdown_()) or "img" not in text
+        assert not re.search("<[a-z/!]", text)
 
 
 BOMB = """

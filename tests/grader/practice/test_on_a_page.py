@@ -39,7 +39,7 @@ def shown(number, **more):
 
 
 def test_a_problem_has_a_field_for_each_component_and_other_numbers_when_asked(opened):
-    assert opened == ["4/1", "4/2", "4/16", "2/18", "5/16", "8/8"]
+    assert [*opened] == ["4/1", "4/2", "4/16", "2/18", "5/16", "8/8"]
     first, second = shown("4/16"), shown("4/16", new=True)
     assert [len(q["parts"]) for q in first["answers"]] == [3, 3, 3]
     assert {q["key"] for q in first["steps"]} >= {"omega_CD", "v_r"}
@@ -88,6 +88,9 @@ def test_what_is_typed_is_shown_as_it_is_read(opened):
     assert read("", "", "") == {"latex": "", "fault": ""}
     assert f"{number:g}" in read("omega", "0", "0")["latex"]
     assert "none of the given names" in read("speed", "0", "0")["fault"]
+    for text in ("-2,5", "−2,5", "1,234.5"):
+        assert "write a decimal point" in read(text, "0", "0")["fault"]
+    assert "too large" in read("1e999", "0", "0")["fault"]
 
 
 @pytest.mark.parametrize("text", SECRETS, ids=range(len(SECRETS)))
@@ -107,6 +110,7 @@ def test_files_that_are_no_practice_are_refused_in_words(tmp_path):
     for data in (b"", code, bomb.read_bytes()):
         found = call("load", name="x", data=b64encode(data).decode())
         assert "practice file" in found["error"] or "MB" in found["error"]
+        assert found["error"].startswith("x")  # as the reader calls it
 
 
 HIDDEN = """

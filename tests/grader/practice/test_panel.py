@@ -47,9 +47,9 @@ def test_hints_steps_solution_and_new_numbers_have_buttons(form):
     for name in ("Next step", "Solution"):
         press(form, name)
     field(form, "step").value = "omega_CD"
-    said = [w.value for w in form if isinstance(w, widgets.HTML)]
+    output = [w.value for w in form if isinstance(w, widgets.HTML)]
     # not in the field: what the kernel changes there loses what is being typed
-    assert any("angular velocity of CD" in x and "in rad/s" in x for x in said)
+    assert any("angular velocity of CD" in x and "in rad/s" in x for x in output)
     assert field(form, "its value").placeholder == "a number or a list"
     field(form, "its value").value = "[-0.45, 0, 0.6]"
     press(form, "Check step")
@@ -70,12 +70,12 @@ def test_the_form_speaks_of_its_own_buttons(form, capsys):
     p.solution()
     press(form, "Next step")
     press(form, "New numbers")
-    said = unescape(capsys.readouterr().out)
-    assert "Try it in the field of steps, as omega_CD with its value, by Check step." in said
-    assert "alpha_CD is checked in the field alpha_CD above, by Check" in said
-    assert "nothing is left to find; New numbers takes other numbers" in said
-    assert "p.check" not in said
-    assert "p.new" not in said
+    output = unescape(capsys.readouterr().out)
+    assert "Try it in the field of steps, as omega_CD with its value, by Check step." in output
+    assert "alpha_CD is checked in the field alpha_CD above, by Check" in output
+    assert "nothing is left to find; New numbers takes other numbers" in output
+    assert "p.check" not in output
+    assert "p.new" not in output
     assert "p.new() takes others" in repr(p)  # who types is told what to type
 
 
@@ -101,8 +101,8 @@ def test_a_step_that_there_is_not_is_said_with_those_that_there_are(form, capsys
     field(form, "step").value = "omega"
     field(form, "its value").value = "1"
     press(form, "Check step")
-    said = unescape(capsys.readouterr().out)
-    assert "4/16 has no step 'omega'; it has omega_CD, v_r" in said
+    output = unescape(capsys.readouterr().out)
+    assert "4/16 has no step 'omega'; it has omega_CD, v_r" in output
 
 
 def test_a_word_is_typed_and_the_words_are_offered(practice_file):

@@ -22,6 +22,6 @@ def test_no_text_has_latex(name):
 
 def test_axes_are_said_and_a_pure_number_has_no_unit():
     p = twin(problem("A/24"))
-    said = _plain(p, p.book_values)
-    assert "c_1 = 6, c_2 = 4" in said
-    assert said.endswith("Components: Fixed right-handed orthonormal i, j, k.")
+    output = _plain(p, p.book_values)
+    assert "c_1 = 6, c_2 = 4" in output
+    assert output.endswith("Components: Fixed right-handed orthonormal i, j, k.")

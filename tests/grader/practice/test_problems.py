@@ -65,9 +65,9 @@ def test_a_wrong_answer_is_told_what_is_wrong_with_it(elbow, given, words):
 
 
 def test_an_answer_that_was_rounded_on_the_way_is_right_and_told_so(elbow):
-    said = elbow.check(v_D=[-9.6, 6.255, -3.6])
-    assert said.verdicts == {"v_D": "right"}
-    assert "rounded too early" in said.text
+    output = elbow.check(v_D=[-9.6, 6.255, -3.6])
+    assert output.verdicts == {"v_D": "right"}
+    assert "rounded too early" in output.text
     assert elbow.check(v_D=[-9.6, 6.24, -3.6]).text == "v_D: right"
 
 
@@ -77,16 +77,16 @@ def test_the_answer_for_the_books_numbers_is_told(elbow):
 
 def test_steps_are_checked_in_any_order(elbow):
     assert elbow.check_step(a_D_coriolis=[-7.482459, 0, 0]).text == "a_D_coriolis: right"
-    said = elbow.check_step(omega_CD=[0.45, 0, 0.6])
-    assert "the turning of CD with the opposite sign" in said.text
+    output = elbow.check_step(omega_CD=[0.45, 0, 0.6])
+    assert "the turning of CD with the opposite sign" in output.text
 
 
 def test_a_step_that_follows_rightly_from_a_wrong_one_is_told_so(elbow):
     """v_r = omega_rel x r with the wrong way of turning, and 2 omega x v_r with that."""
     elbow.check_step(v_r=[0, -6.235383, 3.6])
-    said = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
-    assert "it follows rightly from your v_r: mend that first" in said.text
-    assert said.verdicts == {"a_D_coriolis": "wrong"}
+    output = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
+    assert "it follows rightly from your v_r: mend that first" in output.text
+    assert output.verdicts == {"a_D_coriolis": "wrong"}
     elbow.check_step(v_r=[0, 6.235383, -3.6])
     assert "follows" not in elbow.check_step(a_D_coriolis=[7.482459, 0, 0]).text
 
@@ -114,11 +114,11 @@ def test_what_is_right_needs_no_hint(elbow):
 
 
 def test_the_solution_has_steps_and_the_ledger_in_the_numbers_at_hand(elbow):
-    said = elbow.new().solution()
+    output = elbow.new().solution()
     right = problem("4/16").solve(elbow.givens)["a_D"].components()
-    assert f"{right[0]:.6g}" in said.text
-    assert "| term | value |" in said.markdown
-    assert "Coriolis" in said.markdown
+    assert f"{right[0]:.6g}" in output.text
+    assert "| term | value |" in output.markdown
+    assert "Coriolis" in output.markdown
     assert elbow.next_step().text.startswith("nothing is left")
 
 

@@ -27,6 +27,7 @@ def test_the_table_fits_80_columns_and_json_has_the_same(monkeypatch):
 @pytest.mark.parametrize(("arguments", "words"), [
     (("--kind", "vektor"), "did you mean vector?"),
     (("--steps", "some"), "write 3, 2-4, 2- or -4"),
+    (("--difficulty", "4-2"), "write 3, 2-4, 2- or -4"),
     (("--right", "-50"), "name a --course"),
     (("4/99",), "ch04 has 4/1 to 4/43"),
 ])  # fmt: skip

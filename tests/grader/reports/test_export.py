@@ -1,6 +1,8 @@
 """CSV of every part, and the files that Canvas, Moodle and Gradescope import."""
 
 import csv
+import re
+import string
 
 import pytest
 from nbgrader.api import Grade
@@ -8,6 +10,7 @@ from nbgrader.api import Grade
 from grader.commands.results import export as export_command
 from grader.grading import grade
 from grader.reports import FORMATS
+from grader.reports.export import cell
 from tests.grader.courses import command, points, ran
 from tests.grader.reports.results import MISTAKE, NAMES, graded_course
 
@@ -47,15 +50,27 @@ def exported(fresh, form, tmp_path):
 @pytest.mark.parametrize("form", [form for form in FORMATS if form != "parts"])
 def test_no_name_or_id_is_a_formula_of_a_spreadsheet_for_a_platform(fresh, form, tmp_path):
     hostile = {"first_name": "@SUM(1)", "last_name": "+1+cmd", "email": "-2@uni.edu"}
-    others = {"first_name": "\n=1", "last_name": " ＝2", "email": " @3"}
+    others = {"first_name": "\n=1", "last_name": "\u200b＝2", "email": "\x00 @3"}
     fresh.enrol([{"id": "ada", **hostile, "lms_user_id": "=4711"}, {"id": "ben", **others}])
     path = tmp_path / f"{form}.csv"
     ran(command("export", "ch04", "--course", fresh.path, "--format", form, "--to", path))
-    cells = [cell for row in rows_of(path, "utf-8-sig") for cell in row]
-    assert not [
-        c for c in cells if c.lstrip().startswith(tuple("=+-@＝＋－＠")) or c[:1] in ("\t", "\r")
-    ]
-    assert any("+1+cmd" in cell for cell in cells)
+    read = [c for row in rows_of(path, "utf-8-sig") for c in row]
+    plain = [c.lstrip(f"{string.whitespace}\0\u200b") for c in read]
+    assert not [c for c in plain if c.startswith(tuple("=+-@＝＋－＠"))]
+    assert any("+1+cmd" in c for c in read)
+
+
+@pytest.mark.parametrize("text", [
+    "=1", "\t=1", "\r=1", "\x00=1", "\u200b=1", "\ufeff＝1", "\xa0@A", "−1", "﹦1", "Ada;=1", "Ada\t+1", "Ada\n-1",
+])  # fmt: skip
+def test_no_text_is_a_formula_wherever_a_spreadsheet_ends_its_cells(text):
+    parts = re.split("[;\t\r\n]", cell(text))
+    assert not [p for p in parts if re.match(r"[^\w']*[=+\-@−＝＋－＠﹦]", p)]
+
+
+@pytest.mark.parametrize("text", ["Ada", "O'Hara; J.", "1 - 2", "a; -3 instead of 3"])
+def test_an_honest_text_stays_as_it_is(text):
+    assert cell(text) == text
 
 
 def test_canvas_imports_the_points_under_its_own_ids(fresh, tmp_path):

@@ -89,9 +89,9 @@ def test_what_waits_for_a_person_and_what_has_no_points_is_not_counted_as_wrong(
 
 
 def drawn(table):
-    with (console := Console(width=80)).capture() as said:
+    with (console := Console(width=80)).capture() as output:
         console.print(table)
-    return said.get()
+    return output.get()
 
 
 def test_stats_prints_a_table_of_80_columns_and_writes_csv_and_picture(graded, tmp_path):

@@ -238,9 +238,9 @@ def test_the_origin_of_the_frame_is_not_taken_for_a_point_b_of_the_problem():
 
 def test_a_frame_that_the_problem_does_not_name_is_not_named():
     """4/3 speaks of a base and two arms, its solution of a house and a boom."""
-    said = [c.text for c, _ in Numbers(problem("4/3"), problem("4/3").book_values).wrong("a")]
-    assert not [t for t in said if "house" in t or "boom" in t]
-    assert any("another frame" in t for t in said)
+    output = [c.text for c, _ in Numbers(problem("4/3"), problem("4/3").book_values).wrong("a")]
+    assert not [t for t in output if "house" in t or "boom" in t]
+    assert any("another frame" in t for t in output)
 
 
 @pytest.mark.parametrize(("number", "key"), [("4/16", "alpha_CD"), ("4/28", "alpha_panel")])

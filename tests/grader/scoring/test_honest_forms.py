@@ -69,9 +69,9 @@ def test_a_right_answer_earns_its_points_in_this_form(kind, name, p, a):
 @pytest.mark.parametrize("p", problems("ch04"), ids=lambda p: p.id)
 def test_every_form_earns_its_points_in_every_problem_of_the_chapter(p):
     missed = [
-        (kind, name, a.key, said)
+        (kind, name, a.key, output)
         for kind, name, other, a in EVERY
-        if other is p and (said := verdict(kind, name, p, a)) != "right"
+        if other is p and (output := verdict(kind, name, p, a)) != "right"
     ]
     assert missed == []
 

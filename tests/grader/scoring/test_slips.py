@@ -189,10 +189,10 @@ def test_slips_in_formulas_are_named():
             for slip, words, trees in formulas_of(tree):
                 answers = {**right, a.key: trees}
                 parts = {x.key: x for x in score_receipt(p, {}, {"answers": answers}).parts}
-                said = parts[a.key].diagnosis
+                output = parts[a.key].diagnosis
                 models = [c for c, _ in numbers_of(p, {}).wrong(a.key) if c.group != "rate"]
                 alike = any(c in models for c in parts[a.key].causes)
-                found[slip, "named" if alike or words in (said or "") else said] += 1
+                found[slip, "named" if alike or words in (output or "") else output] += 1
     print("\n", dict(found))
     named = sum(n for (_, what), n in found.items() if what == "named")
     assert {what for _, what in found} <= {"named", None}

@@ -78,7 +78,7 @@ def test_each_slip_in_a_computation_says_what_why_and_where(chapter):
 GENERAL = [
     causes.OPPOSITE, causes.OPPOSITE_NUMBER, causes.TRANSPOSED, causes.OFF_DIAGONAL, causes.BOUNDS,
     causes.OTHER_ORDER, causes.AS_SCALARS, causes.ROUNDED, causes.BOOK, causes.EARLIER,
-    causes.reversed_components([0, 2]), causes.left_out_component(1),
+    causes.reversed_components([0, 2]), causes.left_out_components([1]),
     causes.exchanged_components([0, 1]), causes.answer_to("v_B"), causes.unconverted("v", "km/h"),
     causes.multiplied("ft against in", 144.0, True), causes.multiplied("a factor of 2", 2.0, False),
 ]  # fmt: skip

@@ -174,5 +174,5 @@ def test_a_submission_has_no(harvester, what):
     if calls.library() is None:
         pytest.skip("libseccomp is not installed")
     text = "import ctypes, os\nlibc = ctypes.CDLL(None)\n" + CALLS[what]
-    said = answer(harvester, text)
-    assert said == 0 or "got False" in str(said) or "PermissionError" in str(said), said
+    output = answer(harvester, text)
+    assert output == 0 or "got False" in str(output) or "PermissionError" in str(output), output
