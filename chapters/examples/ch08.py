@@ -179,7 +179,7 @@ def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
     """Rolling without slip: a, alpha and the friction it needs, a
     :class:`newton_euler.algebra.linear.Solution`. Over scalars of every kind.
 
-    inertia : about the centre, which is the mass centre
+    inertia : about the centre, which is the centre of mass
 
     >>> # I = m r^2/2: two thirds of the force move the centre
     >>> disk = rolling(2.0, 0.5, 0.25, force=6.0)

@@ -62,7 +62,7 @@ def rotor_moment(mass: Scalar, height: Scalar, speed: Scalar, turn_radius: Scala
     """The moment of the rotor on the car with which the wheels on both sides carry equal loads
     (10.10): h m v^2/r, N m if in SI.
 
-    height : h of the mass centre of the car above the road
+    height : h of the centre of mass of the car above the road
 
     >>> rotor_moment(1000.0, 0.5, 20.0, 100.0)
     2000.0

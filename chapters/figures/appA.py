@@ -3,11 +3,12 @@
 import math
 
 from newton_euler import Frame
-from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.late import plt
 from newton_euler.algebra.vectors import cross3, dot3
-from newton_euler.classroom import Slider, interactive_figure
+from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch
 
+from .curves import evenly, level_lines
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -24,7 +25,7 @@ def _in_plane(length, angle):
 
 
 @with_sliders(
-    Slider("theta", 60, 10, 170, 5, label="θ", unit="°"),
+    Slider("theta", 60, 20, 160, 5, label="θ", unit="°"),
     alt="A parallelogram of the vectors P, 3 long, and Q, 4 long, with the angle theta between "
     "them. From the common tail one reaches the opposite corner by P and then Q or by Q and "
     "then P; the diagonal is their sum.",
@@ -75,6 +76,28 @@ def components():
     )
 
 
+def kite():
+    """Figure A.3: a kite on a string that is tied to the top of a pole."""
+    ground = Frame("ground")
+    fig, ax = plt.subplots(figsize=(6, 4.4))
+    s = Sketch(ax, ground, azimuth=-60, elevation=14)
+    T, K = (0, 0, 2), (30, 10, 42)
+    s.rod(O, T)
+    s.axes(T, ground, length=14, labels=[r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
+    s.arrow(T, K, "string", "force")
+    s.plate([(30, 10, 46), (31, 13, 42), (30, 10, 37), (29, 7, 42)])
+    for tail, tip in ((T, (30, 0, 2)), ((30, 0, 2), (30, 10, 2)), ((30, 10, 2), K)):
+        s.line(tail, tip)
+    for place, name in (((15, 0, 2), "30 m"), ((30, 5, 2), "10 m"), ((30, 10, 20), "40 m")):
+        s.label(place, name, offset=(0, -12) if place[2] < 3 else (22, 0), bold=False)
+    s.label(T, "T", offset=(-12, 4))
+    show_figure(
+        fig,
+        alt="A kite high above a short pole. The string leads from the top T of the pole to the kite; dashed "
+        "lines are its components, 30 m along i, 10 m along j and 40 m along k.",
+    )
+
+
 @with_sliders(
     Slider("theta", 50, 5, 175, 5, label="θ", unit="°"),
     alt="P, 3 long, and Q, 2 long, from one point. A dashed line at right angles to P from the "
@@ -82,7 +105,7 @@ def components():
     size=(6.4, 3.6),
 )
 def projection(ax, theta):
-    """Figure A.3: the dot product by the projection of Q on P."""
+    """Figure A.4: the dot product by the projection of Q on P."""
     P, Q = _in_plane(3, 0), _in_plane(2, theta)
     foot = (Q[0], 0, 0)
     s = Sketch(ax, Frame("ground"), plane="xy")
@@ -108,11 +131,11 @@ def projection(ax, theta):
     size=(6.2, 4.4),
 )
 def area(ax, theta):
-    """Figure A.4: the cross product and the parallelogram of P and Q."""
+    """Figure A.5: the cross product and the parallelogram of P and Q."""
     ground = Frame("ground")
     P, Q = _in_plane(1.2, 0), _in_plane(1.0, theta)
     product = round(1.2 * math.sin(math.radians(theta)), 9)
-    s = Sketch(ax, ground, azimuth=-60, elevation=25)
+    s = Sketch(ax, ground, azimuth=-65, elevation=20)  # no Q of the slider below P x Q
     s.axes((-1.1, -1.1, 0), ground, 0.5, [r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
     if abs(product) > 0.01:
         s.plate([O, P, _add(P, Q), Q], shade="light")
@@ -132,7 +155,7 @@ def area(ax, theta):
     size=(6.2, 4.4),
 )
 def block(ax, height):
-    """Figure A.5: the triple scalar product as a volume with a sign."""
+    """Figure A.6: the triple scalar product as a volume with a sign."""
     ground = Frame("ground")
     P, Q, R = (1.2, 0.1, 0), (0.3, 1.0, 0), (0.25, 0.2, height)
     base = [O, P, _add(P, Q), Q]
@@ -163,7 +186,7 @@ def block(ax, height):
     size=(6.4, 4.4),
 )
 def double_cross(ax, around, up):
-    """Figure A.6: (P x Q) x R lies in the plane of P and Q."""
+    """Figure A.7: (P x Q) x R lies in the plane of P and Q."""
     ground = Frame("ground")
     P, Q = (1.1, 0, 0), (0.5, 0.9, 0)
     a, b = math.radians(around), math.radians(up)
@@ -187,7 +210,7 @@ def double_cross(ax, around, up):
     size=(6.2, 5.0),
 )
 def triangle(ax, corners, normal, eye):
-    """Figure A.7: a triangle, two of its edges as vectors, and a normal, from a turning eye."""
+    """Figure A.8: a triangle, two of its edges as vectors, and a normal, from a turning eye."""
     A, B, C = corners
     centre = tuple(sum(x) / 3 for x in zip(*corners, strict=True))
     e = tuple(x / math.hypot(*normal) for x in normal)
@@ -210,7 +233,7 @@ def triangle(ax, corners, normal, eye):
     size=(6.2, 4.8),
 )
 def plane(ax, corners, normal, off):
-    """Figure A.8: a plane, its normal N at A, and a point X on it or off it."""
+    """Figure A.9: a plane, its normal N at A, and a point X on it or off it."""
     A, B, C = corners
     e = tuple(x / math.hypot(*normal) for x in normal)
     along = tuple(x / math.dist(A, B) for x in _add(B, A, -1))
@@ -247,7 +270,7 @@ def plane(ax, corners, normal, off):
     size=(6.4, 4.4),
 )
 def difference(ax, vector, rate, now, step):
-    """Figure A.9: the difference quotient of ``vector(t)`` and its limit ``rate`` at ``now``."""
+    """Figure A.10: the difference quotient of ``vector(t)`` and its limit ``rate`` at ``now``."""
     start, later = vector(now), vector(now + step)
     quotient = tuple((b - a) / step for a, b in zip(start, later, strict=True))
     miss = math.dist(quotient, rate)
@@ -270,7 +293,7 @@ def difference(ax, vector, rate, now, step):
     size=(5.6, 4.6),
 )
 def turning(ax, theta, rate):
-    """Figure A.10: a turning unit vector and its rate."""
+    """Figure A.11: a turning unit vector and its rate."""
     ground = Frame("ground")
     e, across = _in_plane(1, theta), _in_plane(1, theta + 90)
     s = Sketch(ax, ground, plane="xy")
@@ -293,7 +316,7 @@ def turning(ax, theta, rate):
     panels=(1, 2),
 )
 def two_observers(axes, turn):
-    """Figure A.11: a vector fixed in a turning frame, by two observers."""
+    """Figure A.12: a vector fixed in a turning frame, by two observers."""
     ground = Frame("ground")
     disk = ground.rotate("disk", "z", math.radians(turn))
     back = ground.rotate("ground from the disk", "z", -math.radians(turn))
@@ -320,10 +343,15 @@ def two_observers(axes, turn):
 
 
 def hill(height, slope):
-    """Figure A.12: level lines of ``height(x, y)``, its gradient ``slope(x, y)``, and a walk."""
-    x, y = np.meshgrid(np.linspace(-2, 2, 25), np.linspace(-1.5, 1.5, 19))
-    levels = plt.Figure().subplots().contour(x, y, height(x, y), 6).allsegs
-    lines = [[(*place, 0) for place in line] for level in levels for line in level if len(line) > 1]
+    """Figure A.13: level lines of ``height(x, y)``, its gradient ``slope(x, y)``, and a walk."""
+    xs, ys = evenly(-2, 2, 25), evenly(-1.5, 1.5, 19)
+    heights = [height(x, y) for x in xs for y in ys]
+    levels = evenly(min(heights), max(heights), 9)[1:-1]
+    lines = [
+        [(*place, 0) for place in line]
+        for level in levels
+        for line in level_lines(height, level, xs, ys)
+    ]
 
     def draw(ax, across, way):
         here, e = (across, 0.5, 0), _in_plane(1, way)

@@ -226,6 +226,25 @@ def cone_axes(axes, d):
     axes[1].set_title(f"axis at d = {d:.2f} m: I = {I_yy(d):.4f} kg m²", fontsize=11)
 
 
+def top():
+    """Figure B.8: a top of cone, disk and stem, cut along its axis, which points up."""
+    ground = Frame("ground")
+    fig, ax = plt.subplots(figsize=(4.4, 4.8))
+    s = Sketch(ax, ground, plane="yx")
+    s.plate([(0, 0, 0), (4, -3, 0), (4, 3, 0)])
+    s.plate([(4, -3, 0), (4.5, -3, 0), (4.5, 3, 0), (4, 3, 0)])
+    s.plate([(4.5, -0.3, 0), (7.5, -0.3, 0), (7.5, 0.3, 0), (4.5, 0.3, 0)])
+    s.axes(O, ground, length=2, labels=["x", "y", ""])
+    for x, name in ((2.6, "cone"), (4.25, "disk"), (6, "stem")):
+        s.label((x, 0.4, 0), name, offset=(14, 0), bold=False)
+    s.dimension((0, -3.2, 0), (4, -3.2, 0), "4 cm", offset=0.3)
+    show_figure(
+        fig,
+        alt="A top cut along its axis: a cone that stands on its apex, a thin disk on its base and "
+        "a stem on the disk. The axes x, upward, and y start at the apex.",
+    )
+
+
 def exact_cone(a, h):
     """The moments of a cone of 1 kg about its apex, as fractions of exact decimal numbers."""
     a, h = Fraction(a), Fraction(h)

@@ -62,8 +62,8 @@ def three_observers(build):
             own = Frame("own")  # the observer, at rest in the picture
             place = tuple(map(float, nose.position(frames[n])))
             v = tuple(map(float, nose.velocity(frames[n]).components(frames[n])))
-            s = Sketch(ax, own, azimuth=50, elevation=22, arrows=50)
-            s.axes(O, own, length=1.2)
+            s = Sketch(ax, own, azimuth=50, elevation=24, arrows=60)
+            s.axes(O, own, length=1.0)
             _surroundings(s, own, n, t)
             if n < 2:  # for the rider the nose has no path
                 s.path(paths[n])
@@ -77,7 +77,7 @@ def three_observers(build):
         alt="Three pictures of the nose of a merry-go-round horse. For the rider it is a point at "
         "rest, at the head of the horse. For somebody on the platform it moves up and down on a vertical line. From the "
         "ground it runs round on a wavy ring, with a velocity along that ring.",
-        size=(9.6, 3.8),
+        size=(9.6, 3.0),
         panels=(1, 3),
     )
 
@@ -89,7 +89,7 @@ def _surroundings(s, own, n, t):
         return
     platform = own.rotate("platform", "z", 0.6 * t if n == 0 else 0.0)
     pole = platform.point("pole", 3, 0, 1.5 + 0.4 * math.sin(3.0 * t))
-    s.disk(O, own.k, 3.8, spoke=platform.point("", 3.8, 0, 0))
+    s.disk(O, own.k, 3.3, spoke=platform.point("", 3.3, 0, 0))
     s.rod(platform.point("", 3, 0, 0), platform.point("", 3, 0, 2.6))
     _horse(s, platform.translate("horse", pole))
 
@@ -130,11 +130,28 @@ def merry_go_round_film(build):
     )
 
 
+def _clocks_in_words(speed):
+    if not speed:
+        seen = "all three move eastward, equally fast"
+    elif speed < 390:
+        seen = (
+            "all three move eastward: the one that flies east fastest, then the clock on the "
+            "ground, and the one that flies west slowest"
+        )
+    else:
+        seen = (
+            "the one that flies east moves eastward faster than the clock on the ground; the one "
+            f"that flies west {'nearly stands still' if speed <= 410 else 'moves slowly westward'}"
+        )
+    return (
+        "The Earth seen from above the North Pole, with a clock on the ground and two airliners at "
+        f"{speed:g} m/s over the ground. Seen from the stars {seen}."
+    )
+
+
 @with_sliders(
     Slider("speed", 220, 0, 470, 10, label="ground speed", unit="m/s"),
-    alt="The Earth seen from above the North Pole, with a clock on the ground and two airliners. "
-    "Seen from the stars all three move eastward: the one that flies east fastest, then the "
-    "clock on the ground, and the one that flies west slowest, at these ground speeds.",
+    alt=_clocks_in_words,
     size=(6.4, 5.2),
 )
 def clocks(ax, build, speed):

@@ -2,7 +2,8 @@
 
 import math
 
-from newton_euler import Frame, frenet, moving, sin
+from newton_euler import Frame, cos, frenet, moving, sin
+from newton_euler.algebra.vectors import named_sum
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics.paths import along
@@ -31,24 +32,62 @@ def shifted(P, v, factor=1.0):
     return tuple(p + factor * x for p, x in zip(P, v, strict=True))
 
 
+STRAIGHT, INNER, LANE = 84.39, 36.50, 1.22  # m, of a standard track
+SPEEDS = 100 / 10.7, 100 / 9.8, 100 / 10.5, 100 / 12.03  # m/s, of the four hundreds of metres
+
+
+def _bend(centre, radius, start, angle=math.pi):
+    """Places on a bend about (centre, 0), from the direction ``start`` through ``angle``."""
+    angles = [start + angle * n / 40 for n in range(41)]
+    return [(centre + radius * math.cos(u), radius * math.sin(u), 0) for u in angles]
+
+
+def _oval(radius):
+    """The outline of a lane with bends of this radius."""
+    x = STRAIGHT / 2
+    right, left = _bend(x, radius, -math.pi / 2), _bend(-x, radius, math.pi / 2)
+    return [*right, *left, right[0]]
+
+
+def _runner(ground, rho, first, run):
+    """The runner after ``run`` metres, as a Point of ``ground``: two bends, two straights."""
+    v = SPEEDS[min(int(run // 100), 3)]
+    x = STRAIGHT / 2
+    second = first + STRAIGHT
+    if run < first or second < run < 400 - STRAIGHT:
+        centre, angle = (x, math.pi / 2 - (first - run) / rho) if run < first else (
+            -x, math.pi / 2 + (run - second) / rho)  # fmt: skip
+        u = moving(angle, rate=v / rho)
+        return ground.point("P", centre + rho * cos(u), rho * sin(u), 0), True
+    back = run <= second
+    place = x - (run - first) if back else x - (400 - run)
+    return ground.point("P", moving(place, rate=-v if back else v), rho if back else -rho, 0), False
+
+
 @with_sliders(
-    Slider("t", 0.7, 0.1, 4.0, 0.1, unit="s"),
-    alt="A wavy path through O with a point P on it. The position r leads from O to P, the "
-    "velocity v is tangent to the path, and the acceleration a points to the side toward which "
-    "the path bends, down on a crest and up in a trough.",
-    size=(7.4, 4),
+    Slider("run", 60, 0, 400, 10, label="run", unit="m"),
+    alt="A running track from above with a runner P in the outermost lane. The position r leads to "
+    "him from the middle of the field; the velocity v lies along the lane. In a bend the "
+    "acceleration a points to the middle of the bend; on a straight it is zero.",
+    size=(7.4, 4.6),
 )
-def point_on_path(ax, t):
-    """Figure 2.1: position, velocity and acceleration of a point on its path."""
+def lap(ax, rho, first, run):
+    """Figure 2.1: a runner in a lane with bends of the radius ``rho``, the first ``first`` m long."""
     ground = Frame("ground")
-    P = ground.point("P", *along(wave, t))
+    P, in_bend = _runner(ground, rho, first, run)
     s = Sketch(ax, ground, plane="xy")
-    s.axes(O, ground, length=0.6, labels=["x", "y", ""])
-    s.path(wave_path())
+    s.path(_oval(INNER))
+    s.path(_oval(INNER + 8 * LANE))
+    s.path(_oval(rho), style="dotted")
+    finish = STRAIGHT / 2
+    s.line((finish, -INNER, 0), (finish, -INNER - 8 * LANE, 0), style="solid")
+    s.label((finish, -INNER - 8 * LANE, 0), "finish", offset=(8, -8), bold=False)
+    s.axes(O, ground, length=14, labels=["x", "y", ""])
     s.dot(P)
     s.arrow(O, P, r"$\mathbf{r}$")
     s.vector(P, P.velocity(ground), r"$\mathbf{v}$", size="m/s")
-    s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
+    if in_bend:
+        s.vector(P, P.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
     s.label(O, "O", offset=(-9, -9))
     s.label(P, "P")
 
@@ -147,7 +186,7 @@ def turning_tangent(ax, turn):
 
 
 @with_sliders(
-    Slider("percent", 0, 0, 100, 5, label="of the flight", unit="%"),
+    Slider("percent", 30, 0, 100, 5, label="of the flight", unit="%"),
     alt="The parabola of the jet with a particle on it. A dashed arc of the circle of curvature "
     "follows the jet closely near the particle; its centre lies below. The circle is smallest "
     "when the particle is at the top. Tangential and normal acceleration are drawn.",
@@ -194,12 +233,12 @@ def car_in_a_curve(ax, v):
     car = ground.rotate("car", "z", 0.9)  # its y axis points forward
     here = (rho * math.cos(0.9), rho * math.sin(0.9), 0)
     inward = frenet(car.j * v, car.j * rate - car.i * (v**2 / rho)).acceleration
-    s = Sketch(ax, ground, plane="xy", arrows=110)
+    s = Sketch(ax, ground, plane="xy", arrows=190)
     for r in (rho - 12, rho + 12):
-        s.path(s.around(O, (r * math.cos(0.5), r * math.sin(0.5), 0), ground.k, 0.9))
+        s.path(_bend(0, r, 0.6, 0.6))
     s.line(tuple(0.6 * x for x in here), here)
     s.label(tuple(0.6 * x for x in here), "to the centre", bold=False)
-    s.box(here, car, (10, 26, 1))
+    s.box(here, car, (8, 16, 1))
     s.sum(here, inward, r"$\mathbf{a}$", size="m/s²")
     ax.set_title(f"v = {v:.1f} m/s = {3.6 * v:.0f} km/h", fontsize=11)
 
@@ -267,8 +306,21 @@ def boom(build):
 
     _boom_figure(
         draw,
+        _boom_in_words,
+    )
+
+
+def _boom_in_words(length_rate, rate):
+    out, up, turned = (round(x, 6) for x in (length_rate, rate, length_rate * rate))
+    v = {"outward": out > 0, "inward": out < 0, "up": up > 0, "down": up < 0}
+    a = {"back along the boom": up != 0, "up": turned > 0, "down": turned < 0}
+    velocity, acceleration = (
+        f"points {' and '.join(ways)}" if ways else "is zero"
+        for ways in ([way for way, holds in found.items() if holds] for found in (v, a))
+    )
+    return (
         "A telescoping boom leans up to the right from its pivot O on a parked truck. The velocity "
-        "of its end P points outward and down, the acceleration back along the boom and down.",
+        f"of its end P {velocity}; the acceleration {acceleration}."
     )
 
 
@@ -279,12 +331,14 @@ def boom_terms():
         ground = Frame("ground")
         frame = ground.rotate("boom", "z", angle=math.radians(30), rate=rate)
         P = frame.point("P", moving(20.0, rate=length_rate), 0, 0)
-        s = Sketch(ax, ground, plane="xy", arrows=150)
-        inner = frame.point("", 12, 0, 0)
-        s.shaft(inner, frame.point("", 15, 0, 0))
-        s.rod(frame.point("", 15, 0, 0), P)
-        s.axes(inner, frame, length=2, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
-        s.sum(P, P.acceleration(ground), r"$\mathbf{a}_P$", size="ft/s²")
+        s = Sketch(ax, ground, plane="xy", arrows=170)
+        inner, joint = frame.point("", 16, 0, 0), frame.point("", 17.5, 0, 0)
+        s.shaft(inner, joint)
+        s.rod(joint, P)
+        s.axes(inner, frame, length=1, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
+        terms = P.acceleration(ground).terms
+        two = {name: terms[name] for name in ("coriolis", "centripetal")}  # the others are zero
+        s.sum(P, named_sum("acceleration", "P", two, frame), r"$\mathbf{a}_P$", size="ft/s²")
 
     _boom_figure(
         draw,
@@ -437,6 +491,10 @@ def five_terms(ax, build, rate, out_rate):
     ground, table, A = build(rate=rate, out_rate=out_rate)
     s = Sketch(ax, ground, plane="xy", arrows=190)
     _truck_and_table(s, ground, table)
+    s.axes(table.origin, table, length=0.7, labels="xy ")
+    s.label(table.origin, "B")
+    s.dot(A)
+    s.label(A, "A")
     s.sum(A, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
 
@@ -444,6 +502,7 @@ def _truck_and_table(s, ground, table):
     B = table.origin
     place = parts(B.position(ground))
     s.box((place[0], place[1], -0.5), ground, (4.4, 3.4, 0.2))
+    s.box((place[0] + 2.85, place[1], -0.5), ground, (1.1, 2.8, 0.2))  # its cab, in front
     s.disk(B, ground.k, 1.55)
     s.line(table.point("", -1.45, 0.5, 0), table.point("", 1.45, 0.5, 0), style="solid")
 

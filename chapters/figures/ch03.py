@@ -2,7 +2,7 @@
 
 import math
 
-from newton_euler import Frame, at, cos, cylindrical, sin, spherical
+from newton_euler import Frame, at, cylindrical, spherical
 from newton_euler.algebra.late import mpmath
 from newton_euler.chapters.examples.ch03 import Spring, screw_jack_ball, screw_jack_time
 from newton_euler.classroom import Slider
@@ -63,10 +63,10 @@ def triad(ax, path, q):
         )
         for a in (2 * math.pi * k / 60 for k in range(61))
     ]
-    s.path(circle)
+    s.path(circle, style="dashed")
     s.dot(centre)
     s.line(P, centre)
-    s.axes(P, here.frame, length=0.7, labels=["$e_t$", "$e_n$", "$e_b$"])
+    s.axes(P, here.frame, length=0.7, labels=[r"$\hat e_t$", r"$\hat e_n$", r"$\hat e_b$"])
     s.label(P, "P")
     ax.set_title(rf"$\rho$ = {rho:.2f}, $\tau$ = {here.torsion:.2f}", fontsize=11)
 
@@ -81,14 +81,56 @@ def spring(ax, slope):
     """Figure 3.3: a spring that is drawn out, from flat to nearly straight."""
     ground = Frame("ground")
     wire = Spring.drawn_out(0.2, math.radians(slope))
-    s = Sketch(ax, ground, azimuth=-60, elevation=15)
+    s = Sketch(ax, ground, azimuth=-60, elevation=25)
     turns = 1.5 * 2 * math.pi
-    s.path(_curve(wire.path, 0.0, turns, 160))
+    for half in range(-1, 4):  # of a turn, behind the axis in turns
+        first = math.radians(-60) + math.pi * (half - 0.5)
+        low, high = max(0.0, first), min(turns, first + math.pi)
+        if low < high:
+            piece = _curve(wire.path, low, high, 40)
+            s.path(piece, style="dashed") if half % 2 else s.wire(piece)
+    s.line(O, (0, 0, 1.2 * turns * wire.rise + 0.1), style="centre")
     here = wire.intrinsic(at(lambda t: 1.0 + t, 0.0), ground)
-    s.axes(wire.path(1.0), here.frame, length=0.28, labels=["$e_t$", "$e_n$", "$e_b$"])
+    s.axes(
+        wire.path(1.0),
+        here.frame,
+        length=0.28,
+        labels=[r"$\hat e_t$", r"$\hat e_n$", r"$\hat e_b$"],
+    )
     ax.set_title(
         rf"$f$ = {wire.flexure:.2f}, $\tau$ = {wire.torsion + 0.0:.2f} per metre", fontsize=11
     )
+
+
+@with_sliders(
+    Slider("turns", 2.0, 0.5, 3.0, 0.5, label="turns of the rope"),
+    alt="A rope winds round an upright bollard, the ship's end below and the hand's end above. The "
+    "more turns, the larger the ratio of the two pulls.",
+    size=(6.4, 4.6),
+)
+def bollard(ax, turns):
+    """Figure 3.4: a rope round a bollard, between a ship and a hand."""
+    ground, radius, rise, start = Frame("ground"), 0.2, 0.012, -math.pi / 2
+    s = Sketch(ax, ground, azimuth=-60, elevation=25)
+    s.ground((0, 0, 0), ground.k, size=1.3)
+    s.cylinder((0, 0, 0), (0, 0, 0.5), radius)
+    s.cylinder((0, 0, 0.5), (0, 0, 0.56), 0.25)
+    angles = [start + math.pi * n / 40 for n in range(int(80 * turns) + 1)]
+    for strand in (-0.005, 0.0, 0.005):  # of the rope
+        rope = [
+            (radius * math.cos(q), radius * math.sin(q), 0.15 + strand + rise * (q - start))
+            for q in angles
+        ]
+        front = [(-0.2 + 0.05 * n, -radius, 0.15 + strand) for n in range(4)]
+        s.path(front + rope, on=((0, 0, 0), (0, 0, 0.5)))
+    q = angles[-1]
+    hand = (rope[-1][0], rope[-1][1], rope[-1][2] - 0.005)
+    off = tuple(h + 0.5 * d for h, d in zip(hand, (-math.sin(q), math.cos(q), 0), strict=True))
+    s.wire([(-0.6, -radius, 0.15), (-0.2, -radius, 0.15)])
+    s.wire([hand, off])
+    s.vector((-0.6, -radius, 0.15), (-1, 0, 0), "$T_1$, ship", kind="force")
+    s.vector(off, (-0.4 * math.sin(q), 0.4 * math.cos(q), 0), "$T_0$, hand", kind="force")
+    ax.set_title(f"$T_1/T_0$ = {math.exp(0.4 * math.pi * turns):.1f}", fontsize=11)
 
 
 @with_sliders(
@@ -99,7 +141,7 @@ def spring(ax, slope):
     size=(6.4, 3.6),
 )
 def cable_element(ax, angle):
-    """Figure 3.4: an element of a cable with the tensions at its ends."""
+    """Figure 3.5: an element of a cable with the tensions at its ends."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     half = math.radians(angle) / 2
@@ -126,13 +168,13 @@ def cable_element(ax, angle):
     size=(6.2, 4.6),
 )
 def cylindrical_axes(ax, theta, z):
-    """Figure 3.5: cylindrical coordinates and axes."""
+    """Figure 3.6: cylindrical coordinates and axes."""
     ground = Frame("ground")
     P = cylindrical(ground, "P", 0.9, math.radians(theta), z)
     foot = ground.point("Q", *(P.position(ground).components(ground)[:2]), 0)
     s = Sketch(ax, ground, azimuth=25, elevation=25)
     s.axes(O, ground, length=0.6, labels="XYZ")
-    s.arrow(O, P, r"$\mathbf{r}$")
+    s.arrow(O, P)
     s.line(O, foot, style="solid")
     s.line(foot, P)
     s.label(
@@ -141,34 +183,33 @@ def cylindrical_axes(ax, theta, z):
     s.label(ground.point("", foot.position(ground).x, foot.position(ground).y, z / 2), "$z$")
     s.arc(O, ground.i, foot, label=r"$\theta$")
     axes = P.velocity(ground).frame
-    s.axes(P, axes, length=0.4, labels=["$e_r$", r"$e_\theta$", "$k$"])
+    s.axes(P, axes, length=0.4, labels=[r"$\hat e_r$", r"$\hat e_\theta$", r"$\hat k$"])
     s.label(P, "P")
 
 
-def screw_jack_path(t, a, K, lead):
-    """Where the ball of the screw-jack is at the time t, on fixed axes."""
-    theta = K * t**2 / 2
-    return a * cos(theta), a * sin(theta), lead * theta / (2 * math.pi)
+def _angles(halves):
+    """Angles over so many half turns, 40 in each."""
+    return [math.pi * n / 40 for n in range(40 * halves + 1)]
 
 
 @with_sliders(
-    Slider("turns", 1.0, 0.1, 2.0, 0.1, label="turns from rest"),
+    Slider("turns", 0.4, 0.2, 2.0, 0.1, label="turns from rest"),
     alt="An arm with a ball turns about a vertical screw and rises with it. The velocity runs "
     "along the helix; the acceleration soon points to the axis, almost.",
     size=(6.2, 5.0),
 )
 def screw_jack(ax, turns):
-    """Figure 3.6: the ball of a screw-jack."""
+    """Figure 3.7: the ball of a screw-jack."""
     a, K, lead = 0.3, 2.0, 0.15
     ground = Frame("ground")
     A = screw_jack_ball(ground, a, K, lead, screw_jack_time(turns, K))
     height = A.position(ground).components(ground)[2]
-    s = Sketch(ax, ground, azimuth=35, elevation=22)
+    s = Sketch(ax, ground, azimuth=35, elevation=22, arrows=170)
     s.ground((0, 0, -0.1), ground.k, size=0.5)
     s.shaft((0, 0, -0.1), (0, 0, 0.45))
     s.rod((0, 0, height), A)
-    s.sphere(A, 0.03)
-    s.path(_curve(lambda t: screw_jack_path(t, a, K, lead), 0.0, screw_jack_time(2, K), 90))
+    s.sphere(A, 0.015)
+    s.path([(a * math.cos(q), a * math.sin(q), lead * q / (2 * math.pi)) for q in _angles(4)])
     s.vector(A, A.velocity(ground), r"$\mathbf{v}$", size="m/s")
     s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
     s.axes(O, ground, length=0.4, labels="XYZ")
@@ -176,15 +217,15 @@ def screw_jack(ax, turns):
 
 
 @with_sliders(
-    Slider("theta", 50, 10, 170, 5, label="θ", unit="°"),
-    Slider("phi", 40, 0, 80, 5, label="φ", unit="°"),
+    Slider("theta", 50, 10, 110, 5, label="θ", unit="°"),
+    Slider("phi", 40, 0, 75, 5, label="φ", unit="°"),
     alt="Spherical coordinates of a point P: the distance R, the azimuth theta from X to the "
     "foot Q, the elevation phi from Q up to P. At P the unit vectors e_R outward, e_theta "
     "along the circle of latitude, e_phi upward along the meridian.",
     size=(6.2, 4.8),
 )
 def spherical_axes(ax, theta, phi):
-    """Figure 3.7: spherical coordinates and axes."""
+    """Figure 3.8: spherical coordinates and axes."""
     ground = Frame("ground")
     P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
     x, y, _ = P.position(ground).components(ground)
@@ -193,24 +234,26 @@ def spherical_axes(ax, theta, phi):
     s.arrow(O, P, "$R$")
     s.line(O, (x, y, 0), style="solid")
     s.line((x, y, 0), P)
-    s.arc(O, ground.i, (x, y, 0), label=r"$\theta$")
+    s.arc(O, ground.i, (x, y, 0), label=r"$\theta$", radius=0.2)
     if phi:
-        s.arc(O, (x, y, 0), P, label=r"$\phi$")
+        s.arc(O, (x, y, 0), P, label=r"$\phi$", radius=0.45)
+        s.dimension(O, (x, y, 0), r"$R\,\cos\phi$", offset=(0, 0, -0.12))
     axes = P.velocity(ground).frame
-    s.axes(P, axes, length=0.4, labels=["$e_R$", r"$e_\theta$", r"$e_\phi$"])
+    s.axes(P, axes, length=0.4, labels=[r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$"])
     s.label(P, "P")
-    s.label((x, y, 0), "Q")
+    s.label((x, y, 0), "Q", offset=(7, -7))
 
 
 @with_sliders(
     Slider("theta", 50, 0, 120, 5, label="θ", unit="°"),
     Slider("phi", 40, 0, 80, 5, label="φ", unit="°"),
     alt="A vector Q of fixed length along X at a point P, and its three components along the "
-    "spherical axes of P laid head to tail. As P moves, the components change and Q does not.",
+    "spherical unit vectors of P, drawn dashed, laid head to tail. As P moves, the components "
+    "change and Q does not.",
     size=(6.4, 4.8),
 )
 def one_vector(ax, theta, phi):
-    """Figure 3.8: one vector and its components along spherical axes."""
+    """Figure 3.9: one vector and its components along spherical axes."""
     ground = Frame("ground")
     P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
     axes = P.velocity(ground).frame
@@ -219,6 +262,8 @@ def one_vector(ax, theta, phi):
     s = Sketch(ax, ground, azimuth=-50, elevation=25)
     s.axes(O, ground, length=0.6, labels="XYZ")
     s.line(O, P)
+    s.axes(P, axes, length=0.6, labels=[r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$"])
+    s.dot(P, "P")
     tip = P
     for e, x, name in zip((axes.i, axes.j, axes.k), parts, ("R", r"\theta", r"\phi"), strict=True):
         start, tip = tip, tip_of(ground, tip, e * x)
@@ -242,11 +287,11 @@ def screw_film():
     def draw(t, ax):
         ground = Frame("ground")
         A = screw_jack_ball(ground, a, K, lead, t)
-        s = Sketch(ax, ground, azimuth=35, elevation=22)
+        s = Sketch(ax, ground, azimuth=35, elevation=22, arrows=150)
         s.ground((0, 0, -0.1), ground.k, size=0.5)
         s.shaft((0, 0, -0.1), (0, 0, 0.45))
         s.rod((0, 0, A.position(ground).components(ground)[2]), A)
-        s.sphere(A, 0.03)
+        s.sphere(A, 0.015)
         s.vector(A, A.velocity(ground), r"$\mathbf{v}$")
         s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration")
 

@@ -266,12 +266,16 @@ def crane(ax, build, tilt, speed):
 
 
 def _column_and_boom(s, column, boom, A):
-    """The crane's column, its arm to the hinge B, and the boom as far as the trolley A."""
+    """The crane's column, its arm to the hinge B, the boom, and on it the trolley A with its load."""
     top, B = column.point("", 0, 0, 1.0), boom.origin
     s.shaft(column.point("", 0, 0, 0), top)
     s.rod(top, B)
-    s.rod(B, A)
+    s.rod(B, boom.point("", 0, 3.6, 0))
     s.hinge(B, column.i)
+    x, y, z = A.position(s.frame).components(s.frame)
+    s.box(A, boom, (0.16, 0.3, 0.16))
+    s.line(A, (x, y, z - 0.7), style="solid")
+    s.box((x, y, z - 0.82), s.frame, (0.3, 0.3, 0.24))
 
 
 def two_sources():
@@ -354,7 +358,9 @@ def carried_round(ax, turn):
     s.arrow(O, (0, 0, w21), r"$\omega_{2/1}$", kind="rate")
     s.arrow(O, one, r"$\omega_{3/2}$", kind="rate")
     s.arrow(O, two, r"$\omega_{3/2}$ later", kind="rate")
-    s.arrow(one, two, r"$\approx\omega_{2/1}\times\omega_{3/2}\,\Delta t$", kind="acceleration")
+    s.arrow(one, two, r"$\Delta\omega_{3/2}$", kind="acceleration")
+    change = r"$\Delta\omega_{3/2}\approx\omega_{2/1}\times\omega_{3/2}\,\Delta t$"
+    ax.set_title(change, fontsize=11)
     s.ring(O, ground.k, w32)
     s.arc(O, one, two, label=r"$\omega_{2/1}\Delta t$")
 

@@ -4,6 +4,7 @@ import math
 
 from newton_euler import Frame
 from newton_euler.algebra.late import np, plt
+from newton_euler.chapters.examples.ch05 import END, HEAD, hammer
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.dynamics import gravity_at_height
@@ -19,7 +20,7 @@ EARTH = 6.371e6  # m
     Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="path of the light one", unit="m"),
     Slider("ratio", 2, 1, 4, 1, label="heavy : light"),
     alt="Two skaters push each other off with a pole. The forces on them are equal, opposite and along the "
-    "line that joins them. The heavy one moves less; the centre of mass G stays.",
+    "line that joins them. Of unequal ones the heavy one moves less; the centre of mass G stays.",
     size=(7, 2.6),
 )
 def two_skaters(ax, pushed, ratio):
@@ -27,80 +28,115 @@ def two_skaters(ax, pushed, ratio):
     ground = Frame("ground")
     light, heavy = 0.3 + pushed, -(0.3 + pushed) / ratio
     s = Sketch(ax, ground, plane="xz")
-    s.ground((0, 0, -0.25), ground.k, size=4.2)
-    for x, size in ((light, 0.13), (heavy, 0.13 * ratio ** (1 / 3))):
-        s.sphere((x, 0, 0), size)
+    s.ground((0, 0, -0.4), ground.k, size=4.2)
+    for x, size in ((light, 0.09), (heavy, 0.09 * ratio ** (1 / 3))):
+        for skate in (-0.08, 0.08):
+            s.rod((x + skate, 0, -0.38), (x, 0, -0.12))
+        s.rod((x, 0, -0.12), (x, 0, 0.12))
+        s.sphere((x, 0, 0.12 + size), size)
     s.line((heavy, 0, 0), (light, 0, 0), style="solid")
     s.vector((light, 0, 0), (1, 0, 0), r"$\mathbf{F}_{21}$", kind="force")
     s.vector((heavy, 0, 0), (-1, 0, 0), r"$\mathbf{F}_{12}$", kind="force")
-    s.line((0, 0, -0.25), (0, 0, 0.35), style="centre")
-    s.label((0, 0, 0.35), "G")
+    s.line((0, 0, -0.4), (0, 0, 0.3), style="centre")
+    s.label((0, 0, 0.3), "G")
+
+
+def _hammer(s, t):
+    """Draw the hammer of the film at the time t, and return the places of head, end and G."""
+    (x, z), angle = hammer(t)
+    along = math.cos(angle), 0, math.sin(angle)
+    G = (x, 0, z)
+    A, B = (tuple(g + d * e for g, e in zip(G, along, strict=True)) for d in (HEAD, END))
+    s.rod(A, B)
+    s.box(A, s.frame.rotate("hammer", "y", angle=-angle), (0.05, 0.03, 0.13))
+    return A, B, G
 
 
 def thrown_hammer():
-    """A film: two balls on a rod are thrown; their centre of mass flies on a parabola."""
+    """A film: a hammer is thrown; its centre of mass flies on a parabola."""
+    path = [(1.2 * u, 0, 1.5 + 4.9 * u - 4.905 * u**2) for u in evenly(0, 1, 60)]
 
     def draw(t, ax):
-        ground = Frame("ground")
-        G = ground.point("G", 6 * t, 0, 8 * t - 4.905 * t**2)
-        rod = ground.rotate("rod", "y", angle=7 * t, origin=G)
-        A, B = rod.point("A", 0.5, 0, 0), rod.point("B", -1.5, 0, 0)
-        s = Sketch(ax, ground, plane="xz")
-        s.rod(A, B)
-        s.sphere(A, 0.28)
-        s.sphere(B, 0.19)
+        s = Sketch(ax, Frame("ground"), plane="xz")
+        s.path(path)
+        _, _, G = _hammer(s, t)
         s.dot(G)
-        s.path([(6 * u, 0, 8 * u - 4.905 * u**2) for u in evenly(0, 1.63, 60)])
         s.label(G, "G")
 
     return animate(
         draw,
-        [1.63 * n / 40 for n in range(41)],
-        alt="Two balls of masses 3 to 1 on a light rod tumble through the air. The point G, three "
-        "times as near to the heavy ball, flies on a parabola; neither ball does.",
+        evenly(0, 1, 41),
+        alt="A hammer tumbles through the air. Its point G, near the head, flies on a parabola; "
+        "head and handle wind round it.",
+        size=(4.6, 4.6),
     )
 
 
+@with_sliders(
+    Slider("share", 0.7, 0.0, 1.0, 0.05, label="mark, from head to end"),
+    alt="Eight pictures of a hammer that tumbles through the air, and the path of one mark on its "
+    "handle through all pictures. Marks near the head or the end move on looped or wavy paths.",
+    size=(5.6, 4.8),
+)
+def marked_hammer(ax, film, share):
+    """Figure 5.2: the path of a mark on the handle; ``film``: rows of t, x, z, x, z."""
+    s = Sketch(ax, Frame("ground"), plane="xz")
+    for row in film[::3]:
+        _hammer(s, row[0])
+    marks = [
+        ((1 - share) * x + share * u, 0, (1 - share) * z + share * w) for _, x, z, u, w in film
+    ]
+    for mark in marks:
+        s.dot(mark)
+    s.path(marks)
+    ax.set_title(f"mark at {share:.2f} of the way from head to end", fontsize=11)
+
+
 def burst(shell):
-    """Figure 5.2: the three pieces after the burst, and their centre of mass. ``shell``: a
-    BurstingProjectile in feet and seconds.
+    """Figure 5.3: the three pieces after the burst, each until it lands, and their centre of mass.
+    ``shell``: a BurstingProjectile in feet and seconds.
     """
     ground = Frame("ground")
     time, height = shell.top()
-    top = (shell.v_x * time, 0.0, height)
-    velocities = {
-        "A": (0.0, 0.0, shell.v_A),
-        "B": shell.v_B(ground).components(ground),
-        "C": shell.v_C(ground).components(ground),
-        "G": (shell.v_x, 0.0, 0.0),
+    top, total = (shell.v_x * time, 0.0, height), shell.m_A + shell.m_B + shell.m_C
+    pieces = {
+        "A": (shell.m_A, (0.0, 0.0, shell.v_A)),
+        "B": (shell.m_B, shell.v_B(ground).components(ground)),
+        "C": (shell.m_C, shell.v_C(ground).components(ground)),
     }
 
-    def place(v, t):
+    def flown(v, t):
         return tuple(
             p + u * t - g * t**2 / 2 for p, u, g in zip(top, v, (0, 0, shell.g), strict=True)
         )
 
+    def place(v, t):  # a piece stays where it lands
+        landed = (v[2] + math.sqrt(v[2] ** 2 + 2 * shell.g * height)) / shell.g
+        return flown(v, min(t, landed))
+
+    def centre(t):
+        places = [(m, place(v, t)) for m, v in pieces.values()]
+        return tuple(sum(m * p[n] for m, p in places) / total for n in range(3))
+
     def draw(ax, t):
-        s = Sketch(ax, ground, azimuth=-55, elevation=22)
+        s = Sketch(ax, ground, azimuth=-60, elevation=30)
         s.axes(O, ground, length=500, labels="XYZ")
-        s.ground((1300, 0, 0), ground.k, size=2600)
-        up = [(shell.v_x * u, 0, shell.v_z * u - shell.g * u**2 / 2) for u in evenly(0, time, 30)]
-        s.path(up)
-        for name, v in velocities.items():
-            s.path([place(v, t * n / 30) for n in range(31)]) if t else None
-            s.dot(place(v, t))
-            s.label(place(v, t), name)
-        s.line(place(velocities["A"], t), place(velocities["B"], t))
-        s.line(place(velocities["B"], t), place(velocities["C"], t))
-        s.line(place(velocities["C"], t), place(velocities["A"], t))
+        s.ground((2050, 250, 0), ground.k, size=5400)
+        s.path([flown((shell.v_x, 0.0, 0.0), u) for u in evenly(-time, 0, 30)])
+        s.path([flown((shell.v_x, 0.0, 0.0), u) for u in evenly(0, time, 30)], style="dotted")
+        ways = {name: lambda u, v=v: place(v, u) for name, (_, v) in pieces.items()}
+        for name, way in {**ways, "G": centre}.items():
+            if t:
+                s.path([way(u) for u in evenly(0, t, 31)])
+            s.dot(way(t), name, offset=(0, -9) if name in "CG" else (0, 9))
 
     interactive_figure(
         draw,
-        Slider("t", 1.5, 0.0, 4.0, 0.25, label="after the burst", unit="s"),
+        Slider("t", 3.5, 0.0, 7.5, 0.25, label="after the burst", unit="s"),
         alt="A projectile rises along a parabola and bursts at the top into the pieces A, B and C. "
-        "A goes up, B sideways, C to the other side. Their centre of mass G goes on along the "
-        "parabola and always lies in the triangle ABC.",
-        size=(7, 5),
+        "A goes up, B sideways, C down to the other side. Their centre of mass G keeps to the dotted "
+        "line, which continues the old parabola to the ground, until C has landed.",
+        size=(7, 4.2),
     )
 
 
@@ -112,7 +148,7 @@ def burst(shell):
     size=(5.6, 4.6),
 )
 def three_rods(ax, body, rods, azimuth):
-    """Figure 5.3: three rods and their centre of mass; ``rods``: pairs of ends."""
+    """Figure 5.4: three rods and their centre of mass; ``rods``: pairs of ends."""
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=azimuth, elevation=22)
     s.axes(O, ground, length=0.9, labels="xyz")
@@ -131,7 +167,7 @@ def three_rods(ax, body, rods, azimuth):
     size=(5.6, 4.4),
 )
 def machine_part(ax, build, h, hole):
-    """Figure 5.4: a sheet with a round end and a hole, from ``build(r, h, s)``; its centre."""
+    """Figure 5.5: a sheet with a round end and a hole, from ``build(r, h, s)``; its centre."""
     part = build(0.3, h, hole)
     ground = Frame("ground")
     G = part.centre.position(part.frame).components(part.frame)
@@ -153,7 +189,7 @@ def machine_part(ax, build, h, hole):
     size=(6.4, 4.8),
 )
 def body_frame(ax, angle, shift):
-    """Figure 5.5: a body with a frame fixed in it; a particle at r_B + d."""
+    """Figure 5.6: a body with a frame fixed in it; a particle at r_B + d."""
     ground = Frame("ground")
     B = ground.point("B", 0.3, 0.8 + shift, 0.45)
     body = ground.rotate("body", axis=(0.3, 0.2, 1.0), angle=math.radians(angle), origin=B)
@@ -177,7 +213,7 @@ def body_frame(ax, angle, shift):
     size=(6.4, 4.4),
 )
 def two_body_frames(ax, angle):
-    """Figure 5.6: two frames fixed in one body turn by the same angle."""
+    """Figure 5.7: two frames fixed in one body turn by the same angle."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     for turned in (0.0, math.radians(angle)):
@@ -194,7 +230,7 @@ def two_body_frames(ax, angle):
 
 
 def gravity_and_height():
-    """Figure 5.7: how g falls with height."""
+    """Figure 5.8: how g falls with height."""
     heights = np.geomspace(1e2, 1e8, 100)
     falls = [1 - gravity_at_height(h, EARTH) / gravity_at_height(0.0, EARTH) for h in heights]
     fig, ax = plt.subplots(figsize=(6, 3.4), layout="constrained")
@@ -219,7 +255,7 @@ def gravity_and_height():
     size=(6.4, 4.0),
 )
 def pendulum_on_cart(ax, x, theta):
-    """Figure 5.8: a cart with a pendulum has two degrees of freedom."""
+    """Figure 5.9: a cart with a pendulum has two degrees of freedom."""
     ground = Frame("ground")
     cart = ground.point("C", x, 0, 0)
     a = math.radians(theta)

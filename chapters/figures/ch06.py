@@ -5,7 +5,6 @@ by observers who are carried round.
 import math
 
 from newton_euler import Frame, at, cylindrical, integrate, moving, polar, spherical
-from newton_euler.algebra.late import np
 from newton_euler.applications.earth import (
     coriolis_acceleration,
     earth_frame,
@@ -31,14 +30,14 @@ BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#555555"
 
 @with_sliders(
     Slider("pull", 120, 60, 240, 10, label="pull", unit="N"),
-    alt="Left: a sled on snow, with a rope that pulls forward and up, its weight, the support "
+    alt="Left: a sledge on snow, with a rope that pulls forward and up, its weight, the support "
     "of the snow and friction. Right: the four forces head to tail; the arrow that closes the "
     "chain points forward along the snow.",
     size=(8.4, 4.2),
     panels=(1, 2),
 )
-def sled(axes, pull):
-    """Figure 6.1: a sled, the forces on it, and their sum."""
+def sledge(axes, pull):
+    """Figure 6.1: a sledge, the forces on it, and their sum."""
     m, rope, friction = 20.0, math.radians(30), 0.3
     ground = Frame("ground")
     support = m * G - pull * math.sin(rope)
@@ -62,7 +61,7 @@ def sled(axes, pull):
 
 
 def hammer_film():
-    """A film: a hammer thrown, its mass centre on a parabola."""
+    """A film: a hammer thrown, its centre of mass on a parabola."""
     up, along, spin, time = 6.0, 3.0, 8.9, 1.2
 
     def place(t):
@@ -91,7 +90,7 @@ def hammer_film():
         draw,
         [time * n / 30 for n in range(31)],
         speed=0.3,
-        alt="A hammer is thrown and tumbles. Its mass centre G draws a parabola, the end of its "
+        alt="A hammer is thrown and tumbles. Its centre of mass G draws a parabola, the end of its "
         "handle draws loops about it.",
     )
 
@@ -305,8 +304,8 @@ def _helix(a, lead, theta):
 
 @with_sliders(
     Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
-    alt="A lamp on a cord leans back in a wagon that speeds up to the right. Left: tension and "
-    "weight act on it and do not balance, it accelerates to the right. Right: a third arrow, "
+    alt="A lamp on a cord in a wagon; it leans back as the wagon speeds up to the right. "
+    "Left: tension and weight act on it and do not balance while it accelerates to the right. Right: a third arrow, "
     "minus m times the wagon's acceleration, closes the balance.",
     size=(9, 4.2),
     panels=(1, 2),
@@ -542,8 +541,10 @@ def _swing_in_words(hours, latitude):
 )
 def foucault(ax, hours, latitude):
     """Figure 6.13: the swings of Foucault's pendulum, hour by hour, on the floor below."""
-    ring = np.linspace(0, 2 * math.pi, 121)
-    ax.plot(3.2 * np.cos(ring), 3.2 * np.sin(ring), color=GREY, lw=0.8)
+    ring = evenly(0, 2 * math.pi, 121)
+    ax.plot(
+        [3.2 * math.cos(a) for a in ring], [3.2 * math.sin(a) for a in ring], color=GREY, lw=0.8
+    )
     for hour in range(hours + 1):
         turned = math.radians(_swing_turned(hour, latitude))
         x, y = 3 * math.cos(turned), 3 * math.sin(turned)
@@ -622,15 +623,21 @@ PARCELS = 8  # of air on a ring round a low
 
 
 def _air(latitude, friction, days=2.0, gradient=1e-8):
-    """A function: the place, in 100 km, of air from rest 300 km to the east, for times in s."""
+    """A function: x and y, in 100 km, of air from rest 300 km to the east, at times in s."""
     model = air_near_low(math.radians(latitude), gradient, friction, OMEGA_E)
     motion = integrate(model, days * 86400, (3e5, 0.0, 0.0, 0.0))
-    return lambda t: np.array([motion.at(t)[n] for n in ("x", "y")]) / 1e5
+
+    def places(times):
+        states = [motion.at(t) for t in times]
+        return [[state[n] / 1e5 for state in states] for n in ("x", "y")]
+
+    return places
 
 
 def _turned(xy, angle):
     c, s = math.cos(angle), math.sin(angle)
-    return c * xy[0] - s * xy[1], s * xy[0] + c * xy[1]
+    turned = [(c * x - s * y, s * x + c * y) for x, y in zip(*xy, strict=True)]
+    return [[*side] for side in zip(*turned, strict=True)]
 
 
 def low_film():
@@ -642,7 +649,7 @@ def low_film():
         s = Sketch(ax, ground, plane="xy")
         s.ring(O, ground.k, 3.0)
         s.label(O, "low", offset=(0, 0))
-        trail = place(np.linspace(max(0.0, t - 6 * 3600), t, 10))
+        trail = place(evenly(max(0.0, t - 6 * 3600), t, 10))
         for n in range(PARCELS):
             x, y = _turned(trail, 2 * math.pi * n / PARCELS)
             if t:
@@ -668,14 +675,16 @@ def low_film():
 def low(axes, latitude):
     """Figure 6.16: the paths of air near a low, without and with friction."""
     for ax, friction in zip(axes, (0.0, 4e-5), strict=True):
-        path = _air(latitude, friction)(np.linspace(0, 2 * 86400, 400))
+        path = _air(latitude, friction)(evenly(0, 2 * 86400, 200))
         around = [_turned(path, 2 * math.pi * n / PARCELS) for n in range(PARCELS)]
-        x, y = np.array(around).swapaxes(0, 1)
-        ax.plot(x[1:].T, y[1:].T, color=BLUE, lw=0.6)
-        ax.plot(x[0], y[0], color=ORANGE, lw=2)
-        ax.plot(x[:, 0], y[:, 0], "o", ms=4, color=BLUE)
-        step = np.array([x[:, 34] - x[:, 32], y[:, 34] - y[:, 32]])
-        ax.quiver(x[:, 33], y[:, 33], *(step / np.hypot(*step)), scale=18, width=0.009, zorder=3)
+        for x, y in around[1:]:
+            ax.plot(x, y, color=BLUE, lw=0.6)
+        ax.plot(*around[0], color=ORANGE, lw=2)
+        for x, y in around:
+            ax.plot(x[0], y[0], "o", ms=4, color=BLUE)
+            way = x[17] - x[16], y[17] - y[16]
+            along = [[step / math.hypot(*way)] for step in way]
+            ax.quiver([x[16]], [y[16]], *along, scale=18, width=0.009, zorder=3)
         ax.plot(0, 0, "k+", ms=10)
         ax.set(xlim=(-3.3, 3.3), ylim=(-3.3, 3.3), xlabel="east (100 km)")
         ax.set_title("with friction" if friction else "without friction", fontsize=11)
@@ -689,8 +698,9 @@ def low(axes, latitude):
     "the velocity, the path angle gamma from there to the velocity, with the axes of frame 4. "
     "Middle: an aircraft from behind, banked to the right by sigma. Its lift is tilted: the "
     "vertical part carries the weight, the horizontal part pulls to the right. Right: its path "
-    "from above, a circle to the right, tighter for a larger bank.",
-    size=(12, 4.6),
+    "from above, a circle to the right; the scale of its axes follows the radius, which is smaller "
+    "for a larger bank.",
+    size=(9.6, 4.0),
     panels=(1, 3),
 )
 def banked(axes, bank):
@@ -705,19 +715,20 @@ def banked(axes, bank):
     s.rod(O, plane.point("", 0, 0, 0.42))
     s.sphere(O, 0.16)
     s.vector(O, lift, "L", kind="force", size="W")
-    s.vector(O, math.tan(angle) * ground.i, r"$L\sin\sigma$", kind="force", size="W")
+    s.vector(O, math.tan(angle) * ground.i, r"$L\sin\sigma$", kind="force")
     s.arc(O, (0, 0, 1), plane.point("", 0, 0, 1), label=r"$\sigma$")
     s.vector(O, ground.k, r"$L\cos\sigma$", kind="force", size="W")
     s.vector(O, -ground.k, "W", kind="force")
-    axes[1].set_title("seen from behind", fontsize=11)
+    axes[1].set_title(rf"from behind, $L\sin\sigma$ = {math.tan(angle):.2f} W", fontsize=11)
     rate = G * math.tan(angle) / v
-    turns, km = [rate * t for t in evenly(0, 60, 241)], v / rate / 1000
-    east, north = [km * (1 - math.cos(q)) for q in turns], [km * math.sin(q) for q in turns]
+    turns, r = [rate * t for t in evenly(0, 60, 241)], v / rate / 1000
+    east, north = [r * (1 - math.cos(q)) for q in turns], [r * math.sin(q) for q in turns]
     axes[2].plot(east, north, color=BLUE)
     axes[2].plot(east[::40], north[::40], "o", ms=4, color=BLUE)
-    axes[2].set(xlim=(-0.2, 2.6), ylim=(-1.0, 2.4), xlabel="x, east (km)", ylabel="y, north (km)")
+    axes[2].set(xlim=(-0.2 * r, 2.2 * r), ylim=(-1.2 * r, 1.2 * r))
+    axes[2].set(xlabel="x east, y north (km)")
     axes[2].set_aspect("equal")
-    axes[2].set_title(f"from above, radius {v / rate:.0f} m", fontsize=11)
+    axes[2].set_title(f"from above, radius {1000 * r:.0f} m", fontsize=11)
 
 
 def _heading_and_path_angle(ax, ground):
@@ -729,7 +740,7 @@ def _heading_and_path_angle(ax, ground):
     s.axes(O, ground, length=1.1, labels=["east", "north", "up"])
     s.line(O, level.point("", 1.1, 0, 0))
     s.line(level.point("", 1.1, 0, 0), path.point("", 1.1 / math.cos(math.radians(25)), 0, 0))
-    s.axes(O, path, length=0.8, labels=["$\\hat\\imath_4$", "$\\hat\\jmath_4$", "$\\hat k_4$"])
-    s.arc(O, ground.j, level.i, label=r"$\chi$", radius=0.6)
-    s.arc(O, level.i, path.i, label=r"$\gamma$", radius=0.9)
+    s.axes(O, path, length=1.05, labels=["$\\hat\\imath_4$", "$\\hat\\jmath_4$", "$\\hat k_4$"])
+    s.arc(O, ground.j, level.i, label=r"$\chi$", radius=0.45)
+    s.arc(O, level.i, path.i, label=r"$\gamma$", radius=0.75)
     ax.set_title("heading and path angle", fontsize=11)

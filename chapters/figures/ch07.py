@@ -3,9 +3,10 @@
 import math
 
 from newton_euler import Frame, composite, particle
+from newton_euler.algebra.late import plt
 from newton_euler.bodies import plate
 from newton_euler.chapters.examples.ch07 import three_rods
-from newton_euler.classroom import Slider, interactive_figure
+from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 
 from .curves import evenly
@@ -34,7 +35,7 @@ def _dumbbell(s, ground, axle, body):
     for place in places:
         s.sphere(place, 0.06)
     s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
-    s.vector(O, body.angular_momentum(ground), "$H$", kind="plain", size="kg m²/s")
+    s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$", kind="plain", size="kg m²/s")
     s.label(O, "O")
 
 
@@ -114,6 +115,33 @@ def two_balls():
     )
 
 
+def racket():
+    """Figure 7.3: a racket that hangs from a nail, with its axes, its centre of mass and the hand."""
+    page = Frame("page")
+    fig, ax = plt.subplots(figsize=(6.4, 3.4))
+    s = Sketch(ax, page, plane="xy")
+    head = [(0.51 + 0.17 * math.cos(a), 0.13 * math.sin(a), 0) for a in evenly(0, 2 * math.pi, 73)]
+    s.path(head)
+    for y in evenly(-0.09, 0.09, 7):
+        reach = 0.17 * math.sqrt(1 - (y / 0.13) ** 2)
+        s.line((0.51 - reach, y, 0), (0.51 + reach, y, 0), style="solid")
+    s.rod((0, 0, 0), (0.34, 0, 0))
+    s.axes(O, page, length=0.16, labels=["x", "y", ""])
+    s.ring(O, page.k, 0.012)  # with the dot on the nail: z, towards the reader
+    s.label(O, "$z$", offset=(-13, 0), bold=False)
+    for x, name in ((0.0, "nail"), (0.1, "hand"), (0.32, "G")):
+        s.dot((x, 0, 0))
+        s.label((x, 0, 0), name, offset=(18 if x < 0.2 else 0, 12), bold=name == "G")
+    s.dimension((0, 0, 0), (0.1, 0, 0), "10 cm", offset=-0.06)
+    s.dimension((0, 0, 0), (0.32, 0, 0), "32 cm", offset=-0.13)
+    show_figure(
+        fig,
+        alt="A tennis racket from above, its handle along x from a nail at the end of the handle. The hand is "
+        "10 cm and the centre of mass G 32 cm from the nail; y lies in the plane of the strings, z "
+        "points at the reader.",
+    )
+
+
 @with_sliders(
     Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
     alt="Left: a thin rod of length l with the point B on it and the axes x and z. Right: x "
@@ -123,7 +151,7 @@ def two_balls():
     panels=(1, 2),
 )
 def rod_and_point(axes, b):
-    """Figure 7.3: the thin rod, the point B on its line, and the integrand of I_yy."""
+    """Figure 7.4: the thin rod, the point B on its line, and the integrand of I_yy."""
     _apart(axes)
     ground = Frame("ground")
     B = (b, 0, 0)
@@ -150,7 +178,7 @@ def rod_and_point(axes, b):
     size=(6, 4.4),
 )
 def three_rods_view(ax, view):
-    """Figure 7.4: the three rods, from all sides."""
+    """Figure 7.5: the three rods, from all sides."""
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=view, elevation=22)
     _rods(s)
@@ -176,7 +204,7 @@ def _rods(s):
     panels=(1, 2),
 )
 def plate_and_ellipse(axes, turn, b):
-    """Figure 7.5: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
+    """Figure 7.6: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
     _apart(axes)
     ground, a = Frame("ground"), 1.2
     I = plate(a, b, ground, "z", mass=12.0).about(ground)
@@ -187,7 +215,7 @@ def plate_and_ellipse(axes, turn, b):
     s.path(_ellipse(I, 0.9))
     s.axes(O, ground, length=1.15, labels=["x", "y", ""])
     s.vector(O, n, r"$\omega$", kind="rate")
-    s.vector(O, H, "$H$", kind="plain")
+    s.vector(O, H, r"$\mathbf{H}$", kind="plain")
     P = tuple(0.9 * math.sqrt(b * b / I.moment(n)) * x for x in n.components())
     along = ground.k.cross(H) * (0.4 / float(H.norm()))
     t = along.components()
@@ -234,7 +262,7 @@ def _moments_over_angle(ax, I, here):
 
 
 def rods_and_axis():
-    """Figure 7.6: the axis of turning goes from x to the three principal axes one after another."""
+    """Figure 7.7: the axis of turning goes from x to the three principal axes one after another."""
     ground = Frame("ground")
     I = three_rods(12.0, 1.0, ground).about(ground)
     ends = (1.0, 0, 0), (2.0, 1, -1), (0, 1.0, 1), (1.0, -1, 1)
@@ -253,10 +281,12 @@ def rods_and_axis():
         n = direction(at)
         s = Sketch(axes[0], ground, azimuth=30, elevation=22, arrows=85)
         _rods(s)
-        for e in stops[1:]:
+        s.axes(O, ground, length=0.75)
+        for e, name in zip(stops[1:], ("5", "11", "14"), strict=True):
             s.line(-0.7 * e, 0.7 * e, style="centre")
+            s.label(0.76 * e, name, bold=False)
         s.vector(O, n, r"$\omega$", kind="rate")
-        s.vector(O, I.times(n), "$H$", kind="plain")
+        s.vector(O, I.times(n), r"$\mathbf{H}$", kind="plain")
         axes[0].set_title(
             f"angle between ω and H: {angle_between(n, I.times(n)):.1f}°", fontsize=11
         )
@@ -269,8 +299,9 @@ def rods_and_axis():
 
     interactive_figure(
         draw,
-        Slider("at", 0, 0, 3, 0.1, label="place on the way"),
-        alt="Left: the three rods with their three principal axes, dash-dotted, an axis of turning "
+        Slider("at", 0, 0, 3, 0.1, label="how far it has gone"),
+        alt="Left: the three rods with the axes x, y and z, their three principal axes, dash-dotted and named "
+        "by their moments, an axis of turning "
         "omega, and H. Right: moment about that axis and angle between omega and H as the axis "
         "goes from x to each principal axis; the angle is zero at these, where the moments are 5, "
         "11 and 14.",
@@ -280,7 +311,7 @@ def rods_and_axis():
 
 
 def propeller():
-    """Figure 7.7: a propeller with n blades, and its moment about a fixed axis in its plane."""
+    """Figure 7.8: a propeller with n blades, and its moment about a fixed axis in its plane."""
     turns = range(0, 181, 2)
 
     def moment(blades, turn):
@@ -316,13 +347,13 @@ def propeller():
 
 @with_sliders(
     Slider("place", 75, 0, 360, 15, label="particle", unit="°"),
-    alt="The outline of a body with a body-fixed point B, the mass centre G and a particle i. "
+    alt="The outline of a body with a body-fixed point B, the centre of mass G and a particle i. "
     "The vector d_i from B to the particle is the sum of d from B to G and rho_i from G to "
     "the particle.",
     size=(6, 3.8),
 )
 def vectors_to_particle(ax, place):
-    """Figure 7.8: B, G and a particle, with d, rho_i and d_i."""
+    """Figure 7.9: B, G and a particle, with d, rho_i and d_i."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     G = (1.3, 0.55, 0)
@@ -341,7 +372,7 @@ def vectors_to_particle(ax, place):
 
 
 def shifted_axis(build):
-    """Figure 7.9: the moment of the three rods about axes parallel to x, from ``build()``."""
+    """Figure 7.10: the moment of the three rods about axes parallel to x, from ``build()``."""
     body = build()
     frame, mass, G = body.frame, float(body.mass), body.centre
     least = float(body.inertia.moments[0])
@@ -372,7 +403,7 @@ def shifted_axis(build):
         draw,
         Slider("away", 0.4, 0, 0.8, 0.2, label="distance of P from G", unit="m"),
         Slider("turn", 0, 0, 270, 90, label="direction of GP", unit="°"),
-        alt="Left: the three rods seen along x, with the mass centre G, a point P through which "
+        alt="Left: the three rods seen along x, with the centre of mass G, a point P through which "
         "the axis goes, and the circle about G through P. Right: the moment about that axis "
         "against its distance from G, a parabola whose least value is that for the axis through G.",
         size=(8.6, 4),
@@ -383,11 +414,11 @@ def shifted_axis(build):
 @with_sliders(
     Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
     alt="A rod, an axis at right angles to it through a point B of the rod, and a circle about "
-    "B whose radius is the radius of gyration; the mass centre of the rod is always inside.",
+    "B whose radius is the radius of gyration; the centre of mass of the rod is always inside.",
     size=(5.6, 4.6),
 )
 def ring_of_gyration(ax, b):
-    """Figure 7.10: a rod about an axis across it, and the ring of the same mass and moment."""
+    """Figure 7.11: a rod about an axis across it, and the ring of the same mass and moment."""
     ground, k = Frame("ground"), math.sqrt(1 / 12 + (b - 0.5) ** 2)
     s = Sketch(ax, ground, plane="xy")
     s.rod((-b, 0, 0), (1 - b, 0, 0))
@@ -405,11 +436,11 @@ def ring_of_gyration(ax, b):
     Slider("s", 0.03, 0.01, 0.045, 0.005, unit="m"),
     alt="A flat machine part in the plane of y and z: a rectangle of width 2 r and height h "
     "above the y axis, with a round hole of radius s in its middle, and half a disk of radius "
-    "r below. The mass centre G lies on the z axis.",
+    "r below. The centre of mass G lies on the z axis.",
     size=(5.6, 5),
 )
 def machine_part(ax, build, h, s):
-    """Figure 7.11: the machine part, from ``build(r, h, s)``."""
+    """Figure 7.12: the machine part, from ``build(r, h, s)``."""
     r = 0.1
     body = build(r, h, s)
     frame = body.frame

@@ -36,8 +36,8 @@ def dumbbell(ax, build, tilt, rate, acceleration):
     for place in places:
         s.sphere(place, 0.06)
     s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate")
-    s.vector(O, body.angular_momentum(ground), "$H$", kind="plain")
-    s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
+    s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$", kind="plain")
+    s.vector(O, resultant_moment(body, ground), r"$\mathbf{M}$", kind="force", size="N m")
 
 
 @with_sliders(
@@ -90,15 +90,17 @@ def pole_on_truck(ax, build, a, tilt):
     s.road([(-1.8, 0, -0.7), (1.9, 0, -0.7)])
     s.rod(O, tip)
     s.vector(d.components(ground), up * -mass, "weight", kind="force")
-    s.vector((1.35, 0, -0.25), ground.i * a, "$a_B$", kind="acceleration", size="m/s²")
+    s.vector((1.35, 0, -0.25), ground.i * a, r"$\mathbf{a}_B$", kind="acceleration", size="m/s²")
     s.label(O, "B")
     s.label(d.components(ground), "G")
-    ax.set_title(f"moment that the foot must give: {float(hinge.y):.1f} N m", fontsize=11)
+    ax.set_title(
+        f"moment that the foot must give: {round(float(hinge.y), 9) + 0.0:.1f} N m", fontsize=11
+    )
 
 
 def three_spins(times, runs):
     """Figure 8.4: omega over time for spins about the three principal axes, disturbed a little."""
-    fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.1), sharey=True)
+    fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.4), sharey=True, layout="constrained")
     for ax, (name, rates) in zip(axes, runs.items(), strict=True):
         for values, label, colour, style in zip(
             np.transpose(rates), "xyz", (BLUE, RED, GREEN), ("-", "--", "-."), strict=True
@@ -106,8 +108,8 @@ def three_spins(times, runs):
             ax.plot(times, values, style, color=colour, label=rf"$\omega_{label}$")
         ax.set(title=name, xlabel="time (s)", ylim=(-6, 6))
     axes[0].set(ylabel="rad/s")
-    axes[0].legend(
-        frameon=False, ncol=3, loc="lower left", fontsize=8, columnspacing=0.8, handlelength=1.5
+    fig.legend(
+        *axes[0].get_legend_handles_labels(), frameon=False, ncol=3, loc="outside lower center"
     )
     show_figure(
         fig,
@@ -157,9 +159,10 @@ def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
     )
 
 
-def turning_rods(build, words, azimuth=-60):
+def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
-    ground, body, point; ``words`` says about which axis, ``azimuth`` whence it is seen.
+    ground, body, point; ``words`` says about which axis, ``azimuth`` whence it is seen,
+    ``acceleration`` the rate of omega at the start.
     """
 
     def draw(ax, rate, acceleration):
@@ -175,14 +178,14 @@ def turning_rods(build, words, azimuth=-60):
         origin = frame.origin.position(ground)
         s.line(*(origin + x for x in line), style="centre")
         s.vector(P, axis, r"$\omega$", kind="rate")
-        s.vector(P, angular_momentum(body, ground, P), "$H$", kind="plain")
-        s.vector(P, resultant_moment(body, ground, P), "$M$", kind="force", size="N m")
+        s.vector(P, angular_momentum(body, ground, P), r"$\mathbf{H}$", kind="plain")
+        s.vector(P, resultant_moment(body, ground, P), r"$\mathbf{M}$", kind="force", size="N m")
         s.dot(P)
 
     interactive_figure(
         draw,
         Slider("rate", 1.0, 0.5, 1.5, 0.25, label="ω", unit="rad/s"),
-        Slider("acceleration", 0.0, -1, 1, 0.5, label="rate of ω", unit="rad/s²"),
+        Slider("acceleration", acceleration, -1, 1, 0.5, label="rate of ω", unit="rad/s²"),
         alt=f"The three rods turn about {words}, drawn dash-dotted, with the angular velocity "
         "omega, the angular momentum H and the moment M that the motion needs.",
         size=(6.2, 4.4),
@@ -209,7 +212,7 @@ def unbalanced_wheel(ax, build, apart, rate):
     for part in body.parts[1:]:
         s.sphere(part.centre, 0.018)
     s.dot(body.centre)
-    s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
+    s.vector(O, resultant_moment(body, ground), r"$\mathbf{M}$", kind="force", size="N m")
     a = body.centre.acceleration(ground) * float(body.mass)
     ax.set_title(f"resultant force: {float(a.norm()):.1f} N", fontsize=11)
 
@@ -329,8 +332,8 @@ def rods_film(build):
             s.rod(frame.point("", *A), frame.point("", *B))
         s.line((-0.9, 0, 0), (0.9, 0, 0), style="centre")
         s.vector(about, frame.angular_velocity(ground), r"$\omega$", kind="rate")
-        s.vector(about, angular_momentum(body, ground, about), "$H$", kind="plain")
-        s.vector(about, resultant_moment(body, ground, about), "$M$", kind="force")
+        s.vector(about, angular_momentum(body, ground, about), r"$\mathbf{H}$", kind="plain")
+        s.vector(about, resultant_moment(body, ground, about), r"$\mathbf{M}$", kind="force")
 
     return animate(
         draw,

@@ -8,7 +8,7 @@ bearings A and B, and the body.
 import math
 
 from newton_euler import Frame, composite, particle
-from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.late import plt
 from newton_euler.applications.rotors import balancing_masses, reactions
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
@@ -130,7 +130,8 @@ def off_centre_film(build):
     Slider("psi", 0, 0, 360, 10, label="ψ", unit="°"),
     alt="A disk sits askew on its shaft, with its centre on the axis. The angular momentum H lies between "
     "the shaft and the normal of the disk; its rate is at right angles to both. The bearing "
-    "forces are opposite and equal, a couple that turns with the shaft.",
+    "forces are opposite and equal, a couple that turns with the shaft; at 0 and 90 degrees there "
+    "is none.",
 )
 def bent_disk(ax, build, beta, psi):
     """Figure 9.4: the bent disk with omega, H, dH/dt and the bearing forces."""
@@ -221,34 +222,61 @@ def balancing(ax, build, x1, x2):
     ax.set_title(text, fontsize=11)
 
 
+def balancing_machine():
+    """Figure 9.7: the wheel with the coin on a balancing machine, cut along its shaft."""
+    ground = Frame("ground")
+    fig, ax = plt.subplots(figsize=(6.4, 3.6))
+    s = Sketch(ax, ground, plane="xy")
+    s.shaft((-0.36, 0, 0), (0.02, 0, 0))
+    s.plate([(-0.01, -0.2, 0), (0.01, -0.2, 0), (0.01, 0.2, 0), (-0.01, 0.2, 0)])
+    for y in (-0.2, 0.2):  # the rim, cut
+        s.line((-0.08, y, 0), (0.08, y, 0), style="solid")
+        for x, name in ((-0.08, "1"), (0.08, "2")):
+            s.dot((x, y, 0))
+            s.label((x, y, 0), name if y > 0 else "", offset=(0, 12))
+    s.sphere((0.045, 0.188, 0), 0.011)
+    s.label((0.045, 0.188, 0), "coin", offset=(6, -14), bold=False)
+    for x, name in ((-0.3, "A"), (-0.1, "B")):
+        s.hinge((x, 0, 0))
+        s.label((x, 0, 0), name, offset=(0, 14))
+    s.dimension((-0.3, 0, 0), O, "30 cm", offset=-0.27)
+    s.dimension((-0.1, 0, 0), O, "10 cm", offset=-0.12)
+    s.dimension(O, (0.08, 0, 0), "8 cm", offset=-0.27)
+    show_figure(
+        fig,
+        alt="A wheel at the right end of a shaft, cut along the shaft. Its two bearings A and B are "
+        "both to the left of it. A coin sticks inside the rim, whose edges are named 1 and 2.",
+    )
+
+
 @with_sliders(
     Slider("psi", 50, 0, 360, 10, label="ψ", unit="°"),
     alt="A level shaft seen from its end and from the side: X points vertically down, the angle "
     "psi leads from X to the x axis of the body, and the weight acts at the centre of mass G, "
     "which is off the axis.",
-    size=(8.4, 4),
+    size=(8.4, 4.4),
     panels=(1, 2),
 )
 def general_rotor(axes, build, psi):
-    """Figure 9.7: an end view of any body on a level shaft, X downward, and a side view."""
+    """Figure 9.8: an end view of any body on a level shaft, X downward, and a side view."""
     ground, shaft, A, B, body = build(psi=math.radians(psi))
     page = ground.rotate("page", "y", -math.pi / 2)  # its z points up, its x along the shaft
     end, side = (
         Sketch(axes[0], page, plane="yz"),
-        Sketch(axes[1], page, azimuth=-60, elevation=18),
+        Sketch(axes[1], page, azimuth=-50, elevation=18),
     )
     G = body.centre
     for s in (end, side):
-        s.axes(O, ground, length=0.2, labels=["X", "Y", ""], moved=False)
-        s.axes(O, shaft, length=0.17, labels=["x", "y", ""], moved=True)
-        s.box(G, shaft, (0.16, 0.1, 0.2))
+        s.axes(O, ground, length=0.24, labels=["X", "Y", ""], moved=False)
+        s.axes(O, shaft, length=0.22, labels=["x", "y", ""], moved=True)
+        s.box(G, shaft, (0.22, 0.14, 0.24))
         s.dot(G)
         s.label(G, "G")
         s.vector(G, ground.i, r"$m\mathbf{g}$", kind="force")
         s.line(shaft.point("", 0, 0, G.position(shaft).z), G)
     end.arc(O, ground.i * 0.1, shaft.i * 0.1, r"$\psi$")
     end.turn(O, ground.k, r"$\omega$")
-    side.shaft(A, shaft.point("", 0, 0, 0.4))
+    side.shaft(A, shaft.point("", 0, 0, 0.34))
     for P in (A, B):
         side.hinge(P, axis=ground.k)
         side.label(P, P.name)
@@ -264,16 +292,14 @@ def general_rotor(axes, build, psi):
     size=(5.6, 5.2),
 )
 def force_over_a_turn(ax, build, omega):
-    """Figure 9.8: the tip of the force of bearing A during one turn."""
-    turns = np.radians(np.arange(0, 361, 10))
-    tips = np.array([force_at_A(build, psi, omega) for psi in turns])
+    """Figure 9.9: the tip of the force of bearing A during one turn."""
+    forces = [force_at_A(build, math.radians(10 * n), omega) for n in range(37)]
+    tips = [(Y, -X) for X, Y, _ in forces]
     weight = force_at_A(build, 0.0, 0.0)
-    ax.plot(tips[:, 1], -tips[:, 0], color="#0072B2", label="tip of the force during one turn")
+    ax.plot(*zip(*tips, strict=True), color="#0072B2", label="tip of the force during one turn")
     ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
     ax.plot(0, 0, "k+", markersize=12, label="no force")
-    ax.annotate(
-        "", (tips[4, 1], -tips[4, 0]), (0, 0), arrowprops={"arrowstyle": "->", "color": "k"}
-    )
+    ax.annotate("", tips[4], (0, 0), arrowprops={"arrowstyle": "->", "color": "k"})
     ax.set(
         xlim=(-17, 17),
         ylim=(-9, 25),

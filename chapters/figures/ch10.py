@@ -40,18 +40,27 @@ def draw_top(s, body, length=0.75, radius=0.32):
     s.rod(middle, body.point("", 0, 0, length + 0.25))
 
 
+def _line_at_rest_in_words(spin, precession):
+    lies = "lies between" if spin > 0 else "lies outside the angle between"
+    line = f"{lies} the vertical and the axis of the top" if spin else "is the vertical"
+    return (
+        "A top stands on its fixed point B. A dash-dotted line through B along the angular "
+        f"velocity omega {line}; the velocities of two points of the rim are drawn, at right "
+        "angles to the plane of these lines."
+    )
+
+
 @with_sliders(
     Slider("spin", 6, -8, 8, 1, label="spin", unit="rad/s"),
     Slider("precession", 4, 0.5, 6, 0.5, label="precession", unit="rad/s"),
-    alt="A top stands on its fixed point B. A dash-dotted line through B along the angular "
-    "velocity omega lies between the vertical and the axis of the top; the velocities of two "
-    "points of the rim are drawn, at right angles to the plane of these lines.",
+    alt=_line_at_rest_in_words,
 )
 def points_at_rest(ax, build, spin, precession):
     """Figure 10.1: the velocities of some points of a top, and the line of those at rest."""
     ground, body = build(precession=precession, spin=spin)
     omega = body.angular_velocity(ground)
     line = omega.expressed_in(ground) * (1 / omega.norm())
+    line = line * math.copysign(1, line.z)  # its upper half is drawn
     s = sketch(ax, ground)
     draw_top(s, body)
     s.line(line * -0.2, line * 1.1, style="centre")
@@ -112,9 +121,9 @@ def angles_film():
 
 
 @with_sliders(
-    Slider("theta", 120, 20, 160, 10, label="θ", unit="°"),
+    Slider("theta", 120, 90, 160, 10, label="θ", unit="°"),
     Slider("phi", 0, 0, 360, 30, label="φ", unit="°"),
-    Slider("spin", 0, -4, 4, 1, label="spin", unit="rad/s"),
+    Slider("spin", -1.5, -2, 2, 0.5, label="spin", unit="rad/s"),
     alt="A thin bar hangs from a ball joint B. Its angular velocity omega has a component along "
     "the bar, its angular momentum H has none: H is at right angles to the bar, however the "
     "bar is turned about itself.",
@@ -122,7 +131,7 @@ def angles_film():
 def pendulum(ax, momentum, theta, phi, spin):
     """Figure 10.3: the bar on a ball joint with omega and H, from ``momentum(theta, phi, …)``."""
     ground, bar, H = momentum(math.radians(theta), math.radians(phi), spin)
-    s = sketch(ax, ground)
+    s = sketch(ax, ground, arrows=130)
     tip = bar.point("", 0, 0, 1)
     s.rod(O, tip)
     s.ball_joint(O)
@@ -178,14 +187,17 @@ def path_of_axis(precession, time, pictures):
     Slider("precession", 0, -2, 4, 0.25, label="precession at the start", unit="rad/s"),
     alt="The path of a top's axis on a sphere about the fixed point. Let go without "
     "precession it has cusps at the top of each nod; with a start against the precession it has "
-    "loops, with a slow start along it waves.",
+    "loops, with a slow start along it waves. The pole and the start of the path are marked.",
     size=(6.4, 4.8),
 )
 def nutation_paths(ax, precession):
     """Figure 10.5: the path of the axis on a sphere, for each start."""
     s = sketch(ax, Frame("ground"), azimuth=-60, elevation=50)
     s.sphere(O, 1)
-    s.path(path_of_axis(precession, 3.0, 200), on=O)
+    path = path_of_axis(precession, 3.0, 200)
+    s.path(path, on=O)
+    s.dot((0, 0, 1), "pole")
+    s.dot(path[0], "start")
     limits = nutation(**TOP, theta=0.6, theta_rate=0.0, precession=precession)
     low, high = math.degrees(limits.theta_min), math.degrees(limits.theta_max)
     ax.set_title(f"{limits.kind}: θ from {low:.1f}° to {high:.1f}°", fontsize=11)
@@ -217,7 +229,7 @@ def top_film():
 
 
 @with_sliders(
-    Slider("theta", 50, 10, 120, 10, label="θ", unit="°"),
+    Slider("theta", 50, 10, 80, 10, label="θ", unit="°"),
     Slider("spin", 60, 20, 100, 10, label="spin", unit="rad/s"),
     alt="A top that precesses steadily. The angular momentum H lies near its axis; the moment "
     "of the weight is level and at right angles to it, and so the tip of H moves sideways, "
@@ -229,7 +241,7 @@ def steady_top(ax, build, I0, I, theta, spin):
     rate = steady_precession(I0, I, theta, spin=spin, mgr=0.5).slow
     ground, body = build(theta=theta, precession=rate, spin=spin)
     H = gyro_momentum(body, ground, I0, I)
-    s = sketch(ax, ground)
+    s = sketch(ax, ground, arrows=130)
     draw_top(s, body)
     s.vector(O, H, r"$\mathbf{H}_B$")
     s.vector(O, H.rate(ground), r"$\mathbf{M}_B=\dot{\mathbf{H}}_B$", "force", size="N m")
@@ -313,7 +325,7 @@ def draw_cones(s, ground, ratio, theta, psi, phi):
 
 @with_sliders(
     Slider("ratio", 0.4, 0.2, 1.9, 0.1, label="I/I₀"),
-    Slider("theta", 35, 10, 60, 5, label="θ", unit="°"),
+    Slider("theta", 35, 20, 45, 5, label="θ", unit="°"),
     Slider("precession", 60, 0, 360, 10, label="precession ψ", unit="°"),
     alt="Two cones with one apex: the space cone about the fixed angular momentum H, the body "
     "cone about the axis z of the body. They touch along the angular velocity omega. For a "
@@ -399,10 +411,10 @@ def car(ax, loads, rotor):
     inner, outer = loads(rotor)
     s.box((0, 0, 3.7), ground, (8, 5.8, 3.4))
     near = 5  # before the box, to be seen
-    corners = (-0.5, 2.4), (0.5, 2.4), (0.5, 5.0), (-0.5, 5.0)
+    corners = (-0.5, 2.7), (0.5, 2.7), (0.5, 5.3), (-0.5, 5.3)
     s.plate([(near, y, z) for y, z in corners], shade="dark")
-    s.line((near, -1.6, 3.7), (near, 1.6, 3.7), style="centre")
-    s.label((near, 1.6, 3.7), f"rotor {rotor:.0f} rad/s", offset=(-8, 14), bold=False)
+    s.line((near, -1.6, 4), (near, 1.6, 4), style="centre")
+    ax.set_title(f"rotor {rotor:.0f} rad/s", fontsize=11)
     level = 3000 / 32.2 * 100**2 / 500
     for y, load, name in ((2.5, outer, "outer"), (-2.5, inner, "inner")):
         s.plate(
@@ -411,14 +423,15 @@ def car(ax, loads, rotor):
         s.vector((0, y, 0), ground.k * load, f"{name} {load:.0f} lb", kind="force")
         s.vector((0, y, 0), ground.j * (-level * load / 3000), "$F_H$", kind="force")
     s.dot((near + 1, 0, 4))
-    s.label((near + 1, 0, 4), "G", offset=(-16, 4))
+    s.label((near + 1, 0, 4), "G", offset=(-9, 9))
     s.road([(0, -4.5, 0), (0, 4.5, 0)])
 
 
 @with_sliders(
     Slider("latitude", 45, 0, 85, 5, label="latitude", unit="°"),
     alt="The azimuth of a gyrocompass against time swings to and fro about north like a "
-    "pendulum, with a period of about twenty seconds; nearer to the pole it swings more slowly.",
+    "pendulum, with a period of about twenty seconds at 45 degrees; nearer to the pole it "
+    "swings more slowly.",
     size=(6.4, 3.6),
 )
 def compass_swings(ax, I0, I, omega_z, earth_rate, latitude):

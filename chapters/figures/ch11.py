@@ -143,14 +143,14 @@ def pendulum_with_pin(speed, cord, pin, angle):
         B = (0, -pin, 0)
         sketch = Sketch(axes[0], Frame("ground"), plane="xy")
         sketch.path([(*place(n / 60)[0], 0) for n in range(61)], style="dotted")
-        sketch.road([(0.15, 0, 0), (-0.15, 0, 0)])
         for stops in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
             sketch.line(*stops, style="solid")
-        sketch.hinge(B)
+        for nail in (O, B):
+            sketch.hinge(nail)
         sketch.sphere(ball, 0.03)
         sketch.vector(ball, tuple(v * c for c in (*direction, 0)), r"$\mathbf{v}$")
         axes[0].set_title(f"speed {v:.2f} m/s", fontsize=11)
-        for P, name in (((*place(0)[0], 0), "A"), (B, "B"), ((*place(1)[0], 0), "C")):
+        for P, name in ((O, "O"), ((*place(0)[0], 0), "A"), (B, "B"), ((*place(1)[0], 0), "C")):
             sketch.label(P, name)
         T, V = v * v / 2, G_SI * y
         bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -11, 9, "J/kg")
@@ -158,8 +158,8 @@ def pendulum_with_pin(speed, cord, pin, angle):
     interactive_figure(
         draw,
         Slider("way", 30, 0, 100, 2, label="way from A to C", unit="%"),
-        alt="Left: a ball on a cord swings down from A; at the bottom the cord catches the pin B, "
-        "and the ball rises on a smaller circle to C, level with B. Right: bars of the kinetic "
+        alt="Left: a ball on a cord from the nail O swings down from A; at the bottom the "
+        "cord catches the pin B, and the ball rises on a smaller circle to C, level with B. Right: bars of the kinetic "
         "energy, the potential energy and their sum, which does not change.",
         size=(8.6, 4.2),
         panels=(1, 2),
@@ -181,15 +181,13 @@ def two_works(axes, forces, bulge):
         name: work_along(F, lambda q: _bulging(q, bulge), 0.0, 1.0).value
         for name, F in forces.items()
     }
-    q = np.linspace(0, 1, 61)
     ax = axes[0]
-    X, Y = np.meshgrid(grid, grid)
     around = list(forces.values())[1]
-    swirl = np.array([[around(x, y, 0)[:2] for x in grid] for y in grid])
-    ax.quiver(
-        X, Y, *np.moveaxis(swirl, 2, 0), color=COLOURS[1], width=0.007, scale=300, pivot="mid"
-    )
-    ax.plot(2 * q, q + bulge * np.sin(math.pi * q), color="black", lw=2)
+    swirl = [(x, y, *around(x, y, 0)[:2]) for x in grid for y in grid]
+    sides = zip(*swirl, strict=True)
+    ax.quiver(*sides, color=COLOURS[1], width=0.007, scale=300, pivot="mid")
+    places = [_bulging(q, bulge)[:2] for q in evenly(0, 1, 61)]
+    ax.plot(*zip(*places, strict=True), color="black", lw=2)
     for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
         ax.plot(x, y, "ko")
         ax.annotate(name, (x, y), (6, -12), textcoords="offset points", weight="bold")
@@ -348,7 +346,7 @@ def pair_in_a_body(ax, turn):
 
 
 @with_sliders(
-    Slider("turn", 330, 0, 360, 10, label="place of the particle", unit="°"),
+    Slider("turn", 330, 0, 360, 10, label="position of the particle", unit="°"),
     alt="A round body with its centre of mass G. A particle i lies at rho from G and at r from "
     "the origin O; its velocity is that of G plus omega cross rho, which turns with the "
     "particle and cancels over the whole body.",
@@ -543,8 +541,8 @@ def two_carts(axes, carts, period, t):
 @with_sliders(
     Slider("slope", 3, -6, 10, 1, label="slope", unit="%"),
     alt="The power at the wheels of a car against its speed: accelerating, spinning up the "
-    "wheels and climbing grow in proportion to the speed, the air with its cube; the sum is "
-    "the heavy line.",
+    "wheels and climbing (negative downhill) grow in proportion to the speed, the air with its "
+    "cube; the sum is the heavy line.",
     size=(7, 4.2),
 )
 def powers_of_a_car(ax, powers, a, slope):

@@ -12,6 +12,7 @@ from itertools import pairwise
 
 import nbformat
 import pytest
+from nbformat.v4 import new_code_cell, new_notebook
 
 from newton_euler.classroom.widgets.on_pages import ASKED
 from tests.chapters.notebooks import (
@@ -143,6 +144,14 @@ def test_the_code_of_a_prediction_is_folded_since_it_has_the_answer(path):
 
 
 @each_notebook
+def test_a_prediction_has_a_right_answer_so_that_it_is_judged(path):
+    for cell in filter(is_asked, read(path).cells):
+        for call in ast.walk(ast.parse(cell.source)):
+            if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "predict":
+                assert len(call.args) > 2 or "answer" in {k.arg for k in call.keywords}, cell.id
+
+
+@each_notebook
 def test_folded_answers_are_closed_and_leave_a_line_for_markdown(path):
     text = prose(read(path))
     assert text.count("<details>") == text.count("</details>")
@@ -188,7 +197,7 @@ def test_every_formula_is_closed(path):
                 )
 
 
-def executed(path, where, missing=(), afterwards=lambda client, notebook: None):
+def executed(notebook, where, missing=(), afterwards=lambda client, notebook: None):
     """The notebook, run in a clean kernel that finds the engine and nothing else, and what
     ``afterwards`` returns, which is called while the kernel is there.
     """
@@ -196,12 +205,12 @@ def executed(path, where, missing=(), afterwards=lambda client, notebook: None):
     (where / "newton_euler").symlink_to(ROOT / "newton_euler", target_is_directory=True)
     absent = "".join(f"sys.modules[{name!r}] = None\n" for name in missing)
     (where / "sitecustomize.py").write_text(f"import sys\n{absent}")
-    notebook = read(path)
     runner = client(
         notebook,
         timeout=10 * DEADLINE_S,  # a cell, on a machine that is busy
         kernel_name="python3",
         resources={"metadata": {"path": str(where)}},
+        coalesce_streams=True,  # as the site shows them
     )
     environment = {
         **os.environ,
@@ -243,7 +252,9 @@ def run_twice(request, tmp_path_factory):
     need not run it.
     """
     path = request.param
-    notebook, again = executed(path, tmp_path_factory.mktemp(path.stem), afterwards=printed_again)
+    notebook, again = executed(
+        read(path), tmp_path_factory.mktemp(path.stem), afterwards=printed_again
+    )
     keep(Chapter(path), nbformat.writes(notebook), CACHE / "executed")
     return notebook, again
 
@@ -324,14 +335,15 @@ def test_every_chapter_has_notes_for_instructors():
     assert {path.stem for path in NOTES} == chapters
 
 
-@pytest.mark.parametrize("path", NOTES, ids=lambda path: path.stem)
-def test_the_notes_for_instructors_run_without_warnings(path, tmp_path):
-    notebook, _ = executed(path, tmp_path)
+def test_the_notes_for_instructors_run_without_warnings(tmp_path):
+    """In one kernel, in which each begins without the names of the one before."""
+    cells = [c for path in NOTES for c in (new_code_cell("%reset -f"), *read(path).cells)]
+    notebook, _ = executed(new_notebook(cells=cells), tmp_path)
     assert not stderr_of(notebook)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 def test_a_notebook_runs_where_widgets_and_heyoka_are_missing(path, tmp_path):
-    notebook, _ = executed(path, tmp_path, missing=("ipywidgets", "heyoka", "symengine"))
+    notebook, _ = executed(read(path), tmp_path, missing=("ipywidgets", "heyoka", "symengine"))
     assert any(is_picture(output) for cell in code(notebook) for output in cell.outputs)

@@ -41,7 +41,9 @@ def unfound(text, sections):
     """The references of a text to something that the section or chapter does not speak of."""
     bare = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     for word, place in REFERENCE.findall(bare):
-        there = " ".join(said for n, said in sections.items() if place in (n, n.partition(".")[0]))
+        there = " ".join(
+            output for n, output in sections.items() if place in (n, n.partition(".")[0])
+        )
         stem = re.sub(r"(ing|es|ed|s|e)$", "", word.lower())
         if word.lower() not in EMPTY and stem not in there:
             yield f"{word} of {place}"

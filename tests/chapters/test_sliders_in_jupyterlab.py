@@ -86,14 +86,16 @@ def test_a_screen_reader_hears_the_name_and_the_value_of_every_slider(page):
         h.getAttribute('aria-label'), h.getAttribute('aria-valuetext'),
         h.closest('.newton-euler-slider').querySelector('.newton-euler-value').textContent])"""
 
-    def told():
+    def announced():
         found = page.driver.execute_script(said)
         return found and all(f"{name} = {value}" == shown for name, value, shown in found)
 
-    page.wait(told, "names and values")
+    page.wait(announced, "names and values")
     before = page.driver.execute_script(said)
     page.all(".noUi-handle", 0)[0].send_keys(Keys.ARROW_RIGHT)
-    page.wait(lambda: page.driver.execute_script(said)[0] != before[0] and told(), "the next one")
+    page.wait(
+        lambda: page.driver.execute_script(said)[0] != before[0] and announced(), "the next one"
+    )
 
 
 each_figure = pytest.mark.parametrize("n", range(len(FIGURES)), ids=list(FIGURES))
