@@ -4,7 +4,10 @@ Imports go down in this list only, and everything below it may import the grader
 
     command         the command line
     build           the steps of a build
+    languages       the pages of another language, and their links
+    translations    what of the course another language has, lacks, or has of an older text
     engine          Python and the engine beside the pages
+    formulas        formulas, drawn when the site is built
     npm             packages of npm, fetched once, checked and kept
     contents        the first page
     landing         what a reader can do on it at once
@@ -14,6 +17,7 @@ Imports go down in this list only, and everything below it may import the grader
     practice_sets   the practice of the problem pages
     chapter_pages   an executed notebook made ready for Sphinx
     moving          figures with sliders, which the engine in the page draws
+    pictures        pictures within a page as files beside it
     execution       notebooks run in clean kernels, their outputs kept
     notebooks       which chapters there are, in the order of the book
     kept            the folder in which results are kept, and what they depend on

@@ -5,16 +5,21 @@ import re
 import shutil
 import tempfile
 import warnings
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
 import nbformat
+
+from newton_euler.algebra.language import language
 
 from . import (
     chapter_pages,
     contents,
     engine,
+    formulas,
     landing,
+    languages,
+    pictures,
     practice_sets,
     problem_index,
     problem_pages,
@@ -22,7 +27,7 @@ from . import (
 )
 from .execution import WebsiteError, with_outputs
 from .kept import ROOT
-from .notebooks import FOLDER, Chapter, chapters
+from .notebooks import FOLDER, Chapter, chapters, translation
 
 THEME = Path(__file__).with_name("theme")
 CACHE = ROOT / ".site_cache"
@@ -39,6 +44,7 @@ def build(
     packages: str = "",
     practised: Collection[str] | None = None,
     course: Path | None = None,
+    beside: Mapping[str, str] | None = None,
 ) -> list[str]:
     """Build the site in the folder ``out``; returns what is not in it: the engine, the outputs of
     chapters.
@@ -52,14 +58,17 @@ def build(
     packages : address of Pyodide's other packages, of which a reader may ask for NumPy
     practised : the chapters whose problems are checked on their pages; by default all
     course : the folder of a course, near whose graded numbers nobody practises
+    beside : {language: address from the root of this site} of the same site in other languages
+
+    The site is in the language that is spoken; what is not given in it is in English.
     """
+    cache = Path(cache)
     python = engine.pyodide(cache / "npm") if with_engine else None
-    found, wanted = chapters(names, folder), problem_pages.names(names)
+    wanted = problem_pages.names(names)
+    found = [translation(c, language()) or c for c in chapters(names, folder)]
     ran = with_outputs(found, cache / "executed", run, _counter(progress, "notebooks", len(found)))
     count = sum(bool(p.figure) for name in wanted for p in problem_pages.problems(name))
-    pictures = problem_pages.figures(
-        wanted, cache / "figures", _counter(progress, "figures", count)
-    )
+    figures = problem_pages.figures(wanted, cache / "figures", _counter(progress, "figures", count))
     practised = [name for name in wanted if practised is None or name in practised]
     count = sum(len(problem_pages.problems(name)) for name in practised if python)
     found_sets = practice_sets.sets(
@@ -70,8 +79,12 @@ def build(
     )
     with tempfile.TemporaryDirectory() as work:
         source, pages = Path(work) / "source", Path(work) / "pages"
-        _write_source(source, found, ran, wanted, pictures, pages / "moving" if python else None)
-        _sphinx(source, pages, bool(names), progress, ["engine"] if python else [])
+        _write_source(source, found, ran, wanted, figures, pages / "moving" if python else None)
+        shown = languages.settings(found, wanted, beside or {})
+        _sphinx(source, pages, bool(names), progress, ["engine"] if python else [], shown)
+        languages.write_words(pages)
+        pictures.take_out(pages)
+        formulas.typeset(pages, cache / "npm")
         if python:
             engine.write(pages, python, packages)
             (pages / "practice").mkdir()
@@ -94,9 +107,9 @@ def _counter(progress, step, number):
     return count
 
 
-def _write_source(source, found, ran, wanted, pictures, moving):
+def _write_source(source, found, ran, wanted, figures, moving):
     _write_chapters(source / "chapters", found, ran, moving)
-    _write_problems(source / "problems", wanted, found, pictures)
+    _write_problems(source / "problems", wanted, found, figures)
     pages = reference.pages()
     for name, text in pages.items():
         _write(source / "reference" / f"{name}.rst", text)
@@ -127,24 +140,26 @@ def _write_chapters(folder, found, ran, moving):
         _write(folder / c.path.name, nbformat.writes(page))
 
 
-def _write_problems(folder, names, found, pictures):
+def _write_problems(folder, names, found, figures):
     notebooks = {c.name: c.path.name for c in found}
     for name in names:
         _write(folder / f"{name}.md", problem_pages.page(name, notebooks.get(name, "")))
         for file, text in problem_pages.own_pages(name).items():
             _write(folder / file, text)
     _write(folder / "index.md", problem_index.page(names))
-    for name, png in pictures.items():
+    _write(folder / "own.md", problem_pages.taken())
+    for name, svg in figures.items():
         (folder / "figures").mkdir(exist_ok=True)
-        (folder / "figures" / name).write_bytes(png)
+        (folder / "figures" / name).write_bytes(svg)
 
 
-def _sphinx(source, out, partial, progress, tags):
+def _sphinx(source, out, partial, progress, tags, changed):
     """Call Sphinx; every warning is an error, except for links out of a part of the site."""
     from sphinx.application import Sphinx
 
     output = io.StringIO()
-    changed = {"suppress_warnings": ["myst.xref_missing", "toc.not_readable"]} if partial else {}
+    if partial:
+        changed = {**changed, "suppress_warnings": ["myst.xref_missing", "toc.not_readable"]}
     progress("pages", 0, 1)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # Sphinx's extensions warn about each other

@@ -9,15 +9,20 @@ from pathlib import Path
 from nbformat import NotebookNode
 
 from exercises.catalogue.sections import section_anchor
+from newton_euler.algebra.language import Words, _
 from newton_euler.classroom.predicting.page import STATIC, inline
 
 from . import moving
 
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
+# a formula below the text of an item: MyST wants it as a paragraph of the item
+IN_ITEM = re.compile(r"(?m)^(( *)(\d+\.|-) .+)\n(\$\$.+\$\$)$")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 TRIED = re.compile(r'try_problem\("([^"]+)"\)')
-TRY = "**Try problem {number}.** [Its page](../problems/{page}.md) checks answers and every step."
-NO_OUTPUTS = "*The cells of this page have not been run.*"
+TRY = Words(
+    "**Try problem {number}.** [Its page](../problems/{page}.md) checks answers and every step."
+)
+NO_OUTPUTS = Words("*The cells of this page have not been run.*")
 
 
 def page(notebook: NotebookNode, ran: bool = True, pictures: Path | None = None) -> NotebookNode:
@@ -36,18 +41,18 @@ def page(notebook: NotebookNode, ran: bool = True, pictures: Path | None = None)
             _fold(cell)
             cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
             _without_kernel(cell)
-            if pictures:
-                moving.mark(cell, pictures)
+            moving.mark(cell, pictures)
             _describe(cell, caption(after.get("source", "")))
     if not ran:
-        cells[0].source += f"\n\n{NO_OUTPUTS}"
+        cells[0].source += f"\n\n{_(NO_OUTPUTS)}"
     return notebook
 
 
 def markdown(text: str) -> str:
     """The text of a cell with an anchor at each numbered section, with <details> on lines of their
-    own, so that Markdown goes on within, and with formulas in each <summary>.
+    own, so that Markdown goes on within, and with formulas in each <summary> and within items.
     """
+    text = IN_ITEM.sub(lambda m: f"{m[1]}\n\n{m[2]}{' ' * len(m[3])} {m[4]}\n", text)
     text = HEADING.sub(lambda m: f"({section_anchor(m[1])})=\n{m[0]}", text)
     text = re.sub(r"(?s)<summary>(.*?)</summary>", _summary, text)
     return re.sub(r"[ \t]*(</?details\b[^>]*>)[ \t]*", r"\n\n\1\n\n", text)
@@ -60,7 +65,7 @@ def _summary(match):
 def _say_where(cell, number):
     """Replace a cell that checks an answer by a link to the problem."""
     page = number.replace("/", "-")
-    cell.cell_type, cell.source = "markdown", TRY.format(number=number, page=page)
+    cell.cell_type, cell.source = "markdown", _(TRY, number=number, page=page)
     cell.pop("outputs", None)
     cell.pop("execution_count", None)
 
@@ -84,7 +89,7 @@ def _without_kernel(cell):
 
 def caption(text: str) -> str:
     """The text of a caption, "*Figure 3. A bead on a rod.*", in plain words."""
-    found = re.match(r"\s*\*((?:Figure|Film)\b.+?)\*(?:\s|$)", text, re.S)
+    found = re.match(r"\s*\*((?:Figure|Bild|Film)\b.+?)\*(?:\s|$)", text, re.S)
     return plain(found[1]) if found else ""
 
 

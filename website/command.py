@@ -1,5 +1,8 @@
 """The command ``python -m website``."""
 
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import click
@@ -7,11 +10,13 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from grader.commands.shared import PROBLEMS_FROM
+from newton_euler.algebra.language import VARIABLE, speaking
+from newton_euler.algebra.language import languages as known_languages
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "show_default": True}
 
 
-@click.command(context_settings=SETTINGS)
+@click.group(context_settings=SETTINGS, invoke_without_command=True)
 @click.option(
     "--out",
     default="_site",
@@ -36,7 +41,8 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     "--packages",
     default="",
     metavar="URL",
-    help="Folder with Pyodide's other packages: readers may then fetch NumPy from there.",
+    help="Folder with Pyodide's other packages: readers may then fetch NumPy from there, if its "
+    "server lets this site read it (CORS).",
 )
 @click.option(
     "--course",
@@ -44,14 +50,30 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     show_default="none",
     help="Nobody practises near the numbers that this course grades.",
 )
+@click.option(
+    "--language",
+    default="en",
+    type=click.Choice(known_languages()),
+    help="Of the site; what is not given in it stays in English.",
+)
+@click.option(
+    "--beside",
+    multiple=True,
+    metavar="LANGUAGE=ADDRESS",
+    help="Link the same pages in another language, as en=../ from _site/de; may be repeated.",
+)
 @PROBLEMS_FROM
+@click.pass_context
 def main(
+    context: click.Context,
     out: Path,
     names: tuple[str, ...],
     no_run: bool,
     engine: bool,
     packages: str,
     course: Path | None,
+    language: str,
+    beside: tuple[str, ...],
 ) -> None:
     """Build the course as static pages, to read in a browser without network and without Python.
 
@@ -68,6 +90,8 @@ def main(
       python -m website
       python -m website --chapters ch04 --out _ch04     one chapter with its problems
       python -m website --no-run                        the texts as they are now, at once
+      python -m website --language de --out _site/de --beside en=../
+      python -m website translations de                 what of it is missing or stale
 
     Python for the browser (Pyodide, 14 MB) comes from npm, once; readers load it when they touch
     what computes, and it works from a web server only.
@@ -78,11 +102,13 @@ def main(
     from .execution import WebsiteError
     from .notebooks import chapters
 
+    if context.invoked_subcommand:
+        return
     known = {c.name for c in chapters()} | {c.stem for c in chapters()}
     if unknown := [n for n in names if n not in known]:
         raise click.UsageError(f"there is no chapter {unknown[0]}; there are {_list(chapters())}")
     try:
-        with _bar() as bar:
+        with _bar() as bar, in_every_process(language):
             left = steps.build(
                 out,
                 names,
@@ -91,6 +117,7 @@ def main(
                 with_engine=engine,
                 packages=packages,
                 course=course,
+                beside=dict(x.split("=", 1) for x in beside if "=" in x),
             )
     except WebsiteError as error:
         raise click.ClickException(str(error)) from None
@@ -98,6 +125,66 @@ def main(
     click.echo(f"{pages} pages, {_megabytes(out):.0f} MB; open {out / 'index.html'}")
     if left:
         click.echo(f"left out: {', '.join(left)}")
+
+
+@contextmanager
+def in_every_process(name: str) -> Iterator[None]:
+    """A context in which this language is spoken, here and in kernels that are started."""
+    before = os.environ.get(VARIABLE)
+    os.environ[VARIABLE] = name
+    try:
+        with speaking(name):
+            yield
+    finally:
+        os.environ.pop(VARIABLE)
+        if before is not None:
+            os.environ[VARIABLE] = before
+
+
+@main.command()
+@click.argument("language", metavar="LANGUAGE")
+@click.option("--write", is_flag=True, help="Bring the sentences of its catalogue up to date.")
+@click.option(
+    "--done",
+    multiple=True,
+    metavar="FILE",
+    type=click.Path(path_type=Path, exists=True, dir_okay=False),
+    help="The translation in this file fits its source as it is now; may be repeated.",
+)
+@click.option(
+    "--problem",
+    "begun",
+    multiple=True,
+    metavar="NUMBER",
+    help="Write the English texts of this problem where its translation belongs; may be repeated.",
+)
+@click.option("--all", "every", is_flag=True, help="Name every text that is missing.")
+def translations(
+    language: str, write: bool, done: tuple[Path, ...], begun: tuple[str, ...], every: bool
+) -> None:
+    """Show what is missing or stale in LANGUAGE, as de.
+
+    Sentences are in newton_euler/algebra/languages/de.po, the texts of a problem in
+    exercises/ch09/de/p01.yaml, a chapter is chapters/de/ch09_rotors.ipynb and, for its predictions,
+    ch09_rotors.po. What was translated from a source that has changed since is stale, until --done
+    says that it fits again.
+    """
+    from exercises.catalogue.sources import begin
+
+    from . import translations as found
+
+    if write:
+        for path in found.write_catalogues(language):
+            click.echo(f"written: {path}")
+    for number in begun:
+        click.echo(f"to translate: {begin(number, language)}")
+    found.mark(done)
+    for part in found.report(language):
+        lacks = [f"{len(part.missing)} missing"] * bool(part.missing)
+        stale = [f"stale: {', '.join(part.stale)}"] * bool(part.stale)
+        click.echo(f"{part.percent:3} % of {part.all:4}  {part.name}  {'; '.join(lacks + stale)}")
+        for text in part.missing if every else ():
+            click.echo(f"       {text}")
 
 
 def _list(found):

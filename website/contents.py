@@ -6,6 +6,7 @@ from html import escape
 
 from exercises.catalogue import chapter, problems
 from newton_euler import __version__
+from newton_euler.algebra.language import Words, _, spoken
 from newton_euler.drawing.page.letters import letters
 
 from . import landing
@@ -13,25 +14,43 @@ from .notebooks import Chapter
 from .problem_pages import heading
 
 WHAT = """\
-# Newton-Euler dynamics
+# {title}
 
-Dynamics in three dimensions that answers back: chapters whose figures move, {count} problems that say which mistake
-an answer holds, and the engine behind both. All of it works in this page: no install, no account, nothing is sent.
+{what}
 
 ```{{raw}} html
-{moving}{question}<script defer src="_static/landing.js"></script>
+{moving}{question}
 ```
 
-- **Students:** [choose a problem](problems/index.md) and work it on its page, or read [a chapter](#chapters).
-- **Instructors:** assignments with numbers for each student, graded in a sandbox, with feedback that names the
-  mistake: [run the notebooks](#run-the-notebooks), then `python -m grader demo`.
-- **Developers:** the [reference](#reference) of the engine; every formula runs on floats, arrays and symbols.
+- {students}
+- {instructors}
+- {developers}
 
-"""  # noqa: E501  # a text for readers
+"""
+TITLE = Words("Newton-Euler dynamics")
+ANSWERS_BACK = Words(
+    "Dynamics in three dimensions that answers back: chapters whose figures move, {count} problems "
+    "that say which mistake an answer holds, and the engine behind both. All of it works in this "
+    "page: no install, no account, nothing is sent."
+)
+STUDENTS = Words(
+    "**Students:** [choose a problem](problems/index.md) and work it on its page, or read [a "
+    "chapter](#chapters)."
+)
+INSTRUCTORS = Words(
+    "**Instructors:** assignments with numbers for each student, graded in a sandbox, with "
+    "feedback that names the mistake: [run the notebooks](#run-the-notebooks), then `python -m "
+    "grader demo`."
+)
+DEVELOPERS = Words(
+    "**Developers:** the [reference](#reference) of the engine; every formula runs on floats, "
+    "arrays and symbols."
+)
 RUN = """
-## Run the notebooks
+(run-the-notebooks)=
+## {run}
 
-With Python 3.11 or newer, and the wheel that your instructor gives you:
+{with_python}
 
 ```
 pip install './newton_euler-VERSION-py3-none-any.whl[student]'
@@ -39,11 +58,11 @@ python -m newton_euler chapters DIR
 jupyter lab DIR
 ```
 
-The second line copies the notebooks to the folder DIR and leaves alone what is there already.
+{second_line}
 
-## Build these pages
+## {build}
 
-In a checkout of the course:
+{checkout}
 
 ```
 pip install -e '.[fast,course,site]'
@@ -51,6 +70,18 @@ python -m website
 ```
 
 """
+RUN_TEXTS = {
+    "run": Words("Run the notebooks"),
+    "with_python": Words(
+        "With Python 3.11 or newer, and the wheel that your instructor gives you:"
+    ),
+    "second_line": Words(
+        "The second line copies the notebooks to the folder DIR and leaves alone what is there "
+        "already."
+    ),
+    "build": Words("Build these pages"),
+    "checkout": Words("In a checkout of the course:"),
+}
 TREE = """\
 ```{{toctree}}
 :hidden:
@@ -70,20 +101,28 @@ def page(
 ) -> str:
     """The text of the first page, with a ``question`` about its figure, as HTML."""
     count = sum(len(problems(name)) for name in problem_names)
-    what = WHAT.format(count=count, moving=landing.moving(), question=question)
-    lines = [what, "## Chapters", "", *map(_chapter, chapters), "", "## Problems", ""]
-    lines += ["- **[Choose a problem](problems/index.md)**", *map(_problems, problem_names), ""]
-    lines += ["## Reference", ""]
+    what = WHAT.format(
+        title=_(TITLE), what=_(ANSWERS_BACK, count=count), moving=landing.moving(),
+        question=question, students=_(STUDENTS),
+        instructors=_(INSTRUCTORS),
+        developers=_(DEVELOPERS),
+    )  # fmt: skip
+    choose = _("Choose a problem")
+    lines = [what, "(chapters)=", f"## {_('Chapters')}", "", *map(_chapter, chapters), ""]
+    lines += [f"## {_('Problems')}", ""]
+    lines += [f"- **[{choose}](problems/index.md)**", *map(_problems, problem_names), ""]
+    lines += ["(reference)=", f"## {_('Reference')}", ""]
     lines += [f"- [{title}](reference/{name}.rst)" for name, title in reference.items()]
     trees = {
-        "Chapters": [f"chapters/{c.stem}" for c in chapters],
-        "Problems": [
-            "Choose a problem <problems/index>",
+        _("Chapters"): [f"chapters/{c.stem}" for c in chapters],
+        _("Problems"): [
+            f"{choose} <problems/index>",
             *(f"{_short(name)} <problems/{name}>" for name in problem_names),
         ],
-        "Reference": [f"reference/{name}" for name in reference],
+        _("Reference"): [f"reference/{name}" for name in reference],
     }
-    run = RUN.replace("VERSION", __version__)
+    texts = {name: spoken(text) for name, text in RUN_TEXTS.items()}
+    run = RUN.format(**texts).replace("VERSION", __version__)
     return "\n".join([*lines, run, *(_tree(c, p) for c, p in trees.items())])
 
 

@@ -32,7 +32,8 @@ def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
     """Put the engine into the folder ``engine`` of the site, with these files of Pyodide. Names
     change with contents, so that a browser may keep them for good.
 
-    packages : address of Pyodide's other packages, of which a reader may ask for NumPy
+    packages : address of Pyodide's other packages, of which a reader may ask for NumPy; its server
+        has to allow the site to read them (CORS), unless it is the same
     """
     folder, python = out / "engine", f"pyodide-{PYODIDE.version}"
     (folder / python).mkdir(parents=True)
@@ -44,7 +45,7 @@ def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
         "package": package,
         "bytes": sum(map(len, found.values())) + (folder / package).stat().st_size,
         "later": {n: [_put(path, folder) for path in paths] for n, paths in _later().items()},
-        "packages": packages,
+        "packages": packages and f"{packages.rstrip('/')}/",
     }
     (folder / "engine.json").write_text(json.dumps(about))
     (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # it keeps what lies beside it and below

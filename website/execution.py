@@ -68,7 +68,11 @@ def _executed(path):
         (Path(folder) / "newton_euler").symlink_to(ROOT / "newton_euler")
         resources = {"metadata": {"path": folder}}
         client = NotebookClient(
-            notebook, timeout=LONGEST, kernel_name="python3", resources=resources
+            notebook,
+            timeout=LONGEST,
+            kernel_name="python3",
+            resources=resources,
+            coalesce_streams=True,  # a text that came in two pieces; MyST would part them
         )
         try:
             # messages of the kernel itself are not about the notebook

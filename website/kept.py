@@ -7,16 +7,26 @@ import sys
 from functools import cache
 from pathlib import Path
 
+from newton_euler.algebra.language import language
+
 ROOT = Path(__file__).parents[1]
 
 
-@cache
 def fingerprint(*folders: str) -> str:
-    """A hash of the files of the engine, the chapters and these other folders."""
-    digest = hashlib.sha256(sys.version.encode())
+    """A hash of the files of the engine, the chapters and these other folders, and of the sentences
+    in the language that is spoken.
+    """
+    return _fingerprint(language(), *folders)
+
+
+@cache
+def _fingerprint(spoken, *folders):
+    digest = hashlib.sha256(f"{sys.version} {spoken}".encode())
     for folder in ("newton_euler", "chapters", *folders):
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.is_file() and path.suffix not in (".pyc", ".ipynb"):
+            names = path.stem, path.parent.name
+            other = path.suffix == ".po" and spoken not in names  # languages/de.po, de/ch09….po
+            if path.is_file() and not other and path.suffix not in (".pyc", ".ipynb"):
                 digest.update(f"{path.relative_to(ROOT)}\n".encode() + path.read_bytes())
     return digest.hexdigest()
 

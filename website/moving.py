@@ -16,13 +16,15 @@ from newton_euler.classroom.widgets.on_pages import MOVING
 EMBEDDED = re.compile(r'<img\b[^>]*\bsrc="data:image/svg\+xml;base64,([^"]+)"[^>]*>')
 
 
-def mark(cell: NotebookNode, folder: Path) -> None:
+def mark(cell: NotebookNode, folder: Path | None) -> None:
     """Wrap each moving picture of a cell in what the script looks for; the pictures along its
-    sliders become files in the folder.
+    sliders become files in the folder; without one the pictures stand still.
     """
     outputs = (x.get("data", {}) for x in cell.outputs)
     for number, data in enumerate(x for x in outputs if MOVING in x):
         about = data.pop(MOVING)
+        if folder is None:
+            continue
         for picture in (x for along in about["along"].values() for x in along):
             picture["file"] = _written(picture.pop("svg"), folder)
         given = escape(json.dumps({**about, "number": number}))

@@ -1,8 +1,9 @@
 """The chapters: the notebooks of the course in the order of the book."""
 
+import hashlib
 import json
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -49,6 +50,28 @@ def chapters(names: Collection[str] = (), folder: Path = FOLDER) -> list[Chapter
     """
     found = [Chapter(path) for path in folder.glob("*.ipynb")]
     return sorted((c for c in found if not names or {c.name, c.stem} & {*names}), key=_place)
+
+
+def translation(chapter: Chapter, name: str) -> Chapter | None:
+    """The same chapter in the language of this name, None where it is not given."""
+    path = chapter.path.parent / name / chapter.path.name
+    return Chapter(path) if path.exists() else None
+
+
+def is_cell_current(source: Mapping[str, Any], cell: Mapping[str, Any]) -> bool:
+    """True if a cell was translated from this one as it is now."""
+    return cell["metadata"].get("source") == _hash(source)
+
+
+def mark_cells_current(notebook: Any, source: Any) -> None:
+    """Keep in each cell of text a hash of the cell from which it was translated."""
+    for cell, other in zip(notebook.cells, source.cells, strict=True):
+        if cell.cell_type == "markdown":
+            cell.metadata["source"] = _hash(other)
+
+
+def _hash(cell):
+    return hashlib.sha256("".join(cell["source"]).encode()).hexdigest()[:12]
 
 
 def _place(chapter):

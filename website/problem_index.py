@@ -8,24 +8,25 @@ from html import escape
 
 from exercises.catalogue import Problem, problems
 from exercises.catalogue.survey import Entry, entry
+from newton_euler.algebra.language import Words, spoken
 
 from .problem_pages import anchor
 
 PAGE = """\
-# Choose a problem
+# {title}
 
-Difficulty (1 to 5) and minutes are estimates from the steps and operations of the solution; sheets is how many sets of numbers can be drawn.
+{about}
 
 ```{{raw}} html
 <form class="choose" role="search" hidden>
-<label>Words <input type="search" name="words"></label>
-<label>Section <input name="section" size="6" placeholder="4 or 4.10"></label>
-<label>Kind of answer <select name="kind"><option value="">any</option>{kinds}</select></label>
-<label>Equation <input name="equation" size="6" placeholder="4.18"></label>
-<label>Difficulty at most <input name="difficulty" type="number" min="1" max="5"></label>
-<label>Minutes at most <input name="minutes" type="number" min="5" step="5"></label>
-<label>Steps at most <input name="steps" type="number" min="0"></label>
-<label>Sheets at least <input name="sheets" type="number" min="1"></label>
+<label>{words} <input type="search" name="words"></label>
+<label>{section} <input name="section" size="6" placeholder="{or_}"></label>
+<label>{kind} <select name="kind"><option value="">{any}</option>{kinds}</select></label>
+<label>{equation} <input name="equation" size="6" placeholder="4.18"></label>
+<label>{difficulty} <input name="difficulty" type="number" min="1" max="5"></label>
+<label>{minutes} <input name="minutes" type="number" min="5" step="5"></label>
+<label>{steps} <input name="steps" type="number" min="0"></label>
+<label>{sheets} <input name="sheets" type="number" min="1"></label>
 </form>
 <p class="chosen" role="status"></p>
 <div class="problems"><table class="docutils problems"><thead><tr>{heads}</tr></thead>
@@ -33,27 +34,39 @@ Difficulty (1 to 5) and minutes are estimates from the steps and operations of t
 {rows}
 </tbody></table></div>
 ```
-"""  # noqa: E501  # a text for readers
+"""
+LABELS = {
+    "title": Words("Choose a problem"),
+    "about": Words(
+        "Difficulty (1 to 5) and minutes are estimates from the steps and operations of the "
+        "solution; sheets is how many sets of numbers can be drawn. A practice file of your "
+        "instructor's opens [here](own.md)."
+    ),
+    "words": Words("Words"),
+    "section": Words("Section"),
+    "or_": Words("4 or 4.10"),
+    "kind": Words("Kind of answer"),
+    "any": Words("any"),
+    "equation": Words("Equation"),
+    "difficulty": Words("Difficulty at most"),
+    "minutes": Words("Minutes at most"),
+    "steps": Words("Steps at most"),
+    "sheets": Words("Sheets at least"),
+}
 HEADS = (
-    "problem",
-    "section",
-    "title",
-    "asks for",
-    "equations",
-    "steps",
-    "difficulty",
-    "min",
-    "sheets",
-)
+    Words("problem"), Words("section"), Words("title"), Words("asks for"), Words("equations"),
+    Words("steps"), Words("difficulty"), Words("min"), Words("sheets"),
+)  # fmt: skip
 
 
 def page(names: Iterable[str]) -> str:
     """The text of the page, of the problems of these chapters."""
     found = [(p, entry(p)) for name in names for p in problems(name)]
-    kinds = sorted({kind for _, e in found for kind in e.kinds})
+    kinds = sorted({kind for p, e in found for kind in e.kinds})
     return PAGE.format(
+        **{name: spoken(text) for name, text in LABELS.items()},
         kinds="".join(f'<option value="{k}">{k.replace("_", " ")}</option>' for k in kinds),
-        heads="".join(f'<th scope="col">{head}</th>' for head in HEADS),
+        heads="".join(f'<th scope="col">{spoken(head)}</th>' for head in HEADS),
         rows="\n".join(_row(p, e) for p, e in found),
     )
 

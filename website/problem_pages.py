@@ -11,15 +11,16 @@ from pathlib import Path
 from exercises.catalogue import chapter, chapters, problem, problems
 from exercises.catalogue.places import files_of
 from exercises.catalogue.sections import section_anchor
-from grader.assignment.figures import figure_png
+from grader.assignment.figures import figure_for_page
 from grader.assignment.notebook import definitions, slug, statement, typeset
+from newton_euler.algebra.language import Words, _, language
 
 from .kept import fingerprint, kept_name, store
 from .notebooks import place
 
 NUMBERS = """\
 <details>
-<summary>The numbers, to copy into a cell</summary>
+<summary>{title}</summary>
 
 ```python
 {lines}
@@ -27,6 +28,11 @@ NUMBERS = """\
 
 </details>
 """
+IMAGE = re.compile(r"!\[(?:[^\\\]]|\\.)*\]\(attachment:figure\.png\)")
+# within the page, where it follows the page's theme; it says itself what it shows
+FIGURE = """```{{raw}} html
+:file: figures/{name}.svg
+```"""
 OWN = """\
 ---
 orphan: true
@@ -45,8 +51,38 @@ nosearch: true
 <script defer src="../_static/practice.js"></script>
 ```
 
-[All problems of this chapter]({chapter}.md) · [Choose a problem](index.md)
+[{all}]({chapter}.md) · [{choose}](index.md)
 """
+
+TAKEN = """\
+---
+orphan: true
+---
+# {title}
+
+{words}
+
+```{{raw}} html
+<div class="statement"></div>
+<div class="practice" data-engine hidden></div>
+<script defer src="../_static/practice.js"></script>
+```
+
+[{choose}](index.md)
+"""
+
+
+OWN_FILE = Words(
+    "Your instructor may have given you a practice file, as `ch04.practice`. Open it here, or in a "
+    'notebook by `practice("ch04.practice")`. It is read in this page: nothing is sent, and '
+    "nothing in it is run."
+)
+
+
+def taken() -> str:
+    """The page on which a reader opens a practice file."""
+    title = _("Your own practice file")
+    return TAKEN.format(title=title, words=_(OWN_FILE), choose=_("Choose a problem"))
 
 
 def names(wanted: Collection[str] = ()) -> list[str]:
@@ -65,63 +101,79 @@ def page(name: str, notebook: str = "") -> str:
     found = chapter(name)
     lines = [f"# {heading(found.title)}", ""]
     if notebook:
-        lines += [f"The problems practise [this chapter](../chapters/{notebook}).", ""]
+        line = _("The problems practise [this chapter](../chapters/{notebook}).", notebook=notebook)
+        lines += [line, ""]
     lines += [typeset(found.preamble, problems(name)[0]), ""] if found.preamble else []
     return "\n".join([*lines, *map(_text, problems(name))])
 
 
 def heading(title: str) -> str:
     """ "Chapter 4: relative motion" as the title of its problems."""
-    if not re.match(r"(Chapter|Appendix) ", title):
+    if not re.match(r"(Chapter|Appendix|Kapitel|Anhang) ", title):
         return title  # of a course's own problems
-    return f"Problems of {title[:1].lower()}{title[1:]}"
+    return _("Problems of {chapter}", chapter=in_a_sentence(title))
+
+
+def in_a_sentence(title: str) -> str:
+    """ "Chapter 4: …" within a sentence: "chapter 4: …"; German keeps its capital letter."""
+    return title if language() == "de" else title[:1].lower() + title[1:]
 
 
 def _text(p):
-    work = f"**[Work problem {p.id}]({slug(p.id)}.md)**"
+    work = f"**[{_('Work problem {number}', number=p.id)}]({slug(p.id)}.md)**"
     return f"({anchor(p.id)})=\n{_statement(p)}\n\n{work}\n\n{_data(p)}"
 
 
 def _statement(p):
     text = statement(p, p.book_values, bool(p.figure), chapters="../chapters")
-    text = text.replace("(attachment:figure.png)", f"(figures/{slug(p.id)}.png)")
+    text = IMAGE.sub(FIGURE.format(name=slug(p.id)), text)
     return re.sub(r"\(\S+?\.ipynb#.*\)$", f"(#{section_anchor(p.section)})", text)
 
 
 def _data(p):
     lines = "\n".join(definitions(p, p.book_values)[1:])
-    return NUMBERS.format(lines=lines) if p.givens or p.symbols else ""
+    return (
+        NUMBERS.format(lines=lines, title=_("The numbers, to copy into a cell"))
+        if p.givens or p.symbols
+        else ""
+    )
 
 
 def own_pages(name: str) -> dict[str, str]:
     """{file name: text} of the pages of a chapter's problems, on which they are worked."""
     found = {}
     for p in problems(name):
-        head, _, text = _statement(p).partition("\n")
+        head, _newline, text = _statement(p).partition("\n")
         found[f"{slug(p.id)}.md"] = OWN.format(
-            title=head.lstrip("# "), text=text.strip(), data=_data(p), id=p.id, chapter=name
+            title=head.lstrip("# "),
+            text=text.strip(),
+            data=_data(p),
+            id=p.id,
+            chapter=name,
+            all=_("All problems of this chapter"),
+            choose=_("Choose a problem"),
         )
     return found
 
 
 def figures(wanted: Iterable[str], cache: Path, done: Callable[[int], object]) -> dict[str, bytes]:
-    """{file name: PNG} of the problems of these chapters that have a figure, kept in ``cache``."""
+    """{file name: SVG} of the problems of these chapters that have a figure, kept in ``cache``."""
     ids = [p.id for name in wanted for p in problems(name) if p.figure]
     found = {number: cache / _kept(problem(number)) for number in ids}
     missing = [number for number in ids if not found[number].exists()]
     done(len(ids) - len(missing))
     with ProcessPoolExecutor(os.cpu_count() or 1) as pool:
-        for number, png in zip(missing, pool.map(_drawn, missing, chunksize=4), strict=True):
-            store(found[number], png)
+        for number, svg in zip(missing, pool.map(_drawn, missing, chunksize=4), strict=True):
+            store(found[number], svg)
             done(1)
-    return {f"{slug(number)}.png": path.read_bytes() for number, path in found.items()}
+    return {f"{slug(number)}.svg": path.read_bytes() for number, path in found.items()}
 
 
 def _kept(p):
     texts = [f.read_text("utf-8") for f in files_of(p.id)]
-    return kept_name(slug(p.id), ".png", *texts, fingerprint("exercises/devices"))
+    return kept_name(slug(p.id), ".svg", *texts, fingerprint("exercises/devices"))
 
 
 def _drawn(number):
     p = problem(number)
-    return figure_png(p, p.book_values)
+    return figure_for_page(p, p.book_values)

@@ -14,10 +14,14 @@ LONG = 60  # seconds: for a busy machine
 
 
 class Quiet(SimpleHTTPRequestHandler):
-    """A server of files that prints nothing."""
+    """A server of files that prints nothing, and lets other sites read them."""
 
     def log_message(self, *_):
         pass
+
+    def end_headers(self):
+        self.send_header("Access-Control-Allow-Origin", "*")
+        super().end_headers()
 
 
 @contextmanager
@@ -54,9 +58,12 @@ def chromium(folder):
     driver.quit()
 
 
-def emulated(driver, theme="", media=""):
-    """Show pages as to a reader whose system is "dark" or "light", or on paper, by media "print"."""
-    features = [{"name": "prefers-color-scheme", "value": theme}]
+def emulated(driver, theme="", media="", reduced=""):
+    """Show pages as to a reader whose system is "dark" or "light", who wants to "reduce" motion, or
+    on paper, by media "print".
+    """
+    wanted = {"prefers-color-scheme": theme, "prefers-reduced-motion": reduced}
+    features = [{"name": name, "value": value} for name, value in wanted.items()]
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": media, "features": features})
 
 

@@ -10,6 +10,10 @@ A formula with lines and a number, as in (4.18):
 
 $$\begin{aligned} \mathbf a &= \mathbf a_r \\ &\quad + 2\boldsymbol\omega\times\mathbf v_r \end{aligned} \tag{4.18}$$
 
+1. The position in an item:
+$$\mathbf r = x\,\mathbf i \tag{1.1}$$
+2. Its rate.
+
 Problem 4/16 and problems 3/27 and 3/25 are statements; three quarters, 3/4, are not. [Back](#A-numbered-formula)
 """
 FOLDED = """<details><summary>What is $\\dot\\omega$, and *why*?</summary>
@@ -44,6 +48,7 @@ from newton_euler.classroom import predict, predict_again, tally
 
 predict("Which is $x$?", {"one": "That is $y$.", "two": "Right."}, "two")"""
 NUMBER = 'predict("How many?", {4.0: "Twice too many."}, 2.0, "m", within=0.1, why="Count.")'
+PIECES = 'print("one", end="", flush=True)\nprint("\\ntwo")'
 VECTOR = 'Frame("ground").vector(1, 2, 3)'
 
 
@@ -56,7 +61,7 @@ def notebook():
         new_code_cell(SLIDER), new_code_cell(VECTOR),
         new_code_cell("from newton_euler.classroom import try_problem"), new_code_cell(TRY),
         new_code_cell(PREDICT), new_code_cell(NUMBER), new_code_cell("tally()"),
-        new_code_cell("predict_again()"),
+        new_code_cell("predict_again()"), new_code_cell(PIECES),
     ]  # fmt: skip
     kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
     return new_notebook(cells=cells, metadata={"kernelspec": kernel})

@@ -111,6 +111,10 @@ def test_a_cell_that_checks_an_answer_is_a_link_to_the_problem(site):
     assert "No practice file" not in "".join(sample.words)
 
 
+def test_what_a_cell_prints_in_pieces_stands_as_one(site):
+    assert "<span></span>one\ntwo\n</pre>" in (site / "chapters" / "sample.html").read_text("utf-8")
+
+
 def test_a_problem_links_back_to_its_section(site):
     links = read(site / "problems" / "ch04.html").links
     assert "../chapters/ch04_relative_motion.html#section-4-10" in links

@@ -1,6 +1,10 @@
 """Problems worked on their pages, in a real browser: by keyboard alone, on a phone."""
 
+import re
+import shutil
 import time
+import zipfile
+from contextlib import contextmanager
 
 import pytest
 
@@ -22,11 +26,17 @@ AXE = Package(
     "sha512-FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ==",
 )
 FAULTS = """
-const done = arguments[0];
-axe.run(document, {resultTypes: ["violations"]}).then(({violations}) => done(violations
+const [only, done] = arguments;
+axe.run(document, {resultTypes: ["violations"], ...(only && {runOnly: [only]})}).then(({violations}) => done(violations
   .filter((v) => ["serious", "critical"].includes(v.impact))
   .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => n.target).join(" ")}`)));
 """
+# a page of each kind
+KINDS = (
+    "index.html", "problems/4-16.html", "problems/own.html", "problems/index.html",
+    "problems/ch04.html", "chapters/ch01_basic_concepts.html", "chapters/sample.html",
+    "reference/kinematics.html", "search.html", "genindex.html",
+)  # fmt: skip
 LEFT, TOUCHED = "document.activeElement", "document.querySelector('.practice').dataset.ready"
 
 
@@ -37,6 +47,15 @@ def phone(site, driver):
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
     yield driver
     driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def practise(driver, page):
+    """Open the form of a problem page, whoever has practised before."""
+    driver.get(page)
+    driver.execute_script(
+        "if (!localStorage['newton-euler.practises']) document.querySelector('.practice button').click()"
+    )
+    wait(driver, TOUCHED, "the form")
 
 
 def press(driver, *keys):
@@ -132,20 +151,48 @@ def test_five_problems_are_worked_by_keyboard_alone_and_their_progress_is_taken_
     assert complaints(phone) == []
 
 
-def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
-    phone.get(f"{address}/problems/4-16.html")
-    phone.execute_script(
-        "if (!localStorage['newton-euler.practises']) document.querySelector('.practice button').click()"
-    )
+RING = """
+const {outlineStyle, outlineWidth} = getComputedStyle(document.activeElement);
+return outlineStyle !== "none" && parseFloat(outlineWidth) > 0;
+"""
+
+
+def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_seen(address, phone):
+    from selenium.webdriver import Keys
+
+    def go(selector, key, seen):
+        tab_to(phone, selector)
+        assert phone.execute_script(RING), selector
+        press(phone, key)
+        wait(phone, seen, selector)
+
+    moving, prediction = "[data-moving] input[type=range]", ".prediction .choice > summary"
+    phone.get(f"{address}/index.html")
+    go(".landing input[type=range]", Keys.ARROW_RIGHT, "true")
+    go("article a[href*='ch04_']", Keys.ENTER, f"document.querySelector('{moving}')")
+    go(moving, Keys.ARROW_RIGHT, "document.querySelector('[data-moving]').dataset.drawn")
+    go(prediction, Keys.ENTER, "document.querySelector('.choice.chosen')")
+    phone.back()
+    go("form.taste a", Keys.ENTER, "document.querySelector('.practice button')")
+    if not phone.execute_script(f"return {TOUCHED}"):
+        go(".practice button", Keys.ENTER, TOUCHED)
     wait(phone, TOUCHED, "the form")
+    said = "document.querySelectorAll('.practice .said')[{}].textContent"
+    go(".help button:nth-of-type(1)", Keys.ENTER, said.format(0))
+    go(".help button:nth-of-type(2)", Keys.ENTER, said.format(1))
+    go("details.steps > summary", Keys.ENTER, "document.querySelector('details.steps').open")
+    assert complaints(phone) == []
+
+
+def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
+    practise(phone, f"{address}/problems/4-16.html")
     before = phone.execute_script("return document.querySelector('.statement').textContent")
     phone.execute_script("document.querySelector('.sets button').click()")
     wait(phone, "document.querySelector('.sets').textContent.includes('Numbers 2')", "new numbers")
     assert phone.execute_script("return document.querySelector('.statement').textContent") != before
-    image = "document.querySelector('.statement img')"
-    assert wait(phone, f"{image}.naturalWidth > 0 && {image}.alt", "the figure").startswith(
-        "Figure: "
-    )
+    figure = "document.querySelector('.statement > svg.sketch')"
+    assert "shaft" in phone.execute_script(f"return {figure}.getAttribute('aria-label')")
+    phone.execute_script("engine.stop()")  # as where a phone has taken its memory back
     for button in phone.find_elements("css selector", ".help button")[:2]:
         phone.execute_script("arguments[0].click()", button)
     solved = "document.querySelectorAll('.practice .said')[1]"
@@ -157,12 +204,88 @@ def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
         == 0
     )
     assert phone.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
+    shown = "engine.call('practice.show', {problem: '4/16'}).then(p => arguments[0](p.number))"
+    assert phone.execute_async_script(shown) == 2  # the engine that was started again goes on there
+
+
+def test_a_practice_file_of_ones_own_opens_and_what_is_none_is_refused_in_words(
+    site, address, phone, tmp_path
+):
+    mine, bomb = tmp_path / "mine.practice", tmp_path / "bomb.practice"
+    shutil.copy(site / "practice" / "ch04.practice", mine)
+    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("practice.json", b" " * 2**25)
+    phone.get(f"{address}/problems/own.html")
+    chosen = phone.find_element("css selector", ".practice input[type=file]")
+    words = "document.querySelector('.practice .verdict.wrong')?.textContent"
+    chosen.send_keys(str(bomb))
+    assert "bomb.practice: practice.json has more than" in wait(phone, words, "a reason")
+    chosen.send_keys(str(mine))
+    wait(phone, TOUCHED, "the form")
+    choose = "const s = document.querySelector('.practice select'); s.value = '4/16'; s.dispatchEvent(new Event('change'));"
+    phone.execute_script(choose)
+    wait(phone, "document.querySelector('fieldset[data-key=a_D]')", "the form of 4/16")
+    assert "Elbow arm" in phone.execute_script(
+        "return document.querySelector('.statement h2').textContent"
+    )
+    assert phone.execute_script("return !!document.querySelector('.statement > svg.sketch')")
+    assert typed(phone, "a_D", ["1", "2", "3"]).startswith("✗")
+    assert complaints(phone) == []
+
+
+REFUSED = """Object.defineProperty(window, "localStorage", {
+  get() { throw new DOMException("refused", "SecurityError"); }});"""
+
+
+@contextmanager
+def from_the_start(driver, script):
+    """Pages in which a script runs before all others."""
+    added = driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+    yield
+    driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+
+
+def test_what_a_browser_has_damaged_or_refuses_or_lacks_stops_nobody(address, phone):
+    problem, chapter = f"{address}/problems/4-16.html", f"{address}/chapters/sample.html"
+    kept = """for (const name of ["newton-euler.progress", "newton-euler predictions"])
+      localStorage[name] = arguments[0];"""
+    choose = "document.querySelector('.choice summary').click()"
+    chosen = "return document.querySelectorAll('.choice.chosen').length"
+    for damaged in ("[[", "5", '"key"', '{"format": 9, "problems": {}}'):
+        phone.get(chapter)
+        phone.execute_script(kept, damaged)
+        phone.get(chapter)
+        phone.execute_script(choose)
+        assert phone.execute_script(chosen) == 1
+    phone.execute_script(kept, damaged)
+    practise(phone, problem)
+    words = "document.querySelector('.practice .next').textContent"
+    assert "cannot be read: format 9" in phone.execute_script(f"return {words}")
+    assert phone.execute_script("return localStorage['newton-euler.progress.damaged']") == damaged
+    assert typed(phone, "v_D", ["1", "2", "3"]).startswith("✗")
+    assert complaints(phone) == []
+    with from_the_start(phone, REFUSED):
+        phone.get(chapter)
+        phone.execute_script(choose)
+        assert phone.execute_script(chosen) == 1
+        phone.get(problem)
+        phone.execute_script("document.querySelector('.practice button').click()")
+        wait(phone, TOUCHED, "the form")
+        assert typed(phone, "v_D", ["1", "2", "3"]).startswith("✗")
+    complaints(phone)  # of the theme's own script
+    with from_the_start(phone, "delete window.WebAssembly"):
+        phone.get(problem)
+        assert not phone.execute_script("return document.querySelector('.practice').offsetParent")
+        phone.get(chapter)
+        assert phone.execute_script("return document.querySelectorAll('.run').length") == 0
+        assert complaints(phone) == []
 
 
 def test_without_javascript_a_problem_page_is_complete(site):
     text = (site / "problems" / "4-16.html").read_text("utf-8")
     assert "Elbow arm on a turning shaft" in text
-    assert "4-16.png" in text
+    assert re.search(r'<svg[^>]* class="sketch[^>]* aria-label="A vertical shaft', text)
+    assert text.count("<mjx-container") > 10
     assert '<div class="practice" data-problem="4/16" data-file="ch04" data-engine hidden>' in text
 
 
@@ -193,19 +316,14 @@ def test_axe_finds_nothing_serious_in_light_or_dark(site, address, phone):
     if not found:
         pytest.skip("npm does not reach axe-core")
     faults = {}
-    for page in (
-        "index.html",
-        "problems/4-16.html",
-        "problems/ch04.html",
-        "chapters/ch04_relative_motion.html",
-    ):
+    for page in KINDS:
         phone.get(f"{address}/{page}")
         if page == "problems/4-16.html":
-            wait(phone, TOUCHED, "the form")
+            practise(phone, f"{address}/{page}")
         phone.execute_script(found["axe.min.js"].decode())
-        for theme in ("light", "dark"):
+        for theme, only in (("light", None), ("dark", "color-contrast")):
             emulated(phone, theme)
-            if wrong := phone.execute_async_script(FAULTS):
+            if wrong := phone.execute_async_script(FAULTS, only):
                 faults[page, theme] = wrong
     emulated(phone)
     assert faults == {}

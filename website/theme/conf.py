@@ -1,5 +1,6 @@
-"""Sphinx's configuration of the site: Markdown and notebooks by MyST, formulas by the MathJax that
-the package sphinx-mathjax-offline carries, nothing from a network.
+"""Sphinx's configuration of the site: Markdown and notebooks by MyST, nothing from a network. The
+MathJax that the package sphinx-mathjax-offline carries is for formulas that come into a page, and
+for pages whose formulas website/formulas.py could not draw.
 """
 
 import importlib.util
@@ -13,6 +14,7 @@ sys.path.insert(0, str(HERE))
 from transforms import docstring, formulas, problem_links  # noqa: E402
 
 from newton_euler.drawing import dark_css  # noqa: E402
+from website.languages import links  # noqa: E402
 
 project = "Newton-Euler dynamics"
 html_title = project
@@ -50,7 +52,7 @@ html_theme = "furo"
 html_favicon = "static/icon.svg"
 html_static_path = ["static", str(MATHJAX / mathjax_path)]
 html_css_files = ["site.css", "sketches.css"]
-html_js_files = [("site.js", {"defer": "defer"})]
+html_js_files = [("words.js", {"defer": "defer", "priority": 100}), ("site.js", {"defer": "defer"})]
 html_show_sourcelink = html_show_sphinx = html_show_copyright = False
 html_copy_source = False
 html_use_index = True
@@ -76,8 +78,26 @@ def sketches(app: Any) -> None:
     (folder / "sketches.css").write_text(SKETCHES.format(*rules), encoding="utf-8")
 
 
+def in_languages(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
+    """Mark what is in English in a site of another language, and link the other languages."""
+    if "body" in context:
+        is_foreign = app.config.language != "en" and page not in app.config.own_pages
+        body = f'<div lang="en">{context["body"]}</div>' if is_foreign else context["body"]
+        context["body"] = links(page, app.config.beside) + body
+
+
+def of_the_first_page(app: Any, page: str, *_: Any) -> None:
+    """The first page has a script of its own, after those of all pages."""
+    if page == app.config.root_doc:
+        app.add_js_file("landing.js", defer="defer")
+
+
 def setup(app: Any) -> None:
     """Connect our own steps."""
+    app.connect("html-page-context", of_the_first_page)
+    app.add_config_value("own_pages", [], "html")
+    app.add_config_value("beside", {}, "html")
+    app.connect("html-page-context", in_languages)
     app.connect("builder-inited", sketches)
     if app.tags.has("engine"):  # it lies beside the pages
         for name in ("engine.js", "moving.js", "cells.js"):

@@ -11,19 +11,22 @@ addEventListener("fetch", (event) => {
   event.respondWith(LASTING.test(request.url) ? keptFirst(request) : fetchedFirst(request));
 });
 
-const kept = (request) => caches.match(request, { ignoreSearch: true });
+// storage may be full or blocked: then nothing is kept
+const kept = (request) => caches.match(request, { ignoreSearch: true }).catch(() => undefined);
 const keptFirst = async (request) => (await kept(request)) || fetched(request);
 const fetchedFirst = (request) =>
   fetched(request).catch(async (error) => (await kept(request)) || Promise.reject(error));
 
 async function fetched(request) {
   const response = await fetch(request);
-  if (response.status === 200) {
-    const copy = response.clone(), store = await caches.open(KEPT);
-    await forgetOlder(store, request.url);
-    store.put(request, copy);
-  }
+  if (response.status === 200) keep(request, response.clone()).catch(() => {});
   return response;
+}
+
+async function keep(request, copy) {
+  const store = await caches.open(KEPT);
+  await forgetOlder(store, request.url);
+  await store.put(request, copy);
 }
 
 // another version of the same file of the engine

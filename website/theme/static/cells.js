@@ -2,7 +2,6 @@
 if (window.engine) {
   const { node } = moving;
   const chapter = document.querySelector("article");
-  const typeset = (element) => window.MathJax?.typesetPromise?.([element]);
   const formula = (text) =>
     text.replace(/^\$\$([^]*)\$\$$/, "\\[$1\\]").replace(/^\$([^]*)\$$/, "\\($1\\)").replace(/^\\begin[^]*$/, "\\[$&\\]");
 
@@ -10,7 +9,7 @@ if (window.engine) {
     "text/plain": (text) => node("div", { className: "output stream highlight" }, node("pre", { textContent: text })),
     "text/html": (html) => scripted(node("div", { className: "output text_html", innerHTML: html })),
     "image/svg+xml": (svg) => node("div", { className: "output", innerHTML: svg }),
-    "image/png": (data) => node("div", { className: "output" }, node("img", { src: `data:image/png;base64,${data}`, alt: "What the cell has drawn" })),
+    "image/png": (data) => node("div", { className: "output" }, node("img", { src: `data:image/png;base64,${data}`, alt: gettext("What the cell has drawn") })),
     "text/latex": (text) => node("div", { className: "output math", textContent: formula(text) }),
     "text/markdown": (text) => node("div", { className: "output mathjax_process", textContent: text }),
     figure: (about) => {
@@ -28,35 +27,35 @@ if (window.engine) {
 
   const prepare = (input) => {
     const cell = input.closest(".cell"), code = input.querySelector("pre");
-    const run = node("button", { type: "button", textContent: "Run" });
-    const edit = node("button", { type: "button", textContent: "Edit" });
+    const run = node("button", { type: "button", textContent: gettext("Run") });
+    const edit = node("button", { type: "button", textContent: gettext("Edit") });
     const note = node("span", { className: "note" });
     note.setAttribute("role", "status");
     let running = false;
 
     const start = async () => {
       running = true;
-      run.textContent = "Stop";
-      note.textContent = "runs …";
+      run.textContent = gettext("Stop");
+      note.textContent = gettext("runs …");
       cell.setAttribute("aria-busy", "true");
       const began = performance.now();
       try {
         const page = location.pathname, cells = moving.sources(), number = moving.numberOf(input);
         const { shown, error } = await engine.call("cells.run", { page, cells, number });
         show(shown, error);
-        note.textContent = `ran in this page, ${((performance.now() - began) / 1000).toFixed(1)} s`;
+        note.textContent = gettext("ran in this page, {seconds} s", { seconds: ((performance.now() - began) / 1000).toFixed(1) });
       } catch (error) {
         show([], error.message);
         note.textContent = "";
         if (error.needs && error.packages) offer(error);
       }
       running = false;
-      run.textContent = "Run";
+      run.textContent = gettext("Run");
       cell.removeAttribute("aria-busy");
     };
     // a package is fetched from elsewhere only if the reader asks for it
     const offer = ({ needs, packages }) => {
-      const button = node("button", { type: "button", textContent: `Fetch ${needs} from ${new URL(packages).host}` });
+      const button = node("button", { type: "button", textContent: gettext("Fetch {needs} from {host}", { needs, host: new URL(packages).host }) });
       button.addEventListener("click", () => (engine.allow(needs), start()));
       cell.querySelector(".cell_output").append(button);
     };
@@ -67,7 +66,7 @@ if (window.engine) {
       shown.filter(([kind]) => kind === "figure").forEach(([, about], n) => (about.number = n));
       output.append(...shown.map(([kind, content]) => makers[kind](content)));
       if (error) output.append(node("div", { className: "output error" }, node("pre", { textContent: error })));
-      typeset(output);
+      if (output.querySelector(".math, .mathjax_process, .text_html")) engine.typeset(output);
     };
 
     run.addEventListener("click", () => (running ? engine.stop() : start()));
@@ -75,7 +74,7 @@ if (window.engine) {
       code.contentEditable = "plaintext-only";
       code.setAttribute("role", "textbox");
       code.setAttribute("aria-multiline", "true");
-      code.setAttribute("aria-label", "Code of this cell");
+      code.setAttribute("aria-label", gettext("Code of this cell"));
       code.focus();
     });
     code.addEventListener("keydown", (event) => {

@@ -9,18 +9,23 @@ onmessage = async ({ data: { root, allow, id, name, text } }) => {
   if (allow) allowed.add(allow);
   else if (root) {
     answer(load(new URL("engine/", root)));
-    engine.then(() => tell("ready"), (error) => tell("failed", `The engine cannot be loaded: ${error.message}`));
+    engine.then(() => tell("ready"), (error) => tell("failed", error.message));
   } else {
-    const { call, get, packages } = await engine;
-    let found = call(name, text);
-    // a cell has used a package that comes later
-    while (found.startsWith('{"needs"') && (await get(JSON.parse(found).needs))) found = call(name, text);
-    tell("answer", { id, text: found, packages });
+    try {
+      const { call, get, packages } = await engine;
+      let found = call(name, text), failed;
+      // a cell has used a package that comes later
+      const come = (needed) => get(needed).catch(({ message }) => void (failed = message));
+      while (found.startsWith('{"needs"') && (await come(JSON.parse(found).needs))) found = call(name, text);
+      tell("answer", { id, text: found, packages, failed });
+    } catch (error) { // Python itself has ended
+      tell("ended", String(error.message).split("\n")[0]);
+    }
   }
 };
 
 async function load(folder) {
-  const about = await (await fetch(new URL("engine.json", folder))).json();
+  const about = await (await fetch(new URL("engine.json", folder), { cache: "no-cache" })).json();
   countBytes(about.bytes);
   const bytes = async (file) => (await fetch(new URL(file, folder))).arrayBuffer();
   const archive = bytes(about.package);
@@ -30,13 +35,19 @@ async function load(folder) {
   const python = await loadPyodide({ indexURL: home, packageBaseUrl: packages || home });
   python.unpackArchive(await archive, "zip");
   const got = new Set();
+  // whether a package has come; an error says why it could not
   const get = async (name) => {
     const here = about.later[name];
     if (got.has(name) || !(here || allowed.has(name))) return false;
+    for (const archive of await Promise.all((here || []).map(bytes))) python.unpackArchive(archive, "zip");
+    if (!here) await fetched(name);
     got.add(name);
-    if (!here) await python.loadPackage(name);
-    for (const file of here || []) python.unpackArchive(await bytes(file), "zip");
     return true;
+  };
+  const fetched = async (name) => {
+    const said = [];
+    const come = await python.loadPackage(name, { messageCallback: () => {}, errorCallback: (words) => said.push(words) });
+    if (!come.some((one) => one.name === name)) throw new Error(said.at(-1));
   };
   return { get, packages, call: python.runPython("from newton_euler.browser import answer; answer") };
 }

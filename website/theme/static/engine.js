@@ -5,9 +5,7 @@
   if (location.protocol === "file:" || !window.Worker || !window.WebAssembly) return;
   const root = new URL("../", document.currentScript.src);
   const asked = new Map(), watching = new Set();
-  let worker, number = 0, loaded = 0, settle;
-  const ready = new Promise((resolve, reject) => (settle = { resolve, reject }));
-  ready.catch(() => {}); // each call says it
+  let worker, number = 0, loaded = 0, ends = 0;
 
   const progress = (part) => {
     loaded = part;
@@ -15,16 +13,15 @@
   };
   const heard = {
     progress,
-    ready: () => (progress(1), settle.resolve()),
-    failed: (words) => {
-      settle.reject(new Error(words));
-      for (const { reject } of asked.values()) reject(new Error(words));
-      asked.clear();
-    },
-    answer: ({ id, text, packages }) => {
+    ready: () => progress(1),
+    ended: (why) => end(gettext("The engine stopped and is started again by the next call: {error}", { error: why })),
+    failed: (why) => end(gettext("The engine cannot be loaded: {error}", { error: why })),
+    answer: ({ id, text, packages, failed }) => {
       const { value, error, needs } = JSON.parse(text), { resolve, reject } = asked.get(id);
       asked.delete(id);
-      error === undefined ? resolve(value) : reject(Object.assign(new Error(error), { needs, packages }));
+      if (error === undefined) return resolve(value);
+      const words = failed ? gettext("{needs} cannot be fetched: {error}", { needs, error: failed }) : error;
+      reject(Object.assign(new Error(words), { needs, packages }));
     },
   };
 
@@ -32,8 +29,9 @@
     if (worker) return;
     worker = new Worker(new URL("_static/engine-worker.js", root), { type: "module" });
     worker.onmessage = ({ data: [kind, content] }) => heard[kind](content);
-    worker.onerror = (event) => heard.failed(event.message || "the engine cannot be started");
-    kept().then(() => worker.postMessage({ root: root.href }));
+    worker.onerror = (event) => heard.failed(event.message || "worker");
+    const mine = worker;
+    kept().then(() => mine.postMessage({ root: root.href }));
   };
 
   // from now on the pages, and the engine, come back without a network
@@ -50,12 +48,32 @@
   };
 
   // ends what runs; the next call starts anew, with nothing of what was computed
-  const stop = () => {
+  const end = (words) => {
     worker?.terminate();
     worker = undefined;
+    ends += 1;
     progress(0);
-    for (const { reject } of asked.values()) reject(new Error("stopped; cells that were run are forgotten"));
+    for (const { reject } of asked.values()) reject(new Error(words));
     asked.clear();
+  };
+  const stop = () => end(gettext("stopped; cells that were run are forgotten"));
+
+  // draws the formulas that have come into an element; those of the page as it was built are drawn
+  const typeset = async (element) => {
+    if (!window.MathJax) {
+      window.MathJax = {
+        options: { enableMenu: false, processHtmlClass: "mathjax_process|math" },
+        // texts may come from anywhere: no formula is a link, or acts
+        svg: { scale: 0.93 }, tex: { tags: "none", packages: { "[-]": ["html", "action", "unicode"] } },
+        startup: { typeset: false },
+      };
+      const script = document.createElement("script");
+      script.src = new URL("_static/tex-svg-full.js", root);
+      document.head.append(script);
+    }
+    while (!MathJax.startup?.promise) await new Promise((done) => setTimeout(done, 50));
+    await MathJax.startup.promise;
+    await MathJax.typesetPromise([element]);
   };
 
   const call = (name, args = {}) =>
@@ -70,12 +88,14 @@
 
   window.engine = {
     call,
-    ready,
+    typeset,
     start,
     stop,
+    // how often the engine has ended: the next one does not know what was given to it before
+    get ends() { return ends; },
     root,
     // lets a package be fetched from the address that an error has named
-    allow: (name) => worker.postMessage({ allow: name }),
+    allow: (name) => (start(), worker.postMessage({ allow: name })),
     // called with the part that is loaded, 0 to 1, now and whenever it grows
     progress: (callback) => (watching.add(callback), callback(loaded)),
   };

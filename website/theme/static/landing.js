@@ -10,7 +10,7 @@
       const n = +slider.value;
       frames.forEach((frame, m) => (frame.hidden = m !== n));
       output.textContent = `${angles[n]}°`;
-      slider.setAttribute("aria-valuetext", `${angles[n]} degrees`);
+      slider.setAttribute("aria-valuetext", gettext("{angle} degrees", { angle: angles[n] }));
       landing.querySelectorAll("dd").forEach((dd, m) => {
         dd.querySelector("span").style.width = `${(70 * sizes[n][m]) / most}%`;
         dd.querySelector("b").textContent = `${sizes[n][m]} mm/s²`;
@@ -37,8 +37,8 @@
       const near = said.find(([value]) => Math.abs(x - value) <= 0.005 * Math.max(Math.abs(value), 1e-6));
       const right = near?.[1] === "right";
       verdict.className = `verdict ${right ? "right" : "wrong"}`;
-      verdict.textContent = !text || Number.isNaN(x) ? "Write a number, as -2.5." :
-        `${right ? "✓" : "✗"} ${near ? near[2] : "not right; the page of the problem has hints and steps"}`;
+      verdict.textContent = !text || Number.isNaN(x) ? gettext("Write a number, as -2.5.") :
+        `${right ? "✓" : "✗"} ${near ? near[2] : gettext("not right; the page of the problem has hints and steps")}`;
     });
   }
 })();

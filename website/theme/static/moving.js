@@ -50,7 +50,7 @@ const moving = (() => {
           note.textContent = "";
         } catch (error) {
           holder.dataset.failed = error.message;
-          note.textContent = `The nearest picture is shown: ${error.message}`;
+          note.textContent = gettext("The nearest picture is shown: {error}", { error: error.message });
         }
       }
       busy = false;
@@ -74,7 +74,7 @@ const moving = (() => {
       input.addEventListener("input", () => {
         values[slider.name] = +input.value;
         text();
-        if (along && !holder.dataset.drawn) nearest(slider);
+        if (along && !holder.dataset.drawn) nearest(slider).catch(() => {}); // no network
         draw();
       });
       input.addEventListener("change", () => {
@@ -83,10 +83,11 @@ const moving = (() => {
       text();
       return node("label", {}, node("span", {}, `${slider.label} =`), shown, input);
     });
-    const stage = node("div", { className: "stage" }, picture);
+    const wide = picture.classList.contains("wide"); // keys push it aside, too, on a phone
+    const stage = node("div", { className: "stage", ...(wide && { tabIndex: 0 }) }, picture);
     holder.append(stage, node("div", { className: "sliders" }, ...rows), note, said);
     engine.progress((part) => {
-      if (0 < part && part < 1) note.textContent = `The engine is loaded: ${Math.round(100 * part)} %`;
+      if (0 < part && part < 1) note.textContent = gettext("The engine is loaded: {percent} %", { percent: Math.round(100 * part) });
     });
   }
 

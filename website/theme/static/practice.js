@@ -4,12 +4,17 @@ const practiceFiles = new URL("../practice/", document.currentScript.src);
 addEventListener("DOMContentLoaded", () => {
   const place = document.querySelector("div.practice"), files = practiceFiles;
   if (!place || !window.engine) return;
-  const { problem, file } = place.dataset, KEPT = "newton-euler.progress";
-  const call = (name, args) => engine.call(`practice.${name}`, { problem, ...args });
+  const { file } = place.dataset, KEPT = "newton-euler.progress", NONE = '{"format": 1, "problems": {}}', MOST = 64 << 20; // bytes
+  const call = async (name, args) => {
+    if (place.dataset.ready && endsBefore !== engine.ends) await (restart ??= again().finally(() => (restart = undefined)));
+    return engine.call(`practice.${name}`, { problem, ...args });
+  };
   const kept = () => { try { return localStorage.getItem(KEPT) || ""; } catch { return ""; } };
   const keep = (text) => { try { localStorage.setItem(KEPT, text); } catch { /* a private window */ } };
   const static_ = document.querySelector(".statement");
-  let last; // the field that was used last
+  let { problem } = place.dataset, contents; // of a practice file of the reader's own
+  let given, endsBefore, restart, number = 1; // the practice file, to which engine; the set of numbers
+  let last, note = ""; // the field that was used last; what the reader should know
 
   // -- parts of a page
 
@@ -25,15 +30,7 @@ addEventListener("DOMContentLoaded", () => {
   const math = (latex, display) =>
     el("span", { class: "math notranslate" }, display ? `\\[${latex}\\]` : `\\(${latex}\\)`);
 
-  const typeset = async (where) => {
-    if (!window.MathJax) {
-      window.MathJax = { options: { enableMenu: false }, svg: { scale: 0.93 }, tex: { tags: "none" } };
-      document.head.append(el("script", { src: new URL("../_static/tex-svg-full.js", files), async: true }));
-    }
-    while (!MathJax.startup?.promise) await new Promise((done) => setTimeout(done, 50));
-    await MathJax.startup.promise;
-    await MathJax.typesetPromise([where]);
-  };
+  const { typeset } = engine;
 
   // Markdown as the problems have it, made of elements: no text of it is ever read as HTML
   const INLINE = /\$\$([^$]+)\$\$|\$([^$]+)\$|`([^`]+)`|\*\*(.+?)\*\*|\*(.+?)\*|\[([^\]]+)\]\([^)]*\)|\\([\\`*_[\]#$|])/g;
@@ -68,16 +65,33 @@ addEventListener("DOMContentLoaded", () => {
   };
   const markdown = (text) => text.split(/\n\s*\n/).filter((part) => part.trim()).map((part) => block(part.replace(/^\n+|\s+$/g, "")));
 
+  // a figure within the page, where it follows the page's theme, if it is made of shapes alone
+  const SHAPES = /^(svg|g|path|rect|circle|text|tspan)$/, LOADS = /^(on.*|.*href|style|src)$/i;
+  const isShape = (e) => SHAPES.test(e.localName) && [...e.attributes].every(
+    ({ name, value }) => !LOADS.test(name) && !/url\(|script:/i.test(value));
+  const picture = (address, words) => {
+    const [kind, data] = address.split(";base64,");
+    if (kind === "data:image/svg+xml") {
+      const text = new TextDecoder().decode(Uint8Array.from(atob(data), (c) => c.charCodeAt(0)));
+      const svg = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
+      if ([svg, ...svg.querySelectorAll("*")].every(isShape)) {
+        svg.setAttribute("aria-label", words);
+        return document.importNode(svg, true);
+      }
+    }
+    return el("p", {}, el("img", { src: address, alt: words }));
+  };
+
   // -- the form
 
   const status = el("p", { class: "visually-hidden", role: "status", "aria-live": "polite" });
-  const body = el("div"), bar = el("progress", { max: 1, value: 0, "aria-label": "loading the checker" });
+  const body = el("div"), bar = el("progress", { max: 1, value: 0, "aria-label": gettext("loading the checker") });
   const say = (text) => { status.textContent = ""; setTimeout(() => (status.textContent = text), 30); };
   const failed = (error) => { say(error.message); body.prepend(el("p", { class: "verdict wrong" }, error.message)); };
 
   const inputs = (q, changed) => {
     if (q.of.length)
-      return [el("select", { "aria-label": q.key, onchange: changed }, el("option", { value: "" }, "choose"),
+      return [el("select", { "aria-label": q.key, onchange: changed }, el("option", { value: "" }, gettext("choose")),
         ...q.of.map((word) => el("option", {}, word)))];
     return q.parts.map((part, n) => {
       const field = el("input", {
@@ -107,13 +121,16 @@ addEventListener("DOMContentLoaded", () => {
       clearTimeout(timer);
       timer = setTimeout(() => reading().catch(failed), 120);
     });
-    const unit = q.unit ? [", in ", math(q.unit.replace(/^\\ /, ""))] : [];
+    const unit = q.unit ? [gettext(", in "), math(q.unit.replace(/^\\ /, ""))] : [];
     const box = el("fieldset", { "data-key": q.key }, el("legend", {}, ...inline(q.means), ...(q.symbol ? [", ", math(q.symbol)] : []), ...unit),
       el("div", { class: `parts of-${fields.length}` }, ...fields), read, verdict);
     const show = ({ verdict: found, text }) => {
       verdict.className = `verdict ${found}`;
       verdict.textContent = ({ right: "✓ ", wrong: "✗ " }[found] || "") + text;
-      if (found === "unreadable") read.textContent = "";
+      if (found === "unreadable") {
+        read.textContent = "";
+        turn += 1; // a reading under way would say the same again
+      }
       for (const f of fields) f.setAttribute("aria-invalid", found !== "right");
     };
     return { q, box, texts, show };
@@ -121,7 +138,7 @@ addEventListener("DOMContentLoaded", () => {
 
   const check = async (asked, all) => {
     const given = Object.fromEntries(asked.map((f) => [f.q.key, f.texts()]).filter(([, texts]) => texts.some((t) => t.trim())));
-    if (!Object.keys(given).length) return say("Write a value first.");
+    if (!Object.keys(given).length) return say(gettext("Write a value first."));
     const { found, kept: text } = await call("check", { fields: given });
     keep(text);
     for (const f of asked) if (found[f.q.key]) f.show(found[f.q.key]);
@@ -136,12 +153,13 @@ addEventListener("DOMContentLoaded", () => {
 
   const next = el("p", { class: "next" });
   const advise = async () => {
-    const titles = await (await fetch(new URL("index.json", files))).json();
+    const titles = contents || (await (await fetch(new URL("index.json", files))).json());
     const found = await engine.call("practice.advice", { titles, now: problem });
-    const link = found.problem && el("a", { href: new URL(`../problems/${found.problem.replace("/", "-")}.html`, files) },
-      `${found.problem} ${titles[found.problem][0]}`);
-    next.replaceChildren("Next: ", ...(link ? [link, ". "] : []), found.sentence);
-    say(`Next: ${found.sentence}`);
+    const name = found.problem && `${found.problem} ${titles[found.problem][0]}`;
+    const link = name && (contents ? button(name, () => open(found.problem)) :
+      el("a", { href: new URL(`../problems/${found.problem.replace("/", "-")}.html`, files) }, name));
+    next.replaceChildren(`${gettext("Next:")} `, ...(link ? [link, ". "] : []), found.sentence);
+    say(`${gettext("Next:")} ${found.sentence}`);
   };
 
   const helped = async (name, where) => {
@@ -159,51 +177,56 @@ addEventListener("DOMContentLoaded", () => {
     f.focus();
   };
 
+  const tooLarge = ({ name }) => new Error(gettext("{name} has more than {most} MB: not a practice file", { name, most: MOST >> 20 }));
   const progressBox = () => {
     const chosen = el("input", { type: "file", accept: ".json,application/json", class: "visually-hidden", tabindex: "-1",
-      "aria-label": "a file of progress", onchange: async () => {
+      "aria-label": gettext("a file of progress"), onchange: async () => {
         try {
-          const { kept: text } = await engine.call("practice.take_in", { progress: await chosen.files[0].text() });
+          const [blob] = chosen.files;
+          if (blob.size > MOST) throw tooLarge(blob);
+          const { kept: text } = await engine.call("practice.take_in", { progress: await blob.text() });
           keep(text);
-          say("Your progress was taken in.");
-          next.textContent = "Your progress was taken in.";
+          say((next.textContent = gettext("Your progress was taken in.")));
         } catch (error) { say(error.message); next.textContent = error.message; }
         chosen.value = "";
       } });
     const save = () => {
-      const blob = new Blob([kept() || '{"format": 1, "problems": {}}'], { type: "application/json" });
+      const blob = new Blob([kept() || NONE], { type: "application/json" });
       const link = el("a", { href: URL.createObjectURL(blob), download: "practice.progress.json" });
       link.click();
     };
-    return el("details", {}, el("summary", {}, "Your progress"),
-      el("p", {}, "It stays in this browser. The file is the one that practice() keeps in a notebook: take it along, either way."),
-      button("Save as a file", save, { class: "export" }), " ", button("Take in a file", () => chosen.click()), chosen);
+    return el("details", {}, el("summary", {}, gettext("Your progress")),
+      el("p", {}, gettext("It stays in this browser. The file is the one that practice() keeps in a notebook: take it along, either way.")),
+      button(gettext("Save as a file"), save, { class: "export" }), " ", button(gettext("Take in a file"), () => chosen.click()), chosen);
   };
 
   const show = async (fresh) => {
     const p = await call("show", { new: fresh });
+    number = p.number;
     last = undefined;
-    if (fresh) {
-      const figure = p.figure ? [el("p", {}, el("img", { src: p.figure, alt: p.words }))] : [];
+    if (fresh || contents) {
       const [lead, ...rest] = markdown(p.text);
-      static_.replaceChildren(lead, ...figure, ...rest);
+      const title = contents ? [el("h2", {}, `${p.id} ${p.title}`)] : [];
+      static_.replaceChildren(...title, lead, ...(p.figure ? [picture(p.figure, p.words)] : []), ...rest);
       await typeset(static_);
     }
     const answers = p.answers.map(field), steps = p.steps.map(field);
     const hint = el("div", { class: "said" }), solved = el("div", { class: "said" });
     const names = Object.entries(p.names).map(([name, x]) => button(name, () => insert(name), { class: "name", title: `${name} = ${x}` }));
-    next.replaceChildren();
+    next.replaceChildren(note);
+    note = "";
     body.replaceChildren(
-      el("h2", {}, "Your answer"),
-      el("p", { class: "sets" }, `Numbers ${p.number} of ${p.sets}. `, ...(p.sets > 1 ? [button("New numbers", () => show(true).then(() => say(`Numbers ${p.number % p.sets + 1} of ${p.sets}`)).catch(failed))] : [])),
-      el("p", { class: "names" }, "Write numbers or formulas, as 2*sqrt(3). ", ...(names.length ? ["Names: ", ...names] : [])),
-      form(answers, "Check", true), next,
-      el("p", { class: "help" }, ...(p.hints ? [button("Hint", () => helped("hint", hint).catch(failed))] : []), " ",
-        ...(p.solution ? [button("Solution", () => helped("solution", solved).catch(failed))] : []), " ",
-        button("What next?", () => advise().catch(failed))),
+      el("h2", {}, gettext("Your answer")),
+      el("p", { class: "sets" }, `${gettext("Numbers {number} of {all}", { number: p.number, all: p.sets })}. `, ...(p.sets > 1 ? [button(gettext("New numbers"), () =>
+        show(true).then(() => say(gettext("Numbers {number} of {all}", { number: p.number % p.sets + 1, all: p.sets }))).catch(failed))] : [])),
+      el("p", { class: "names" }, `${gettext("Write numbers or formulas, as 2*sqrt(3).")} `, ...(names.length ? [`${gettext("Names:")} `, ...names] : [])),
+      form(answers, gettext("Check"), true), next,
+      el("p", { class: "help" }, ...(p.hints ? [button(gettext("Hint"), () => helped("hint", hint).catch(failed))] : []), " ",
+        ...(p.solution ? [button(gettext("Solution"), () => helped("solution", solved).catch(failed))] : []), " ",
+        button(gettext("What next?"), () => advise().catch(failed))),
       hint, solved,
-      ...(steps.length ? [el("details", { class: "steps" }, el("summary", {}, `Steps on the way, each checked by itself (${steps.length})`),
-        ...steps.map((f) => form([f], "Check step", false)))] : []),
+      ...(steps.length ? [el("details", { class: "steps" }, el("summary", {}, gettext("Steps on the way, each checked by itself ({count})", { count: steps.length })),
+        ...steps.map((f) => form([f], gettext("Check step"), false)))] : []),
       progressBox());
     await typeset(body);
   };
@@ -213,25 +236,73 @@ addEventListener("DOMContentLoaded", () => {
     reader.onload = () => done(reader.result.slice(reader.result.indexOf(",") + 1));
     reader.readAsDataURL(blob);
   });
+  const load = async (name, data) => {
+    const found = await engine.call("practice.load", { name, data, language: document.documentElement.lang });
+    given = [name, data];
+    endsBefore = engine.ends;
+    await engine.call("practice.take_in", { progress: kept() || NONE }).catch(setAside);
+    return found;
+  };
+  // what this browser has kept cannot be read: it is no reason not to practise
+  const setAside = ({ message }) => {
+    say((note = message));
+    try {
+      localStorage.setItem(`${KEPT}.damaged`, kept());
+      localStorage.removeItem(KEPT);
+    } catch { /* a private window */ }
+  };
+  // a new engine gets the same file, and goes to the numbers that the page shows
+  const again = async () => {
+    await load(...given);
+    for (let n = 1; n < number; n += 1) await engine.call("practice.show", { problem, new: true });
+  };
   const begin = async () => {
     start.hidden = true;
-    body.replaceChildren(el("p", {}, "Loading the checker: ", bar));
+    body.replaceChildren(el("p", {}, `${gettext("Loading the checker:")} `, bar));
     engine.progress((part) => (bar.value = part));
     try { localStorage.setItem("newton-euler.practises", "yes"); } catch { /* a private window */ }
     const response = await fetch(new URL(`${file}.practice`, files));
-    if (!response.ok) throw new Error(`the practice of this chapter cannot be fetched: ${response.status}`);
-    await engine.call("practice.load", { name: file, data: await base64(await response.blob()), progress: kept() });
+    if (!response.ok) throw new Error(gettext("the practice of this chapter cannot be fetched: {status}", { status: response.status }));
+    await load(file, await base64(await response.blob()));
     await show(false);
     place.dataset.ready = "yes";
   };
+
+  // a practice file of the reader's own: it comes from anywhere, and the engine refuses what is not one
+  const take = async (blob) => {
+    const { name } = blob;
+    if (blob.size > MOST) throw tooLarge(blob);
+    body.replaceChildren(el("p", {}, `${gettext("Loading the checker:")} `, bar));
+    engine.progress((part) => (bar.value = part));
+    contents = await load(name, await base64(blob));
+    const list = el("select", { "aria-label": gettext("problem"), onchange: () => open(list.value) },
+      ...Object.entries(contents).map(([id, [title]]) => el("option", { value: id }, `${id} ${title}`)));
+    listed.replaceChildren(el("label", {}, `${gettext("Problems of {chapter}", { chapter: name })}: `, list));
+    await open(list.value);
+    place.dataset.ready = "yes";
+  };
+  const open = (id) => {
+    problem = id;
+    const list = listed.querySelector("select");
+    if (list) list.value = id;
+    return show(false).catch(failed);
+  };
+  const listed = el("p");
+  const chooser = () => {
+    const input = el("input", { type: "file", onchange: () => {
+      const [blob] = input.files;
+      if (blob) take(blob).catch((error) => { body.replaceChildren(); failed(error); });
+    } });
+    return [el("p", {}, el("label", {}, `${gettext("Practice file:")} `, input)), listed];
+  };
   const run = () => begin().catch((error) => { body.replaceChildren(); start.hidden = false; failed(error); });
-  const start = el("p", {}, button("Practise this problem", run, { class: "primary" }),
-    " Answers and every step are checked here, with the reason where one is wrong. The checker (10 MB) is loaded once; nothing is sent.");
+  const start = el("p", {}, button(gettext("Practise this problem"), run, { class: "primary" }),
+    ` ${gettext("Answers and every step are checked here, with the reason where one is wrong. The checker (10 MB) is loaded once; nothing is sent.")}`);
   addEventListener("storage", ({ key, newValue }) =>
     key === KEPT && newValue && place.dataset.ready && engine.call("practice.take_in", { progress: newValue }).catch(() => {}));
-  place.append(start, body, status);
+  place.append(...(problem ? [start] : chooser()), body, status);
   place.hidden = false;
   let before = "";
   try { before = localStorage.getItem("newton-euler.practises"); } catch { /* a private window */ }
-  if (before) run();
+  if (before && problem) run();
 });

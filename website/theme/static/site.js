@@ -4,6 +4,7 @@ if (location.protocol === "file:") DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = f
 // on paper all answers and all code are unfolded, and films stand at their first picture
 addEventListener("beforeprint", () => {
   for (const folded of document.querySelectorAll("details")) folded.open = true;
+  for (const image of document.images) image.loading = "eager";
   for (const slider of document.querySelectorAll(".controls input[type=range]")) {
     slider.value = 0;
     slider.dispatchEvent(new Event("input"));
@@ -12,15 +13,20 @@ addEventListener("beforeprint", () => {
 
 // predictions: the first choice, number or sentence is kept in this browser and opens the answer
 const PREDICTED = "newton-euler predictions";
-let predicted = {};  // {key: [the number of the choice or what was typed, whether it was right]}
-try {
-  predicted = JSON.parse(localStorage.getItem(PREDICTED)) || {};
-} catch { /* a browser that keeps nothing */ }
+// {key: [the number of the choice or what was typed, whether it was right]}; what is no such thing
+// in the browser's store is passed over
+function readKept() {
+  const isMade = (x) => Array.isArray(x) && /number|string/.test(typeof x[0]) && [true, false, null].includes(x[1]);
+  try {
+    return Object.fromEntries(Object.entries(JSON.parse(localStorage.getItem(PREDICTED)) || {}).filter(([, x]) => isMade(x)));
+  } catch { return {}; /* a browser that keeps nothing */ }
+}
+let predicted = readKept();
 const asked = [...document.querySelectorAll(".prediction")];
 
 function keep(key, prediction, right) {
   if (key in predicted) return;
-  predicted[key] = [prediction, right];
+  predicted = { ...readKept(), ...predicted, [key]: [prediction, right] }; // another tab may have kept some
   try {
     localStorage.setItem(PREDICTED, JSON.stringify(predicted));
   } catch { /* as above */ }
@@ -53,7 +59,8 @@ function ask(prediction, key) {
       keep(key, number, "right" in choice.dataset);
       open(predicted[key][0]);
     });
-  const openAnswer = (text) => {
+  const openAnswer = (kept) => {
+    const text = String(kept);
     const [right, mistake] = numberMeans(form, text);
     form.firstChild.value = text;
     form.querySelector("button").hidden = form.firstChild.readOnly = true;
@@ -85,8 +92,9 @@ function count() {
     const made = above.map((p) => predicted[keyOf(p)]).filter(Boolean);
     const number = (right) => made.filter(([, was]) => was === right).length;
     tally.hidden = false;
-    tally.textContent = `${made.length} of ${above.length} predictions made`
-      + (made.length ? `: ${number(true)} right, ${number(false)} wrong.` : ".");
+    const counts = { made: made.length, all: above.length, right: number(true), wrong: number(false) };
+    tally.textContent = made.length ? gettext("{made} of {all} predictions made: {right} right, {wrong} wrong.", counts)
+      : gettext("{made} of {all} predictions made.", counts);
   }
   for (const again of document.querySelectorAll(".predictions-again")) {
     again.hidden = false;
@@ -125,7 +133,7 @@ if (choose) {
       row.hidden = !fit;
       count += fit;
     }
-    document.querySelector("p.chosen").textContent = `${count} of ${rows.length} problems`;
+    document.querySelector("p.chosen").textContent = gettext("{count} of {all} problems", { count, all: rows.length });
   };
   choose.addEventListener("input", show);
   choose.addEventListener("submit", (event) => event.preventDefault());

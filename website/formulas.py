@@ -1,0 +1,124 @@
+"""The formulas of the pages, drawn when the site is built, so that no reader's browser has to: by
+MathJax in node. Where either is out of reach, pages keep the script that does it in the browser.
+"""
+
+import json
+import re
+import subprocess
+import tempfile
+from collections.abc import Iterable
+from html import unescape
+from pathlib import Path
+
+from .execution import WebsiteError
+from .npm import Package
+
+MATHJAX = Package(
+    "mathjax",
+    "3.2.2",
+    "sha512-Bt+SSVU8eBG27zChVewOicYs7Xsdt40qm4+UpHyX7k0/O9NliPc+x77k1/FEsPsjKPZGJvtRZM1vO+geW0OhGw==",
+)
+FILES = tuple(
+    f"es5/{name}.js"
+    for name in (
+        "node-main", "core", "startup", "loader", "input/tex-full", "output/svg",
+        "output/svg/fonts/tex", "adaptors/liteDOM", "a11y/assistive-mml",
+    )
+)  # fmt: skip
+SCRIPT = Path(__file__).with_name("formulas.js")
+FORMULA = re.compile(
+    r'(<(span|div)\b[^>]* class="[^"]*\bmath\b[^"]*"[^>]*>)\s*\\([(\[])([^<]*)\\[)\]]\s*</\2>'
+)
+GLYPH = re.compile(r'<path id="([^"]+)" d="[^"]*"></path>')
+LOADED = re.compile(r"<script>window\.MathJax = .*?</script>|<script [^>]*tex-svg[^>]*></script>")
+# of a formula: what a page does not use, or has in its style sheet
+UNUSED = re.compile(
+    r" (?:data-c|data-mjx-texclass|data-mml-node|data-id[\w-]+|xmlns(?::xlink)?|focusable|id"
+    r'|unselectable|class|role)="[^"]*"| (?:stroke|fill)="currentColor"| stroke-width="0"'
+    r'| style="font-size: 93%; position: relative;"|<text></text>'
+)
+PLACE = re.compile(r"translate\((-?[\d.]+),(-?[\d.]+)\)")
+ALONE = re.compile(r'<g( transform="[^"]*")><use( href="[^"]*")></use></g>')
+MOVED = re.compile(r'(<use\b[^>]*?) transform="translate\((-?\d+),(-?\d+)\)"')
+USED = re.compile(r'(?<= href="#)MJX[^"]+')
+OUTLINES = '<svg class="outlines" aria-hidden="true"><defs>{}</defs></svg>'
+
+
+def typeset(pages: Path, cache: Path) -> bool:
+    """Draw the formulas of all pages in the folder; whether it could be done.
+
+    cache : folder in which MathJax is kept
+    """
+    found = MATHJAX.files(cache, *FILES)
+    texts = {path: path.read_text("utf-8") for path in sorted(pages.rglob("*.html"))}
+    asked = list(dict.fromkeys(_formula(m) for text in texts.values() for m in _found(text)))
+    made = _made(asked, found) if found else None
+    if made is None:
+        return False
+    drawn = dict(zip(asked, made["formulas"], strict=True))
+    glyphs = {m[1]: m[0] for m in GLYPH.finditer(made["glyphs"])}
+    for path, text in texts.items():
+        for formula in map(_formula, _found(text)):
+            if "merror" in drawn[formula]:
+                raise WebsiteError(f"{path.relative_to(pages)}: not a formula: {formula[0]}")
+        path.write_text(_page(text, drawn, glyphs), encoding="utf-8")
+    return True
+
+
+def _found(text: str) -> Iterable[re.Match[str]]:
+    return FORMULA.finditer(text)
+
+
+def _formula(match):
+    """(LaTeX, whether it stands alone)."""
+    return unescape(match[4]).strip(), match[3] == "["
+
+
+def _made(asked, found):
+    """What formulas.js makes of formulas; None without node."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, contents in found.items():
+            path = Path(folder, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(contents)
+        command = ["node", SCRIPT, folder]
+        try:
+            done = subprocess.run(
+                command, input=json.dumps(asked), capture_output=True, text=True, check=True
+            )
+        except (OSError, subprocess.CalledProcessError):
+            return None
+    return json.loads(done.stdout)
+
+
+def _page(text, drawn, glyphs):
+    """A page with its formulas, the outlines that they use, and no script for them."""
+    made = FORMULA.sub(lambda m: f"{m[1]}{_light(drawn[_formula(m)])}</{m[2]}>", text)
+    short = {name: f"_{n}" for n, name in enumerate(dict.fromkeys(USED.findall(made)))}
+    made = USED.sub(lambda m: short[m[0]], made)
+    used = "".join(glyphs[name].replace(name, short[name], 1) for name in short)
+    return LOADED.sub("", made).replace("</body>", f"{OUTLINES.format(used) * bool(used)}</body>")
+
+
+def _light(html):
+    """A formula without what a page does not use; its places are rounded to a thousandth of the
+    letters' height.
+    """
+    found = UNUSED.sub("", html).replace("xlink:href", "href")
+    found = found.replace('<g transform="scale(1,-1)">', "<g>", 1)  # the outermost
+    found = PLACE.sub(lambda m: f"translate({float(m[1]):.0f},{float(m[2]):.0f})", found)
+    found = ALONE.sub(r"<use\1\2></use>", _without_groups(found))
+    return MOVED.sub(r'\1 x="\2" y="\3"', found).replace(' y="0"', "").replace("></use>", "/>")
+
+
+def _without_groups(html):
+    """Without the groups that say nothing, but for the outermost, which turns all upside up."""
+    found, dropped = [], []
+    for part in re.split(r"(</?g\b[^>]*>)", html):
+        if part.startswith("<g"):
+            dropped.append(bool(dropped) and part == "<g>")
+            is_left = not dropped[-1]
+        else:
+            is_left = part != "</g>" or not dropped.pop()
+        found.append(part if is_left else "")
+    return "".join(found)

@@ -1,0 +1,196 @@
+"""What of the course is said in another language, what is missing, and what is stale: translated
+from a source that has changed since.
+
+Sentences are in a catalogue of gettext (``newton_euler/algebra/languages/de.po``), where a changed
+sentence is a missing one; those of a chapter's predictions in ``chapters/de/ch09_rotors.po``, since
+its cells of code stay as they are. The texts of a problem are ``exercises/ch09/de/p01.yaml``, a
+chapter is ``chapters/de/ch09_rotors.ipynb``; both keep a hash of the source of each of their texts.
+"""
+
+import ast
+import contextlib
+import json
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import nbformat
+
+from exercises.catalogue import chapters, problems
+from exercises.catalogue.sources import is_current, mark_current
+from newton_euler.algebra.language import FOLDER, messages
+
+from .kept import ROOT
+from .notebooks import Chapter, is_cell_current, mark_cells_current, translation
+from .notebooks import chapters as notebooks
+
+SOURCES = "newton_euler", "grader", "exercises/catalogue", "website"
+
+
+@dataclass
+class Part:
+    """A part of the course: how many texts it has, those without a translation, the stale ones."""
+
+    name: str
+    all: int
+    missing: list[str] = field(default_factory=list)
+    stale: list[str] = field(default_factory=list)
+
+    @property
+    def percent(self) -> int:
+        """How much of it is translated and current, rounded down."""
+        return 100 * (self.all - len(self.missing) - len(self.stale)) // max(self.all, 1)
+
+
+def sentences(suffixes: Collection[str] = (".py", ".j2", ".js")) -> dict[str, tuple[str, ...]]:
+    """{English sentence: (itself, its plural where it has one)} of all that a reader is told, in
+    the order of the files.
+
+    suffixes : of the files that are read
+    """
+    files = [path for folder in SOURCES for path in sorted((ROOT / folder).rglob("*.*"))]
+    found: dict[str, tuple[str, ...]] = {}
+    for path in files:
+        if (reads := READ.get(path.suffix)) and path.suffix in suffixes:
+            for forms in reads(path.read_text("utf-8")):
+                if any(map(str.isalpha, re.sub(r"\{[^}]*\}", "", forms[0]))):
+                    found.setdefault(forms[0], forms)
+    return found
+
+
+def _of_python(text):
+    """Babel does not look into f-strings."""
+    for node in (x for x in ast.walk(ast.parse(text)) if isinstance(x, ast.Call)):
+        count = CALLS.get(getattr(node.func, "id", ""), 0)
+        texts = [getattr(x, "value", None) for x in node.args[:count]]
+        if texts and all(isinstance(x, str) for x in texts):
+            yield tuple(texts)
+
+
+def _of_script(text):
+    return [(json.loads(m),) for m in re.findall(r'gettext\(("(?:[^"\\]|\\.)*")', text)]
+
+
+def _of_template(text):
+    return [(json.loads(m),) for m in re.findall(r'\b_\(("(?:[^"\\]|\\.)*")', text)]
+
+
+CALLS = {"_": 1, "Words": 1, "plural": 2}  # {function: how many of its arguments are sentences}
+READ: dict[str, Callable[[str], Iterable[tuple[str, ...]]]] = {
+    ".py": _of_python, ".js": _of_script, ".j2": _of_template,
+}  # fmt: skip
+
+
+def predictions(chapter: Chapter) -> dict[str, tuple[str, ...]]:
+    """The same of what the predictions of a chapter say: questions, choices, what they mean."""
+    found: list[ast.AST] = []
+    for cell in (c for c in chapter.cells if c["cell_type"] == "code"):
+        with contextlib.suppress(SyntaxError):  # a magic
+            found += ast.walk(ast.parse("".join(cell["source"])))
+    calls = [x for x in found if isinstance(x, ast.Call) and getattr(x.func, "id", "") == "predict"]
+    return {text: (text,) for call in calls for text in _texts(call)}
+
+
+def _texts(call):
+    """The texts of a call of predict, but for its unit."""
+    unit = 3  # its place
+    given = [*call.args[:unit], *(k.value for k in call.keywords if k.arg != "unit")]
+    for part in given:
+        parts = [*part.keys, *part.values] if isinstance(part, ast.Dict) else [part]
+        yield from (x.value for x in parts if isinstance(getattr(x, "value", None), str))
+
+
+def file_of(chapter: Chapter, language: str) -> Path:
+    """The catalogue of the predictions of a chapter."""
+    return chapter.path.parent / language / f"{chapter.stem}.po"
+
+
+def catalogue(language: str, path: Path | None = None) -> dict[str, dict[str, str]]:
+    """{English sentence: the message of the catalogue}; {} where there is none yet."""
+    path = path or FOLDER / f"{language}.po"
+    text = path.read_text("utf-8") if path.exists() else ""
+    return {m["msgid"]: m for m in messages(text) if m["msgid"]}
+
+
+def write_catalogues(language: str) -> list[Path]:
+    """Write the catalogues anew, of the sentences and of the chapters that are translated."""
+    wanted = {FOLDER / f"{language}.po": sentences()}
+    own = [c for c in notebooks() if translation(c, language)]
+    wanted |= {file_of(c, language): found for c in own if (found := predictions(c))}
+    return [_written(path, found, language) for path, found in wanted.items()]
+
+
+def _written(path, wanted, language):
+    """All sentences in order, what is translated of them, no others."""
+    known = catalogue(language, path)
+    old = path.read_text("utf-8") if path.exists() else HEADER.format(language=language)
+    blocks = [old.partition("\n\n")[0].strip()]
+    for text, forms in wanted.items():
+        m = known.get(text, {})
+        lines = [f"msgid {_quoted(text)}"]
+        if len(forms) > 1:
+            lines += [f"msgid_plural {_quoted(forms[1])}"]
+            lines += [f"msgstr[{n}] {_quoted(m.get(f'msgstr[{n}]', ''))}" for n in (0, 1)]
+        else:
+            lines += [f"msgstr {_quoted(m.get('msgstr', ''))}"]
+        blocks.append("\n".join(lines))
+    path.write_text("\n\n".join(blocks) + "\n", "utf-8")
+    return path
+
+
+HEADER = r"""msgid ""
+msgstr ""
+"Language: {language}\n"
+"Content-Type: text/plain; charset=UTF-8\n"
+"Plural-Forms: nplurals=2; plural=(n != 1);\n"
+"""
+
+
+def _quoted(text):
+    return json.dumps(text, ensure_ascii=False)
+
+
+def report(language: str) -> Iterator[Part]:
+    """The parts of the course: its sentences, the problems of each chapter, each notebook."""
+    yield _lacking("sentences", sentences(), catalogue(language))
+    for name in chapters():
+        sources = [p.id for p in problems(name)]
+        yield _part(f"problems of {name}", sources, lambda p: is_current(p, language))
+    for c in notebooks():
+        other, current = translation(c, language), {}
+        for n, cell in enumerate(c.cells):
+            if cell["cell_type"] == "markdown":
+                there = other and n < len(other.cells) and other.cells[n]
+                current[f"cell {n}"] = is_cell_current(cell, there) if there else None
+        yield _part(c.stem, current, current.__getitem__)
+        if other and (asked := predictions(c)):
+            yield _lacking(
+                f"predictions of {c.stem}", asked, catalogue(language, file_of(c, language))
+            )
+
+
+def _lacking(name: str, found: Collection[str], known: Mapping[str, Mapping[str, str]]) -> Part:
+    """The part of a catalogue."""
+    said = {text for text, m in known.items() if all(x for k, x in m.items() if "msgstr" in k)}
+    return Part(name, len(found), [x for x in found if x not in said])
+
+
+def _part(name: str, sources: Iterable[str], current: Callable[[str], bool | None]) -> Part:
+    found = {x: current(x) for x in sources}
+    missing = [x for x, is_it in found.items() if is_it is None]
+    return Part(name, len(found), missing, [x for x, is_it in found.items() if is_it is False])
+
+
+def mark(paths: Iterable[Path]) -> None:
+    """Say that these translations, files of problems and notebooks, fit their sources as they are
+    now.
+    """
+    for path in map(Path.resolve, paths):
+        if path.suffix == ".ipynb":
+            source = nbformat.read(path.parents[1] / path.name, as_version=4)
+            notebook = nbformat.read(path, as_version=4)
+            mark_cells_current(notebook, source)
+            nbformat.write(notebook, path)
+        else:
+            mark_current(path)
