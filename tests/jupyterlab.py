@@ -36,13 +36,19 @@ def write_notebook(path, cells):
 @contextmanager
 def jupyterlab(notebook, own):
     """The address of a notebook in a JupyterLab with settings in ``own``, ended afterwards."""
+    with served(notebook.parent, own, JUPYTER_NO_CONFIG="1") as (at, token):
+        yield f"{at}/lab/tree/{notebook.name}?token={token}"
+
+
+@contextmanager
+def served(folder, own, **variables):
+    """(address, token) of a JupyterLab in a folder, with settings in ``own``, ended afterwards."""
     pytest.importorskip("jupyterlab", reason="JupyterLab is not installed")
     pytest.importorskip("ipywidgets", reason="ipywidgets is not installed")
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    token, folder = secrets.token_hex(16), notebook.parent
-    at = f"http://127.0.0.1:{port}"
+    token, at = secrets.token_hex(16), f"http://127.0.0.1:{port}"
     command = [
         sys.executable, "-m", "jupyterlab", "--no-browser", "--ip=127.0.0.1", f"--port={port}",
         "--ServerApp.port_retries=0", f"--IdentityProvider.token={token}", "--allow-root",
@@ -50,11 +56,11 @@ def jupyterlab(notebook, own):
         "--LabApp.check_for_updates_class=jupyterlab.handlers.announcements.NeverCheckForUpdate",
         "--LabApp.extension_manager=readonly",
     ]  # fmt: skip
-    variables = {
+    environment = {
         **os.environ, "PYTHONPATH": str(REPOSITORY), "JUPYTER_CONFIG_DIR": str(own / "config"),
         "JUPYTER_RUNTIME_DIR": str(own / "run"), "IPYTHONDIR": str(own / "ipython"),
-        "JUPYTERLAB_SETTINGS_DIR": str(own / "settings"), "JUPYTER_NO_CONFIG": "1",
-        "JUPYTERLAB_WORKSPACES_DIR": str(own / "workspaces"),
+        "JUPYTERLAB_SETTINGS_DIR": str(own / "settings"),
+        "JUPYTERLAB_WORKSPACES_DIR": str(own / "workspaces"), **variables,
     }  # fmt: skip
     tracker = (
         own / "settings" / "@jupyterlab" / "notebook-extension" / "tracker.jupyterlab-settings"
@@ -62,10 +68,10 @@ def jupyterlab(notebook, own):
     tracker.parent.mkdir(parents=True)
     tracker.write_text('{"windowingMode": "none"}')  # all cells are in the page
     with (own / "log").open("w") as log:
-        server = subprocess.Popen(command, cwd=folder, env=variables, stdout=log, stderr=log)
+        server = subprocess.Popen(command, cwd=folder, env=environment, stdout=log, stderr=log)
     try:
         _wait_for(f"{at}/api/status?token={token}", server, own / "log")
-        yield f"{at}/lab/tree/{notebook.name}?token={token}"
+        yield at, token
     finally:
         server.terminate()  # its kernels end with it
         try:

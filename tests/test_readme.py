@@ -32,7 +32,7 @@ def test_the_practice_session_runs_as_it_stands_there(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_practice("ch04.practice", [problem("4/16")], count=2, workers=1)
     (session,) = re.findall(r"(?s)```pycon\n(.*?)```", README)
-    said = []
+    output = []
     test = doctest.DocTestParser().get_doctest(session, {}, "README.md", "README.md", 0)
-    doctest.DocTestRunner(verbose=False).run(test, out=said.append)
-    assert not said, "".join(said)
+    doctest.DocTestRunner(verbose=False).run(test, out=output.append)
+    assert not output, "".join(output)

@@ -11,9 +11,8 @@ AT_THE_ROOT = {
     "chapters", "exercises", "grader", "newton_euler", "tests", "website",
     ".ci", ".gitignore", ".pre-commit-config.yaml",
 }  # fmt: skip
-MARK = "mark." + "integration"  # not in one word, as this file is read too
 KINDS = {
-    ".css", ".html", ".in", ".ipynb", ".j2", ".js", ".json", ".md", ".py", ".pyi", ".svg",
+    ".css", ".html", ".in", ".ipynb", ".j2", ".js", ".json", ".md", ".po", ".py", ".pyi", ".svg",
     ".toml", ".txt", ".typ", ".typed", ".yaml", "",
 }  # fmt: skip
 
@@ -34,15 +33,3 @@ def test_file_names_are_plain_and_of_known_kinds():
     for path in tracked():
         assert not any(part.startswith("-") or part != part.strip() for part in path.parts), path
         assert path.suffix in KINDS, path
-
-
-def test_round_trips_stand_where_ci_looks_for_them():
-    ci = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
-    assert ci.count("'integration and not slow' tests/grader tests/website\n") == 1
-    for path in tracked():
-        if path.suffix == ".py" and path.parts[:2] not in (
-            ("tests", "grader"),
-            ("tests", "website"),
-        ):
-            marks = (ROOT / path).read_text(encoding="utf-8")
-            assert MARK not in marks or "mark.slow" in marks, path

@@ -116,7 +116,7 @@ def main(files, tests, limit, seed, lines, seconds):
 
 
 def _chosen(found, lines, limit, seed):
-    """Those in these lines, of these so many, in their order."""
+    """The mutants in these lines, at most ``limit`` of them, in their order."""
     found = [m for m in found if not lines or m.line in lines]
     if limit and limit < len(found):
         found = [found[n] for n in sorted(random.Random(seed).sample(range(len(found)), limit))]

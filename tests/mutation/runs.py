@@ -139,7 +139,7 @@ class Target:
 
 
 def _forked(run, limit):
-    """What ``run`` returns in a fork; :data:`LATE` after so many seconds, negative if it dies."""
+    """What ``run`` returns in a fork; :data:`LATE` after this many seconds, negative if it dies."""
     child = os.fork()
     if not child:
         code = 3

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Model, sin, sqrt
+from newton_euler import Model, cos, sin, sqrt
 from newton_euler.motion import AccuracyError, Event, integrate, prepare, second_order
 from newton_euler.motion.solution import FarError
 
@@ -91,7 +91,7 @@ def test_a_state_that_is_zero_by_cancellation_costs_nothing_and_is_not_refused(m
 @pytest.mark.parametrize("left", [1e-2, 1e-5, 3e-6])
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
 def test_the_speed_of_a_rocket_is_judged_by_its_size_though_hardly_any_mass_is_left(left, rtol):
-    """v' = u q/m: next to m = 0 what the mass does to the speed is as large as one likes."""
+    """v' = u q/m: next to m = 0 what the mass does to the speed has no bound."""
     u, q, m0 = 3000.0, 250.0, 1e4
     model = Model(
         "rocket", {"u": u, "q": q}, ("v", "m"), lambda s, p, t: (p.u * p.q / s.m, -p.q + 0 * s.v)
@@ -186,3 +186,21 @@ def test_a_state_that_is_nothing_but_error_is_not_refused(method, rtol):
         motion = integrate(model, 10.0, start, rtol, method)
         assert motion.error <= rtol
         assert abs(motion.end["e"]) <= 1e-2 * rtol
+
+
+def test_a_wire_after_many_turns_that_swings_by_a_clock_has_the_rate_that_was_asked():
+    """The error of its angle, relative to thousands of radians, does not set the steps."""
+    k, f, q, a0, clock = (
+        2.649127506057907,
+        0.007227831712865494,
+        0.39350308,
+        9839.468191043232,
+        28.7,
+    )
+    rates = lambda s, p, t: (s.v, -k * (s.a - a0) + f * cos(q * s.clock), 1.0 + 0.0 * s.a)
+    start, T = (9840.292255447695, 0.0, clock), 19.601288432177043
+    rate = integrate(Model("wire", {}, ("a", "v", "clock"), rates), T, start, 1e-6).end["v"]
+    w, b = math.sqrt(k), f / (k - q * q)
+    x, u = start[0] - a0 - b * math.cos(q * clock), b * q * math.sin(q * clock)
+    exact = u * math.cos(w * T) - w * x * math.sin(w * T) - b * q * math.sin(q * (clock + T))
+    assert rate == pytest.approx(exact, abs=1e-6 * 1.33)

@@ -1,0 +1,27 @@
+"""The order in which workers take files: those that take long first, and the site, which shows what the
+notebooks' tests have run, when these have.
+"""
+
+from pathlib import Path
+
+HERE = Path(__file__).parent
+FIRST = (
+    "chapters/test_chapters.py", "grader/attacks", "grader/scoring", "grader/assignment", "exercises",
+    "website", "grader", "fuzz", "stability",
+)  # fmt: skip
+
+
+def pytest_configure(config):
+    config.option.loadscopereorder = False  # xdist's own order: files with most tests first
+
+
+def pytest_collection_modifyitems(items):
+    folders = [HERE / name for name in FIRST]
+    rank = {
+        path: min(
+            (n for n, folder in enumerate(folders) if path.is_relative_to(folder)),
+            default=len(FIRST),
+        )
+        for path in {item.path for item in items}
+    }
+    items.sort(key=lambda item: rank[item.path])
