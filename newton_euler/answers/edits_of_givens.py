@@ -12,13 +12,12 @@ from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
 from .causes import computed, unconverted
-from .formulas import LESS, RARER, SIMPLE, Edit
+from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
-CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
@@ -87,6 +86,21 @@ def of_given(
         yield LESS, "g", less, ("/", s, g)
 
 
+def of_symbol(s: Step, given: Mapping[str, Step], units: Mapping[str, str]) -> Iterator[Slip]:
+    """A symbol for one in another unit, and the sum of two for one of them."""
+    name = s.args[0]
+    for other, step in given.items():
+        if units[other] != units[name]:
+            words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
+            yield LEAST, f"symbol {other}", words, step
+        elif other != name:
+            words = Words(
+                "takes {name} + {other} for {name}: {name} counts alone there",
+                name=name, other=other,
+            )  # fmt: skip
+            yield LEAST, f"sum {other}", words, ("+", s, step)
+
+
 def of_integrand(s: Step) -> Iterator[Slip]:
     """A given within an integral, with a factor of t^3/3 or t^4/12 lost or confused."""
     words = Words(
@@ -111,14 +125,6 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
         words = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians", name=name)
         yield SIMPLE, "2 pi", words, ("*", s, 0.5 / pi)
     for part in own.parts:
-        if part in CONFUSED:
-            other = CONFUSED[part]
-            words = Words(
-                "takes {other} for {part} in {name}: it is given in {unit}",
-                other=other, part=part, name=name, unit=own.text,
-            )  # fmt: skip
-            ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
-            yield LESS, f"confused {part}", words, ("*", s, ratio)
         if part != own.text and unit(part).to_base(1.0, system) != 1:
             words = Words(
                 "does not convert the {part} in {name}: the rest is in other units",
