@@ -15,7 +15,7 @@ from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both
 from .fit import Fit
 from .kinds import Kind
 from .near import AROUND, CHANCE, Singles
-from .tolerance import NOISE, NUMBER_RTOL, ROUND_OFF, Points
+from .tolerance import NOISE, ROUND_OFF, Points
 
 
 def of_two(
@@ -90,37 +90,36 @@ class _Pairs:
         usable[last] = len(key) == off.sum() or not key[~off].any()
         firsts = [i for i in (*range(self.own), last) if usable[i]]
         seconds = np.flatnonzero(usable)
-        within = max(near, NUMBER_RTOL * size * (not self.kind.is_formula))
         for i in firsts:
-            for op in self._operations(last in (i,)):
+            for op in self._operations():
                 gaps = np.linalg.norm(op(rows[i], rows[seconds], key) - given, axis=1)
-                for j in seconds[gaps <= within]:
+                for j in seconds[gaps <= near]:
                     one, two = sorted((i, int(j)))
-                    if one != two and (two != last or op is not _added):
-                        gap = float(gaps[seconds == j][0])
-                        if self._is_named(one, two, op, gap, near, given, key, off):
-                            yield one, two
+                    if one != two and self._is_named(one, two, op, near, given, key, off):
+                        yield one, two
 
-    def _operations(self, opposite):
-        if opposite:
-            return (_multiplied,)
+    def _operations(self):
         return (_added, _multiplied, *[_under_a_root] * (self.of_symbols and self.kind.length == 1))
 
-    def _is_named(self, i, j, op, gap, near, given, key, off):
+    def _is_named(self, i, j, op, near, given, key, off):
         """True of what is met neither by chance nor by two mere factors."""
         import numpy as np
 
         by_sign = j == len(self.causes) - 1
+        if by_sign and op is not _multiplied:
+            return False
         if self.kind.is_formula:
             return (self.of_symbols or by_sign) and self._is_met_everywhere(i, j, op)
-        if j < self.own:  # of few pairs
-            return len(key) > 1
-        ratio = given[off] / key[off]
-        alike = np.ptp(ratio) <= 0.01 * abs(ratio).max()
-        if gap > near or off.sum() < 2 or (alike and not by_sign) or not given[off].all():
+        if len(key) < 2:
             return False
-        tried = len(self.causes) * (1 if by_sign else self.own + 1)
-        share = max(near, gap) / (AROUND * math.hypot(*given))
+        tried = self.own**2
+        if j >= self.own:
+            ratio = given[off] / key[off]
+            alike = np.ptp(ratio) <= 0.01 * abs(ratio).max()
+            if off.sum() < 2 or (alike and not by_sign) or not given[off].all():
+                return False
+            tried = len(self.causes) * (1 if by_sign else self.own + 1)
+        share = near / (AROUND * math.hypot(*given))
         return tried * share ** int(off.sum()) <= CHANCE
 
     def _is_met_everywhere(self, i, j, op):

@@ -100,8 +100,8 @@ def test_of_frames_with_parallel_axes_the_first_is_named():
 
 
 def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_same():
-    key, a, b = ((1.0, 2.0, 3.0),), ((1.0, 0.0, 3.0),), ((1.0, 2.0, 0.0),)
-    given = ((1.0, 0.0, 0.0),)
+    key, a, b = ((1.23, 2.0, 3.0),), ((1.23, 0.0, 3.0),), ((1.23, 2.0, 0.0),)
+    given = ((1.23, 0.0, 0.0),)
     A, B, C = (listed(name, name.upper()) for name in "abc")
     found = diagnose(given, key, [(A, a), (B, b)])
     assert found == (both(A, B),)
