@@ -191,12 +191,13 @@ def _closest(stages):
 
 
 def _chosen(best, twins, elsewhere):
-    """One cause, or several that fit alike, what is listed first; of these, the ones that explain
-    most of the rest.
+    """One cause, or several that fit alike, of which none that is listed is left out; of these, the
+    ones that explain most of the rest.
     """
     causes = _most_explaining(dict.fromkeys([*best, *twins]), elsewhere)
-    first = sorted(causes, key=lambda c: c.group != "listed")
-    return tuple(first[:MOST]) if sum(c in best for c in causes) <= MOST else ()
+    kept = sorted(causes, key=lambda c: c.group != "listed")[:MOST]
+    few = sum(c in best for c in causes) <= MOST
+    return tuple(c for c in causes if c in kept) if few else ()
 
 
 def _most_explaining(causes, elsewhere):

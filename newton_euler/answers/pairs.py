@@ -110,7 +110,7 @@ class _Pairs:
             return False
         if self.kind.is_formula:
             return (self.of_symbols or by_sign) and self._is_met_everywhere(i, j, op)
-        if len(key) < 2:
+        if len(key) < 2 or (j < self.own and op is not _added):
             return False
         tried = self.own**2
         if j >= self.own:

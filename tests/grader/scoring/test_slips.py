@@ -209,6 +209,7 @@ def test_two_listed_mistakes_at_once_are_both_named():
                 listed = [(c, x) for c, x in numbers.wrong(a.key) if c.group == "listed"]
                 if a.kind.name != "vector":
                     continue
+                listed = [(c, x) for c, x in listed if any(x[0])]  # to nothing, nothing is added
                 for (first, (x,)), (second, (y,)) in itertools.combinations(listed, 2):
                     sum_ = [s + t - k for s, t, k in zip(x, y, numbers.key[a.key][0], strict=True)]
                     words = both(first, second).what
