@@ -18,6 +18,7 @@ MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
+CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
@@ -49,9 +50,9 @@ def of_given(
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
-    twice = Words("takes twice {name}, or loses a 1/2 beside it: {why}", name=name, why=is_it)
+    twice = Words("takes twice {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
     yield rank, TWICE, twice, ("*", s, 2.0)
-    half = Words("takes half of {name}, or loses a 2 beside it: {why}", name=name, why=is_it)
+    half = Words("takes half of {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
     yield rank, HALF, half, ("*", s, 0.5)
     yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
     yield (
@@ -125,6 +126,14 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
         words = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians", name=name)
         yield SIMPLE, "2 pi", words, ("*", s, 0.5 / pi)
     for part in own.parts:
+        if part in CONFUSED:
+            other = CONFUSED[part]
+            words = Words(
+                "takes {other} for {part} in {name}: it is given in {unit}",
+                other=other, part=part, name=name, unit=own.text,
+            )  # fmt: skip
+            ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
+            yield LESS, f"confused {part}", words, ("*", s, ratio)
         if part != own.text and unit(part).to_base(1.0, system) != 1:
             words = Words(
                 "does not convert the {part} in {name}: the rest is in other units",

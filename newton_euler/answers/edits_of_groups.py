@@ -9,7 +9,7 @@ from typing import Any
 from ..algebra.language import Words
 from ..algebra.trace import Step
 from .causes import computed
-from .formulas import LESS, Edit, users_of
+from .formulas import LEAST, LESS, Edit, users_of
 from .typed import Product, described, typed
 
 PRODUCT, SUM = ("*", "/"), ("+", "-")
@@ -19,8 +19,8 @@ FRACTIONS = {Fraction(1, n) for n in (2, 3, 4, 12)}  # one is taken for another
 
 
 def of_terms(steps: Sequence[Step], units: Mapping[str, str]) -> Iterator[Edit]:
-    """A term that several sums have, and all terms of one shape, as m*x_1^2 and m*x_2^2, left
-    out.
+    """A term that several sums have, and all terms of one shape, as m*x_1^2 and m*x_2^2: left out,
+    or with the opposite sign.
     """
     users = users_of(steps)
     alike: dict[Any, list[Step]] = {}
@@ -50,7 +50,9 @@ def _of_exchanged(places):
 def _of_terms(terms, words):
     name = " ".join(str(s.number) for s in terms)
     left_out = Words("leaves out {term}: what it stands for counts here", term=words)
+    turned = Words("has {term} with the opposite sign: its sense is the other one", term=words)
     yield Edit(LESS, computed(f"no terms {name}", left_out), {s.number: 0.0 for s in terms})
+    yield Edit(LEAST, computed(f"turned {name}", turned), {s.number: ("neg", s) for s in terms})
 
 
 def _sums(s, users):

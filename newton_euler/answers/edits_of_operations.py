@@ -23,7 +23,6 @@ INVERSE = ("asin", "acos", "atan", "atan2")
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
-ROUND = {Fraction(2, 5), Fraction(2, 3)}
 CONE = Fraction(3, 10)  # for which others are taken, but not it for them
 BODIES = {
     Fraction(1): Words("a ring"), Fraction(1, 2): Words("a disk about its axis"),
@@ -312,7 +311,7 @@ def of_moment(s: Step, dimension: Dimension | None) -> Iterator[Slip]:
         return
     product = Product(s)
     own = product.coefficient if product.is_exact else Fraction(0)
-    alike = next((x for x in (RODS, ROUND) if own in x), BODIES.keys() - RODS - ROUND)
+    alike = RODS if own in RODS else BODIES.keys() - RODS
     # a mass times a square may be that of a particle, or of a transfer
     known = own in RODS or (own in {*BODIES, CONE} and own != 1 and dimension == INERTIA)
     for other in sorted(alike - {own}) if known else ():

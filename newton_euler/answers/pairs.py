@@ -49,9 +49,11 @@ class _Pairs:
 
     def __init__(self, fit, kind, own, slips):
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own), own, slips
-        levels = [int(c.group != "listed") for c, _ in own]
+        opposite = tuple(tuple(-x for x in point) for point in fit.key)
+        # the opposite sign has words of its own, which are shorter
+        levels = [4 if x == opposite else 2 * (c.group != "listed") for c, x in own]
         self.causes = [*zip(levels, (c for c, _ in own), strict=True)]
-        self.causes += [*((n + 1, c) for n, c in slips.causes), (2, OPPOSITE_NUMBER)]
+        self.causes += [*((n + 2, c) for n, c in slips.causes), (1, OPPOSITE_NUMBER)]
         self.of_symbols = kind.is_formula and slips.of_symbols
 
     def at(self, point: int) -> tuple[Any, Any]:
@@ -78,10 +80,10 @@ class _Pairs:
 
         given, size = np.array(self.fit.first[0], float), math.hypot(*self.fit.first[0])
         key, rows = self.at(self.fit.index)
-        off = abs(given - key) > max(ROUND_OFF * size, self.fit.rounding)
+        near = max(ROUND_OFF * size, self.fit.rounding)
+        off = abs(given - key) > near
         if not 0 < size < math.inf or not off.any():
             return
-        near = ROUND_OFF * size if self.kind.is_formula else self.fit.rounding
         # what undoes another mistake, or leaves nothing, is none of two
         undoes = (abs(rows - key)[:, ~off] > NOISE * size).any(axis=1)
         usable = np.isfinite(rows).all(axis=1) & rows.any(axis=1) & ~undoes
@@ -95,7 +97,8 @@ class _Pairs:
                 gaps = np.linalg.norm(op(rows[i], rows[seconds], key) - given, axis=1)
                 for j in seconds[gaps <= near]:
                     one, two = sorted((i, int(j)))
-                    if one != two and self._is_named(one, two, op, near, given, key, off):
+                    differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
+                    if differ and self._is_named(one, two, op, near, given, key, off):
                         yield one, two
 
     def _operations(self):
