@@ -157,11 +157,10 @@ def of_label(f, call, label, value):
     return outcome(f, positional, named, SOON)
 
 
-# texts of Python and NumPy for arguments that do not fit
+# texts of Python for arguments that do not fit
 OF_THE_CALLER = (
     IndexError("tuple index out of range"), TypeError("'int' object is not iterable"),
-    ValueError("not enough values to unpack"), KeyError("mass"), AttributeError("no spin"),
-    RuntimeError("no more data"),
+    ValueError("not enough values to unpack"),
 )  # fmt: skip
 
 
