@@ -55,7 +55,7 @@ def write_bank(
     done : called after each problem
     """
     write, _ = FORMATS[form]
-    no_help = {"help": "none"} if spec.late else {}  # of an exam
+    no_help = {"help": "none"} if spec.late else {}  # an exam gives no help
     jobs = [
         (p.id, i.text, {**i.options, **no_help}, (graded or {}).get(p.id))
         for i in spec.items

@@ -35,7 +35,7 @@ from .relations import relations
 from .slips import slip_numbers
 from .twins import sets_of_numbers, twin
 
-COLOURS = 64  # of a figure: a quarter of the bytes, without a visible difference
+COLOURS = 64  # colours of a figure: a quarter of the bytes, no visible difference
 
 
 def png(p: Problem, values: Values) -> tuple[str, bytes] | None:
