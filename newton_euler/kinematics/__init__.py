@@ -41,6 +41,7 @@ from .rotations import (
     quaternion_rate,
     rotation_matrix,
     transpose,
+    unwound,
 )
 from .triads import Triad
 

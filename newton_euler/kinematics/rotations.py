@@ -39,7 +39,7 @@ from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .frames import Frame, Point, divided_by_length, vanishes
 
 if TYPE_CHECKING:  # importing numpy takes 0.1 s, and only one function needs it
-    pass
+    import numpy as np
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
 Triple = Sequence[Scalar] | Vector
@@ -475,6 +475,33 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
         )
     dpsi = (x * sin(phi) + y * cos(phi)) / s
     return to_plain(dpsi), to_plain(x * cos(phi) - y * sin(phi)), to_plain(z - dpsi * cos(theta))
+
+
+@checked
+def unwound(
+    angles: Sequence[float], rates: Sequence[float], times: Sequence[float]
+) -> "np.ndarray":
+    """Angles (rad) known modulo a turn, made continuous by their rates (rad/s) at times (s), all of
+    shape (N,): whole turns are added to fit the mean of the two rates of each step, and may be
+    many. Raises :class:`RotationError` where more than a quarter of a turn is left over.
+
+    >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
+    [0.0, 7.283185, 14.566371]
+    """
+    import numpy as np
+
+    q, w, t = (np.asarray(x, dtype=float) for x in (angles, rates, times))
+    missing = np.diff(t) * (w[1:] + w[:-1]) / 2 - np.diff(q)
+    turns = np.round(missing / (2 * np.pi))
+    left = np.abs(missing - 2 * np.pi * turns)
+    if not (left <= np.pi / 2).all():
+        n = int(np.argmax(left))
+        raise RotationError(
+            f"between t = {t[n]:.6g} and {t[n + 1]:.6g} s the rates {w[n]:.6g} "
+            f"and {w[n + 1]:.6g} rad/s leave {left[n]:.3g} rad: how many turns there were is "
+            "not known; give more instants, or take the angle itself as a state of the motion"
+        )
+    return q + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))
 
 
 @checked
