@@ -56,7 +56,7 @@ html_css_files = ["site.css", "sketches.css"]
 html_js_files = [("words.js", {"defer": "defer", "priority": 100}), ("site.js", {"defer": "defer"})]
 html_show_sourcelink = html_show_sphinx = html_show_copyright = False
 html_copy_source = False
-html_search_scorer = "scorer.js"
+html_search_scorer = str(HERE / "scorer.js")
 html_use_index = True
 html_domain_indices = False
 html_permalinks_icon = "#"
@@ -108,10 +108,17 @@ def from_here_alone(app: Any, page: str, template: str, context: dict, doctree: 
     context["metatags"] = rule + context.get("metatags", "")
 
 
-def of_the_first_page(app: Any, page: str, *_: Any) -> None:
-    """The first page has a script of its own, after those of all pages."""
+CELLS = re.compile(r"mystnb|pygments")
+
+
+def of_the_first_page(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
+    """The first page has a script of its own, after those of all pages, and no styles of cells and
+    code, of which it has none: they are a quarter of its weight.
+    """
     if page == app.config.root_doc:
         app.add_js_file("landing.js", defer="defer")
+        files = context["css_files"]
+        context["css_files"] = [x for x in files if not CELLS.search(str(x.filename))]
 
 
 def setup(app: Any) -> None:
