@@ -27,9 +27,12 @@ AXE = Package(
 )
 FAULTS = """
 const [only, done] = arguments;
-axe.run(document, {resultTypes: ["violations"], ...(only && {runOnly: [only]})}).then(({violations}) => done(violations
-  .filter((v) => ["serious", "critical"].includes(v.impact))
-  .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => n.target).join(" ")}`)));
+// after a change of theme, in which colours are neither
+Promise.all(document.getAnimations().map((one) => one.finished.catch(() => 0)))
+  .then(() => axe.run(document, {resultTypes: ["violations"], ...(only && {runOnly: [only]})}))
+  .then(({violations}) => done(violations
+    .filter((v) => ["serious", "critical"].includes(v.impact))
+    .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => n.target).join(" ")}`)));
 """
 # a page of each kind
 KINDS = (
@@ -418,19 +421,29 @@ def test_the_first_page_moves_answers_and_is_light(address, phone):
     assert complaints(phone) == []
 
 
-def test_axe_finds_nothing_serious_in_light_or_dark(site, address, phone):
-    found = AXE.files(CACHE / "npm", "axe.min.js")
-    if not found:
+def found_by_axe(driver, address, pages):
+    """{(page, theme): what is serious or critical on it}."""
+    script, faults = AXE.files(CACHE / "npm", "axe.min.js"), {}
+    if not script:
         pytest.skip("npm does not reach axe-core")
-    faults = {}
-    for page in KINDS:
-        phone.get(f"{address}/{page}")
+    for page in pages:
+        driver.get(f"{address}/{page}")
         if page == "problems/4-16.html":
-            practise(phone, f"{address}/{page}")
-        phone.execute_script(found["axe.min.js"].decode())
+            practise(driver, f"{address}/{page}")
+        driver.execute_script(script["axe.min.js"].decode())
         for theme, only in (("light", None), ("dark", "color-contrast")):
-            emulated(phone, theme)
-            if wrong := phone.execute_async_script(FAULTS, only):
+            emulated(driver, theme)
+            if wrong := driver.execute_async_script(FAULTS, only):
                 faults[page, theme] = wrong
-    emulated(phone)
-    assert faults == {}
+    emulated(driver)
+    return faults
+
+
+def test_axe_finds_nothing_serious_in_light_or_dark(address, phone):
+    assert found_by_axe(phone, address, KINDS) == {}
+
+
+@pytest.mark.slow  # minutes
+def test_axe_finds_nothing_serious_in_any_chapter(site, address, phone):
+    pages = [path.relative_to(site) for path in sorted(site.glob("chapters/*.html"))]
+    assert found_by_axe(phone, address, pages) == {}

@@ -129,7 +129,8 @@ addEventListener("DOMContentLoaded", () => {
       verdict.textContent = ({ right: "✓ ", wrong: "✗ " }[found] || "") + text;
       if (found === "unreadable") {
         read.textContent = "";
-        turn += 1; // a reading under way would say the same again
+        clearTimeout(timer);
+        turn += 1; // a reading to come or under way would say the same again
       }
       for (const f of fields) f.setAttribute("aria-invalid", found !== "right");
     };
