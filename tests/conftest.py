@@ -8,8 +8,9 @@ import pytest
 
 HERE = Path(__file__).parent
 FIRST = (
-    "chapters/test_chapters.py", "grader/attacks", "grader/scoring", "grader/assignment", "exercises",
-    "website", "grader", "fuzz", "stability",
+    "chapters/test_chapters.py", "grader/attacks", "grader/scoring", "grader/assignment",
+    "website/test_pages.py",  # which builds the site: for the other tests of it, no worker has to wait
+    "exercises", "website", "grader", "fuzz", "stability",
 )  # fmt: skip
 
 
