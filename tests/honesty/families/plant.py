@@ -242,7 +242,7 @@ def radiator_that_cools(rng):
 
     def exact(mp, s, p, t):
         """log|(T-a)/(T+a)|/4 - atan(T/a)/2 falls as k a^3 t: Newton's method in the logarithm."""
-        a, warm = mp.mpf(p.a), s.T > p.a
+        a, warm = mp.mpf(p.a), p.a < s.T
         now = lambda e: (1 + e) / (1 - e) if warm else (1 - e) / (1 + e)
         y = mp.log(abs(s.T - a) / (s.T + a))
         goal = y / 4 - mp.atan(s.T / a) / 2 - p.k * a**3 * t
@@ -319,7 +319,10 @@ def ball_below_a_magnet(rng):
     C, L, R = m * g * d**2 / current**2, rng.uniform(0.02, 0.3), rng.uniform(2.0, 20.0)
     n = math.sqrt(g / d)
     parameters = {"g": g, "C": C / m, "d": d, "L": L, "R": R, "i": current}
-    parameters |= {"P": current / d * rng.uniform(1.5, 3.0), "D": current / d / n * rng.uniform(1, 2)}
+    parameters |= {
+        "P": current / d * rng.uniform(1.5, 3.0),
+        "D": current / d / n * rng.uniform(1, 2),
+    }
     parameters["G"] = L * n * rng.uniform(8.0, 30.0)
 
     def rates(s, p, t):
