@@ -418,7 +418,7 @@ def step_sizes(steps, errors, floor):
     ax.axhline(1e-3, color="#777777", ls=":", label="good enough for a sensor")
     ax.axhline(floor, color="black", ls="--", label="(4.18), no step")
     ax.set(xlabel="step h (s)", ylabel="relative error of the acceleration")
-    ax.legend(frameon=False, fontsize=9)
+    ax.legend(frameon=False, fontsize=9, loc=(0.02, 0.1))
     best = {name: min(zip(found, steps, strict=True)) for name, found in errors.items()}
     text = "; ".join(f"{name} {error:.0e} at h = {h:.0e} s" for name, (error, h) in best.items())
     show_figure(

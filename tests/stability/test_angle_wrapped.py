@@ -16,10 +16,10 @@ def wrapped(angle):
     return np.arctan2(np.sin(angle), np.cos(angle))
 
 
-def test_a_turn_of_10_rad_per_sample_is_followed_by_its_rate():
-    """np.unwrap takes it for -2.57 rad."""
+def test_unwrap_takes_a_turn_of_10_rad_per_sample_for_minus_2_6_and_the_rates_tell_better():
     t = np.arange(0.0, 20.0)
     angle = 10.0 * t
+    assert abs(np.diff(np.unwrap(wrapped(angle)))[0] - (10 - 4 * math.pi)) < 1e-12  # -2.57 rad
     found = unwound(wrapped(angle), 10.0 + 0 * t, t)
     assert np.max(np.abs(found - angle)) < 3e-14  # rad, of 190
 
@@ -27,6 +27,7 @@ def test_a_turn_of_10_rad_per_sample_is_followed_by_its_rate():
 def test_a_spin_that_speeds_up_is_followed_over_thousands_of_turns_in_100_samples():
     t = np.linspace(0.0, 10.0, 101)
     angle, rate = 50 * t + 40 * t**2, 50 + 80 * t
+    assert np.max(np.abs(np.unwrap(wrapped(angle)) - angle)) > 1000
     assert np.max(np.abs(unwound(wrapped(angle), rate, t) - angle)) < 1e-11
 
 

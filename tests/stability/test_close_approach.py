@@ -12,6 +12,7 @@ from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.particles.orbit import orbit
 from tests.models import from_farthest
+from tests.stability.naive import solved
 
 ORBIT = orbit(1.0)
 PERIOD = 2 * math.pi
@@ -26,9 +27,9 @@ def exact(e, t):
 
 
 @pytest.mark.parametrize("e", [0.9, 0.99, 0.999])
-def test_after_10_periods_the_place_is_right_to_round_off(e):
-    """SciPy's default solver is lost by the size of the orbit."""
+def test_the_default_solver_is_lost_by_the_size_of_the_orbit_after_10_periods(e):
     t, start = 10 * PERIOD, from_farthest(1.0, 1.0, e)
+    assert distance(solved(ORBIT, t, start).y[:, -1], exact(e, t)) > 0.5  # of the semi-axis
     assert distance(ORBIT.solution(t, start), exact(e, t)) < 3e-14
 
 

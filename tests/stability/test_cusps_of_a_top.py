@@ -1,5 +1,5 @@
-"""Cusps, the border between waves and loops: a top released from rest (10.25); an integration makes
-waves or loops of it.
+"""Cusps, the border between waves and loops: a top released from rest; rounding makes waves or
+loops of it (10.25).
 """
 
 import pytest
@@ -7,8 +7,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler.applications.nutation import nutation
+from newton_euler.scenes.spatial import top
+from tests.stability.naive import solved
 
 I0, I, MGR = 0.02, 0.01, 0.5
+
+
+def test_a_run_at_default_tolerance_makes_loops_of_it():
+    y = solved(top.euler(I0, I, MGR, 100.0), 20.0, (0.0, 1.0, 0.0, 0.0, 0.0)).y
+    assert y[3].min() < -0.01  # rad/s: it runs backwards
 
 
 @given(st.floats(0.05, 1.5), st.floats(50.0, 1000.0))

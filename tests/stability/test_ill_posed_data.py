@@ -3,6 +3,7 @@ where NumPy returns numbers (7.13), (8.21).
 """
 
 import mpmath
+import numpy as np
 import pytest
 
 from newton_euler import Frame, Inertia, solve_linear
@@ -13,8 +14,9 @@ from newton_euler.dynamics.euler import angular_acceleration
 body = Frame("body")
 
 
-def test_of_equations_that_are_singular_but_for_rounding_what_is_open_is_reported():
-    # of rank 1, but for the rounding of 0.1 and 0.3
+def test_a_nearly_singular_solve_returns_1e16_and_the_engine_reports_what_is_open():
+    M = np.array([[0.1, 0.3], [0.3, 0.9]])  # of rank 1, but for the rounding of 0.1 and 0.3
+    assert abs(np.linalg.solve(M, [0.4, 1.2000001])).max() > 1e8
     s = solve_linear(
         lambda A, B: {"one": 0.1 * A + 0.3 * B - 0.4, "three": 0.3 * A + 0.9 * B - 1.2}
     )
@@ -40,8 +42,10 @@ def test_a_mass_matrix_singular_within_rounding_is_left_open_not_solved():
     assert s.undetermined == ("a", "b")
 
 
-def test_a_thin_rod_has_no_inverse_inertia_and_is_refused_with_the_reason():
+def test_a_thin_rod_has_no_inverse_inertia_and_is_refused_where_numpy_raises_without_a_reason():
     at_rest, rod = body.vector(0.0, 0, 0), Inertia(body, (0.0, 3.0, 3.0))
+    with pytest.raises(np.linalg.LinAlgError, match="Singular matrix"):
+        np.linalg.solve(rod.to_array(), [1.0, 0.0, 0.0])
     with pytest.raises(MassError, match="thin rod about its own"):
         angular_acceleration(rod, at_rest, body.vector(1.0, 0, 0))
     thick = Inertia(body, (1e-12, 3.0, 3.0))

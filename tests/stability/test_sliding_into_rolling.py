@@ -4,7 +4,9 @@ and another model do not (8.6).
 
 import math
 
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.motion.events import Event
@@ -32,6 +34,18 @@ def thrown(v0, omega0=0.0, rtol=1e-9, method="auto", t=T):
     """A sphere thrown with the speed v0 and a spin, by the engine."""
     sense = math.copysign(1, v0 + omega0 * R)
     return integrate(sliding(MU, G, R, sense=sense), t, (0.0, v0, omega0), rtol, method, ROLLS)
+
+
+def test_at_the_default_tolerance_the_sphere_never_rolls_and_its_speed_is_wrong_in_the_fourth_digit():
+    """With one right-hand side for both regimes; tighter tolerances get stuck on the jump."""
+
+    def rates(t, y):
+        friction = -np.sign(y[1] + y[2] * R) * MU * G
+        return [y[1], friction, friction / (0.4 * R)]
+
+    _, v, omega = solve_ivp(rates, (0.0, T), (0.0, V0, 0.0)).y[:, -1]
+    assert abs(v + omega * R) > 1e-3  # m/s of slip, 2 s after rolling began
+    assert 3e-4 < abs(v - BEGINS.v) < 1e-2
 
 
 def test_with_an_event_and_two_models_it_rolls_to_round_off_in_a_hundred_calls():
