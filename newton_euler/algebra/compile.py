@@ -210,7 +210,7 @@ class Compiled:
 
     def _other(self, args):
         for a in args:
-            if getattr(a, "size", 1):  # of an array without entries the values are one, too
+            if getattr(a, "size", 1):  # an empty array has an empty array of values
                 scalar(a)  # raises ScalarError if it is not a number
         # pi has the kind and the digits of the most exact number among them
         if any(isinstance(a, _Own) for a in args):

@@ -69,8 +69,8 @@ class Recorder:
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
         self._commands: list = []
         self._extent: list = []  # places that fit on the page
-        self._longest: dict = {}  # of the arrows of each kind
-        self._shortest = 0.25  # of the longest; less would be hard to see
+        self._longest: dict = {}  # the longest arrow of each kind
+        self._shortest = 0.25  # least length, relative to the longest
         self._pending = False
         self._window: Window | None = None  # that of an animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
