@@ -368,7 +368,8 @@ def real(x, what):
     if type(x) is float:
         return x
     y = to_plain(scalar(x))
-    if not is_numeric(y) or isinstance(y, (complex, _Own)) or getattr(y, "shape", ()) or y != y:
+    several = isinstance(y, _Own) or getattr(y, "shape", ())
+    if several or not is_numeric(y) or _is_unreal(y) or y != y:
         raise ScalarError(f"{what} is one real number; got {clipped(x)}")
     return y
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from ...algebra.errors import checked_but
-from ...algebra.scalars import scalar, to_plain
+from ...algebra.scalars import real_scalar, to_plain
 from ...algebra.vectors import FrameError, Vector, cross3, dot3, sub3
 from ...kinematics.frames import Frame, Point
 from .occlusion import painters_order
@@ -136,7 +136,7 @@ class Recorder:
     @staticmethod
     def _float(x):
         """``x`` as a float; TypeError or ValueError for a quantity with a unit, and for text."""
-        return float(to_plain(scalar(x)))
+        return float(to_plain(real_scalar(x)))
 
     def _or_default(self, x):
         """A length in metres; None and 0 stand for the default and are returned as they are."""
