@@ -351,7 +351,7 @@ def two_sources():
 def acceleration_terms(ax, build, tilt, speed):
     """Figure 4.10: the terms of the crane's acceleration, head to tail."""
     ground, column, boom, A = build(tilt=tilt, speed=speed)
-    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=170)
+    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=260)
     s.axes(O, ground, length=1.1, labels="XYZ")
     _column_and_boom(s, column, boom, A)
     s.sum(A, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
@@ -370,7 +370,7 @@ def carried_round(ax, turn):
     before = ground.rotate("2", "z", 0.0)
     after = ground.rotate("2'", "z", math.radians(turn))
     one, two = (tuple(w32 * x for x in frame.i.components(ground)) for frame in (before, after))
-    s = Sketch(ax, ground, azimuth=-50, elevation=30)
+    s = Sketch(ax, ground, azimuth=-80, elevation=30)
     s.arrow(O, (0, 0, w21), r"$\omega_{2/1}$", kind="rate")
     s.arrow(O, one, r"$\omega_{3/2}$", kind="rate")
     s.arrow(O, two, r"$\omega_{3/2}$ later", kind="rate")
