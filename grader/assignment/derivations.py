@@ -121,7 +121,7 @@ class _Reader:
     positive: set[str]
     asked: set[str]
     drawn: Sequence[Givens]
-    units: Mapping[str, str]  # of the givens
+    units: Mapping[str, str]  # units of the givens
     shown: set[int] = field(default_factory=set)
     derivations: dict[str, Derivation] = field(default_factory=dict)
 

@@ -22,10 +22,10 @@ class Names:
     fixed: dict[int, Any]
     found: _ByQuantity = field(default_factory=dict)
     opposite: _ByQuantity = field(default_factory=dict)
-    sizes: dict[str, int] = field(default_factory=dict)  # of the quantities
+    sizes: dict[str, int] = field(default_factory=dict)  # numbers of components, by quantity
     uses: Counter[str] = field(default_factory=Counter)
-    place: int = 0  # of the component that is written
-    size: int = 1  # of its quantity
+    place: int = 0  # index of the component that is written
+    size: int = 1  # number of components of its quantity
 
     def add(self, key: str, parts: Sequence[Any], symbols: Sequence[Any]) -> None:
         """Gives names to the components of a quantity."""
