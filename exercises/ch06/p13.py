@@ -39,10 +39,9 @@ def steps(g):
     along = g.m_B * g.g * cos(g.theta)
     yield Step("W_t", along, "N", "part of the weight of the block along the cord", "6.1", "6.3")
     share = 1 + g.m_B / g.m_A * sin(g.theta) ** 2
-    yield Step("n", share, "1", "factor by which T is smaller than $W_t$: the equations of motion "
-               "are T*sin(theta) = m_A*a_A for the cart and T - W_t = -m_B*a_A*sin(theta) for the "
-               "block along the cord, since it starts from rest, and without a_A leave n*T = W_t",
-               "6.1", "6.3")  # fmt: skip
+    yield Step("n", share, "1", "factor by which T is smaller than $W_t$: T*sin(theta) = m_A*a_A "
+               "of the cart and T - W_t = -m_B*a_A*sin(theta) of the block, without a_A",
+               "6.1", "6.4")  # fmt: skip
 
 
 follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}

@@ -31,8 +31,8 @@ def steps(g):
     yield Step("flat", axial / 2, "1", "part of its transverse moment about the vertex that its "
                "disks have about their diameters, over m*r^2", "7.3")  # fmt: skip
     yield Step("tall", I.moment("x") - axial / 2, "1", "part by their heights above the vertex, "
-               "over m*h^2; there is no precession where both moments are equal", "7.8",
-               "7.26")  # fmt: skip
+               r"over m*h^2; no precession where "
+               r"$\text{axial} = \text{flat} + \text{tall}\,h^2/r^2$", "7.8", "7.26")  # fmt: skip
 
 
 def prove(g):

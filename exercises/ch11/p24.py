@@ -49,9 +49,9 @@ follows = {"v_bob": lambda g, T: speed(g, T, sum(moments(g)))}
 def steps(g):
     rod_lost, bob_lost = losses(g)
     of_rod, of_bob = moments(g)
-    yield Step("dV_rod", -rod_lost, "J", "change of the potential energy of the rod", "11.12",
+    yield Step("Delta_rod", -rod_lost, "J", "change of the potential energy of the rod", "11.12",
                "11.34")  # fmt: skip
-    yield Step("dV_bob", -bob_lost, "J", "change of the potential energy of the bob", "11.12",
+    yield Step("Delta_bob", -bob_lost, "J", "change of the potential energy of the bob", "11.12",
                "11.34")  # fmt: skip
     yield Step("I_rod", of_rod, "kg*m^2", "moment of inertia of the rod about the hinge O", "7.10")
     yield Step("I_O", of_rod + of_bob, "kg*m^2",

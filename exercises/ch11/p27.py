@@ -25,11 +25,10 @@ def steps(g):
     T_0, H = level_motion(g.m, g.l, 0 * g.l, g.u_0 / g.l)
     yield Step("T_0", T_0, "J", "kinetic energy at the start", "11.7", "11.13")
     yield Step("H", H, "kg*m^2/s", "angular momentum of the bob about the vertical through O; rod "
-               "and weight do not change it", "7.1", "7.1")  # fmt: skip
+               "and weight do not change it", "7.1", "7.6")  # fmt: skip
     yield Step("n", T_0 / weight_potential(g.m, g.l, g.g), "1", "kinetic energy at the start over "
-               "m*g*l; when the bob moves level again, at the angle delta below the level of "
-               "the start, it is T_0/cos(delta)^2 because of H, and the energies give "
-               "n*sin(delta) = cos(delta)^2", "11.11", "11.32")  # fmt: skip
+               "m*g*l; level again, delta below the start, it is T_0/cos(delta)^2 because of H, "
+               "and the energies give n*sin(delta) = cos(delta)^2", "11.11", "11.32")  # fmt: skip
 
 
 def prove(g):

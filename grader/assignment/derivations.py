@@ -2,6 +2,7 @@
 formulas of SymPy: read off the traced computation.
 """
 
+import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
@@ -9,14 +10,24 @@ from typing import Any
 
 from exercises.catalogue import Givens, Problem
 from exercises.catalogue.tracing import before, numbers_of, traced_quantities
-from exercises.catalogue.variants import draw
+from exercises.catalogue.variants import draw, symbol_values
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
 from .names import Names, unsigned
-from .tidy import LONGEST, constant, is_atom, is_forced, is_long, readable, simplest, two_sides
+from .tidy import (  # fmt: skip
+    LONGEST,
+    constant,
+    is_atom,
+    is_forced,
+    is_long,
+    readable,
+    simplest,
+    two_sides,
+    without_divisor,
+)
 
 LONGEST_LIST = 60  # operations of all components that a reader follows
 SHORT = 1  # operations of what is read as easily as the name of a component of another vector
@@ -103,7 +114,10 @@ def _derivations(p, cases, positive, usual):
     lowest |= {n: q.vary[0] for n, q in p.symbols.items()}
     positive |= {n for n, low in lowest.items() if low > 0}
     asked = {a.key for a in p.answers}
-    drawn = [p.base({**p.sympy_symbols(), **draw(p, bytes([n]))}) for n in range(8 * usual)]
+    drawn = [
+        p.base({**symbol_values(p, random.Random(n)), **draw(p, bytes([n]))})
+        for n in range(8 * usual)
+    ]
     reader = _Reader(
         found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn, p.units
     )
@@ -129,6 +143,7 @@ class _Reader:
         self.answers = set()  # the numbers of what was an unknown of equations that are shown
         self.given_by = {x.number: name for name, x in self.found.givens.items()}
         self.names = Names({n: self.symbol(name) for n, name in self.given_by.items()})
+        self.nameless = {}  # {symbol of an unknown that is no quantity: what it is equal to}
         self.unknowns = {}  # number of a traced value: (its equations, its name, the sign of it)
         for equations in self.found.solved:
             for name, x in equations.values.items():
@@ -141,6 +156,9 @@ class _Reader:
         self.called, self.shorter, self.short = {}, [], {}
         self.products = {}  # {name: formula} of products of givens
         self.constants = {}  # {number: name} of those that are the same for all givens
+        self.by_value = {}  # {numbers on some sheets: {name of what has them: place in a matrix}}
+        self.met = set()  # the names by which a formula has numbers of the computation itself
+        self.memos = [{} for _ in self.drawn]
         self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
         first = {}  # {number: the quantity that has its name}
         for key in sorted(self.found.components, key=lambda k: k in self.terms):
@@ -248,6 +266,10 @@ class _Reader:
         self.names.add(key, parts, symbols)
         if len(parts) == 1:
             self._rename(key, parts[0])
+        for n, (x, name) in enumerate(zip(parts, symbols, strict=True)):
+            if numbers := self._numbers(x):
+                place = n if len(parts) == 9 else None
+                self.by_value.setdefault(_rounded(numbers), {})[name] = place
         named = [(f, x) for f, x in zip(formulas, symbols, strict=True) if f is not None]
         self.constants |= {float(f): x for f, x in named if f.is_Float}
         givens = {*self.found.givens}
@@ -263,6 +285,28 @@ class _Reader:
         else:
             self.short |= {x: f for f, x in named}
 
+    def _numbers(self, x):
+        """A traced number on some sheets; () where it is the same on all."""
+        sheets = zip(self.drawn, self.memos, strict=True) if isinstance(x, Step) else ()
+        found = [_value(x, *sheet) for sheet in sheets]
+        return () if None in found or len({*found}) < 2 else found
+
+    def _equal(self, x):
+        """The name of the one earlier quantity that has the same value on all sheets, by whatever
+        way the code came to it, None if there is none; of sums and roots of computed numbers, since
+        products are equal by chance.
+        """
+        if x.op not in ("+", "-", "sqrt") or all(
+            not isinstance(a, Step) or a.number in self.given_by for a in x.args
+        ):
+            return None
+        numbers, here = self._numbers(x), self.names.place if self.names.size == 9 else None
+        for sign in (1, -1):
+            names = self.by_value.get(_rounded(numbers, sign), {})
+            if len(names) == 1 and here in names.values():
+                return sign * next(iter(names))
+        return None
+
     def _rename(self, key, x):
         """A given that a step states with the other sign, or in another unit, has its name then."""
         x, sign = unsigned(x)
@@ -272,7 +316,7 @@ class _Reader:
 
     def _formula(self, place, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
-        self.names.place = place
+        self.names.place, self.met = place, set()
         try:
             formula = self._shortened(self._without_bars(readable(self._written(x, {}))))
             formula = self._without_ones(formula)
@@ -298,13 +342,27 @@ class _Reader:
         return formula
 
     def _without_multiples(self, formula):
-        """The formula with products of givens written out where a number times one stands alone:
-        as 4*I_1/3, it is equal by chance.
+        """The formula with products of givens written out that are equal by chance: where a number
+        times one stands alone, as 4*I_1/3, and beside one that differs by a given of the same unit,
+        as m_1*d^2 and m_2*d^2.
         """
         import sympy
 
         terms = [x.as_coeff_Mul() for x in sympy.Add.make_args(formula)]
-        return sympy.Add(*(c * (self.products.get(x, x) if abs(c) != 1 else x) for c, x in terms))
+        own = self.products.keys() - self.met
+        products = [x for _, x in terms if {s.name for s in x.free_symbols} <= {*self.units}]
+
+        def written_out(c, x):
+            whole = self.products.get(x, x)
+            alike = any(self._differ_by_one(whole, y) for y in products)
+            return c * (whole if alike or (abs(c) != 1 and x in own) else x)
+
+        return sympy.Add(*(written_out(c, x) for c, x in terms))
+
+    def _differ_by_one(self, one, other):
+        """Whether two products differ by a given in the place of another of the same unit."""
+        ratio = [str(x) for x in (one / other).as_numer_denom()]
+        return ratio[0] != ratio[1] and len({self.units.get(x, x) for x in ratio}) == 1
 
     def _without_ones(self, formula):
         """The formula without squares of components of a unit vector that add up to one."""
@@ -333,10 +391,13 @@ class _Reader:
             number = constant(x)
             return self.constants.get(float(x), number) if number.is_Float else number
         if (name := self.names.of(x)) is not None:
+            self.met |= name.free_symbols
             return name
         if x.number in memo:
             return memo[x.number]
         if x.number in self.unknowns and (name := self._solved(x)) is not None:
+            return name
+        if (name := self._equal(x)) is not None:
             return name
         memo[x.number] = formula = self._operation(x, memo)
         if isinstance(formula, sympy.Basic) and formula.has(sympy.zoo, sympy.nan):
@@ -386,6 +447,8 @@ class _Reader:
             self.names.fixed[x.number] = variable
             return variable
         limits = self._written(start, memo), self._written(end, memo)
+        if not formula.has(variable):
+            return formula * (limits[1] - limits[0])
         return sympy.Integral(formula, (variable, *limits)) if formula != 0 else formula
 
     def _solved(self, x):
@@ -397,10 +460,41 @@ class _Reader:
             if not rows:
                 return None
             self.shown.add(id(equations))
-            self._show_together(rows, {str(n) for n in self._unknowns(equations).values()})
-        self.answers.add(x.number)
-        self.names.fixed[x.number] = sign * self.symbol(name)
+            unknowns = [n.free_symbols.pop() for n in self._unknowns(equations).values()]
+            rows = self._without_nameless(rows, unknowns)
+            self._show_together(rows, {n.name for n in unknowns if n not in self.nameless})
+        found = self.symbol(name)
+        if found not in self.nameless:
+            self.answers.add(x.number)
+        self.names.fixed[x.number] = sign * self.nameless.get(found, found)
         return self.names.fixed[x.number]
+
+    def _without_nameless(self, rows, unknowns):
+        """Linear equations without the unknowns that are no quantities of the problem, whose names
+        tell a reader nothing; :attr:`nameless` says what these are.
+        """
+        for u in unknowns:
+            differences = [left - right for left, right in rows]
+            slopes = [d.diff(u) for d in differences]
+            if (
+                u.name in self.taken
+                or u.name.startswith(("cos_", "sin_", "tan_"))
+                or not any(slopes)
+            ):
+                continue
+            found = [
+                readable(-d.subs(u, 0) / a) if a else None
+                for d, a in zip(differences, slopes, strict=True)
+            ]
+            n = min(
+                (n for n, x in enumerate(found) if x is not None),
+                key=lambda n: found[n].count_ops(),
+            )
+            replaced = {u: found[n]}
+            self.nameless = {k: x.subs(replaced) for k, x in self.nameless.items()} | replaced
+            others = [row for k, row in enumerate(rows) if k != n]
+            rows = [self._tidy(*without_divisor([x.subs(replaced) for x in row])) for row in others]
+        return [row for row in rows if row[0] != row[1]]
 
     def _free(self, name):
         """A name for what is no quantity of the problem, other than theirs."""
@@ -483,6 +577,11 @@ _WRITTEN: Mapping[str, Any] = {
     "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
     "/": lambda a, b: a / b, "neg": lambda a: -a,
 }  # fmt: skip
+
+
+def _rounded(numbers, sign=1):
+    """Numbers without their round-off, to be compared."""
+    return tuple(f"{sign * x:.11g}" for x in numbers)
 
 
 def _value(x, values, memo):

@@ -126,7 +126,7 @@ class _Writer:
         chain = [x for x in (formula, numbers) if x]
         last = (value, value.removesuffix(self._unit(s)))
         chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
-        above = found.solved and not found.together
+        above = found.solved and not found.together and s.key not in self.sums
         reason = "" if chain or above or found.together else self._reason(s, found)
         rows, with_numbers = self._together(found)
         with_numbers = () if formula else with_numbers

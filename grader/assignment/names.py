@@ -65,6 +65,8 @@ class Names:
         key, *others = (k for k in candidates if self.uses[k] == used)
         if others and x.args and all(self._is_plain(a) for a in x.args):
             return None  # as b/2, of two bodies that lie side by side
+        if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
+            return None  # of which axis it is does not show
         return self._at_place(candidates[key], self.sizes[key])
 
     def _in_place(self, candidates):

@@ -1,6 +1,7 @@
 """Formulas of SymPy in the form in which they are read."""
 
 import math
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import combinations
 from typing import Any
@@ -76,11 +77,23 @@ def _joined(product):
     return product
 
 
+def without_divisor(row: Sequence[Any]) -> tuple[Any, Any]:
+    """The two sides of an equation, multiplied by what they are divided by."""
+    import sympy
+
+    above, below = sympy.fraction(sympy.together(row[0] - row[1]))
+    return (row[0], row[1]) if below.is_number else (sympy.expand(above), sympy.Integer(0))
+
+
 def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
-    """The two sides of an equation without minus signs before their terms, where there are two."""
+    """The two sides of an equation without minus signs before their terms, where there are two, and
+    without a sum, or a root of one, that is a factor of both.
+    """
     import sympy
 
     terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
+    shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
+    terms = [t / sympy.Mul(*shared) for t in terms]
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
     right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
     return (left, right) if left and right else row

@@ -3,6 +3,7 @@ givens and from each other, and none is an answer, or another step.
 """
 
 import math
+import re
 from functools import cache
 
 import pytest
@@ -12,11 +13,13 @@ from exercises.catalogue.checks import values
 from exercises.catalogue.steps import listed_steps, repeated
 from exercises.catalogue.tracing import before
 from exercises.catalogue.variants import flat
+from grader.assignment.spelled import typeset_formulas
 from newton_euler.algebra.trace import Step as Traced
 from newton_euler.algebra.trace import Trace
 
 ALL = select(["all"])
 SEEDS = 1, 2, 3
+MOST = 30  # words of a step
 # moments about two axes, which are the same by the symmetry of the body
 SYMMETRIC = {("7/6", "I_yy"), ("7/8", "I_xx"), ("8/11", "I_zx")}
 
@@ -88,6 +91,18 @@ def test_no_step_after_which_only_a_key_of_the_calculator_is_left(p):
                 return n in s and any(a[k]) and same(s[n][0], [f(a[k][0])])
 
             assert not always(p, gives_away), f"the step {step} is the {name} of the answer {key}"
+
+
+@by_id
+def test_a_step_has_a_name_to_read_and_at_most_thirty_words(p):
+    """A name is a symbol or a word, and no formula without its signs, as BxC or dRdt; a formula of
+    the sentence is one word.
+    """
+    for s in listed_steps(p, p.base(values(p, 1))):
+        base = s.key.partition("_")[0]
+        assert not re.search(r"[a-z][A-Z]|[A-Z]x[A-Z]|^to$", base), s.key
+        words = re.sub(r"\$[^$]*\$", "formula", typeset_formulas(s.means, p.notation))
+        assert s.term or len(words.split()) <= MOST, s.means
 
 
 def traced(x):

@@ -93,9 +93,10 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
     values = numbers(p, seed)
     right = p.solve(values)
     known = {*p.units}
+    named = set().union(*(map(own_names, as_python(p, seed))))
     for line in as_python(p, seed):
         *formulas, value = line.equal
-        assert what_a_reader_misses(line, known) == []
+        assert what_a_reader_misses(line, known, named) == []
         assert line.reason or formulas or line.together or line.above
         assert line.reason != TOO_LONG
         if line.step.key in right:
@@ -113,20 +114,26 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
                 assert computed == pytest.approx(shown, rel=2e-4, abs=2e-4 * size), text
 
 
-def what_a_reader_misses(line, known):
-    """The numbers without a name, the names without a meaning, and the sides that are missing, in a
-    line of a solution; ``known`` are the names of the lines before, to which its own are added.
-    """
+def own_names(line):
+    """The names of what a line of a solution finds, and of its components."""
     count = len(flat(line.step.value)) if not callable(line.step.value) else 1
-    own = {line.step.key, *(component(line.step.key, n, count) for n in range(count))}
+    return {line.step.key, *(component(line.step.key, n, count) for n in range(count))}
+
+
+def what_a_reader_misses(line, known, named):
+    """The numbers without a name, the names without a meaning, and the sides that are missing, in a
+    line of a solution; ``known`` are the names of the lines before, to which its own are added, and
+    ``named`` those of all lines: an unknown of equations is one of them, or the cosine of one.
+    """
     functions = FUNCTIONS_OF_MATH.keys() | {"Abs", "Integral"}
     vectors = {x[:-2] for x in known if x[-2:] in ("_x", "_1")}
     texts = [QUANTITY.sub("", x) for x in line.equal[:-1]]
     with_names = [x for x in texts if {*NAME.findall(x)} - functions]
     variables = {*re.findall(r"\((\w), ", " ".join(with_names))}  # of integrals
     unknowns = {*NAME.findall(" ".join(line.together))} - known
-    known |= own | unknowns
+    known |= own_names(line) | unknowns
     return [
+        *(x for x in unknowns - named - functions if not x.startswith(("cos_", "sin_"))),
         *({*NAME.findall(" ".join(with_names))} - known - vectors - functions - variables),
         *(x for x in (*with_names, *line.together) for x in re.findall(r"\d*\.\d{4,}", x)),
         *(row for row in line.together if not all(map(str.strip, row.split("=")))),
