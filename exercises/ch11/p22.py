@@ -1,7 +1,7 @@
 """11/22: the kinetic energy of a cone that rolls round its tip."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame, bodies, cos, dynamics, sin, solve_rates, tan
+from newton_euler import Frame, bodies, cos, sin, solve_rates, tan
 
 
 def scene(g, spin):
@@ -26,8 +26,8 @@ def rolling(g):
 
 
 def solve(g):
-    _, ground, _, body, O = rolling(g)
-    return {"T": dynamics.kinetic_energy_about(body, O, ground).value}
+    found = steps(g)
+    return {"T": found["I_contact"] * found["omega_x"] ** 2 / 2}
 
 
 def steps(g):

@@ -291,6 +291,15 @@ class _Reader:
         found = [_value(x, *sheet) for sheet in sheets]
         return () if None in found or len({*found}) < 2 else found
 
+    def _vanishes(self, x):
+        """True if two numbers cancel on all sheets but for round-off."""
+        if not isinstance(x, Step) or x.op not in "+-" or len(x.args) < 2:
+            return False
+        sizes = [abs(n) for n in self._numbers(x.args[0])]
+        rest = [_value(x, *sheet) for sheet in zip(self.drawn, self.memos, strict=True)]
+        pairs = zip(rest, sizes, strict=False)
+        return bool(sizes) and all(n is not None and abs(n) <= 1e-12 * size for n, size in pairs)
+
     def _equal(self, x):
         """The name of the one earlier quantity that has the same value on all sheets, by whatever
         way the code came to it, None if there is none; of sums and roots of computed numbers, since
@@ -317,6 +326,8 @@ class _Reader:
     def _formula(self, place, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
         self.names.place, self.met = place, set()
+        if self._vanishes(x):
+            return constant(0)
         try:
             formula = self._shortened(self._without_bars(readable(self._written(x, {}))))
             formula = self._without_ones(formula)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
-from exercises.catalogue.steps import Step, steps
+from exercises.catalogue.steps import Step, is_sum, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.scalars import is_numeric, to_plain
@@ -137,7 +137,7 @@ class _Writer:
         """Why there is no formula."""
         if isinstance(s.value, (str, int)) or callable(s.value):
             return WORD
-        if s.key in self.sums or is_sum(s.value):
+        if s.key in self.sums or is_sum(s.value, self.p):
             return SUM
         if not all(map(is_numeric, map(to_plain, flat(s.value)))):
             return RESULT
@@ -268,11 +268,6 @@ class _Writer:
 
 def _without_dots(row):
     return row.replace(r" \cdot ", " ").replace("*", "")
-
-
-def is_sum(answer):
-    """True if an answer is shown with a table of its terms, which are then not listed as steps."""
-    return isinstance(answer, Vector) and len(answer.terms) > 1
 
 
 def latex_of(value, notation):
