@@ -30,6 +30,8 @@ from .tidy import (  # fmt: skip
 )
 
 LONGEST_LIST = 60  # operations of all components that a reader follows
+SHEETS = 4  # on which sums are compared
+ROUND_OFF = 1e-12
 SHORT = 1  # operations of what is read as easily as the name of a component of another vector
 NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FUNCTIONS, "atan2")}}
 
@@ -83,6 +85,15 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
     return _derivations(p, tuple(c and c > 0 for c in cases), frozenset(positive), usual)
 
 
+def _unrelated(p, n):
+    """Numbers of the givens and symbols, also for those that all students share."""
+    rng, drawn = random.Random(n), draw(p, bytes([n]))
+    shared = {
+        k: (q.value or 1.0) * rng.uniform(0.97, 1.03) for k, q in p.givens.items() if not q.vary
+    }
+    return symbol_values(p, rng) | drawn | shared
+
+
 def _ranges(p):
     """The lowest and highest number of each given."""
     return {n: q.vary or (q.value, q.value) for n, q in p.givens.items()}
@@ -114,13 +125,11 @@ def _derivations(p, cases, positive, usual):
     lowest |= {n: q.vary[0] for n, q in p.symbols.items()}
     positive |= {n for n, low in lowest.items() if low > 0}
     asked = {a.key for a in p.answers}
-    drawn = [
-        p.base({**symbol_values(p, random.Random(n)), **draw(p, bytes([n]))})
-        for n in range(8 * usual)
-    ]
+    drawn = [p.base({**p.sympy_symbols(), **draw(p, bytes([n]))}) for n in range(8 * usual)]
     reader = _Reader(
-        found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn, p.units
-    )
+        found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn, p.units,
+        [(p.base(_unrelated(p, n)), {}) for n in range(SHEETS * usual)],
+    )  # fmt: skip
     for key in reader.order():
         reader.derive(key)
     return reader.derivations
@@ -136,6 +145,7 @@ class _Reader:
     asked: set[str]
     drawn: Sequence[Givens]
     units: Mapping[str, str]  # of the givens
+    sheets: Sequence[tuple[Givens, dict]]  # of numbers without any relation, and what is known
     shown: set[int] = field(default_factory=set)
     derivations: dict[str, Derivation] = field(default_factory=dict)
 
@@ -158,7 +168,7 @@ class _Reader:
         self.constants = {}  # {number: name} of those that are the same for all givens
         self.by_value = {}  # {numbers on some sheets: {name of what has them: place in a matrix}}
         self.met = set()  # the names by which a formula has numbers of the computation itself
-        self.memos = [{} for _ in self.drawn]
+        self.whole = set()  # the numbers of the quantity that is derived
         self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
         first = {}  # {number: the quantity that has its name}
         for key in sorted(self.found.components, key=lambda k: k in self.terms):
@@ -220,7 +230,7 @@ class _Reader:
         """The derivation of a quantity, which is known from now on."""
         parts = self.found.components[key]
         names = [component(key, n, len(parts)) for n in range(len(parts))]
-        self.together, self.wanted = [], set()
+        self.together, self.wanted, self.whole = [], set(), numbers_of(parts)
         self.names.look_at(parts)
         formulas = tuple(map(self._formula, range(len(parts)), parts, names))
         formulas = self._explicit(formulas, names)
@@ -286,28 +296,26 @@ class _Reader:
             self.short |= {x: f for f, x in named}
 
     def _numbers(self, x):
-        """A traced number on some sheets; () where it is the same on all."""
-        sheets = zip(self.drawn, self.memos, strict=True) if isinstance(x, Step) else ()
-        found = [_value(x, *sheet) for sheet in sheets]
+        """A traced number on some sheets; () where it is the same on all, or has none."""
+        found = [_value(x, *sheet) for sheet in self.sheets] if isinstance(x, Step) else []
         return () if None in found or len({*found}) < 2 else found
 
     def _vanishes(self, x):
         """True if two numbers cancel on all sheets but for round-off."""
-        if not isinstance(x, Step) or x.op not in "+-" or len(x.args) < 2:
+        if not isinstance(x, Step) or x.op not in "+-":
             return False
-        sizes = [abs(n) for n in self._numbers(x.args[0])]
-        rest = [_value(x, *sheet) for sheet in zip(self.drawn, self.memos, strict=True)]
-        pairs = zip(rest, sizes, strict=False)
-        return bool(sizes) and all(n is not None and abs(n) <= 1e-12 * size for n, size in pairs)
+        numbers = [_value(x, *sheet) for sheet in self.sheets]
+        pairs = zip(numbers, self._numbers(x.args[0]), strict=False)
+        return None not in numbers and [abs(n) <= ROUND_OFF * abs(of) for n, of in pairs] == [
+            True for _ in self.sheets
+        ]
 
     def _equal(self, x):
-        """The name of the one earlier quantity that has the same value on all sheets, by whatever
-        way the code came to it, None if there is none; of sums and roots of computed numbers, since
-        products are equal by chance.
+        """The name of the one earlier quantity that a sum has the same value as on all sheets, by
+        whatever way the code came to it; None if there is none. Products, and sums of what has a
+        name, are equal by chance.
         """
-        if x.op not in ("+", "-", "sqrt") or all(
-            not isinstance(a, Step) or a.number in self.given_by for a in x.args
-        ):
+        if x.op not in "+-" or all(self._is_known(a) for a in x.args):
             return None
         numbers, here = self._numbers(x), self.names.place if self.names.size == 9 else None
         for sign in (1, -1):
@@ -315,6 +323,9 @@ class _Reader:
             if len(names) == 1 and here in names.values():
                 return sign * next(iter(names))
         return None
+
+    def _is_known(self, x):
+        return not isinstance(x, Step) or self.names.of(unsigned(x)[0]) is not None
 
     def _rename(self, key, x):
         """A given that a step states with the other sign, or in another unit, has its name then."""
@@ -408,7 +419,7 @@ class _Reader:
             return memo[x.number]
         if x.number in self.unknowns and (name := self._solved(x)) is not None:
             return name
-        if (name := self._equal(x)) is not None:
+        if x.number not in self.whole and (name := self._equal(x)) is not None:
             return name
         memo[x.number] = formula = self._operation(x, memo)
         if isinstance(formula, sympy.Basic) and formula.has(sympy.zoo, sympy.nan):

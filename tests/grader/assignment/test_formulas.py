@@ -132,6 +132,16 @@ def test_an_unknown_has_its_sign_in_the_equations():
     assert {str(left), str(right)} == {"omega_spin_x*r", "-v_A_y"}
 
 
+@pytest.mark.parametrize(("formula", "text"), [
+    (h * m, r"\text{height}_x\, m"),
+    (h**2 * m, r"\text{height}_x^{2}\, m"),
+    (g * h * m, r"g\, \text{height}_x\, m"),
+    (h + m, r"\text{height}_x + m"),
+])  # fmt: skip
+def test_a_word_and_another_factor_stand_apart(formula, text):
+    assert written(formula, {"h": r"\text{height}_x"}, latex=True) == text
+
+
 def test_a_result_has_no_factor_1():
     x = sympy.Symbol("x")
     assert str(simplest(1.0 * x**2 + 0.5)) == "x**2 + 0.5"
