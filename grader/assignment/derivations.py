@@ -14,9 +14,8 @@ from exercises.catalogue.variants import draw, symbol_values
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
-from newton_euler.classroom.practising.programs import operate
 
-from .names import Names, unsigned
+from .names import Names, unsigned, value_of
 from .tidy import (  # fmt: skip
     LONGEST,
     constant,
@@ -26,12 +25,11 @@ from .tidy import (  # fmt: skip
     readable,
     simplest,
     two_sides,
-    without_divisor,
+    without_unknown,
 )
 
 LONGEST_LIST = 60  # operations of all components that a reader follows
 SHEETS = 4  # on which sums are compared
-ROUND_OFF = 1e-12
 SHORT = 1  # operations of what is read as easily as the name of a component of another vector
 NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FUNCTIONS, "atan2")}}
 
@@ -78,9 +76,9 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
         return {}
     g = p.base({**p.sympy_symbols(), **values})
     memo: dict[int, float | None] = {}
-    cases = [_value(c, g, memo) for c in _choices(found)]
+    cases = [value_of(c, g, memo) for c in _choices(found)]
     scalars = {key: parts[0] for key, parts in found.components.items() if len(parts) == 1}
-    positive = {key for key, x in scalars.items() if (_value(x, g, memo) or 0.0) > 0}
+    positive = {key for key, x in scalars.items() if (value_of(x, g, memo) or 0.0) > 0}
     usual = all(low <= values[n] <= high for n, (low, high) in _ranges(p).items())
     return _derivations(p, tuple(c and c > 0 for c in cases), frozenset(positive), usual)
 
@@ -152,7 +150,7 @@ class _Reader:
     def __post_init__(self):
         self.answers = set()  # the numbers of what was an unknown of equations that are shown
         self.given_by = {x.number: name for name, x in self.found.givens.items()}
-        self.names = Names({n: self.symbol(name) for n, name in self.given_by.items()})
+        self.names = Names({n: self.symbol(name) for n, name in self.given_by.items()}, self.sheets)
         self.nameless = {}  # {symbol of an unknown that is no quantity: what it is equal to}
         self.unknowns = {}  # number of a traced value: (its equations, its name, the sign of it)
         for equations in self.found.solved:
@@ -166,9 +164,7 @@ class _Reader:
         self.called, self.shorter, self.short = {}, [], {}
         self.products = {}  # {name: formula} of products of givens
         self.constants = {}  # {number: name} of those that are the same for all givens
-        self.by_value = {}  # {numbers on some sheets: {name of what has them: place in a matrix}}
         self.met = set()  # the names by which a formula has numbers of the computation itself
-        self.whole = set()  # the numbers of the quantity that is derived
         self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
         first = {}  # {number: the quantity that has its name}
         for key in sorted(self.found.components, key=lambda k: k in self.terms):
@@ -230,7 +226,7 @@ class _Reader:
         """The derivation of a quantity, which is known from now on."""
         parts = self.found.components[key]
         names = [component(key, n, len(parts)) for n in range(len(parts))]
-        self.together, self.wanted, self.whole = [], set(), numbers_of(parts)
+        self.together, self.wanted = [], set()
         self.names.look_at(parts)
         formulas = tuple(map(self._formula, range(len(parts)), parts, names))
         formulas = self._explicit(formulas, names)
@@ -276,10 +272,6 @@ class _Reader:
         self.names.add(key, parts, symbols)
         if len(parts) == 1:
             self._rename(key, parts[0])
-        for n, (x, name) in enumerate(zip(parts, symbols, strict=True)):
-            if numbers := self._numbers(x):
-                place = n if len(parts) == 9 else None
-                self.by_value.setdefault(_rounded(numbers), {})[name] = place
         named = [(f, x) for f, x in zip(formulas, symbols, strict=True) if f is not None]
         self.constants |= {float(f): x for f, x in named if f.is_Float}
         givens = {*self.found.givens}
@@ -295,38 +287,6 @@ class _Reader:
         else:
             self.short |= {x: f for f, x in named}
 
-    def _numbers(self, x):
-        """A traced number on some sheets; () where it is the same on all, or has none."""
-        found = [_value(x, *sheet) for sheet in self.sheets] if isinstance(x, Step) else []
-        return () if None in found or len({*found}) < 2 else found
-
-    def _vanishes(self, x):
-        """True if two numbers cancel on all sheets but for round-off."""
-        if not isinstance(x, Step) or x.op not in "+-":
-            return False
-        numbers = [_value(x, *sheet) for sheet in self.sheets]
-        pairs = zip(numbers, self._numbers(x.args[0]), strict=False)
-        return None not in numbers and [abs(n) <= ROUND_OFF * abs(of) for n, of in pairs] == [
-            True for _ in self.sheets
-        ]
-
-    def _equal(self, x):
-        """The name of the one earlier quantity that a sum has the same value as on all sheets, by
-        whatever way the code came to it; None if there is none. Products, and sums of what has a
-        name, are equal by chance.
-        """
-        if x.op not in "+-" or all(self._is_known(a) for a in x.args):
-            return None
-        numbers, here = self._numbers(x), self.names.place if self.names.size == 9 else None
-        for sign in (1, -1):
-            names = self.by_value.get(_rounded(numbers, sign), {})
-            if len(names) == 1 and here in names.values():
-                return sign * next(iter(names))
-        return None
-
-    def _is_known(self, x):
-        return not isinstance(x, Step) or self.names.of(unsigned(x)[0]) is not None
-
     def _rename(self, key, x):
         """A given that a step states with the other sign, or in another unit, has its name then."""
         x, sign = unsigned(x)
@@ -337,7 +297,7 @@ class _Reader:
     def _formula(self, place, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
         self.names.place, self.met = place, set()
-        if self._vanishes(x):
+        if self.names.vanishes(x):
             return constant(0)
         try:
             formula = self._shortened(self._without_bars(readable(self._written(x, {}))))
@@ -419,7 +379,7 @@ class _Reader:
             return memo[x.number]
         if x.number in self.unknowns and (name := self._solved(x)) is not None:
             return name
-        if x.number not in self.whole and (name := self._equal(x)) is not None:
+        if (name := self.names.equal(x)) is not None:
             return name
         memo[x.number] = formula = self._operation(x, memo)
         if isinstance(formula, sympy.Basic) and formula.has(sympy.zoo, sympy.nan):
@@ -495,27 +455,12 @@ class _Reader:
         """Linear equations without the unknowns that are no quantities of the problem, whose names
         tell a reader nothing; :attr:`nameless` says what these are.
         """
+        angles = ("cos_", "sin_", "tan_")
         for u in unknowns:
-            differences = [left - right for left, right in rows]
-            slopes = [d.diff(u) for d in differences]
-            if (
-                u.name in self.taken
-                or u.name.startswith(("cos_", "sin_", "tan_"))
-                or not any(slopes)
-            ):
-                continue
-            found = [
-                readable(-d.subs(u, 0) / a) if a else None
-                for d, a in zip(differences, slopes, strict=True)
-            ]
-            n = min(
-                (n for n, x in enumerate(found) if x is not None),
-                key=lambda n: found[n].count_ops(),
-            )
-            replaced = {u: found[n]}
-            self.nameless = {k: x.subs(replaced) for k, x in self.nameless.items()} | replaced
-            others = [row for k, row in enumerate(rows) if k != n]
-            rows = [self._tidy(*without_divisor([x.subs(replaced) for x in row])) for row in others]
+            if u.name not in self.taken and not u.name.startswith(angles):
+                rows, found = without_unknown(rows, u)
+                self.nameless = {k: x.subs(found) for k, x in self.nameless.items()} | found
+        rows = [self._tidy(*row) for row in rows]
         return [row for row in rows if row[0] != row[1]]
 
     def _free(self, name):
@@ -599,24 +544,3 @@ _WRITTEN: Mapping[str, Any] = {
     "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
     "/": lambda a, b: a / b, "neg": lambda a: -a,
 }  # fmt: skip
-
-
-def _rounded(numbers, sign=1):
-    """Numbers without their round-off, to be compared."""
-    return tuple(f"{sign * x:.11g}" for x in numbers)
-
-
-def _value(x, values, memo):
-    """The number of a traced condition for givens, None where it has none."""
-    if not isinstance(x, Step):
-        return float(x)
-    if x.number not in memo:
-        try:
-            args = (
-                [getattr(values, x.args[0])] if x.op == "argument"
-                else [_value(a, values, memo) for a in x.args]
-            )  # fmt: skip
-            memo[x.number] = operate("value" if x.op == "argument" else x.op, *args)
-        except (TypeError, ValueError, ArithmeticError, KeyError):
-            memo[x.number] = None
-    return memo[x.number]

@@ -77,12 +77,30 @@ def _joined(product):
     return product
 
 
-def without_divisor(row: Sequence[Any]) -> tuple[Any, Any]:
+def without_unknown(rows: Sequence[tuple[Any, Any]], unknown: Any) -> tuple[list, dict]:
+    """Linear equations with what the shortest of them says of one unknown in its place in the
+    others, and this as {unknown: formula}; empty where none has it.
+    """
+    differences = [left - right for left, right in rows]
+    slopes = [d.diff(unknown) for d in differences]
+    found = {
+        n: readable(-d.subs(unknown, 0) / slope)
+        for n, (d, slope) in enumerate(zip(differences, slopes, strict=True)) if slope
+    }  # fmt: skip
+    if not found:
+        return [*rows], {}
+    shortest = min(found, key=lambda n: found[n].count_ops())
+    replaced = {unknown: found[shortest]}
+    others = [row for n, row in enumerate(rows) if n != shortest]
+    return [_without_divisor([x.subs(replaced) for x in row]) for row in others], replaced
+
+
+def _without_divisor(row):
     """The two sides of an equation, multiplied by what they are divided by."""
     import sympy
 
     above, below = sympy.fraction(sympy.together(row[0] - row[1]))
-    return (row[0], row[1]) if below.is_number else (sympy.expand(above), sympy.Integer(0))
+    return tuple(row) if below.is_number else (sympy.expand(above), sympy.Integer(0))
 
 
 def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
