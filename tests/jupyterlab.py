@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 REPOSITORY = Path(__file__).parents[1]
-LONG = 60  # seconds: for a busy machine
+LONG = 120  # seconds: for a busy machine
 
 
 def write_notebook(path, cells):

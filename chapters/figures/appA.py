@@ -25,7 +25,7 @@ def _in_plane(length, angle):
 
 
 @with_sliders(
-    Slider("theta", 60, 20, 160, 5, label="θ", unit="°"),
+    Slider("theta", 60, 30, 150, 5, label="θ", unit="°"),
     alt="A parallelogram of the vectors P, 3 long, and Q, 4 long, with the angle theta between "
     "them. From the common tail one reaches the opposite corner by P and then Q or by Q and "
     "then P; the diagonal is their sum.",
@@ -60,19 +60,18 @@ def components():
             if math.dist(tail, tip) > 0.02:
                 s.arrow(tail, tip, f"$P_{name}$", "acceleration")
         s.arrow(O, (x, y, z), r"$\mathbf{P}$", "velocity")
-
-    def lengths(around, up):
-        x, y, z = triple(around, up)
-        return rf"$P_x = {x:.2f},\quad P_y = {y:.2f},\quad P_z = {z:.2f};\quad|\mathbf{{P}}|$ = 1"
+        lengths = (
+            rf"$P_x = {x:.2f},\quad P_y = {y:.2f},\quad P_z = {z:.2f};\quad|\mathbf{{P}}|$ = 1"
+        )
+        ax.set_title(lengths, fontsize=11)
 
     interactive_figure(
         draw,
-        Slider("around", 55, 20, 160, 5, label="direction in the plane of i and j", unit="°"),
-        Slider("up", 35, 0, 80, 5, label="elevation", unit="°"),
+        Slider("around", 55, 30, 150, 5, label="direction in the plane of i and j", unit="°"),
+        Slider("up", 35, 0, 65, 5, label="elevation", unit="°"),
         alt="A vector P of length one from the origin of three axes i, j, k. Three arrows along the "
         "axes, of the lengths of its components, lead head to tail from the origin to its tip.",
-        size=(6.2, 4.6),
-        title=lengths,
+        size=(4.6, 5.0),
     )
 
 
@@ -179,7 +178,7 @@ def block(ax, height):
 
 @with_sliders(
     Slider("around", 20, 0, 180, 10, label="R: direction in the plane", unit="°"),
-    Slider("up", 40, 0, 80, 10, label="R: elevation", unit="°"),
+    Slider("up", 40, 20, 70, 10, label="R: elevation", unit="°"),
     alt="P and Q in a plane, their cross product upright on it, and a vector R in any "
     "direction. The double cross product (P x Q) x R lies in the plane of P and Q again, at "
     "right angles to R.",
@@ -246,7 +245,7 @@ def plane(ax, corners, normal, off):
     X = _add(foot, e, off)
     s = Sketch(ax, ground, azimuth=10, elevation=25)
     s.axes(O, ground, length=2.0)
-    s.plate(corner, shade="light")
+    s.path([*corner, corner[0]])
     s.arrow(A, _add(A, e, 3), r"$\mathbf{N}$", "rate")
     s.arrow(A, X, "", "velocity")
     s.line(foot, X)
@@ -285,7 +284,7 @@ def difference(ax, vector, rate, now, step):
 
 
 @with_sliders(
-    Slider("theta", 35, 0, 175, 5, label="θ", unit="°"),
+    Slider("theta", 35, 20, 165, 5, label="θ", unit="°"),
     Slider("rate", 0.6, -1, 1, 0.1, label="rate of θ", unit="rad/s"),
     alt="A unit vector e at the angle theta from i, with its tip on a circle. Its rate is an "
     "arrow along the tangent at the tip, as long as the rate of theta, and backward where that "

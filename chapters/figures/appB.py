@@ -109,7 +109,7 @@ def particles(ax, n):
     total = sum(x**2 for x in places) / n
     s = Sketch(ax, Frame("ground"), plane="xz")
     s.line((-0.5, 0, 0), (0.5, 0, 0), style="solid")
-    s.line((0, 0, -0.15), (0, 0, 0.2), style="centre")
+    s.line((0, 0, -0.08), (0, 0, 0.2), style="centre")
     for x in places:
         s.sphere((x, 0, 0), 0.02)
     s.dimension((-0.5, 0, 0), (0.5, 0, 0), "L", offset=-0.12)

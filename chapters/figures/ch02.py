@@ -338,7 +338,7 @@ def boom_terms():
         s.axes(inner, frame, length=1, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
         terms = P.acceleration(ground).terms
         two = {name: terms[name] for name in ("coriolis", "centripetal")}  # the others are zero
-        s.sum(P, named_sum("acceleration", "P", two, frame), r"$\mathbf{a}_P$", size="ft/s²")
+        s.sum(P, named_sum("acceleration", "P", two, frame), r"$\mathbf{a}_P$")
 
     _boom_figure(
         draw,

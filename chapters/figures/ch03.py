@@ -41,7 +41,7 @@ def space_curve(ax, path, q):
 
 
 @with_sliders(
-    Slider("q", 0.0, -0.4, 0.4, 0.1),
+    Slider("q", 0.0, -0.4, 0.2, 0.1),
     alt="The unit vectors e_t, e_n, e_b at a point of a space curve, and the circle that fits "
     "the curve best there. It lies in the plane of e_t and e_n; its centre is at the distance "
     "rho along e_n.",
@@ -72,7 +72,7 @@ def triad(ax, path, q):
 
 
 @with_sliders(
-    Slider("slope", 15, 0, 85, 5, label="slope of the wire", unit="°"),
+    Slider("slope", 35, 0, 85, 5, label="slope of the wire", unit="°"),
     alt="A coil spring whose wire keeps its length. The steeper the wire, the smaller the "
     "radius of the coil: the flexure falls towards zero and the torsion grows to a finite limit.",
     size=(5.6, 5.2),
@@ -137,7 +137,7 @@ def bollard(ax, turns):
     Slider("angle", 40, 5, 60, 5, label="f ds", unit="°"),
     alt="A short piece of cable that bends downward. Its ends are pulled along their tangents "
     "by T and T + dT; since the two pulls are not parallel, they have a resultant along e_n, "
-    "which the load R ds balances.",
+    "which the load p ds balances.",
     size=(6.4, 3.6),
 )
 def cable_element(ax, angle):
@@ -154,14 +154,14 @@ def cable_element(ax, angle):
     ):
         t = (sign * math.cos(a), -sign * math.sin(a), 0)
         s.vector(end, t, label, kind="force")
-    s.vector(O, (0, 2 * math.sin(half), 0), r"$\mathbf{R}\,ds$", kind="force")
+    s.vector(O, (0, 2 * math.sin(half), 0), r"$\mathbf{p}\,ds$", kind="force")
     sag = 2 * math.sin(half)
     ax.set_title(rf"$T f ds$ = {2 * half:.3f} $T$; exactly {sag:.3f} $T$", fontsize=11)
 
 
 @with_sliders(
-    Slider("theta", 50, 0, 180, 5, label="θ", unit="°"),
-    Slider("z", 0.7, 0.2, 1.0, 0.1, unit="m"),
+    Slider("theta", 60, 40, 150, 5, label="θ", unit="°"),
+    Slider("z", 0.7, 0.3, 1.0, 0.1, unit="m"),
     alt="Cylindrical coordinates of a point P: r along the ground, the angle theta from X, the "
     "height z. At P the unit vectors e_r outward, e_theta at right angles to it, and k upward; "
     "the first two turn with theta.",
@@ -187,29 +187,24 @@ def cylindrical_axes(ax, theta, z):
     s.label(P, "P")
 
 
-def _angles(halves):
-    """Angles over so many half turns, 40 in each."""
-    return [math.pi * n / 40 for n in range(40 * halves + 1)]
-
-
 @with_sliders(
-    Slider("turns", 0.4, 0.2, 2.0, 0.1, label="turns from rest"),
-    alt="An arm with a ball turns about a vertical screw and rises with it. The velocity runs "
-    "along the helix; the acceleration soon points to the axis, almost.",
+    Slider("turns", 0.4, 0.1, 1.0, 0.1, label="turns from rest"),
+    alt="An arm with a ball turns about a vertical screw and rises with it. The velocity is "
+    "tangent to the helix; the acceleration soon points almost to the axis.",
     size=(6.2, 5.0),
 )
 def screw_jack(ax, turns):
     """Figure 3.7: the ball of a screw-jack."""
-    a, K, lead = 0.3, 2.0, 0.15
+    b, K, lead = 0.3, 2.0, 0.15
     ground = Frame("ground")
-    A = screw_jack_ball(ground, a, K, lead, screw_jack_time(turns, K))
+    A = screw_jack_ball(ground, b, K, lead, screw_jack_time(turns, K))
     height = A.position(ground).components(ground)[2]
     s = Sketch(ax, ground, azimuth=35, elevation=22, arrows=170)
     s.ground((0, 0, -0.1), ground.k, size=0.5)
     s.shaft((0, 0, -0.1), (0, 0, 0.45))
     s.rod((0, 0, height), A)
     s.sphere(A, 0.015)
-    s.path([(a * math.cos(q), a * math.sin(q), lead * q / (2 * math.pi)) for q in _angles(4)])
+    s.path(_curve(Spring(b, lead / (2 * math.pi)).path, 0, 2 * math.pi))
     s.vector(A, A.velocity(ground), r"$\mathbf{v}$", size="m/s")
     s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
     s.axes(O, ground, length=0.4, labels="XYZ")
@@ -217,8 +212,8 @@ def screw_jack(ax, turns):
 
 
 @with_sliders(
-    Slider("theta", 50, 10, 110, 5, label="θ", unit="°"),
-    Slider("phi", 40, 0, 75, 5, label="φ", unit="°"),
+    Slider("theta", 60, 45, 110, 5, label="θ", unit="°"),
+    Slider("phi", 40, 15, 70, 5, label="φ", unit="°"),
     alt="Spherical coordinates of a point P: the distance R, the azimuth theta from X to the "
     "foot Q, the elevation phi from Q up to P. At P the unit vectors e_R outward, e_theta "
     "along the circle of latitude, e_phi upward along the meridian.",
@@ -235,9 +230,8 @@ def spherical_axes(ax, theta, phi):
     s.line(O, (x, y, 0), style="solid")
     s.line((x, y, 0), P)
     s.arc(O, ground.i, (x, y, 0), label=r"$\theta$", radius=0.2)
-    if phi:
-        s.arc(O, (x, y, 0), P, label=r"$\phi$", radius=0.45)
-        s.dimension(O, (x, y, 0), r"$R\,\cos\phi$", offset=(0, 0, -0.12))
+    s.arc(O, (x, y, 0), P, label=r"$\phi$", radius=0.45)
+    s.dimension(O, (x, y, 0), r"$R\,\cos\phi$", offset=(0, 0, -0.12))
     axes = P.velocity(ground).frame
     s.axes(P, axes, length=0.4, labels=[r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$"])
     s.label(P, "P")
@@ -247,8 +241,8 @@ def spherical_axes(ax, theta, phi):
 @with_sliders(
     Slider("theta", 50, 0, 120, 5, label="θ", unit="°"),
     Slider("phi", 40, 0, 80, 5, label="φ", unit="°"),
-    alt="A vector Q of fixed length along X at a point P, and its three components along the "
-    "spherical unit vectors of P, drawn dashed, laid head to tail. As P moves, the components "
+    alt="A vector Q of fixed length along X at a point P with its spherical unit vectors, dashed. "
+    "The three components of Q along them are laid head to tail. As P moves, the components "
     "change and Q does not.",
     size=(6.4, 4.8),
 )
@@ -281,12 +275,12 @@ def tip_of(ground, place, v):
 
 
 def screw_film():
-    """A film: two turns of the screw-jack from rest."""
-    a, K, lead = 0.3, 2.0, 0.15
+    """A film: the first turn of the screw-jack, from rest."""
+    b, K, lead = 0.3, 2.0, 0.15
 
     def draw(t, ax):
         ground = Frame("ground")
-        A = screw_jack_ball(ground, a, K, lead, t)
+        A = screw_jack_ball(ground, b, K, lead, t)
         s = Sketch(ax, ground, azimuth=35, elevation=22, arrows=150)
         s.ground((0, 0, -0.1), ground.k, size=0.5)
         s.shaft((0, 0, -0.1), (0, 0, 0.45))
@@ -295,12 +289,12 @@ def screw_film():
         s.vector(A, A.velocity(ground), r"$\mathbf{v}$")
         s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration")
 
-    end = screw_jack_time(2, K)
+    end = screw_jack_time(1, K)
     return animate(
         draw,
         [end * n / 40 for n in range(41)],
         alt="The ball of a screw-jack starts from rest. At first its acceleration points along the "
-        "circle; within a quarter turn it swings round to the axis.",
+        "path; within half a turn it swings round almost to the axis.",
     )
 
 

@@ -19,8 +19,8 @@ EARTH = 6.371e6  # m
 @with_sliders(
     Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="path of the light one", unit="m"),
     Slider("ratio", 2, 1, 4, 1, label="heavy : light"),
-    alt="Two skaters push each other off with a pole. The forces on them are equal, opposite and along the "
-    "line that joins them. Of unequal ones the heavy one moves less; the centre of mass G stays.",
+    alt="Two skaters push off from each other with a pole. The forces on them are equal, opposite and "
+    "along the line that joins them. Of unequal ones the heavy one moves less; the centre of mass G stays.",
     size=(7, 2.6),
 )
 def two_skaters(ax, pushed, ratio):
@@ -28,7 +28,7 @@ def two_skaters(ax, pushed, ratio):
     ground = Frame("ground")
     light, heavy = 0.3 + pushed, -(0.3 + pushed) / ratio
     s = Sketch(ax, ground, plane="xz")
-    s.ground((0, 0, -0.4), ground.k, size=4.2)
+    s.ground((0, 0, -0.4), ground.k, size=5.4)
     for x, size in ((light, 0.09), (heavy, 0.09 * ratio ** (1 / 3))):
         for skate in (-0.08, 0.08):
             s.rod((x + skate, 0, -0.38), (x, 0, -0.12))
@@ -67,14 +67,14 @@ def thrown_hammer():
         draw,
         evenly(0, 1, 41),
         alt="A hammer tumbles through the air. Its point G, near the head, flies on a parabola; "
-        "head and handle wind round it.",
+        "head and handle circle round it.",
         size=(4.6, 4.6),
     )
 
 
 @with_sliders(
     Slider("share", 0.7, 0.0, 1.0, 0.05, label="mark, from head to end"),
-    alt="Eight pictures of a hammer that tumbles through the air, and the path of one mark on its "
+    alt="Nine pictures of a hammer that tumbles through the air, and the path of one mark on its "
     "handle through all pictures. Marks near the head or the end move on looped or wavy paths.",
     size=(5.6, 4.8),
 )

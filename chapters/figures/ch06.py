@@ -291,7 +291,7 @@ def screw_jack():
         draw,
         Slider("turns", 1.0, 0.05, 1, 0.05),
         alt="Left: a ball on an arm climbs a helix about a vertical screw; the resultant force on "
-        "it points almost to the screw, the force of the arm also upward. Right: F_r falls in "
+        "it turns towards the screw as the ball speeds up, that of the arm has an upward part, too. Right: F_r falls in "
         "proportion to the turns, the other components stay the same.",
         size=(9, 4.8),
         panels=(1, 2),
@@ -304,7 +304,7 @@ def _helix(a, lead, theta):
 
 @with_sliders(
     Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
-    alt="A lamp on a cord in a wagon; it leans back as the wagon speeds up to the right. "
+    alt="A lamp on a cord in a wagon; it leans back as the wagon gains speed. "
     "Left: tension and weight act on it and do not balance while it accelerates to the right. Right: a third arrow, "
     "minus m times the wagon's acceleration, closes the balance.",
     size=(9, 4.2),

@@ -275,7 +275,7 @@ class Explanation:
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
         known, other = self.equation.terms, self.equation.other
-        names = [f"{n}  {known.get(n, other)[0]}".rstrip() for n in self.terms]
+        names = [f"{self._label(n)}  {known.get(n, other)[0]}".rstrip() for n in self.terms]
         names.append("sum")
         width = max(map(len, names))
         vectors = [*self.terms.values(), self.vector]
@@ -292,6 +292,11 @@ class Explanation:
 
     __repr__ = __str__
 
+    def _label(self, name):
+        """The name of a term, with "minus" where the sum takes away what has the name."""
+        taken_away = name not in self.equation.terms and self.equation.other[0].startswith("-")
+        return f"minus {name}" if taken_away else name
+
     @property
     def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
@@ -302,7 +307,7 @@ class Explanation:
         formulas = [known[n][1] if n in known else _product(n, other) for n in self.terms]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
-        values = [*self.terms.items(), ("sum", self.vector)]
+        values = [*((self._label(n), v) for n, v in self.terms.items()), ("sum", self.vector)]
         for formula, (name, v) in zip([*formulas, total], values, strict=True):
             rows.append(rf"{formula} &= {v.latex()}{unit} && {latex_text(name)}")
         return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"

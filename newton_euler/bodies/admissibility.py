@@ -12,6 +12,7 @@ from ..algebra.scalars import (
     is_numeric,
     is_positive,
     max_abs,
+    short,
     to_plain,
     without_rates,
 )
@@ -64,9 +65,9 @@ def _refuse_moment(moments, n):
     u, (v, w) = AXES[n], [axis for axis in AXES if axis != AXES[n]]
     others = moments[AXES.index(v)] + moments[AXES.index(w)]
     raise MassError(
-        f"no body has these moments: I_{u}{u} = {to_plain(moments[n])} is larger than "
-        f"I_{v}{v} + I_{w}{w} = {to_plain(others)} (triangle inequality); look for a "
-        "misprint, or for moments about two points"
+        f"no body has these moments: I_{u}{u} = {short(moments[n])} is larger than "
+        f"I_{v}{v} + I_{w}{w} = {short(others)}, by {short(moments[n] - others)} (triangle "
+        "inequality); look for a misprint, or for moments about two points"
     )
 
 

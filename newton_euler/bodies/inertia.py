@@ -28,6 +28,7 @@ from ..algebra.scalars import (
     is_zero,
     real_scalar,
     scalar,
+    short,
     sqrt,
     to_plain,
 )
@@ -339,7 +340,7 @@ def together(parts: Iterable, frame: Frame, name: str = "G") -> tuple[Scalar, Po
             first = add3(first, scale3(part.mass, _coordinates(part.centre, frame)))
     if is_numeric(mass) and not is_positive(mass):
         raise MassError(
-            f"the total mass is {to_plain(mass)}; it must be positive: the removed parts weigh "
+            f"the total mass is {short(mass)}; it must be positive: the removed parts weigh "
             "more than what they are cut from"
         )
     return mass, frame.point(name, *(x / mass for x in first))

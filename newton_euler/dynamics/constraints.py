@@ -128,12 +128,12 @@ class _System:
         for name, names, f in self.constraints:
             try:
                 value = f(*(tuple(q[self.places[n]]) for n in names))
-            except (IndexError, ZeroDivisionError, OverflowError) as problem:
+            except IndexError as problem:
                 kinds = (f"{n} {self.places[n].stop - self.places[n].start}" for n in names)
-                raise ConstraintError(
-                    f"the constraint {name!r} fails: {problem}; numbers of coordinates: "
-                    f"{', '.join(kinds)}"
-                ) from problem
+                problem.add_note(f"the constraint {name!r} gets coordinates: {', '.join(kinds)}")
+                raise
+            except (ZeroDivisionError, OverflowError) as problem:
+                raise ConstraintError(f"the constraint {name!r} fails: {problem}") from problem
             for x in value if isinstance(value, (tuple, list, Vector)) else (value,):
                 yield name, scalar(x)
 

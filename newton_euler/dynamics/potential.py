@@ -15,6 +15,7 @@ from ..algebra.jets import Moving
 from ..algebra.quadrature import quadrature
 from ..algebra.scalars import (
     ZERO,
+    NewtonEulerError,
     Scalar,
     is_finite,
     is_numeric,
@@ -151,7 +152,7 @@ def _checked(force):
         where = tuple(to_plain(x.value if isinstance(x, Moving) else x) for x in place)
         try:
             F = tuple(scalar(f) for f in force(*place))
-        except (ArithmeticError, ValueError, TypeError) as problem:
+        except (ArithmeticError, NewtonEulerError) as problem:
             raise WorkError(
                 f"the force has no value at {where}: {problem}; keep base, box and loops where it "
                 "exists"

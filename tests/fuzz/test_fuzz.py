@@ -157,6 +157,45 @@ def of_label(f, call, label, value):
     return outcome(f, positional, named, SOON)
 
 
+# texts of Python for arguments that do not fit
+OF_THE_CALLER = (
+    IndexError("tuple index out of range"), TypeError("'int' object is not iterable"),
+    ValueError("not enough values to unpack"),
+)  # fmt: skip
+
+
+def functions_in(positional, named):
+    """The places of functions among the arguments of a call."""
+    return [
+        *(n for n, x in enumerate(positional) if inspect.isfunction(x)),
+        *(name for name, x in named.items() if inspect.isfunction(x)),
+    ]
+
+
+@pytest.mark.parametrize("error", OF_THE_CALLER, ids=lambda e: type(e).__name__)
+def test_what_a_function_of_the_caller_raises_arrives_as_raised(public, error):
+    functions, calls = public
+    raised, changed = 0, {}
+    for name, (positional, named) in calls.items():
+        for place in functions_in(positional, named) if name != "classroom.error_message" else ():
+
+            def own(*_, **more):
+                raise error
+
+            given = dict(enumerate(positional)) | named
+            own.__signature__ = inspect.signature(given[place])
+            given[place] = own
+            (*rest,) = (given.pop(n) for n in range(len(positional)))
+            try:
+                functions[name](*rest[inspect.isclass(functions[name]) :], **given)
+            except Exception as found:  # those that keep the function for later raise nothing
+                raised += 1
+                if found is not error:
+                    changed[name, place] = found
+    assert raised > 25
+    assert changed == {}
+
+
 def test_an_error_from_inside_is_told_from_one_in_words():
     def bug(x):
         return {}[x]

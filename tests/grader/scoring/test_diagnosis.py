@@ -61,14 +61,16 @@ IDS = [f"{p.id} {data}" for p, data in CASES]
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
-def test_every_listed_mistake_earns_nothing_and_is_told_by_its_own_text_if_no_other_gives_the_same(
+def test_every_listed_mistake_earns_nothing_and_is_named_by_its_text_without_a_number_of_the_key(
     p, data
 ):
     given = values(p, data)
-    _, wrong = numbers_of(p, given)
+    right, wrong = numbers_of(p, given)
+    numerals = {f"{abs(x):.4g}" for v in right.values() for x in v.flat}
     for name, key, tree in listed(p, given):
         part = part_of(p, given, key, tree)
         assert (part.points, part.verdict) == (0, "wrong"), (name, key)
+        assert not [n for n in numerals if len(n) > 4 and n in (part.diagnosis or "")], name
         is_formula = p.answer(key).kind.is_formula
         same = twins(wrong, name, key, tolerance.FORMULA_RTOL if is_formula else tolerance.RTOL)
         if not same:
@@ -79,17 +81,6 @@ def test_every_listed_mistake_earns_nothing_and_is_told_by_its_own_text_if_no_ot
             own = {c.text for c in part.causes if c.group == "listed"}
             assert own <= {p.mistakes[m] for m in (name, *same)}, name
             assert p.mistakes[name] in texts(part), (name, key)
-
-
-def test_at_least_19_of_20_listed_mistakes_are_told():
-    told = Counter()
-    for p, data in CASES:
-        given = values(p, data)
-        for name, key, tree in listed(p, given):
-            told[p.mistakes[name] in texts(part_of(p, given, key, tree))] += 1
-    share = told[True] / sum(told.values())
-    print(f"\n{told[True]} of {sum(told.values())} listed mistakes are told: {share:.1%}")
-    assert share >= 0.95
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
@@ -207,16 +198,6 @@ def test_nonsense_is_not_explained():
             assert told(p, a, given, numbers).diagnosis is None
 
 
-def test_a_diagnosis_never_holds_a_number_of_the_key():
-    for p, data in CASES:
-        given = values(p, data)
-        right, _ = numbers_of(p, given)
-        numbers = {f"{abs(x):.4g}" for v in right.values() for x in v.flat}
-        for _, key, tree in listed(p, given):
-            text = part_of(p, given, key, tree).diagnosis or ""
-            assert not [n for n in numbers if len(n) > 4 and n in text], (p.id, text)
-
-
 def test_terms_are_named_in_the_words_of_the_problem():
     turning, growing = equation("angular velocity"), equation("angular acceleration")
     coriolis = "the Coriolis term 2 omega x v_r"
@@ -293,15 +274,3 @@ def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():
         told_of = texts(part_of(p, given, "speed", given["a"] * given["n"]))
         assert p.mistakes["circular_only"] in told_of
         assert not [t for t in told_of if t.startswith("uses n")]
-
-
-@pytest.mark.parametrize("number", ["4/3", "4/15", "4/18"])
-def test_listed_mistakes_that_give_the_same_are_all_told(number):
-    p = problem(number)
-    given = values(p, "variant")
-    _, wrong = numbers_of(p, given)
-    for name, key, tree in listed(p, given):
-        told_of = texts(part_of(p, given, key, tree))
-        for twin in twins(wrong, name, key, 1e-9):
-            assert p.mistakes[twin] in told_of, (name, key)
-        assert p.mistakes[name] in told_of, (name, key)

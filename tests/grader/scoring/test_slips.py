@@ -96,10 +96,10 @@ def judged(p, numbers, a, words, slip, others):
     return part.diagnosis
 
 
-def counted(p, alone):
+def counted(p, alone, draws):
     """Counter of (slip, outcome) over the draws, each part alone or beside right ones."""
     found, examples = Counter(), []
-    for n in range(DRAWS):
+    for n in range(draws):
         numbers = numbers_of(p, draw(p, f"slips {n}".encode()))
         right = {a.key: tree_of(a, numbers.key[a.key][0]) for a in p.answers}
         for a in p.answers:
@@ -114,14 +114,14 @@ def counted(p, alone):
 
 
 @pytest.mark.parametrize(
-    "alone",
-    [True, pytest.param(False, marks=pytest.mark.slow)],
-    ids=["alone", "beside right parts"],
+    ("alone", "draws"),
+    [(True, 1), *(pytest.param(x, DRAWS, marks=pytest.mark.slow) for x in (True, False))],
+    ids=["alone, one draw", "alone", "beside right parts"],
 )
-def test_slips_that_nobody_listed_are_named_and_never_misnamed(alone):
+def test_slips_that_nobody_listed_are_named_and_never_misnamed(alone, draws):
     found = Counter()
     for p in NUMERIC:
-        counts, misnamed = counted(p, alone)
+        counts, misnamed = counted(p, alone, draws)
         found.update(counts)
         assert misnamed == []
     names = sorted({name for name, _ in found})

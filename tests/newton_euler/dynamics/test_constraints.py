@@ -123,13 +123,19 @@ def test_forces_are_no_constraints():
     ({"a": lambda P: P[0], "b": lambda P: P[0] - 1}, r"no configuration was found in which all constraints hold \(a, b\)"),
     ({"pole": lambda P: P[0] ** 2 + P[1] ** 2}, "the gradient of the constraint 'pole' vanishes where it holds.*split it"),
     ({"a": lambda P, Z: P[0]}, r"constraint 'a' takes \['P', 'Z'\]; its parameters are bodies: P"),
-    ({"a": lambda P: P[5]}, "constraint 'a' fails: tuple index out of range; numbers of coordinates: P 3"),
+    ({"a": lambda P: 1 / P[0] ** 0 - 1 / (P[1] - P[1])}, "constraint 'a' fails: float division by zero"),
     ({"a": lambda P: P[0] * sympy.Symbol("L")}, "put numbers in for its symbols"),
     ({"a": lambda P: P[0] * float("nan")}, "is nan at some place; write it so that it has a value everywhere"),
 ])  # fmt: skip
 def test_constraints_that_cannot_be_counted_are_refused(constraints, match):
     with pytest.raises(ConstraintError, match=match):
         degrees_of_freedom({"P": "particle"}, constraints)
+
+
+def test_an_index_out_of_range_arrives_as_raised_with_the_numbers_of_coordinates():
+    with pytest.raises(IndexError, match="tuple index out of range") as caught:
+        degrees_of_freedom({"P": "particle"}, {"a": lambda P: P[5]})
+    assert caught.value.__notes__ == ["the constraint 'a' gets coordinates: P 3"]
 
 
 @pytest.mark.parametrize(("kind", "at", "match"), [

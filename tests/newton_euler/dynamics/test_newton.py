@@ -178,7 +178,8 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
     assert "(6.10)" in str(resultant_force(2.0, Q.acceleration(ground)).explain())
     R = reaction(2.0, ground.vector(0, 0, 1.0), weight=-19.62 * ground.k)
     assert "reaction with weight known, equation (6.1)" in str(R.explain())
-    assert "weight  -F    [0, 0, 19.62]" in str(R.explain())  # upward, since it is minus the weight
+    assert "minus weight  -F  [0, 0, 19.62]" in str(R.explain())
+    assert r"\text{minus weight}" in R.explain().latex
     assert r"-{\mathbf{F}}_{\text{weight}} &= \left(19.62\,\hat{k}\right)" in R.explain().latex
     assert list(acceleration_by(2.0, weight=ground.k, wind=ground.i).without("wind")) == [0, 0, 0.5]
 

@@ -15,7 +15,7 @@ from newton_euler.accuracy.charts.models import (
     models_caption,
     usual_tolerance,
 )
-from newton_euler.scenes import ladder, smallest
+from newton_euler.scenes import LADDERS, ladder, smallest
 from newton_euler.scenes.ladders import Ladder, Rung
 from newton_euler.scenes.particles import projectile
 
@@ -82,7 +82,7 @@ def test_the_choice_is_ringed_and_named(points, ringed, words):
     assert [w for w in words if w not in caption] == []
 
 
-@pytest.mark.parametrize("name", ["projectile", "sphere on an incline"])
+@pytest.mark.parametrize("name", LADDERS)
 def test_the_ring_is_on_the_model_that_smallest_takes_whatever_they_cost(name):
     rungs = ladder(name)
     points = measured_models(rungs)
