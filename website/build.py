@@ -156,12 +156,14 @@ def _write_problems(folder, names, found, figures):
 def _sphinx(source, out, partial, progress, tags, changed):
     """Call Sphinx; every warning is an error, except for links out of a part of the site."""
     from sphinx.application import Sphinx
+    from sphinx.util.docutils import docutils_namespace
 
     output = io.StringIO()
     if partial:
         changed = {**changed, "suppress_warnings": ["myst.xref_missing", "toc.not_readable"]}
     progress("pages", 0, 1)
-    with warnings.catch_warnings():
+    # what Sphinx registers with docutils ends with it: another site may follow in this process
+    with warnings.catch_warnings(), docutils_namespace():
         warnings.simplefilter("ignore")  # Sphinx's extensions warn about each other
         trees = out.parent / "doctrees"
         app = Sphinx(source, THEME, out, trees, "html", changed, None, output, tags=tags)

@@ -420,7 +420,8 @@ def car(ax, loads, rotor):
         s.plate(
             [(0, y + w, z) for w, z in ((-0.4, 0), (0.4, 0), (0.4, 2), (-0.4, 2))], shade="dark"
         )
-        s.vector((0, y, 0), ground.k * load, f"{name} {load:.0f} lb", kind="force")
+        s.vector((0, y, 0), ground.k * load, kind="force")
+        s.label((0, y + 0.2, -0.7), f"{name} {load:.0f} lb")
         s.vector((0, y, 0), ground.j * (-level * load / 3000), "$F_H$", kind="force")
     s.dot((near + 1, 0, 4))
     s.label((near + 1, 0, 4), "G", offset=(-9, 9))

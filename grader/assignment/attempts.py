@@ -75,7 +75,7 @@ def put_back(course: Course, assignment: str, student: str, number: int) -> None
     if now["submitted"].is_dir():
         _set_aside(course, assignment, student, max(earlier) + 1)
     for name, path in now.items():
-        _remove(path)  # of a sheet that was not handed in
+        _remove(path)  # a sheet that was not handed in
         if (earlier[number] / name).exists():
             path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
             (earlier[number] / name).rename(path)

@@ -142,7 +142,7 @@ class _Reader:
     positive: set[str]
     asked: set[str]
     drawn: Sequence[Givens]
-    units: Mapping[str, str]  # of the givens
+    units: Mapping[str, str]  # units of the givens
     sheets: Sequence[tuple[Givens, dict]]  # of numbers without any relation, and what is known
     shown: set[int] = field(default_factory=set)
     derivations: dict[str, Derivation] = field(default_factory=dict)

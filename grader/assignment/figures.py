@@ -9,7 +9,7 @@ from newton_euler.drawing import svg_of
 from .cells import Values
 
 SIZE = 5.2, 4.0  # inches
-COLUMNS = 5  # of a contact sheet
+COLUMNS = 5  # columns of a contact sheet
 
 
 def figure_png(problem: Problem, values: Values) -> bytes | None:

@@ -23,8 +23,10 @@ class Names:
     opposite : the same for numbers that have the other sign, with a minus sign
     sheets : numbers of the givens without any relation, and the traced numbers that follow
     by_value : {numbers on the sheets: {name of what has them: its place in a matrix}}
-    sizes : of the quantities; uses : how often they occur in the quantity that is written
-    place, size, whole : of the component that is written; of its quantity; the numbers of this
+    sizes : numbers of components, by quantity
+    uses : how often each occurs in the quantity that is written
+    place, size : index of the component that is written, number of components of its quantity
+    whole : the traced numbers of this quantity
     """
 
     fixed: dict[int, Any]

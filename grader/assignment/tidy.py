@@ -27,7 +27,7 @@ def readable(formula: Any) -> Any:
     if not LONGEST / 2 < formula.count_ops() < HOPELESS:
         return formula
     other = sympy.simplify(formula)
-    # of a formula that can be read, the order of its terms says how it was found
+    # the order of the terms of a readable formula shows how it was found
     return other if is_long(formula) or other.count_ops() < formula.count_ops() / 2 else formula
 
 

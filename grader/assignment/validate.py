@@ -16,13 +16,13 @@ from typing import Any
 
 OPEN = "OpenAnswer"  # the class of a receipt's error where answers are open
 CELL_SECONDS = 10.0  # after which the grader stops a cell
-# of nbgrader's Validator: what is replaced and what is called, with its arguments
+# methods of nbgrader's Validator that are replaced or called, with their arguments
 INTERNALS = {
     "validate": "self filename", "validate_and_print": "self filename", "_preprocess": "self nb",
     "_get_type_changed_cells": "self nb", "_get_changed_cells": "self nb",
     "_extract_error": "self cell",
 }  # fmt: skip
-HEADING = "#validation-message > div > p"  # of the dialog: it knows "The following cell failed:"
+HEADING = "#validation-message > div > p"  # the dialog's own "The following cell failed:"
 WORDS = {"read": "answered", "open": "open", "mend": "to mend, else without points"}
 READ = "Whether an answer is right is not checked here: that is graded once it is handed in."
 

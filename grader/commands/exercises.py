@@ -168,7 +168,7 @@ def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) 
     folder.mkdir(parents=True, exist_ok=True)
     asked = select(names)
     problems = [p for p in asked if p.figure]
-    for p in asked if len(asked) < 4 else ():  # of whole chapters it goes without saying
+    for p in asked if len(asked) < 4 else ():  # not for whole chapters
         if not p.figure:
             click.echo(f"{p.id} has no figure")
     if sheet:

@@ -16,7 +16,7 @@ except ImportError:  # the standard library does the same, and takes three times
 
 PRIVATE = 0o600
 MAX_FILES = 1000  # in one submission
-MAX_DEPTH = 8  # of its folders
+MAX_DEPTH = 8  # levels of folders
 
 
 def read_json(path: str | Path) -> Any:

@@ -17,7 +17,7 @@ from .folder import Course
 from .identity import CourseError, same_student
 from .owners import Person, owners, words
 
-MAX_BYTES = 64 * 2**20  # of one notebook, the most that the grader reads
+MAX_BYTES = 64 * 2**20  # the largest notebook that the grader reads
 MAX_TOTAL = 4 * 2**30  # bytes of all notebooks
 MAX_ENTRIES = 20_000
 
@@ -134,7 +134,7 @@ def _write(course, assignment, archive, chosen, replace, times, result):
         try:
             with archive.open(entry) as f:
                 content = f.read(MAX_BYTES + 1)  # the size stated in an archive may be wrong
-        except Exception as error:  # of one damaged notebook, which loses no other
+        except Exception as error:  # one damaged notebook does not stop the others
             result.refused.append((entry.filename, f"it is damaged: {error}"))
             continue
         total += len(content)

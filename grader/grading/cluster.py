@@ -191,7 +191,7 @@ def _outcome(future, student):
 
 # -- on a worker
 
-_harvesters: dict[bool, Harvester] = {}  # of this process, by whether they cage
+_harvesters: dict[bool, Harvester] = {}  # harvesters of this process, with and without a cage
 _starting = threading.Lock()
 
 

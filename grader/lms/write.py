@@ -14,6 +14,7 @@ from ..assignment.spec import Spec
 from ..course import CourseError
 from ..course.files import write_bytes
 from ..course.processes import process_pool
+from ..practice.graded import same_for_all
 from ..practice.twins import sets_of_numbers, twin
 from . import canvas, moodle, qti
 from .questions import Question, left_out, question
@@ -55,7 +56,7 @@ def write_bank(
     done : called after each problem
     """
     write, _ = FORMATS[form]
-    no_help = {"help": "none"} if spec.late else {}  # of an exam
+    no_help = {"help": "none"} if spec.late else {}  # an exam gives no help
     jobs = [
         (p.id, i.text, {**i.options, **no_help}, (graded or {}).get(p.id))
         for i in spec.items
@@ -110,7 +111,7 @@ def variants_of(
     )
     if not sets:
         return [], [f"{name} left out: all its answers are near graded ones"]
-    if graded is not None and (same := _same_for_all(p, sets)):
+    if graded is not None and (same := same_for_all(p, sets)):
         return [], [f"{name} left out: its {' and '.join(same)} would give away a graded answer"]
     if len(sets) < count:
         notes.append(f"{name} has {len(sets)} of {count} variants: there are no more numbers")
@@ -118,9 +119,3 @@ def variants_of(
         question(p, v, n, points, "" if changed else text, diagnosed) for n, v in enumerate(sets, 1)
     ]
     return made, notes
-
-
-def _same_for_all(p, sets):
-    """The answers that are the same for all these numbers."""
-    right = [p.solve(values) for values in sets]
-    return [a.key for a in p.answers if len({str(r[a.key]) for r in right}) == 1]

@@ -18,7 +18,7 @@ from ..course.files import load_json, write_json
 from .guards import Configured
 from .shared import course_path
 
-KINDS = ("grade", "solution", "task", "source")  # of cells in the gradebook
+KINDS = ("grade", "solution", "task", "source")  # kinds of cells in the gradebook
 
 
 class SourceReader(Configured, NotebookExporter):

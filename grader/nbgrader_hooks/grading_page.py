@@ -20,7 +20,7 @@ from ..submission.mathml import mathml
 from ..submission.rebuild import PICTURES
 from .shared import Processed
 
-Attachments = dict[str, dict[str, str]]  # of a cell: {name: {MIME type: data}}
+Attachments = dict[str, dict[str, str]]  # attachments of a cell: {name: {MIME type: data}}
 BY_STUDENTS = ("own", "hand", "plain")  # kinds of cells whose text is the student's
 MOST_PICTURES = 2**26  # characters of all pictures in one text
 # the time of the Markdown library can grow quadratically: 1 MB would take hours

@@ -13,7 +13,7 @@ from ..submission.files import BESIDE
 from ..submission.timestamps import read_timestamp
 
 MAX_FILE = 10 * 2**20  # bytes of a file that is submitted with a notebook
-MAX_FILES = 200  # of them
+MAX_FILES = 200  # most files of a submission
 
 _find_all_files = base.find_all_files
 

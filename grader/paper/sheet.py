@@ -23,7 +23,7 @@ from .markup import BLANK, formula, in_line, string, typst
 
 LOOK = Path(__file__).with_name("paper.typ")
 ROOM = 4.0, 1.5  # cm to write into: for a problem, and for each answer of it
-OWN_ROOM, YOURS = 6.0, "*Your answer*"  # of a question of the instructor's own
+OWN_ROOM, YOURS = 6.0, "*Your answer*"  # room and heading of an instructor's own question
 Files = dict[str, bytes]  # what Typst compiles: {name: content}
 
 

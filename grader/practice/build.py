@@ -29,13 +29,14 @@ from ..assignment.solution import worked_solution
 from ..course import CourseError
 from ..course.processes import process_pool
 from ..scoring.computation import section
+from .graded import same_for_all
 from .plain import plain
 from .quantities import KEPT, quantities, wrong_numbers
 from .relations import relations
 from .slips import slip_numbers
 from .twins import sets_of_numbers, twin
 
-COLOURS = 64  # of a figure: a quarter of the bytes, without a visible difference
+COLOURS = 64  # colours of a figure: a quarter of the bytes, no visible difference
 
 
 def png(p: Problem, values: Values) -> tuple[str, bytes] | None:
@@ -152,7 +153,7 @@ def page_of(
     computed = [quantities(p, values) for values in sets]
     if not sets:
         return LeftOut(name, "all its answers are near graded ones")
-    if graded is not None and (same := _same_for_all(p, computed)):
+    if graded is not None and (same := same_for_all(p, sets)):
         return LeftOut(name, f"its {' and '.join(same)} would give away a graded answer")
     figures, variants = {}, []
     for values, (described, right) in zip(sets, computed, strict=True):
@@ -210,13 +211,6 @@ def _zero(key, kind, computed):
         return 0.0
     sizes = [math.hypot(*right[key]) for _, right in computed if key in right]
     return 1e-6 * (max(sizes) or 1.0)
-
-
-def _same_for_all(p, computed):
-    """The answers that are the same for all numbers that are drawn."""
-    keys = [a.key for a in p.answers]
-    rights = [right for _, right in computed]
-    return [k for k in keys if len(rights) < 2 or all(r[k] == rights[0][k] for r in rights)]
 
 
 def _variant(p, values, described, right, help):

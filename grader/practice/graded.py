@@ -1,15 +1,15 @@
 """The numbers that a course grades, and the answers for them, which practice avoids."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from exercises.catalogue import CatalogueError, problem
+from exercises.catalogue import CatalogueError, Problem, problem
 from exercises.catalogue.variants import evaluate
-from newton_euler.answers.tolerance import RTOL
+from newton_euler.answers.tolerance import NOISE, RTOL, distance
 
 from ..assignment.cells import Values
 from ..assignment.options import HELP
@@ -106,6 +106,18 @@ class GradedAnswers:
             a.key: a.kind.sealed(tuple(map(float, right[a.key])))
             for a in p.answers if not a.kind.is_word
         }  # fmt: skip
+
+
+def same_for_all(p: Problem, sets: Sequence[Values]) -> list[str]:
+    """The answers that are the same for all these numbers, up to round-off."""
+    first, *others = (evaluate(p, values)[0] for values in sets)
+
+    def is_same(a):
+        if a.kind.is_word:
+            return all(x[a.key] == first[a.key] for x in others)
+        return all(distance(x[a.key], first[a.key]) <= NOISE for x in others)
+
+    return [a.key for a in p.answers if is_same(a)]
 
 
 def _is_near(point, keys, far):

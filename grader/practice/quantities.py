@@ -24,7 +24,7 @@ from ..scoring.wrong_models import general_models
 from .plain import plain
 
 KEPT = 10  # digits of the numbers of wrong models
-NOISE = 1e-12  # of a model and a key that are both zero, in the unit of the text
+NOISE = 1e-12  # below it, in the unit of the text, model and key are both zero
 
 
 def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[str, Any]]:

@@ -87,7 +87,7 @@ class Formulas:
         for s in self.steps:
             try:
                 found[s.number] = value(s)
-            except (ValueError, TypeError, AttributeError):  # of an integral
+            except (ValueError, TypeError, AttributeError):  # raised within an integral
                 continue
         return found
 
@@ -257,7 +257,7 @@ class Made(NamedTuple):
     kind: str
     answers: dict[str, tuple]
     wrong: tuple[str, ...]
-    name: str = ""  # of a listed mistake
+    name: str = ""  # name of a listed mistake
 
 
 def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterator[Made]:

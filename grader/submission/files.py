@@ -7,7 +7,7 @@ from ..course.files import NotTaken, load_json, read_regular
 
 # nbgrader's own files next to the notebook; its release_feedback reads them
 BESIDE = ("timestamp.txt", "submission_secret.txt")
-MAX_BYTES = 64 * 2**20  # of a submitted notebook
+MAX_BYTES = 64 * 2**20  # the largest submitted notebook
 MAX_VALUES = 4_000_000  # brackets, commas and colons in its JSON: up to 64 bytes of memory each
 
 
@@ -17,7 +17,7 @@ class UnreadableError(ValueError):
 
 def read_notebook(path: Path) -> bytes:
     """The bytes of a submitted notebook; raises :class:`UnreadableError`."""
-    for folder in (path.parent, path.parent.parent):  # of the assignment and of the student
+    for folder in (path.parent, path.parent.parent):  # folders of the assignment and of the student
         if folder.is_symlink():
             raise UnreadableError(f"{folder.name} is a link, not a folder of the student's own")
     try:

@@ -65,7 +65,7 @@ def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, W
             if problem and what == "answer":
                 work.notes[own_metadata(cell)["problem"]] = problem
             grade_id = nbgrader_metadata(cell).get("grade_id")
-            # of a cell that is missing a person sees whether it is among those that were added
+            # a person sees whether a missing cell is among those that were added
             lost = what == "hand" and not copies and cell["cell_type"] in types_added
             if grade_id and now and is_untouched(cell, now[0]["source"]) and not lost:
                 work.untouched.append(grade_id)

@@ -22,7 +22,7 @@ MODELS, MAP = "models of ", "map of "
 METHOD, MODEL, FORMULA = "Which method?", "Which model?", "Which formula?"
 BORDER, FAILURE = "Where does it change?", "When does it fail?"
 QUICK, QUICK_LONGEST = (1e-3, 1e-6, 1e-9, 1e-12), 0.02  # seconds
-# of each kind of method one or two
+# one or two methods of each kind
 QUICK_METHODS = (
     *("exact", "taylor", "dop853", "scipy DOP853"),
     *("verlet", "yoshida6", "lie-poisson2", "lie-poisson6", "auto"),

@@ -18,6 +18,7 @@ from traceback import walk_tb
 from typing import Any, NamedTuple
 
 from . import scalars
+from .errors import callers_line
 from .jets import Moving
 from .scalars import (
     FUNCTIONS,
@@ -209,7 +210,7 @@ class Compiled:
 
     def _other(self, args):
         for a in args:
-            if getattr(a, "size", 1):  # of an array without entries the values are one, too
+            if getattr(a, "size", 1):  # an empty array has an empty array of values
                 scalar(a)  # raises ScalarError if it is not a number
         # pi has the kind and the digits of the most exact number among them
         if any(isinstance(a, _Own) for a in args):
@@ -345,8 +346,18 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
     return Compiled(*recorded(f, **constants)._replace(backend=backend))
 
 
-def _needed_values(error):
-    """True if a function of NumPy or SciPy that had traced values raised this error."""
+# in the messages of Python and NumPy, which have no class of their own for these errors
+_OF_STEPS = "ufunc", "<traced ", "'Step'", "only integers, slices"
+
+
+def _lacked_values(error):
+    """True if this error arose since a traced value has no number: as the value itself says, or
+    Python, or a function of NumPy or SciPy that had one.
+    """
+    if isinstance(error, NewtonEulerError):
+        return str(error) == NO_VALUE
+    if any(text in str(error) for text in _OF_STEPS):
+        return True
     for frame, _ in walk_tb(error.__traceback__):
         if frame.f_globals.get("__name__", "").partition(".")[0] in ("numpy", "scipy"):
             return any(map(_traced, frame.f_locals.values()))
@@ -379,13 +390,11 @@ def recorded(f, **constants):
     leaves, keys = [], []
     try:
         shape = _shape(f(*by_place, **values), leaves, keys)
-    except (TypeError, ValueError) as error:
-        # a function of NumPy does not know steps, and its own message does not help; NumPy has no
-        # class of its own for this error
-        of_numpy = "ufunc" in str(error) and not isinstance(error, NewtonEulerError)
-        if not (of_numpy or _needed_values(error)):
+    except (TypeError, ValueError, LookupError, AttributeError) as error:
+        if not _lacked_values(error):
             raise
-        raise ScalarError(NO_VALUE) from error
+        line = callers_line(error)
+        raise ScalarError(f"in {clipped(line)}: {NO_VALUE}" if line else NO_VALUE) from error
     given = {n: signature[n].default for n in parameters}
     defaults = {n: x for n, x in given.items() if x is not inspect.Parameter.empty}
     name = getattr(f, "__name__", "formula")

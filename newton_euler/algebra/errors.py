@@ -12,12 +12,14 @@ got '2' of type str; write numbers without quotation marks
 Functions that are called millions of times, as the methods of vectors, have checks of their own.
 """
 
+import linecache
 import sys
 import types
 import typing
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from inspect import Parameter, signature
+from traceback import walk_tb
 from typing import Annotated, Any, TypeVar
 
 from .names import ArgumentError, misfit
@@ -114,15 +116,27 @@ def checked_but(*unchecked: str) -> Callable[[F], F]:
 _NOT_A_CALLERS = {"newton_euler", "scipy", "", *LIBRARIES, *sys.stdlib_module_names}
 
 
+def _callers_places(error):
+    """Where functions that the caller passed stand in the traceback of an error, below the frame
+    that caught it: pairs of a frame and the number of its line.
+    """
+    for frame, line in walk_tb(error.__traceback__.tb_next):
+        if frame.f_globals.get("__name__", "").partition(".")[0] not in _NOT_A_CALLERS:
+            yield frame, line
+
+
 def _passed_through_a_callers_function(error):
     """True if a function that the caller passed raised the error, or called what raised it."""
-    at = error.__traceback__.tb_next  # below the frame of the check
-    while at:
-        module = at.tb_frame.f_globals.get("__name__", "")
-        if module.partition(".")[0] not in _NOT_A_CALLERS:
-            return True
-        at = at.tb_next
-    return False
+    return any(_callers_places(error))
+
+
+def callers_line(error: BaseException) -> str:
+    """The line of a function of the caller in which an error arose, "" if there is none."""
+    places = list(_callers_places(error))
+    if not places:
+        return ""
+    frame, number = places[-1]
+    return linecache.getline(frame.f_code.co_filename, number).strip()
 
 
 def raised_by_the_engine(error: BaseException) -> bool:

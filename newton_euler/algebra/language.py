@@ -18,7 +18,7 @@ from .scalars import NewtonEulerError
 
 FOLDER = Path(__file__).with_name("languages")
 CHAPTERS = FOLDER.parents[1] / "chapters"  # de/ch09_rotors.po: what its predictions say
-VARIABLE = "NEWTON_EULER_LANGUAGE"  # of the environment: "de"
+VARIABLE = "NEWTON_EULER_LANGUAGE"  # environment variable, as "de"
 ENGLISH = "en"
 _FIELD = re.compile(r"\{(\w+)(?:\.(what|why))?\}")
 

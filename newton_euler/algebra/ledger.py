@@ -77,7 +77,7 @@ def equation(kind: str) -> Equation:
 
 
 T = TypeVar("T")
-NOISE = 1e-14  # of the largest component: anything smaller is round-off and printed as 0
+NOISE = 1e-14  # share of the largest component; anything smaller is round-off and printed as 0
 
 
 class Terms(Guided, dict[str, T], Generic[T]):

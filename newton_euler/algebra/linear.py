@@ -18,6 +18,7 @@ from operator import add, mul
 from types import MappingProxyType
 
 from .errors import checked
+from .ledger import distinct
 from .scalars import (
     ZERO,
     Scalar,
@@ -460,16 +461,22 @@ class _Equation:
 
 
 def _equations(conditions, count):
-    """The conditions as equations with names: "force.x" of a Vector, numbers without one."""
+    """The conditions as equations with names: "force.x" of a Vector, numbers without one. Names are
+    made distinct, as of a Vector "force" beside a scalar "force.x".
+    """
     if not isinstance(conditions, Mapping):
         parts = conditions if isinstance(conditions, (tuple, list)) else (conditions,)
         conditions = {f"equation {n}": x for n, x in enumerate(parts, 1)}
+    rows = [
+        (group, name, x)
+        for group, condition in enumerate(conditions.items())
+        for name, x in _scalars(*condition)
+    ]
     return [
         _Equation(name, x.coefficients, -x.value, group)
         if isinstance(x, LinearForm)
         else _Equation(name, (ZERO,) * count, -x, group)
-        for group, condition in enumerate(conditions.items())
-        for name, x in _scalars(*condition)
+        for name, (group, _, x) in zip(distinct([name for _, name, _ in rows]), rows, strict=True)
     ]
 
 

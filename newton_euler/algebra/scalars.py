@@ -70,7 +70,7 @@ class _Own:
 
     __slots__ = ()
     _op_priority = 1000.0  # SymPy hands operations over
-    rank = 0  # of several kinds in one operation, the highest decides
+    rank = 0  # the kind of the highest rank in an operation decides
 
     def __init_subclass__(cls) -> None:
         if not hasattr(cls, "__array_priority__"):
@@ -228,7 +228,7 @@ def scalar(x):
     )
 
 
-# of each type that was met: "number", "numpy", or "none"
+# the kind of each type that was met: "number", "numpy", or "none"
 _kinds: dict[type, str] = {}
 
 
@@ -368,7 +368,8 @@ def real(x, what):
     if type(x) is float:
         return x
     y = to_plain(scalar(x))
-    if not is_numeric(y) or isinstance(y, (complex, _Own)) or getattr(y, "shape", ()) or y != y:
+    several = isinstance(y, _Own) or getattr(y, "shape", ())
+    if several or not is_numeric(y) or _is_unreal(y) or y != y:
         raise ScalarError(f"{what} is one real number; got {clipped(x)}")
     return y
 
@@ -699,7 +700,7 @@ def probe(x):
         value = complex(_inside_out(x, chosen))
     except TypeError:
         return None
-    # of 40 digits, 25 are left where 15 cancel
+    # 25 of 40 digits are left where 15 cancel
     return 0.0 if abs(value) < 1e-25 else value.real or abs(value)
 
 

@@ -111,7 +111,7 @@ def _written(op, args, lazy):
         return f"-{args[0]}"
     if op == "table":
         return f"{args[1]}({args[0]})"
-    if op == "item":  # of the values of a formula inside this one
+    if op == "item":  # one of the values of a formula inside this one
         return f"{args[0]}[{args[1].strip('()')}]"
     if lazy and op == "where":
         return f"{args[1]} if {args[0]} else {args[2]}"

@@ -134,7 +134,7 @@ class Table:
     def __call__(self, x: Scalar) -> Scalar:
         """The value at ``x``, a number of any kind."""
         if type(x) is not float:
-            if getattr(x, "size", 1):  # of an array without entries the values are one, too
+            if getattr(x, "size", 1):  # an empty array has an empty array of values
                 x = to_plain(scalar(x) if getattr(x, "shape", ()) else real_scalar(x))
             if isinstance(x, _Own):
                 return x._of_table(self) if hasattr(x, "_of_table") else self._dimension(x)

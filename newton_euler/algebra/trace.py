@@ -193,7 +193,7 @@ class Trace:
         for a in args:
             if isinstance(a, Step) and a.trace is not self and self in a.trace.around():
                 return a.trace.step(op, *args)  # it is part of the inner formula
-        # of NumPy's numbers those that are arrays without an axis cannot be keys
+        # NumPy's zero-dimensional arrays cannot be keys
         args = [a[()] if getattr(a, "shape", None) == () else self.inward(a) for a in args]
         keys = [self.key(a) for a in args]
         key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute

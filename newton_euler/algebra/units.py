@@ -138,7 +138,7 @@ class Dimension(_Own):
 
     def _integrals(self, f, start, end):
         """The dimensions of the integrals of a tuple of scalars, for :func:`.integral`."""
-        width = end - start  # of one dimension, or this raises
+        width = end - start  # raises unless the dimensions agree
         return tuple(y * width for y in f(start + width))
 
     def _over_cube(self, f, n):
@@ -158,7 +158,7 @@ class Dimension(_Own):
         if name == "sqrt":
             return self ** Fraction(1, 2)
         if name == "atan2":
-            _ = args[0] + args[1]  # of one dimension, or this raises
+            _ = args[0] + args[1]  # raises unless the dimensions agree
         elif any(self.powers):
             raise DimensionError(
                 f"{name} of a quantity in {self}: its argument must be a pure number"

@@ -77,7 +77,7 @@ def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
         )
     B = body.point("B", 0, 0, 0)
     v = B.velocity(observer).expressed_in(body)
-    arm = w.cross(v) / (rate * rate)  # of v + w x arm only the part along w remains
+    arm = w.cross(v) / (rate * rate)  # v + w x arm is the part of v along w
     direction = Vector(tuple(x / rate for x in w.c), body)
     return InstantaneousAxis(body.point("on the axis", *arm.c), direction, direction.dot(v))
 

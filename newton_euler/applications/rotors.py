@@ -65,10 +65,10 @@ def reactions(
     body : its rate, acceleration and angle are those of its frame in ``ground``
     A, B : the bearings, Points of the axis, fixed in the body or in a frame of the shaft
     gravity : the acceleration of gravity, a Vector (m/s^2); None: no dead weight, as in (9.3)
-    about : the point O of the axis for the terms; default: the foot of the centre of mass terms of
-        A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance of G;
-        ``dynamic``, from omega^2 and the products of inertia about O; ``static_euler`` and
-        ``dynamic_euler``, the same from the angular acceleration
+    about : the point O of the axis for the terms; default: the foot of the centre of mass.
+    The terms of A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the
+        distance of G; ``dynamic``, from omega^2 and the products of inertia about O;
+        ``static_euler`` and ``dynamic_euler``, the same from the angular acceleration
     Raises :class:`RotorError` if the bearings coincide, if ``about`` is off the axis, or if body
     and bearings move otherwise than about AB.
 

@@ -140,7 +140,7 @@ class Inertia(Scaled, NamedTerms):
         """The matrix times a triple of components along its axes."""
         if c is ZERO3:
             return ZERO3
-        c = tuple(map(scalar, c))
+        c = tuple(map(real_scalar, c))
         return tuple(dot3(row, c) for row in self._rows())
 
     @checked

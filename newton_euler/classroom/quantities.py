@@ -6,7 +6,7 @@ from ..algebra.errors import ArgumentError, checked
 from ..algebra.scalars import clipped, is_numeric, shown
 from ..algebra.vectors import Vector
 
-NOISE = 1e-12  # of the largest value of the same unit in one call: what round-off leaves of a zero
+NOISE = 1e-12  # share of the largest value of the same unit; less is the round-off of a zero
 ALONE = 1e-14  # the same for a value that stands alone, in its unit
 PLAIN = 1e-4, 1e7  # between these without a power of ten
 MOST = 8  # numbers of an array that are printed

@@ -179,7 +179,7 @@ class _System:
         """Raises :class:`ConstraintError` where a gradient vanishes, as for x**2 + y**2 = 0."""
         before, after = ([math.hypot(*row) for row in self.jacobian(p)] for p in (start, q))
         for (name, _), a, b in zip(self.values(q), before, after, strict=True):
-            if b < 1e-5 * a:  # of a double zero it falls as the square root of the residual 1e-13
+            if b < 1e-5 * a:  # at a double zero it falls as the square root of the residual, 1e-13
                 raise ConstraintError(
                     f"the gradient of the constraint {name!r} vanishes where it holds; split it, "
                     "as x**2 + y**2 = 0 into x = 0 and y = 0"

@@ -127,7 +127,7 @@ def jacobian(force: Callable, place: Sequence) -> tuple:
     >>> jacobian(lambda x, y, z: (x*y, 0, 2*z), (1.0, 3.0, 2.0))
     ((3.0, 1.0, 0), (0, 0, 0), (0, 0, 2))
     """
-    columns = tangents(_checked(force), tuple(map(scalar, place)))
+    columns = tangents(_checked(force), tuple(map(real_scalar, place)))
     return tuple(tuple(map(to_plain, row)) for row in zip(*columns, strict=True))
 
 
@@ -151,7 +151,7 @@ def _checked(force):
     def at(*place):
         where = tuple(to_plain(x.value if isinstance(x, Moving) else x) for x in place)
         try:
-            F = tuple(scalar(f) for f in force(*place))
+            F = tuple(real_scalar(f) for f in force(*place))
         except (ArithmeticError, NewtonEulerError) as problem:
             raise WorkError(
                 f"the force has no value at {where}: {problem}; keep base, box and loops where it "

@@ -581,7 +581,7 @@ def _origin_acceleration(via, observer):
     return Vector(sub3(sub3(turned, coriolis), origin), seat)
 
 
-# of what is seen from a point's own frame, which is no sum
+# for what is seen from a point's own frame, which is no sum
 _VELOCITY, _ACCELERATION = Ledger("velocity", "", None), Ledger("acceleration", "", None)
 
 

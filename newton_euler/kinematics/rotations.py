@@ -28,7 +28,7 @@ from ..algebra.scalars import (
     epsilon,
     is_finite,
     max_abs,
-    scalar,
+    real_scalar,
     sin,
     sqrt,
     to_plain,
@@ -186,11 +186,11 @@ def _unit(axis, angle):
 
 def _three(v, what):
     try:
-        given = tuple(scalar(x) for x in v) if len(v) == 3 else ()
+        given = tuple(real_scalar(x) for x in v) if len(v) == 3 else ()
     except TypeError:
         given = ()
     if len(given) != 3:
-        raise RotationError(f"{what} has three components, as in (0, 0.6, 0.8); got {v!r}")
+        raise RotationError(f"{what} has three components, numbers as in (0, 0.6, 0.8); got {v!r}")
     return given
 
 
@@ -353,7 +353,7 @@ def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
 
 
 def _four(q):
-    q = tuple(scalar(x) for x in q)
+    q = tuple(real_scalar(x) for x in q)
     if len(q) != 4:
         raise RotationError(
             f"a quaternion has four components, the scalar part first; got {len(q)}: {q!r}"

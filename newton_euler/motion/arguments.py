@@ -4,12 +4,13 @@ expected.
 
 import math
 from itertools import islice
+from numbers import Real
 
 from ..algebra.errors import LONGEST_SEQUENCE
 from ..algebra.scalars import clipped
 from .events import Event
 from .methods.table import METHODS
-from .model import ModelError, expect, finite_number, real_numbers
+from .model import ModelError, expect, finite_number, is_iterable, real_numbers
 
 
 def time_span(t):
@@ -43,7 +44,7 @@ def start_state(model, start):
         return start_state(model, tuple(start.tolist()))
     names = ", ".join(model.states)
     subject = f"the start of {model.name!r}"
-    if not hasattr(start, "__iter__"):
+    if not is_iterable(start):
         raise ModelError(f"{subject} is a value for each of {names}, not {start!r}")
     unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else ()
     if unknown:
@@ -64,27 +65,34 @@ def _start_value(subject, name, x):
 
 
 def check_options(rtol, method, step=None, progress=None):
-    """Raise :class:`ModelError` for options with which no model can be integrated."""
+    """``rtol`` as a float. Raises :class:`ModelError` for options with which no model can be
+    integrated.
+    """
     if not (isinstance(method, str) and method in ("auto", *METHODS)):
         raise ModelError(f"method is 'auto' or one of {', '.join(METHODS)}; got {clipped(method)}")
     least = 1e-15 if method == "auto" else METHODS[method].min_rtol
-    number = isinstance(rtol, (int, float))  # True and False are out of range
-    if step is None and not (number and least <= rtol < 1):
-        why = "it lies between 0 and 1"
-        if number and 0 < rtol < 1:
+    if step is None and not (_is_real(rtol) and least <= rtol < 1):
+        why = "it is a number between 0 and 1"
+        if _is_real(rtol) and 0 < rtol < 1:
             why = f"method {method!r} cannot reach it, the least is {least:g}"
         raise ModelError(f"rtol is the requested tolerance, got {clipped(rtol)}: {why}")
-    positive = step is None or (type(step) in (int, float) and 0 < step < math.inf)
+    positive = step is None or (_is_real(step) and 0 < step < math.inf)
     expect(positive, "the step is a positive time", step)
     what = "progress is a function of the fraction that is done"
     expect(progress is None or callable(progress), what, progress)
+    return rtol if step is not None else float(rtol)
+
+
+def _is_real(x):
+    """True for one number of Python or NumPy."""
+    return isinstance(x, Real) and not isinstance(x, bool)
 
 
 def event_tuple(events):
     """One or several events as a tuple."""
     if isinstance(events, Event):
         return (events,)
-    several = hasattr(events, "__iter__") and not isinstance(events, (str, bytes, range))
+    several = is_iterable(events) and not isinstance(events, (str, bytes, range))
     expect(several, "events are an Event, or several", events)
     events = tuple(events)
     for event in events:

@@ -14,7 +14,7 @@ from .error_estimates import REPORTED_SAFETY, error_by_difference, relative_shif
 from .knots import knots
 from .methods.table import METHODS, Method
 from .methods.taylor import batches
-from .model import Model, ModelError
+from .model import Model, ModelError, real_numbers
 from .prepared import PreparedModel, prepared_model
 from .run import known_accurate, usable
 from .sizes import ROUND_OFF, TIME_SAFETY, time_round_off
@@ -117,7 +117,11 @@ class _Many:
         import numpy as np
 
         model, state, samples = run.system.model, run.state, run.samples
-        values = {n: x for n, x in model.parameters.items() if getattr(x, "shape", ())}
+        values = {
+            n: real_numbers(x, f"the parameter {n} of {model.name!r} is one real number a motion")
+            for n, x in model.parameters.items()
+            if getattr(x, "shape", ())
+        }
         try:
             arrays = np.broadcast_arrays(*state, *values.values())
         except ValueError as error:
@@ -128,6 +132,8 @@ class _Many:
             ) from error
         if arrays[0].ndim != 1:
             raise ModelError(f"many motions need arrays of one dimension, got {arrays[0].shape}")
+        if not arrays[0].size:
+            raise ModelError(f"the arrays of {model.name!r} have no entries: there is no motion")
         starts = np.array(arrays[: len(state)], dtype=float)
         if not all(np.isfinite(a).all() for a in (starts, *arrays[len(state) :])):
             raise ModelError(f"starts and parameters of {model.name!r} must be finite numbers")

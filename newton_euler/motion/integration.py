@@ -87,7 +87,7 @@ def integrate(
     system = prepared_model(model)
     t0, t1 = time_span(t)
     state = start_state(model, start)
-    check_options(rtol, method, step, progress)
+    rtol = check_options(rtol, method, step, progress)
     looked_for, sampled = event_tuple(events), sample_request(samples, t0, t1)
     preparing = perf_counter() - begun
     run = Run(system, t0, t1, state, rtol, looked_for, sampled, progress, step, preparing)
@@ -120,7 +120,7 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
             f"prepare takes a model with numbers, but parameters of {model.name!r} are arrays; "
             "take integrate"
         )
-    check_options(rtol, method)
+    rtol = check_options(rtol, method)
     return Prepared(system, rtol, method)
 
 

@@ -74,6 +74,13 @@ class Named:
     def __setattr__(self, name, value):
         raise AttributeError(f"the {self._what}s are only read, but {name!r} was set")
 
+    def __iter__(self):
+        known = [f"{self._what[0]}.{n}" for n in vars(self) if n != "_what"]
+        raise TypeError(f"the {self._what}s are read by name, as {', '.join(known) or 'none'}")
+
+    def __getitem__(self, _):
+        return iter(self)
+
 
 @checked
 @dataclass(frozen=True)
@@ -223,7 +230,7 @@ class Model(Portable):
         if self.exact is None:
             raise ModelError(f"no exact solution of {self.name!r} is known; integrate it")
         found = self._value_of("exact solution", self.exact, start, t)
-        states = tuple(found) if hasattr(found, "__iter__") else ()
+        states = tuple(found) if is_iterable(found) else ()
         what = f"the exact solution of {self.name!r} returns a value for each of "
         expect(len(states) == len(self.states), what + ", ".join(self.states), found)
         return states
@@ -290,7 +297,7 @@ class Model(Portable):
         if type(state) is list:
             return tuple(state)
         unordered = isinstance(state, (str, bytes, set, frozenset))
-        if unordered or not hasattr(state, "__iter__") or has_unit(state):
+        if unordered or not is_iterable(state) or has_unit(state):
             raise ModelError(
                 f"a state of {self.name!r} is a value for each of {', '.join(self.states)}, in "
                 f"this order or by name; got {clipped(state)}{unit_advice(state)}"
@@ -454,9 +461,14 @@ def _several(what, x):
     """A tuple from an ordered sequence; ``what`` names it in the message."""
     if type(x) is tuple:
         return x
-    unordered = isinstance(x, (str, bytes, set, frozenset, range)) or not hasattr(x, "__iter__")
+    unordered = isinstance(x, (str, bytes, set, frozenset, range)) or not is_iterable(x)
     expect(not unordered, f"the {what} of a model are a tuple of them", x)
     return tuple(x)
+
+
+def is_iterable(x):
+    """True for what has entries, which an array without an axis has not."""
+    return hasattr(x, "__iter__") and getattr(x, "shape", None) != ()
 
 
 def is_law(x):

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from ..motion.model import ModelError
 
-# of the modules imported so far; all are in newton_euler.scenes
+# scenes of the modules imported so far, all in newton_euler.scenes
 SCENES: "dict[str, Scene]" = {}
 LADDERS: "dict[str, Scene]" = {}
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy import ndarray
 
 INSTANTS = 257  # at which rungs are compared: steps of t/256, exact in binary
-FINER = 1e-3  # of the tolerance is what integration may contribute to a measured error
+FINER = 1e-3  # share of the tolerance that integration may contribute to a measured error
 # relative errors of the states: the second is tried where the first is not enough
 ROUGH, FINEST = 1e-9, 1e-11
 

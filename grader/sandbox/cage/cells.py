@@ -52,7 +52,7 @@ class Notebook:
     ) -> None:
         self._shell, self._seconds = Shell(), seconds
         self._send, self._tests = send, list(tests)
-        self._errors: dict[str, str | None] = {}  # of each problem, since its givens
+        self._errors: dict[str, str | None] = {}  # errors by problem, since its givens
         self._answers = importlib.import_module("newton_euler.answers.receipts")
 
     def run(self, cells: Iterable[dict[str, Any]]) -> None:

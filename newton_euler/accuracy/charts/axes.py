@@ -13,7 +13,7 @@ MARKERS = ("o", "s", "^", "D", "P", "X", "*", "h", "p")
 GREY, INK = "#999999", "#333333"
 FLOOR = 1e-17  # smaller relative errors are drawn there: a float cannot have them
 USELESS = 0.1  # a relative error from which no digit is right: such a point is no choice
-DASHES = ("--", ":", "-.")  # of the fronts
+DASHES = ("--", ":", "-.")  # line styles of the fronts
 
 
 def marker_style(n: int) -> dict:

@@ -11,7 +11,7 @@ from ..measurements.honesty import REFUSED, comparable, cost_text, percent, tall
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)
 CAUTIOUS = 100.0  # times the true error: such an estimate says little
 WRONG, VAGUE = "#D55E00", "#777777"
-HALF = 0.34  # of the height of a row is drawn upon on each side of its middle
+HALF = 0.34  # share of a row's height that is used on each side of its middle
 
 
 def draw_honesty(answers, figure, title=""):

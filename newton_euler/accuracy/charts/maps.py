@@ -7,7 +7,7 @@ from .axes import COLOURS
 from .islands import explained, parts
 from .words import number
 
-SMALLEST = 0.03  # of the map: a smaller region is named in the legend only
+SMALLEST = 0.03  # share of the map; a smaller region is named in the legend only
 WIDE = 18  # letters in a line of a name
 
 

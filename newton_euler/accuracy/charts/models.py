@@ -12,8 +12,8 @@ from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
 from .words import listed, number, times
 
 STEPS = (1, 2, 5, 10)  # a tolerance is one of these times a power of ten
-RTOL = 1e-9  # of the integrations that are counted
-NOISE = 1e-9  # of the largest error: what is smaller is integration, not physics
+RTOL = 1e-9  # tolerance of the integrations that are counted
+NOISE = 1e-9  # share of the largest error below which an error is numerical
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from ...kinematics import rotations
 from ...kinematics.frames import Frame
 from .measure import relative_error
 
-DIGITS = 40  # of the references
+DIGITS = 40  # digits of the references
 
 
 def _in_digits(f):
@@ -97,7 +97,7 @@ AXIS, SMALL = (0.36, 0.48, 0.8), 0.01
 
 @_in_digits
 def _rotation(axis, angle, times=1):
-    """The matrix of a rotation, repeated so many times, by the series of exp."""
+    """The matrix of a rotation, repeated ``times`` times, by the exponential series."""
     x, y, z = (mp.mpf(c) / mp.norm(list(axis)) for c in axis)
     return mp.expm(mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mp.mpf(angle) * times)
 
@@ -158,7 +158,7 @@ STEPS, BEFORE, AFTER = 200, -0.9, 1.1  # s; a step ends at t = 0
 
 
 def runge_kutta(rate, s, step, steps):
-    """The state after so many steps of the classical Runge-Kutta method for ds/dt = rate(s)."""
+    """The state after ``steps`` steps of the classical Runge-Kutta method for ds/dt = rate(s)."""
 
     def moved(by, k):
         return tuple(x + by * d for x, d in zip(s, k, strict=True))

@@ -14,9 +14,9 @@ from ...motion.methods.taylor import installed
 from ...motion.model import Model, ModelError
 from ...motion.prepared import PreparedModel
 
-RUNS = 14  # of the midpoint rule over one step, which makes the order 28
+RUNS = 14  # runs of the midpoint rule over one step: order 28
 GUARD = 10  # digits beyond those asked for
-BITS = 140  # of heyoka's numbers, which are 42 digits
+BITS = 140  # precision of heyoka's numbers, 42 digits
 
 
 def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tuple:

@@ -32,12 +32,12 @@ class Axis:
     scale: str = "log"
 
     def edges(self, count):
-        """The limits of so many cells, an array."""
+        """The limits of ``count`` cells, an array."""
         space = np.geomspace if self.scale == "log" else np.linspace
         return space(self.low, self.high, count + 1)
 
     def centres(self, count):
-        """The middles of so many cells, an array."""
+        """The middles of ``count`` cells, an array."""
         return self.edges(2 * count)[1::2]
 
 
@@ -90,7 +90,7 @@ class Map:
 
 # growth of a tilt from the intermediate axis, 1/s at 1 rad/s
 BODY, GROWTH = free_body(1.0, 2.0, 3.0), 1 / math.sqrt(3)
-WANTED = 1e-9  # of the rates at any time, relative to 1 rad/s
+WANTED = 1e-9  # error of the rates at any time, relative to 1 rad/s
 DENSE = 100  # instants in a cell at which errors are looked for
 DOP853, TAYLOR = "dop853, nothing to compile", "taylor, compilation counted"
 EXACT, EXACT_30 = "only the exact solution", "only the exact solution in 30 digits"
@@ -194,7 +194,7 @@ I0, I, MGR, THETA = 0.02, 0.01, 0.5, 0.6
 
 
 def shot(flight):
-    """The ladder of a vertical shot without drag that is in the air for so many seconds."""
+    """The ladder of a vertical shot without drag that is in the air for ``flight`` seconds."""
     start = (0.0, 0.0, 0.0, 0.0, 0.0, G * flight / 2)
     return projectile.ladder(G, LATITUDE, drag=0.0, start=start, t=flight)
 

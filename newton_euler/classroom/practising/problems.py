@@ -26,7 +26,7 @@ from .numbers import KeptNumbers, Quantity
 from .progress import Progress
 from .ways import Ways
 
-WIDTH = 80  # of lines in a terminal
+WIDTH = 80  # columns of a terminal
 
 
 @dataclass(frozen=True, repr=False)

@@ -12,7 +12,7 @@ from ...algebra.language import _
 from ...answers.causes import Cause
 
 FORMAT = 1
-MASTERED = 0.8  # of the quantities of a section that were tried, right at first go without help
+MASTERED = 0.8  # share of the quantities tried in a section that were right at once, without help
 ENOUGH = 5  # quantities, before a section can be called mastered
 NOTHING = {"tries": 0, "right": 0, "help": 0}
 

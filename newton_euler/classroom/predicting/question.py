@@ -9,8 +9,8 @@ from ...algebra.language import _
 from ...answers.forms import AnswerError
 from ..practising.typed import typed
 
-LETTERS = "abcdefghijklmnopqrstuvwxyz"  # of the choices
-NEAR = 0.02  # of the answer: how near a choice is to the computed number that it stands for
+LETTERS = "abcdefghijklmnopqrstuvwxyz"  # labels of the choices
+NEAR = 0.02  # relative distance of a choice from the computed number that it stands for
 
 
 @dataclass(frozen=True)

@@ -58,7 +58,8 @@ def interactive_figure(
 
     draw : draws by a Sketch on one panel of a page; or by its own plots, whose limits it sets, on
         one matplotlib Axes, which it gets instead if it asks for what a panel does not have
-    alt : what can be seen in it, in 8 words or more; or a function of the values that returns it
+    alt : what can be seen in it, in 8 words or more, to which the values of the sliders are added; or a
+        function of the values that returns it all
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one
     title : of the whole figure, or a function of the values
@@ -94,6 +95,8 @@ class MovingFigure:
     def picture(self, values: Mapping[str, float]) -> tuple[bytes, str]:
         """The picture for these values, and what it shows, in words."""
         words = alt_text(_for_values(self.alt, values))
+        if not callable(self.alt):  # then what moves it is all that changes
+            words += f" ({', '.join(s.shown(values[s.name]) for s in self.sliders)})"
         return self.stage.picture(values, _for_values(self.title, values), words), words
 
 

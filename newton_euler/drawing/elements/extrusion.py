@@ -5,7 +5,7 @@ import math
 from ...algebra.vectors import cross3, dot3, scale3
 from ..page.projection import moved, norm3, normal_of
 
-SMOOTH = math.cos(math.radians(25))  # of the angle below which two faces of a wall are one
+SMOOTH = math.cos(math.radians(25))  # cosine of the angle below which two faces of a wall are one
 
 
 def extrude(canvas, outline, holes, along, normal, style="body"):

@@ -96,7 +96,7 @@ class Lines(Recorder):
         A, C, axis = self._triple_of(A), self._triple_of(C), self._unit(axis)
         centre, e1, e2, radius = self._circle_through(A, C, axis)
         count = max(2, math.ceil(abs(angle) / math.radians(6)))
-        # of a whole turn the last place would be the first
+        # the last point of a whole turn would be the first
         angles = [angle * n / count for n in range(count + (abs(abs(angle) - 2 * math.pi) >= 1e-9))]
         return [on_circle(centre, e1, e2, radius, a) for a in angles]
 

@@ -22,7 +22,11 @@ _WIDTHS = {
 WIDTH = {letter: width / 100 for width, letters in _WIDTHS.items() for letter in letters}
 BOLD = 1.12  # its width, of the usual
 SMALL, LOWER, HIGHER = 0.7, 0.2, 0.38  # size, and shifts, of an index and of a power, by the size
-ABOVE, ACCENTED, BELOW = 0.76, 0.95, 0.21  # of the base line: of an l, with an accent; of a p
+ABOVE, ACCENTED, BELOW = (
+    0.76,
+    0.95,
+    0.21,
+)  # heights above the base line, of l and with an accent; depth of p
 _DEEP = set("gjpqyQ,;()/|βγζημξρφχψ")
 
 _SYMBOLS = {
@@ -209,5 +213,5 @@ def _accented(run, mark):
     """A run with a mark over its letter, over each letter where it is a line or an arrow."""
     if mark in ("\u20d7", "\u0304"):
         return run._replace(text="".join(c + mark for c in run.text))
-    dotted = {"ı": "i", "ȷ": "j"} if mark == "\u0302" else {}  # of î and ĵ, which fonts have
+    dotted = {"ı": "i", "ȷ": "j"} if mark == "\u0302" else {}  # fonts have î and ĵ
     return run._replace(text=dotted.get(run.text, run.text) + mark)

@@ -8,7 +8,7 @@ from typing import Any
 from .plots import NeedsMatplotlib, Plot, Plots
 
 TITLE = 12  # points, of a title whose size is not given
-GAP = 0.02  # of a page, between panels and around them
+GAP = 0.02  # share of the page between panels and around them
 LINE = 1.25  # distance of lines, by their size
 
 

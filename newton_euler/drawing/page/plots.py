@@ -34,7 +34,7 @@ class Mark(NamedTuple):
     width: float = 1.5
     dashes: tuple = ()
     label: str = ""
-    shape: str = ""  # of dots; the text of a text
+    shape: str = ""  # shape of dots, or the text
     size: float = 6
     opacity: float = 1
     filled: bool = True

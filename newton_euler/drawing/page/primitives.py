@@ -104,7 +104,7 @@ class Stroke:
     layer: int
     closed: bool
     depth: float
-    normal: tuple | None = None  # of a flat face
+    normal: tuple | None = None  # normal of a flat face
     cut: bool = False  # a piece of a line that a face cuts
     holes: tuple = ()  # in its filling, each a list of places
 
@@ -119,7 +119,7 @@ class Canvas(View):
     def __init__(self, view, pt, extent, centre):
         super().__init__(view.right, view.up)
         self.pt, self.centre, self.strokes, self.notes = pt, centre, [], []
-        self.triads = []  # of each system of axes drawn, its origin and its pairs (tip, label)
+        self.triads = []  # (origin, pairs (tip, label)) of each system of axes
         self.spots = [self.project(p) for p in extent] or [(0.0, 0.0)]
 
     def line(self, points, styles, layer=BODY, closed=False, depth=None, normal=None, holes=()):

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from ...algebra.errors import checked_but
-from ...algebra.scalars import scalar, to_plain
+from ...algebra.scalars import real_scalar, to_plain
 from ...algebra.vectors import FrameError, Vector, cross3, dot3, sub3
 from ...kinematics.frames import Frame, Point
 from .occlusion import painters_order
@@ -69,8 +69,8 @@ class Recorder:
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
         self._commands: list = []
         self._extent: list = []  # places that fit on the page
-        self._longest: dict = {}  # of the arrows of each kind
-        self._shortest = 0.25  # of the longest; less would be hard to see
+        self._longest: dict = {}  # the longest arrow of each kind
+        self._shortest = 0.25  # least length, relative to the longest
         self._pending = False
         self._window: Window | None = None  # that of an animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
@@ -136,7 +136,7 @@ class Recorder:
     @staticmethod
     def _float(x):
         """``x`` as a float; TypeError or ValueError for a quantity with a unit, and for text."""
-        return float(to_plain(scalar(x)))
+        return float(to_plain(real_scalar(x)))
 
     def _or_default(self, x):
         """A length in metres; None and 0 stand for the default and are returned as they are."""

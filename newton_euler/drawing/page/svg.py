@@ -15,7 +15,7 @@ from .recorder import laid_out, share_window
 from .texts import text_at
 
 FONTS = "var(--sketch-font, 'DejaVu Sans', Verdana, sans-serif)"
-# of each colour, that which a dark page has instead
+# {colour: the one on a dark page}
 DARK = {
     "#000000": "#f0f2f4", "#ffffff": "#131416", "#454a50": "#b4bac1", "#aab1b9": "#343a41",
     "#c9ced4": "#3d444c", "#dde1e5": "#4a525b", "#eef0f2": "#59626c", "#8a5a00": "#e0ad50",

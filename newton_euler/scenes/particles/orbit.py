@@ -29,7 +29,7 @@ from ..closed_forms.harmonic import constant_rate, stumpff
 from ..ladders import Ladder, Rung, observed_states
 
 POSITION = "position, m"
-EARTH_J2 = 1.082627e-3  # of the Earth's field, without unit (WGS 84)
+EARTH_J2 = 1.082627e-3  # J2 of the Earth's field, without unit (WGS 84)
 EARTH_EQUATOR = 6.378137e6  # m, its radius there (WGS 84)
 EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 

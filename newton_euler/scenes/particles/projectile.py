@@ -31,7 +31,7 @@ from ..ladders import Ladder
 
 POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
-START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # of the scenes
+START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # start of the scenes
 # (2 omega t)^2 up to which the series is summed to round-off: five hours on the Earth
 LARGEST = 8
 

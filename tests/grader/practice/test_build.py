@@ -11,12 +11,14 @@ from exercises.catalogue import problem, select
 from exercises.catalogue.variants import as_points, draw, evaluate
 from grader.practice import LeftOut, PracticeError, graded_numbers, write_practice
 from grader.practice.build import page_of
-from grader.practice.graded import GradedAnswers
+from grader.practice.graded import GradedAnswers, same_for_all
 from grader.practice.quantities import quantities, wrong_numbers
 from grader.practice.twins import sets_of_numbers
 from newton_euler import asin
 from newton_euler.classroom.practising.files import HELP
+from tests.exercises.kinds.thrown import SENSE, SPEED, THROWN, solve
 from tests.grader.courses import command, ran
+from tests.making import made as made
 
 
 def members(path):
@@ -163,3 +165,13 @@ def test_a_mistake_that_has_no_real_answer_is_left_out():
     found = wrong_numbers(made, p.book_values, described, right)
     assert found
     assert not [x for x in found if x[1] == "listed"]
+
+
+def test_what_differs_by_round_off_only_is_the_same_for_everybody(made):
+    """As 0.1 h/h, whose text has other last digits for some h."""
+    answers, givens = (SENSE, SPEED, replace(SPEED, key="fixed")), THROWN
+    p = made(lambda g: {**solve(g), "fixed": 0.1 * g.v_0 / g.v_0}, answers=answers, givens=givens)
+    sets = [{"v_0": x, "t": 0.1, "g": 9.81} for x in (2.5, 3.1, 4.7, 5.3)]
+    assert len({p.solve(values)["fixed"] for values in sets}) > 1
+    assert same_for_all(p, sets) == ["sense", "fixed"]
+    assert same_for_all(p, sets[:1]) == ["sense", "v", "fixed"]

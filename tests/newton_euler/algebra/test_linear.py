@@ -300,6 +300,17 @@ def test_names_come_from_the_arguments_or_are_given():
     }
 
 
+def test_equations_of_one_name_are_all_reported():
+    ground = Frame("ground")
+
+    def laws(a, b):
+        return {"F": ground.vector(a - 1.0, b - 2.0, 0), "F.x": 2 * a - 2.0, "F.y": 3 * b - 6.0}
+
+    assert dict(solve_linear(laws).redundant) == {"F.x 2": ("F.x 1",), "F.y 2": ("F.y 1",)}
+    with pytest.raises(LinearError, match=r"'F\.x 2' is off by 1 if 'F\.x 1' holds"):
+        solve_linear(lambda a: {"F": ground.vector(a, 0, 0), "F.x": a + 1.0})
+
+
 @pytest.mark.parametrize("conditions", [
     lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0, lambda w: w**2 - 1,
 ])  # fmt: skip

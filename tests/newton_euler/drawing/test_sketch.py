@@ -245,6 +245,7 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
     [
         (lambda s: s.rod(O, 3), "a place is a Point, a Vector or three numbers, got"),
         (lambda s: s.rod(O, (1, 2, "a")), "needs numbers, but the place is"),
+        (lambda s: s.rod(O, np.array([1, 2, 3j])), "needs numbers, but the place is"),
         (lambda s: s.rod(O, (1, 2, math.nan)), "not finite"),
         (lambda s: s.rod(O, Frame("moon").point("M", 0, 0, 0)), "share no frame"),
         (lambda s: s.ground(O, normal=(0, 0, 0)), "points nowhere"),

@@ -395,8 +395,9 @@ def test_an_axis_without_direction_is_refused():
             make((0, 0, 0), 1.0)
         with pytest.raises(RotationError, match="no direction"):
             make((np.array([1.0, 0.0]), 0, 0), 1.0)
-        with pytest.raises(RotationError, match=r"three components.*got 'z'"):
-            make("z", 1.0)
+        for bad in ("z", (1j, 0, 1), np.array([1j, 0, 1])):
+            with pytest.raises(RotationError, match=r"three components.*got"):
+                make(bad, 1.0)
 
 
 # -- laws

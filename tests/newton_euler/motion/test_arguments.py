@@ -1,6 +1,7 @@
 """The arguments of an integration: what is accepted and how it is used, and what is refused."""
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -56,7 +57,7 @@ def test_an_rtol_that_a_method_reaches_is_taken_and_less_refused(method, rtol):
 @pytest.mark.parametrize(
     ("option", "bad", "words"),
     [
-        ("rtol", [0.0, -1e-9, 1.0, 2, math.nan, "1e-9", None, True], "it lies between 0 and 1"),
+        ("rtol", [0.0, -1e-9, 1.0, 2, math.nan, "1e-9", None, True], "a number between 0 and 1"),
         ("step", [0.0, -0.1, math.nan, math.inf, True, "0.1"], "the step is a positive time"),
         ("method", ["euler", ["verlet"], 3], "method is 'auto' or one of exact, taylor"),
         ("progress", [0.5], "progress is a function of the fraction"),
@@ -68,6 +69,19 @@ def test_options_with_which_no_model_can_be_integrated(option, bad, words):
     for x in bad:
         with pytest.raises(ModelError, match=words):
             check_options(**usual | {option: x})
+
+
+def test_a_tolerance_may_be_any_real_number():
+    for x in (np.float32(1e-3), Fraction(1, 1000), np.float64(1e-3)):
+        assert type(check_options(x, "auto")) is float
+
+
+@pytest.mark.parametrize("nothing", [np.array(1.0), np.array(1j)], ids=str)
+def test_an_array_without_an_axis_has_no_entries(nothing):
+    with pytest.raises(ModelError, match="a value for each of"):
+        start_state(SPRING, nothing)
+    with pytest.raises(ModelError, match="events are an Event, or several"):
+        event_tuple(nothing)
 
 
 def test_with_a_fixed_step_the_rtol_does_not_matter():

@@ -88,7 +88,7 @@ def test_an_array_in_the_start_is_many_motions():
     [
         ({"t": -1.0}, "time runs forward"),
         ({"start": (1.0,)}, "has the 2 states x, dx; got 1 values"),
-        ({"rtol": 0.0}, "it lies between 0 and 1"),
+        ({"rtol": 0.0}, "a number between 0 and 1"),
         ({"method": "magic"}, "method is 'auto' or one of exact, taylor"),
         ({"model": forced(), "method": "exact"}, "no exact solution of 'forced' is known"),
         ({"method": "lie-poisson2", "rtol": 1e-3}, "is not Euler's equations of a free body"),

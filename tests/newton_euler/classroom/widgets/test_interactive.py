@@ -23,8 +23,9 @@ def test_without_ipywidgets_the_picture_stands_alone(shown, monkeypatch):
     monkeypatch.setitem(sys.modules, "ipywidgets", None)
     interactive_figure(plot, A, B, alt=ALT, size=(2, 2))
     ((data, metadata),) = shown.outputs
-    assert f'alt="{ALT}"' in data["text/html"]
-    assert metadata["image/png"] == {"alt": ALT, "width": 200, "height": 200}
+    words = f"{ALT} (a = 1.0\N{NO-BREAK SPACE}m, β = 2)"
+    assert f'alt="{words}"' in data["text/html"]
+    assert metadata["image/png"] == {"alt": words, "width": 200, "height": 200}
 
 
 def boxes(shown):
@@ -43,6 +44,13 @@ def test_a_slider_draws_the_picture_anew_in_its_place(shown):
     assert shown.updates[-1][0]["text/plain"].endswith("a = 1.5, b = 3")
     pictures = {data["text/html"] for data, _ in [shown.outputs[0], *shown.updates]}
     assert len(pictures) == 3
+
+
+def test_an_alternative_text_says_where_the_sliders_are(shown):
+    pytest.importorskip("ipywidgets")
+    interactive_figure(plot, A, B, alt=ALT, size=(2, 2))
+    boxes(shown)[1][0].value = 3
+    assert shown.updates[-1][0]["text/plain"] == f"{ALT} (a = 1.0\N{NO-BREAK SPACE}m, β = 3)"
 
 
 def test_an_error_in_draw_is_shown_in_place_of_the_picture(shown):
