@@ -143,7 +143,7 @@ class _Reader:
     asked: set[str]
     drawn: Sequence[Givens]
     units: Mapping[str, str]  # units of the givens
-    sheets: Sequence[tuple[Givens, dict]]  # of numbers without any relation, and what is known
+    sheets: Sequence[tuple[Givens, dict]]  # unrelated numbers, and what follows from them
     shown: set[int] = field(default_factory=set)
     derivations: dict[str, Derivation] = field(default_factory=dict)
 

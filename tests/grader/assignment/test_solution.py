@@ -94,6 +94,10 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
     right = p.solve(values)
     known = {*p.units}
     named = set().union(*(map(own_names, as_python(p, seed))))
+    asked = {a.key for a in p.answers}
+    assert any(
+        line.step.key not in asked or line.equal[1:] or line.together for line in as_python(p, seed)
+    ), "nothing is explained"
     for line in as_python(p, seed):
         *formulas, value = line.equal
         assert what_a_reader_misses(line, known, named) == []
@@ -178,6 +182,18 @@ def found_by(p, key):
     """The names in each component's formula of a quantity."""
     found = derivations(p, numbers(p, b"one"))[key].formulas
     return [{x.name for x in f.free_symbols} for f in found]
+
+
+def test_the_terms_of_a_step_come_before_it():
+    keys = [line.step.key for line in as_python(problem("2/17"), b"one")]
+    assert keys.index("a_P_radial") < keys.index("a_P_coriolis") < keys.index("a_P")
+
+
+def test_terms_are_those_of_the_own_chapter():
+    p = problem("2/13")
+    assert r"\frac{\nu^2}{\rho}\,\hat{e}_n$ |" in worked_solution(p, numbers(p, b"one"))
+    for later in map(problem, ("A/8", "3/15")):  # which do not have the equation of these terms yet
+        assert "| --- |" not in worked_solution(later, numbers(later, b"one"))
 
 
 def test_what_is_equal_by_chance_has_no_name_of_another_quantity():
