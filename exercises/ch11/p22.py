@@ -14,20 +14,19 @@ def scene(g, spin):
 
 
 def rolling(g):
-    """The scene with the spin that keeps the line of contact at rest, as at 1 from the tip."""
+    """The scene with the spin that keeps the line of contact at rest: nothing turns it about z."""
 
-    def slip(spin):
-        ground, contact, body, _ = scene(g, spin)
-        touching = body.frame.point("touching", cos(g.alpha), 0, -sin(g.alpha))
-        return touching.velocity(ground).expressed_in(contact).y
+    def turning(spin):
+        _, contact, body, _ = scene(g, spin)
+        return spin * body.frame.i.expressed_in(contact).z + g.Omega
 
-    (spin,) = solve_rates(slip, 1)
+    (spin,) = solve_rates(turning, 1)
     return spin, *scene(g, spin)
 
 
 def solve(g):
-    found = steps(g)
-    return {"T": found["I_contact"] * found["omega_x"] ** 2 / 2}
+    spin, _, contact, body, O = rolling(g)
+    return {"T": body.about(O).moment(contact.i) * (spin * cos(g.alpha)) ** 2 / 2}
 
 
 def steps(g):
