@@ -118,6 +118,14 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
                 assert computed == pytest.approx(shown, rel=2e-4, abs=2e-4 * size), text
 
 
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_step_is_introduced_in_thirty_words(p):
+    """A formula is one word."""
+    for line in as_python(p, b"one"):
+        means = "" if line.step.term else typeset_formulas(line.step.means, p.notation)
+        assert len(re.sub(r"\$[^$]*\$", "formula", means).split()) <= 30, means
+
+
 def own_names(line):
     """The names of what a line of a solution finds, and of its components."""
     count = len(flat(line.step.value)) if not callable(line.step.value) else 1
