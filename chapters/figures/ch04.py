@@ -197,7 +197,7 @@ def rolling_cone(ax, build, r, azimuth):
     s.line(B, axle.point("", h, r * math.sin(spun), -r * math.cos(spun)), style="solid")
     s.axes(O, ground, length=0.75, labels="XYZ")
     s.vector(P, v_P, label=r"$\mathbf{v}_P$", size="m/s")
-    s.vector(B, B.velocity(ground), label=r"$\mathbf{v}_B$", size="m/s")
+    s.vector(B, B.velocity(ground), label=r"$\mathbf{v}_B$")
     s.vector(O, cone.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
     alpha = cone.angular_acceleration(ground)
     s.vector(O, alpha, r"$\alpha$", kind="acceleration", size="rad/s²")
