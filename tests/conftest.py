@@ -1,18 +1,35 @@
 """The order in which workers take files: those that take long first, and the site, which shows what the
-notebooks' tests have run, when these have.
+notebooks' tests have run, when these have. Of the notebooks each is a piece of work of its own.
 """
 
 from pathlib import Path
 
+import pytest
+
 HERE = Path(__file__).parent
 FIRST = (
-    "chapters/test_chapters.py", "grader/attacks", "grader/scoring", "grader/assignment", "exercises",
-    "website", "grader", "fuzz", "stability",
+    "chapters/test_chapters.py", "grader/attacks", "grader/scoring", "grader/assignment",
+    "website/test_pages.py",  # which builds the site: for the other tests of it, no worker has to wait
+    "exercises", "website", "grader", "fuzz", "stability",
 )  # fmt: skip
 
 
 def pytest_configure(config):
     config.option.loadscopereorder = False  # xdist's own order: files with most tests first
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    if config.getoption("dist") != "loadscope":
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class ByFileAndNotebook(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            scope = super()._split_scope(nodeid)
+            return f"{scope}[{nodeid.partition('[')[2]}" if scope.endswith(FIRST[0]) else scope
+
+    return ByFileAndNotebook(config, log)
 
 
 def pytest_collection_modifyitems(items):

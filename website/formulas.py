@@ -40,6 +40,11 @@ UNUSED = re.compile(
 PLACE = re.compile(r"translate\((-?[\d.]+),(-?[\d.]+)\)")
 ALONE = re.compile(r'<g( transform="[^"]*")><use( href="[^"]*")></use></g>')
 MOVED = re.compile(r'(<use\b[^>]*?) transform="translate\((-?\d+),(-?\d+)\)"')
+# of its MathML: a row of one sign, a style around a space
+ONE = re.compile(
+    r"<mrow>(<(m\w+)[^>]*>[^<]*</\2>)</mrow>"
+    r'|<mstyle scriptlevel="0">(<mspace[^>]*></mspace>)</mstyle>'
+)
 USED = re.compile(r'(?<= href="#)MJX[^"]+')
 OUTLINES = '<svg class="outlines" aria-hidden="true"><defs>{}</defs></svg>'
 
@@ -104,7 +109,7 @@ def _light(html):
     """A formula without what a page does not use; its places are rounded to a thousandth of the
     letters' height.
     """
-    found = UNUSED.sub("", html).replace("xlink:href", "href")
+    found = ONE.sub(r"\1\3", UNUSED.sub("", html)).replace("xlink:href", "href")
     found = found.replace('<g transform="scale(1,-1)">', "<g>", 1)  # the outermost
     found = PLACE.sub(lambda m: f"translate({float(m[1]):.0f},{float(m[2]):.0f})", found)
     found = ALONE.sub(r"<use\1\2></use>", _without_groups(found))

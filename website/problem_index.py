@@ -8,9 +8,8 @@ from html import escape
 
 from exercises.catalogue import Problem, problems
 from exercises.catalogue.survey import Entry, entry
+from grader.assignment.notebook import slug
 from newton_euler.algebra.language import Words, spoken
-
-from .problem_pages import anchor
 
 PAGE = """\
 # {title}
@@ -80,7 +79,18 @@ def _row(p: Problem, e: Entry) -> str:
         "steps": steps, "sheets": e.sheets,
     }  # fmt: skip
     kinds, equations = ", ".join(e.kinds).replace("_", " "), ", ".join(e.equations)
-    link = f'<a href="{p.chapter}.html#{anchor(p.id)}">{p.id}</a>'
-    cells = link, e.section, escape(p.title), kinds, equations, steps, e.difficulty, e.minutes
+    link = f'<a href="{slug(p.id)}.html">{p.id}</a>'
+    sheets = e.sheets if e.sheets < 1000 else "1000+"
+    cells = (
+        link,
+        e.section,
+        escape(p.title),
+        kinds,
+        equations,
+        steps,
+        e.difficulty,
+        e.minutes,
+        sheets,
+    )
     attributes = "".join(f' data-{name}="{escape(str(x))}"' for name, x in data.items())
-    return f"<tr{attributes}>{''.join(f'<td>{x}</td>' for x in (*cells, f'{e.sheets:.3g}'))}</tr>"
+    return f"<tr{attributes}>{''.join(f'<td>{x}</td>' for x in cells)}</tr>"

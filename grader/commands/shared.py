@@ -120,6 +120,8 @@ def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[
     """A progress bar on the shared console, with how many of how many and the time. Ctrl-C within
     is :class:`Stopped`, with how far it came and what follows ``then``.
     """
+    from ..course.processes import ctrl_c_not_ignored
+
     bar = Progress(
         TextColumn("{task.description}"),
         BarColumn(),
@@ -130,7 +132,7 @@ def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[
         transient=not console.is_terminal,
     )
     try:
-        with bar:
+        with ctrl_c_not_ignored(), bar:
             yield bar
     except KeyboardInterrupt:
         far = "; ".join(map(_how_far, bar.tasks)) or "Nothing was done"

@@ -1,8 +1,10 @@
-"""A pool of processes that Ctrl-C leaves to the one that started it."""
+"""Ctrl-C: processes that leave it to the one that started them, and code in which none is lost."""
 
 import contextlib
 import os
 import signal
+import sys
+import threading
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing.context import BaseContext
@@ -22,3 +24,28 @@ def process_pool(
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
+
+
+@contextlib.contextmanager
+def ctrl_c_not_ignored() -> Iterator[None]:
+    """In the block Ctrl-C comes again where Python ignores it, as in the callback of a weak
+    reference.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def ignored(unraisable):
+        if unraisable.exc_type is KeyboardInterrupt:
+            signal.setitimer(signal.ITIMER_REAL, 0.01)
+        else:
+            hook(unraisable)
+
+    hook, sys.unraisablehook = sys.unraisablehook, ignored
+    alarm = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, alarm)
+        sys.unraisablehook = hook

@@ -6,6 +6,7 @@ progress; nothing of either leaves the browser.
 
 from base64 import b64decode
 from collections.abc import Mapping, Sequence
+from itertools import count
 from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
@@ -16,7 +17,7 @@ from ..answers.forms import AnswerError
 from ..answers.notation import formula, list_symbol, matrix_symbol, number_symbol, unit_symbol
 from ..classroom.practising.advice import advise, causes_of
 from ..classroom.practising.collection import Practice
-from ..classroom.practising.files import HELP, PracticeFile, PracticeFileError
+from ..classroom.practising.files import HELP, PracticeFile
 from ..classroom.practising.numbers import Quantity
 from ..classroom.practising.problems import Message, PracticeProblem
 from ..classroom.practising.progress import Progress
@@ -34,13 +35,15 @@ class _Desk:
     """What the reader has at hand: practice files and progress."""
 
     def __init__(self):
-        self.folder = Path(mkdtemp())
+        self.folder, self.numbers = Path(mkdtemp()), count()  # of the files in it
         self.progress = Progress(None)  # the page keeps it
         self.books: dict[str, Practice] = {}  # by file
 
     def problem(self, number: str) -> PracticeProblem:
-        """A problem of the files that were opened; :class:`NewtonEulerError` if none has it."""
-        for book in self.books.values():
+        """A problem of the files that were opened, the last first; :class:`NewtonEulerError` if
+        none has it.
+        """
+        for book in reversed(self.books.values()):
             if number in book:
                 return book[number]
         raise NewtonEulerError(
@@ -58,14 +61,12 @@ def load(name: str, data: str, progress: str = "", language: str = "en") -> dict
     """
     if language in languages():
         choose_language(language)
-    path = _desk.folder / f"{len(_desk.books)}.practice"
+    path = _desk.folder / f"{next(_desk.numbers)}.practice"
     path.write_bytes(b64decode(data))
     if progress:
         _take_in(progress)
-    try:
-        file = PracticeFile(path)
-    except PracticeFileError as error:
-        raise PracticeFileError(str(error).replace(str(path), name)) from None
+    file = PracticeFile(path, name)
+    _desk.books.pop(name, None)  # the file that was opened last comes first
     _desk.books[name] = Practice([file], _desk.progress)
     return {problem: file.titles[problem] for problem in file.problems}
 

@@ -2,10 +2,12 @@
 
 import json
 import shutil
+import time
 
 import pytest
 
 from exercises.catalogue import problem
+from grader.commands import shared
 from tests.grader.courses import command
 
 
@@ -190,3 +192,22 @@ def test_the_demo_can_be_run_again_in_its_folder(tmp_path, monkeypatch):
         with pytest.raises(RuntimeError, match="far enough"):
             command("demo", "--course", tmp_path / "d", "--problem", "4/1")
     assert (tmp_path / "d/nbgrader_config.py").read_text().count("Exchange.root") == 1
+
+
+class Last:
+    """Raises as it goes, where Python ignores it."""
+
+    def __del__(self):
+        raise KeyboardInterrupt
+
+
+def drawing():
+    with shared.progress_bar() as bar:
+        bar.advance(bar.add_task("drawing", total=2))
+        Last()
+        time.sleep(30)
+
+
+def test_a_ctrl_c_that_python_ignores_comes_again():
+    with pytest.raises(shared.Stopped, match=r"drawing: 1 of 2\. The same command begins anew"):
+        drawing()

@@ -10,7 +10,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
-LONG = 60  # seconds: for a busy machine
+LONG = 180  # seconds: for a busy machine
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -30,10 +30,12 @@ def served(folder):
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
     thread = threading.Thread(target=server.serve_forever)
     thread.start()
-    yield f"http://127.0.0.1:{server.server_port}"
-    server.shutdown()
-    server.server_close()
-    thread.join()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
 
 
 @contextmanager
@@ -46,16 +48,18 @@ def chromium(folder):
     options.binary_location = shutil.which("chromium")
     for flag in (
         "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
-        "--disable-component-update", "--disable-sync", "--no-first-run", "--window-size=1300,900",
-        f"--user-data-dir={folder}",
+        "--disable-component-update", "--disable-dev-shm-usage", "--disable-sync", "--no-first-run",
+        "--window-size=1300,900", f"--user-data-dir={folder}",
     ):  # fmt: skip
         options.add_argument(flag)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
     driver = webdriver.Chrome(options=options, service=service)
     driver.set_script_timeout(LONG)
-    yield driver
-    driver.quit()
+    try:
+        yield driver
+    finally:
+        driver.quit()
 
 
 def emulated(driver, theme="", media="", reduced=""):
@@ -80,10 +84,17 @@ def requests(driver):
 
 
 def wait(driver, script, what):
-    """What a script gives as soon as it gives something."""
-    end = time.monotonic() + LONG
+    """What a script gives as soon as it gives something. Until then it may fail: a page that comes
+    has not all of its parts.
+    """
+    from selenium.common.exceptions import WebDriverException
+
+    end, why = time.monotonic() + LONG, ""
     while time.monotonic() < end:
-        if found := driver.execute_script(f"return {script}"):
-            return found
+        try:
+            if found := driver.execute_script(f"return {script}"):
+                return found
+        except WebDriverException as error:
+            why = f" ({error.msg})"
         time.sleep(0.05)
-    return pytest.fail(f"not seen within {LONG} s: {what}")
+    return pytest.fail(f"not seen within {LONG} s: {what}{why}")

@@ -12,6 +12,7 @@ import pytest
 
 from newton_euler import __version__
 from tests.website.browser import LONG, Quiet, complaints, served, wait
+from tests.website.test_practice import practise, typed
 from website.notebooks import FOLDER
 
 pytestmark = pytest.mark.integration
@@ -19,7 +20,10 @@ CALL = """
 const [name, args, done] = arguments;
 engine.call(name, args).then((value) => done({value}), (error) => done({error: error.message}));
 """
-# whether the new first page is there without a network
+# the addresses of what is there without a network
+STORE = """(caches.open("newton-euler").then((store) => store.keys())
+  .then((all) => (window.stored = all.map(({url}) => url))), window.stored || [])"""
+# whether the new first page is
 KEPT = """(window.looked ??= caches.match(location.href).then((r) => r?.text())
   .then((text) => (window.looked = /has changed/.test(text) || undefined))) === true"""
 # move the first slider of a figure
@@ -54,6 +58,7 @@ cell.querySelector(".run button").click();
 """
 PRESS = "document.querySelector('.cell_output > button').click()"
 SHOWN = "document.querySelector('.cell:has(.cell_input) .cell_output').textContent"
+ENGINE = "engine.json", "newton_euler-", "pyodide.asm.wasm", "pyodide.mjs", "python_stdlib.zip"
 ARRAYS = r"\bnp\.|numpy|sympy|mpmath|plt\.|_film\(|show_chart|compare\("
 
 
@@ -115,11 +120,22 @@ def test_the_engine_answers_in_words_and_comes_back_offline_with_its_figures_and
         driver.get(f"{address}/course/index.html")
         assert "has changed" in driver.find_element("tag name", "article").text
         wait(driver, KEPT, "the new version, kept")
+        driver.get(f"{address}/course/problems/9-1.html")  # seen, not practised
+        practise(driver, f"{address}/course/problems/4-16.html")
+        for name in ("ch04.practice", "index.json", "9-1.html", *ENGINE):
+            wait(driver, f"{STORE}.some((url) => url.includes('{name}'))", f"{name}, kept")
     driver.get(f"{address}/course/index.html")
     assert "has changed" in driver.find_element("tag name", "article").text
     driver.get(page)
     assert drag(driver)
     assert "error" not in called(driver, "cells.run", page="a", cells=["1 + 1"], number=0)
+    practise(driver, f"{address}/course/problems/4-16.html")
+    assert "Coriolis" in typed(driver, "a_D", ["0", "-7.38", "-2.80592"])
+    driver.execute_script("document.querySelectorAll('.help button')[2].click()")
+    wait(driver, "document.querySelector('.next a')", "what to do next")
+    driver.get(f"{address}/course/problems/9-1.html")
+    words = "ch09.practice cannot be fetched"
+    wait(driver, f"document.querySelector('.practice').textContent.includes('{words}')", words)
     complaints(driver)  # the engine's that was ended, and of the time without a server
 
 
@@ -130,11 +146,11 @@ def test_a_slider_of_each_chapter_moves_its_figure_and_until_then_an_end_answers
     for path in sorted(site.glob("chapters/*.html")):
         driver.get(f"{address}/chapters/{path.name}")
         count = driver.execute_script("return document.querySelectorAll('[data-moving]').length")
-        if count:
-            drawn = any(drag(driver, n, "end" if moved else "a step") for n in range(count))
-            (moved if drawn else still).append(path.stem)
+        drawn = any(drag(driver, n, "end" if moved else "a step") for n in range(count))
+        (moved if drawn else still).append(path.stem)
     assert complaints(driver) == []
-    assert (bool(moved), still) == (True, [])
+    assert set(still) <= {"sample", "speed_and_accuracy"}  # which have no sliders
+    assert len(moved) == 13
 
 
 def test_the_cells_of_a_chapter_run_by_their_buttons_and_print_what_was_built(driver, address):
@@ -218,11 +234,15 @@ def test_every_cell_of_a_chapter_prints_what_was_built_or_says_what_it_needs(
     driver.set_script_timeout(6 * LONG)
     driver.get(f"{address}/chapters/{chapter}.html")
     ran = [x for x in driver.execute_async_script(RUN, ARRAYS) if "this needs" not in x[3]]
-    assert [x for x in ran if words(x[1]) != words(x[2]) or x[3]] == []
+    assert ran
+    built = any(x[1] for x in ran)  # with outputs
+    assert [x for x in ran if (built and words(x[1]) != words(x[2])) or x[3]] == []
 
 
 def words(text):
     """A text without its numbers and its lines: round-off and blank lines between outputs differ,
-    and what Python 3.11 calls "float division by zero".
+    and what Python 3.11 calls "float division by zero". Why a motion stops where its coordinates
+    end is said by the method, which not every install has.
     """
-    return re.sub(r"[-+\d.e]+", "#", " ".join(text.split())).replace("float division", "division")
+    text = re.sub(r"(could not be followed).*?(see \.reached)", r"\1, \2", " ".join(text.split()))
+    return re.sub(r"[-+\d.e]+", "#", text).replace("float division", "division")

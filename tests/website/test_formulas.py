@@ -34,6 +34,8 @@ def test_a_page_has_its_formulas_as_outlines_and_mathml_and_no_script_for_them(p
     assert "<pre>\\(code\\)</pre>" in one
     assert "<mo>&lt;</mo>" in one
     assert "(4.18)" in one
+    assert '<mi mathvariant="bold">a</mi>' in one
+    assert not re.search(r"<mrow><(m\w+)[^>]*>[^<]*</\1></mrow>", one)  # a row of one sign
     letter = re.search(r"<svg[^>]*>(.*?)</svg>", two)[
         1
     ]  # the style sheet turns this group upside up

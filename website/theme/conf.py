@@ -4,6 +4,7 @@ for pages whose formulas website/formulas.py could not draw.
 """
 
 import importlib.util
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -55,6 +56,7 @@ html_css_files = ["site.css", "sketches.css"]
 html_js_files = [("words.js", {"defer": "defer", "priority": 100}), ("site.js", {"defer": "defer"})]
 html_show_sourcelink = html_show_sphinx = html_show_copyright = False
 html_copy_source = False
+html_search_scorer = str(HERE / "scorer.js")
 html_use_index = True
 html_domain_indices = False
 html_permalinks_icon = "#"
@@ -86,15 +88,45 @@ def in_languages(app: Any, page: str, template: str, context: dict, doctree: Any
         context["body"] = links(page, app.config.beside) + body
 
 
-def of_the_first_page(app: Any, page: str, *_: Any) -> None:
-    """The first page has a script of its own, after those of all pages."""
+# names and signs, which have no colour of their own: a tenth of what a chapter's page is made of
+PLAIN = re.compile(r'<span class="[np]">([^<]*)</span>')
+
+
+def lighter(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
+    """Code without marks on what looks the same without them."""
+    if "body" in context:
+        context["body"] = PLAIN.sub(r"\1", context["body"])
+
+
+# whatever comes into a page, nothing is loaded from elsewhere; "file:" is for pages on a disk, eval
+# for the plurals of Sphinx's own script
+RULE = "default-src 'self' file: data: blob: 'unsafe-inline' 'unsafe-eval'"
+
+
+def from_here_alone(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
+    """Let browsers refuse what another site would send."""
+    rule = f'<meta http-equiv="Content-Security-Policy" content="{RULE}">'
+    context["metatags"] = rule + context.get("metatags", "")
+
+
+CELLS = re.compile(r"mystnb|pygments")
+
+
+def of_the_first_page(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
+    """The first page has a script of its own, after those of all pages, and no styles of cells and
+    code, of which it has none: they are a quarter of its weight.
+    """
     if page == app.config.root_doc:
         app.add_js_file("landing.js", defer="defer")
+        files = context["css_files"]
+        context["css_files"] = [x for x in files if not CELLS.search(str(x.filename))]
 
 
 def setup(app: Any) -> None:
     """Connect our own steps."""
     app.connect("html-page-context", of_the_first_page)
+    app.connect("html-page-context", lighter)
+    app.connect("html-page-context", from_here_alone)
     app.add_config_value("own_pages", [], "html")
     app.add_config_value("beside", {}, "html")
     app.connect("html-page-context", in_languages)

@@ -8,18 +8,19 @@ addEventListener("activate", (event) => event.waitUntil(clients.claim()));
 addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(registration.scope)) return;
-  event.respondWith(LASTING.test(request.url) ? keptFirst(request) : fetchedFirst(request));
+  event.respondWith(LASTING.test(request.url) ? keptFirst(event) : fetchedFirst(event));
 });
 
 // storage may be full or blocked: then nothing is kept
 const kept = (request) => caches.match(request, { ignoreSearch: true }).catch(() => undefined);
-const keptFirst = async (request) => (await kept(request)) || fetched(request);
-const fetchedFirst = (request) =>
-  fetched(request).catch(async (error) => (await kept(request)) || Promise.reject(error));
+const keptFirst = async (event) => (await kept(event.request)) || fetched(event);
+const fetchedFirst = (event) =>
+  fetched(event).catch(async (error) => (await kept(event.request)) || Promise.reject(error));
 
-async function fetched(request) {
-  const response = await fetch(request);
-  if (response.status === 200) keep(request, response.clone()).catch(() => {});
+// the browser may end a worker as soon as it has answered, unless it is told what still goes on
+async function fetched(event) {
+  const response = await fetch(event.request);
+  if (response.status === 200) event.waitUntil(keep(event.request, response.clone()).catch(() => {}));
   return response;
 }
 

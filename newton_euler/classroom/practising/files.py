@@ -29,10 +29,14 @@ class PracticeFileError(NewtonEulerError, ValueError):
 
 
 class PracticeFile:
-    """The problems of a practice file, each read when it is asked for."""
+    """The problems of a practice file, each read when it is asked for.
 
-    def __init__(self, path: str | Path):
+    called : how errors call it; by default by its path
+    """
+
+    def __init__(self, path: str | Path, called: str = ""):
         self.path = Path(path)
+        self.called = called or str(path)
         if not self.path.exists():
             raise PracticeFileError(
                 _(
@@ -48,13 +52,13 @@ class PracticeFile:
                 _(
                     "{path} has format {found}; this version of newton_euler reads format "
                     "{format}: install the version that your instructor used",
-                    path=self.path, found=one_line(found), format=FORMAT,
+                    path=self.called, found=one_line(found), format=FORMAT,
                 )
             )  # fmt: skip
         sound = _fits(head, HEAD) and head["help"] in HELP and head["problems"]
         if not sound or not set(head["problems"]) <= set(head["titles"]):
             raise PracticeFileError(
-                _("{path} is damaged: its list of problems cannot be read", path=self.path)
+                _("{path} is damaged: its list of problems cannot be read", path=self.called)
             )
         self.help: str = head["help"]
         self.problems: list[str] = head["problems"]
@@ -72,7 +76,7 @@ class PracticeFile:
             raise PracticeFileError(
                 _(
                     "{path}: {name} has more than {most} MB",
-                    path=self.path,
+                    path=self.called,
                     name=name,
                     most=MOST >> 20,
                 )
@@ -89,14 +93,14 @@ class PracticeFile:
             raise self._other_file(error) from error
         if not printable:
             raise PracticeFileError(
-                _("{path}: {name} holds control characters", path=self.path, name=name)
+                _("{path}: {name} holds control characters", path=self.called, name=name)
             )
         return found
 
     def _other_file(self, error):
         """What Python says of the file stays as it is: it is for who made the file."""
         return PracticeFileError(
-            _("{path} is not a practice file", path=self.path) + f": {one_line(str(error))}"
+            _("{path} is not a practice file", path=self.called) + f": {one_line(str(error))}"
         )
 
     def page(self, problem: str) -> dict[str, Any]:
@@ -105,7 +109,7 @@ class PracticeFile:
             raise PracticeFileError(
                 _(
                     "{file} has no problem {problem}; it has {all}",
-                    file=self.path.name,
+                    file=Path(self.called).name,
                     problem=repr(problem),
                     all=", ".join(self.problems),
                 )
@@ -121,7 +125,7 @@ class PracticeFile:
         if not fits or not _is_whole(page):
             raise PracticeFileError(
                 _("{path} is damaged: problem {problem} cannot be read",
-                  path=self.path, problem=problem)
+                  path=self.called, problem=problem)
             )  # fmt: skip
         return page
 

@@ -58,7 +58,7 @@ def interactive_figure(
 
     draw : draws by a Sketch on one panel of a page; or by its own plots, whose limits it sets, on
         one matplotlib Axes, which it gets instead if it asks for what a panel does not have
-    alt : what can be seen in it, in 8 words or more, to which the values of the sliders are added; or a
+    alt : what can be seen in it, in 8 words or more, to which the sliders' values are added; or a
         function of the values that returns it all
     size : width and height in inches
     panels : rows and columns; with more than one, draw gets an array of axes instead of one

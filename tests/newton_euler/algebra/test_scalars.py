@@ -559,5 +559,5 @@ def test_quantities_of_mechanics_take_no_complex_numbers_and_no_empty_arrays(oth
         for operation in (lambda a, b: a * b, lambda a, b: a / b):
             with pytest.raises(ScalarError, match="expected"):
                 operation(quantity, other)
-    with pytest.raises(ScalarError, match="one real number|which is empty"):
+    with pytest.raises(ScalarError, match=r"one real number|which is empty"):
         allowed(other)

@@ -39,8 +39,8 @@
     const container = navigator.serviceWorker;
     if (!container || container.controller) return;
     const taken = new Promise((resolve) => container.addEventListener("controllerchange", resolve));
-    const late = new Promise((resolve) => setTimeout(resolve, 2000));
-    await container.register(new URL("offline.js", root)).catch(() => {});
+    const late = new Promise((resolve) => setTimeout(resolve, 10000));
+    if (!(await container.register(new URL("offline.js", root)).catch(() => {}))) return;
     await Promise.race([taken, late]);
     const seen = performance.getEntriesByType("resource").map((entry) => entry.name);
     for (const url of new Set([location.href, ...seen]))
@@ -63,8 +63,9 @@
     if (!window.MathJax) {
       window.MathJax = {
         options: { enableMenu: false, processHtmlClass: "mathjax_process|math" },
-        // texts may come from anywhere: no formula is a link, or acts
-        svg: { scale: 0.93 }, tex: { tags: "none", packages: { "[-]": ["html", "action", "unicode"] } },
+        // texts may come from anywhere: no formula is a link, has a style, or acts
+        svg: { scale: 0.93 },
+        tex: { tags: "none", packages: { "[-]": ["html", "action", "unicode", "require", "bbox"] }, macros: { mmlToken: "?" } },
         startup: { typeset: false },
       };
       const script = document.createElement("script");

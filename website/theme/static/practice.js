@@ -122,14 +122,15 @@ addEventListener("DOMContentLoaded", () => {
       timer = setTimeout(() => reading().catch(failed), 120);
     });
     const unit = q.unit ? [gettext(", in "), math(q.unit.replace(/^\\ /, ""))] : [];
-    const box = el("fieldset", { "data-key": q.key }, el("legend", {}, ...inline(q.means), ...(q.symbol ? [", ", math(q.symbol)] : []), ...unit),
+    const box = el("fieldset", { "data-key": q.key }, el("legend", {}, ...inline(q.means), ...(q.symbol && !q.of.length ? [", ", math(q.symbol)] : []), ...unit),
       el("div", { class: `parts of-${fields.length}` }, ...fields), read, verdict);
     const show = ({ verdict: found, text }) => {
       verdict.className = `verdict ${found}`;
       verdict.textContent = ({ right: "✓ ", wrong: "✗ " }[found] || "") + text;
       if (found === "unreadable") {
         read.textContent = "";
-        turn += 1; // a reading under way would say the same again
+        clearTimeout(timer);
+        turn += 1; // a reading to come or under way would say the same again
       }
       for (const f of fields) f.setAttribute("aria-invalid", found !== "right");
     };
@@ -153,7 +154,7 @@ addEventListener("DOMContentLoaded", () => {
 
   const next = el("p", { class: "next" });
   const advise = async () => {
-    const titles = contents || (await (await fetch(new URL("index.json", files))).json());
+    const titles = contents || (await fetched("index.json").then((found) => found.json()));
     const found = await engine.call("practice.advice", { titles, now: problem });
     const name = found.problem && `${found.problem} ${titles[found.problem][0]}`;
     const link = name && (contents ? button(name, () => open(found.problem)) :
@@ -236,6 +237,11 @@ addEventListener("DOMContentLoaded", () => {
     reader.onload = () => done(reader.result.slice(reader.result.indexOf(",") + 1));
     reader.readAsDataURL(blob);
   });
+  const fetched = async (name) => {
+    const found = await fetch(new URL(name, files)).catch(({ message }) => ({ status: message }));
+    if (!found.ok) throw new Error(gettext("{needs} cannot be fetched: {error}", { needs: name, error: found.status }));
+    return found;
+  };
   const load = async (name, data) => {
     const found = await engine.call("practice.load", { name, data, language: document.documentElement.lang });
     given = [name, data];
@@ -261,9 +267,9 @@ addEventListener("DOMContentLoaded", () => {
     body.replaceChildren(el("p", {}, `${gettext("Loading the checker:")} `, bar));
     engine.progress((part) => (bar.value = part));
     try { localStorage.setItem("newton-euler.practises", "yes"); } catch { /* a private window */ }
-    const response = await fetch(new URL(`${file}.practice`, files));
-    if (!response.ok) throw new Error(gettext("the practice of this chapter cannot be fetched: {status}", { status: response.status }));
-    await load(file, await base64(await response.blob()));
+    const found = await fetched(`${file}.practice`);
+    fetched("index.json").catch(() => {}); // so that it is kept for when there is no network
+    await load(file, await base64(await found.blob()));
     await show(false);
     place.dataset.ready = "yes";
   };
@@ -285,13 +291,15 @@ addEventListener("DOMContentLoaded", () => {
     problem = id;
     const list = listed.querySelector("select");
     if (list) list.value = id;
-    return show(false).catch(failed);
+    return show(false).catch(refused);
   };
+  // nothing stays of what was shown before
+  const refused = (error) => { body.replaceChildren(); static_.replaceChildren(); failed(error); };
   const listed = el("p");
   const chooser = () => {
     const input = el("input", { type: "file", onchange: () => {
       const [blob] = input.files;
-      if (blob) take(blob).catch((error) => { body.replaceChildren(); failed(error); });
+      if (blob) take(blob).catch((error) => { listed.replaceChildren(); refused(error); });
     } });
     return [el("p", {}, el("label", {}, `${gettext("Practice file:")} `, input)), listed];
   };

@@ -145,6 +145,13 @@ if (choose) {
 // says, and the keyboard reaches what scrolls within itself
 for (const caption of document.querySelectorAll(".caption[role=heading]")) caption.setAttribute("aria-level", "2");
 for (const summary of document.querySelectorAll("summary[aria-label]")) summary.removeAttribute("aria-label");
+const besideFormulas = (element) => {
+  const copy = element.cloneNode(true);
+  for (const formula of copy.querySelectorAll("mjx-container")) formula.remove();
+  return copy.textContent.trim();
+};
+for (const summary of document.querySelectorAll("summary:has(mjx-container)"))
+  if (!besideFormulas(summary)) summary.setAttribute("aria-label", summary.textContent.trim());
 const reachable = () => {
   for (const e of document.querySelectorAll("article :is(pre, div.math, table.docutils, .table-wrapper, div.problems, .output, span.math mjx-container)"))
     if (e.scrollWidth > e.clientWidth || e.scrollHeight > e.clientHeight) e.tabIndex = 0;
