@@ -33,6 +33,10 @@ def of_two(
     """
     if fit.index is None or not (kind.has_size or kind.is_formula):
         return ()
+    try:
+        import numpy  # noqa: F401
+    except ImportError:  # on a page of the site
+        return ()
     found: dict[int, dict[tuple[Cause, Cause], None]] = {}
     for level, pair in _Pairs(fit, kind, own, slips).fitting():
         if not any(map(is_contradicted, pair)):
