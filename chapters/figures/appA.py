@@ -126,7 +126,7 @@ def projection(ax, theta):
 @with_sliders(
     Slider("theta", 60, -180, 180, 10, label="from P to Q", unit="°"),
     alt="P and Q in a level plane with their parallelogram. Their cross product stands upright "
-    "on it, as long as the area is large; it points downward once Q lies on the other side of P.",
+    "on it; its length is the area. It points downward once Q lies on the other side of P.",
     size=(6.2, 4.4),
 )
 def area(ax, theta):
@@ -202,7 +202,7 @@ def double_cross(ax, around, up):
 
 
 @with_sliders(
-    Slider("eye", 0, -45, 135, 5, label="seen from", unit="°"),
+    Slider("eye", -30, -45, 135, 5, label="seen from", unit="°"),
     alt="A triangle with the corners A(1,1,1), B(4,5,6) and C(2,3,7) in space. P leads from A "
     "to B, Q from A to C; an arrow at right angles to the triangle shows the direction of the "
     "normal, three times its length.",

@@ -146,9 +146,9 @@ def flat(ax, y, z):
     s.axes(O, s.frame, 1.2, ["", "y", "z"])
     s.dot((0, y, z))
     s.label((0, y, z), "dm")
-    s.line(O, (0, y, z), style="solid")
-    s.line((0, y, 0), (0, y, z))
-    s.line((0, 0, z), (0, y, z))
+    s.arrow(O, (0, y, z), r"$\ell_x$", "acceleration")
+    s.arrow((0, 0, z), (0, y, z), "$y$", "velocity")
+    s.arrow((0, y, 0), (0, y, z), "$z$", "velocity")
     ax.set_title(
         rf"$y^2$ = {y**2:.2f}, $z^2$ = {z**2:.2f}, $\ell_x^2$ = {y**2 + z**2:.2f} m²",
         fontsize=11,
@@ -170,6 +170,9 @@ def prism(axes, a, b, c):
     ground = Frame("ground")
     s = Sketch(axes[0], ground, azimuth=35, elevation=22)
     s.box(O, ground, (a, b, c))
+    s.dimension((-a / 2, b / 2, -c / 2), (a / 2, b / 2, -c / 2), "a")
+    s.dimension((a / 2, -b / 2, -c / 2), (a / 2, b / 2, -c / 2), "b")
+    s.dimension((-a / 2, b / 2, -c / 2), (-a / 2, b / 2, c / 2), "c")
     s.axes(O, ground, length=0.8)
     _bars(axes[1], box(a, b, c, ground, mass=1.0).inertia.moments)
 
@@ -188,6 +191,9 @@ def round_bar(axes, a, L):
     ground = Frame("ground")
     s = Sketch(axes[0], ground, azimuth=35, elevation=22)
     s.cylinder((-L / 2, 0, 0), (L / 2, 0, 0), a)
+    s.dimension((-L / 2, 0, -a), (L / 2, 0, -a), "L")
+    s.line((L / 2, 0, 0), (L / 2, 0, -a))
+    s.label((L / 2, 0, -a / 2), "a", bold=False)
     s.axes(O, ground, length=0.9)
     _bars(axes[1], cylinder(a, L, ground, mass=1.0).inertia.moments)
 
@@ -233,11 +239,13 @@ def top():
     s = Sketch(ax, ground, plane="yx")
     s.plate([(0, 0, 0), (4, -3, 0), (4, 3, 0)])
     s.plate([(4, -3, 0), (4.5, -3, 0), (4.5, 3, 0), (4, 3, 0)])
-    s.plate([(4.5, -0.3, 0), (7.5, -0.3, 0), (7.5, 0.3, 0), (4.5, 0.3, 0)])
+    s.plate([(4.5, -0.5, 0), (7.5, -0.5, 0), (7.5, 0.5, 0), (4.5, 0.5, 0)])
     s.axes(O, ground, length=2, labels=["x", "y", ""])
     for x, name in ((2.6, "cone"), (4.25, "disk"), (6, "stem")):
-        s.label((x, 0.4, 0), name, offset=(14, 0), bold=False)
+        s.label((x, 0.7, 0), name, offset=(14, 0), bold=False)
     s.dimension((0, -3.2, 0), (4, -3.2, 0), "4 cm", offset=0.3)
+    s.dimension((4.5, 2.0, 0), (7.5, 2.0, 0), "3 cm", offset=-0.3)
+    s.dimension((-0.4, 0, 0), (-0.4, 3, 0), "3 cm", offset=(-0.3, 0, 0))
     show_figure(
         fig,
         alt="A top cut along its axis: a cone that stands on its apex, a thin disk on its base and "

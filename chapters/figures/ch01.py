@@ -161,7 +161,7 @@ def clocks(ax, build, speed):
     s.disk(O, stars.k, 6.371e6 * 0.87)
     s.turn(O, stars.k, r"$\omega$", radius=1.5e6)
     names = "on the ground", "flies east", "flies west"
-    for name, angle, clock in zip(names, (0.0, 2.1, 4.2), three, strict=True):
+    for name, angle, clock in zip(names, (1.6, 3.7, 5.8), three, strict=True):
         here = stars.rotate("here", "z", angle)  # drawn apart, though they start together
         place, v = clock.position(stars), clock.velocity(stars)
         at = here.vector(*map(float, place.components(stars))).expressed_in(stars)

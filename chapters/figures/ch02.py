@@ -222,7 +222,7 @@ def turned(v, angle):
 @with_sliders(
     Slider("v", 18, 6, 30, 0.5, unit="m/s"),
     alt="A car on a circular road seen from above. Its acceleration of 2 m/s² along the road and "
-    "the normal acceleration toward the centre, which grows with the square of the speed, make "
+    "the normal acceleration towards the centre, which grows with the square of the speed, make "
     "the total acceleration, obliquely forward and inward.",
     size=(6.8, 4.8),
 )
@@ -230,14 +230,14 @@ def car_in_a_curve(ax, v):
     """Figure 2.6: a car in a curve and the two components of its acceleration."""
     rho, rate = 250.0, 2.0
     ground = Frame("ground")
-    car = ground.rotate("car", "z", 0.9)  # its y axis points forward
-    here = (rho * math.cos(0.9), rho * math.sin(0.9), 0)
+    car = ground.rotate("car", "z", 0.2)  # its y axis points forward
+    here = (rho * math.cos(0.2), rho * math.sin(0.2), 0)
     inward = frenet(car.j * v, car.j * rate - car.i * (v**2 / rho)).acceleration
-    s = Sketch(ax, ground, plane="xy", arrows=190)
+    s = Sketch(ax, ground, plane="xy", arrows=240)
     for r in (rho - 12, rho + 12):
-        s.path(_bend(0, r, 0.6, 0.6))
-    s.line(tuple(0.6 * x for x in here), here)
-    s.label(tuple(0.6 * x for x in here), "to the centre", bold=False)
+        s.path(_bend(0, r, -0.1, 0.6))
+    s.line(tuple(0.75 * x for x in here), here)
+    s.label(tuple(0.75 * x for x in here), "to the centre", bold=False)
     s.box(here, car, (8, 16, 1))
     s.sum(here, inward, r"$\mathbf{a}$", size="m/s²")
     ax.set_title(f"v = {v:.1f} m/s = {3.6 * v:.0f} km/h", fontsize=11)
@@ -343,7 +343,7 @@ def boom_terms():
     _boom_figure(
         draw,
         "The outer part of the boom with the terms of the acceleration of its end laid head to tail: Coriolis across "
-        "the boom and centripetal along it toward the pivot; the others are zero. The sum closes "
+        "the boom and centripetal along it towards the pivot; the others are zero. The sum closes "
         "the chain.",
     )
 
@@ -412,8 +412,8 @@ def ferris_wheel():
         for n in range(6):
             angle = n * math.pi / 3
             s.line(O, wheel.point("", 20 * math.cos(angle), 20 * math.sin(angle), 0), "solid")
-        s.box(cabin.point("", 0, -3, 0), cabin, (6, 5, 1))
-        s.box(wheel.point("", -20, -3, 0), wheel, (6, 5, 1))
+        s.box(cabin.point("", 0, -3, 0), cabin, (9, 5, 1))
+        s.box(wheel.point("", -20, -3, 0), wheel, (9, 5, 1))
         for P in (O, rim, bolted):
             s.hinge(P)
         s.label(cabin.point("", 0, -3, 0), "level", offset=(0, 0), bold=False)

@@ -197,7 +197,7 @@ def rolling_cone(ax, build, r, azimuth):
     s.line(B, axle.point("", h, r * math.sin(spun), -r * math.cos(spun)), style="solid")
     s.axes(O, ground, length=0.75, labels="XYZ")
     s.vector(P, v_P, label=r"$\mathbf{v}_P$", size="m/s")
-    s.vector(B, B.velocity(ground), label=r"$\mathbf{v}_B$", size="m/s")
+    s.vector(B, B.velocity(ground), label=r"$\mathbf{v}_B$")
     s.vector(O, cone.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
     alpha = cone.angular_acceleration(ground)
     s.vector(O, alpha, r"$\alpha$", kind="acceleration", size="rad/s²")
@@ -351,7 +351,7 @@ def two_sources():
 def acceleration_terms(ax, build, tilt, speed):
     """Figure 4.10: the terms of the crane's acceleration, head to tail."""
     ground, column, boom, A = build(tilt=tilt, speed=speed)
-    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=170)
+    s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=260)
     s.axes(O, ground, length=1.1, labels="XYZ")
     _column_and_boom(s, column, boom, A)
     s.sum(A, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
@@ -370,7 +370,7 @@ def carried_round(ax, turn):
     before = ground.rotate("2", "z", 0.0)
     after = ground.rotate("2'", "z", math.radians(turn))
     one, two = (tuple(w32 * x for x in frame.i.components(ground)) for frame in (before, after))
-    s = Sketch(ax, ground, azimuth=-50, elevation=30)
+    s = Sketch(ax, ground, azimuth=-80, elevation=30)
     s.arrow(O, (0, 0, w21), r"$\omega_{2/1}$", kind="rate")
     s.arrow(O, one, r"$\omega_{3/2}$", kind="rate")
     s.arrow(O, two, r"$\omega_{3/2}$ later", kind="rate")

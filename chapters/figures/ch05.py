@@ -194,7 +194,7 @@ def body_frame(ax, angle, shift):
     B = ground.point("B", 0.3, 0.8 + shift, 0.45)
     body = ground.rotate("body", axis=(0.3, 0.2, 1.0), angle=math.radians(angle), origin=B)
     P = body.point("P", 0.45, 0.25, 0.3)
-    s = Sketch(ax, ground, azimuth=25, elevation=25)
+    s = Sketch(ax, ground, azimuth=30, elevation=15)
     s.axes(O, ground, length=0.6, labels="XYZ")
     s.box(body.point("", 0.3, 0.15, 0.2), body, (0.6, 0.3, 0.4))
     s.axes(B, body, length=0.5)

@@ -22,8 +22,7 @@ def solve(g):
 
 
 def steps(g):
-    R = solve(g)["R"]
-    return {"size": R.norm()}
+    return {"size": solve(g)["R"].norm()}
 
 
 def prove(g):

@@ -17,7 +17,7 @@ def solve(g):
 
 def steps(g):
     P, G = vectors(g)
-    return {"dot_i": P.x * G.x, "dot_j": P.y * G.y, "P_P": P.dot(P), "G_G": G.dot(G)}
+    return {"dot_i": P.x * G.x, "dot_j": P.y * G.y}
 
 
 follows = {"dot_sd": lambda g, sum, diff: sum.dot(diff)}
@@ -29,10 +29,7 @@ def prove(g):
     dot = lambda a, b: (size(plus(a, b)) ** 2 - size(minus(a, b)) ** 2) / 4
     S = plus(P, G)
     D = minus(S, plus(G, G))
-    return {
-        "sum": S, "diff": D, "dot": dot(P, G), "dot_sd": dot(S, D),
-        "P_P": size(P) ** 2, "G_G": size(G) ** 2,
-    }  # fmt: skip
+    return {"sum": S, "diff": D, "dot": dot(P, G), "dot_sd": dot(S, D)}
 
 
 def mistakes(g):

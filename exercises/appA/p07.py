@@ -17,7 +17,7 @@ def solve(g):
 
 def steps(g):
     i, j, _ = triad(g)
-    return {"ij": i.cross(j), "i_i": i.cross(i)}
+    return {"u": i.cross(j), "w": i.cross(i)}
 
 
 def prove(g):

@@ -37,7 +37,7 @@ def solve(g):
 def steps(g):
     A, B = vectors(g)
     dA, dB = rates(g)
-    return {"from_u": g.u_dot * A, "from_A": g.u * dA, "dAxB": dA.cross(B), "AxdB": A.cross(dB)}
+    return {"from_u": g.u_dot * A, "from_A": g.u * dA, "p_A": dA.cross(B), "p_B": A.cross(dB)}
 
 
 def prove(g):

@@ -22,7 +22,7 @@ def solve(g):
 
 def steps(g):
     _, _, B, G = vectors(g)
-    return {"BxG": B.cross(G)}
+    return {"w": B.cross(G)}
 
 
 def prove(g):

@@ -26,7 +26,7 @@ def parts(g):
 def steps(g):
     w, R = vectors(g)
     part_w, part_R = parts(g)
-    return {"dwdt": w.rate(AXES), "dRdt": R.rate(AXES), "part_w": part_w, "part_R": part_R}
+    return {"w_dot": w.rate(AXES), "R_dot": R.rate(AXES), "part_w": part_w, "part_R": part_R}
 
 
 def prove(g):
@@ -36,7 +36,7 @@ def prove(g):
     part_w = proofs.cross(dw, [g.d * t, t**2, t**3])
     part_R = proofs.cross([t, t**2, g.c], dR)
     dudt = proofs.plus(part_w, part_R)
-    return {"dudt": dudt, "dwdt": dw, "dRdt": dR, "part_w": part_w, "part_R": part_R}
+    return {"dudt": dudt, "w_dot": dw, "R_dot": dR, "part_w": part_w, "part_R": part_R}
 
 
 def mistakes(g):

@@ -24,7 +24,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"RxV": product(g)}
+    return {"w": product(g)}
 
 
 def prove(g):
@@ -39,7 +39,7 @@ def prove(g):
         return cross(R(t), v)
 
     v = proofs.rate(R)
-    return {"rate": proofs.rate(product), "extra": cross(v, v), "RxV": cross(R(0), v)}
+    return {"rate": proofs.rate(product), "extra": cross(v, v), "w": cross(R(0), v)}
 
 
 def mistakes(g):

@@ -22,7 +22,7 @@ def solve(g):
 
 def steps(g):
     A, B, C = vectors(g)
-    return {"BxC": B.cross(C), "AxC": A.cross(C)}
+    return {"u": B.cross(C), "w": A.cross(C)}
 
 
 def prove(g):

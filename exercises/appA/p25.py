@@ -19,7 +19,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"to_t_2": between(g, 0, g.t_2), "to_t_1": between(g, 0, g.t_1)}
+    return {"J_2": between(g, 0, g.t_2), "J_1": between(g, 0, g.t_1)}
 
 
 def prove(g):

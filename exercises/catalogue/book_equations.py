@@ -1,7 +1,7 @@
 """The equations that steps and answers cite, as the book writes and numbers them."""
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -24,3 +24,11 @@ def own_number(number: str, p: Problem) -> str:
     if order.index(number.partition(".")[0]) <= order.index(chapter):
         return number
     return book_equations()["own"].get(chapter, {}).get(number, "")
+
+
+def own_term(number: str, name: str, p: Problem | None) -> Sequence[str]:
+    """A term of an equation of the engine as the chapter of ``p`` writes it, as text and in LaTeX;
+    empty where that is as the engine does.
+    """
+    chapter = p.id.partition("/")[0] if p else ""
+    return book_equations()["own_terms"].get(chapter, {}).get(number, {}).get(name, ())

@@ -27,6 +27,7 @@ from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.forms import kind_named
 from newton_euler.answers.kinds import KINDS, Kind
 
+from .book_equations import own_number
 from .errors import meant
 from .model import CatalogueError, Givens, Problem
 from .variants import drawn_value, flat, symbol_values
@@ -129,7 +130,10 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
     own = getattr(p.code, "steps", None)
     found = own(g) if own else _from_answers(p, g)
     computed = found.items() if isinstance(found, dict) else found
-    listed = [s if isinstance(s, Step) else _with_text(p, *s) for s in computed]
+    listed = list[Step]()
+    for s in (s if isinstance(s, Step) else _with_text(p, *s) for s in computed):
+        # the terms of a sum come before it
+        listed.insert(next((n for n, x in enumerate(listed) if x.key == s.of), len(listed)), s)
     return [replace(s, means=p.said.get(s.key, s.means)) for s in listed] if p.said else listed
 
 
@@ -203,8 +207,18 @@ def in_unit(value: Any, stated_in: str, system: System) -> Any:
 def further_terms(p: Problem, listed: Iterable[Step], answers: Mapping[str, Any]) -> list[Step]:
     """The terms of the answers that are sums, but for those of which some are listed."""
     shown = {s.of for s in listed}
-    sums = {k: x for k, x in answers.items() if isinstance(x, Vector) and len(x.terms) > 1}
+    sums = {k: x for k, x in answers.items() if is_sum(x, p)}
     return [s for s in _terms_of(p, sums) if s.of not in shown]
+
+
+def is_sum(answer: Any, p: Problem) -> bool:
+    """True if an answer is shown with a table of its terms, which are then not listed as steps: all
+    but the terms of an equation that the chapter of ``p`` does not have.
+    """
+    if not isinstance(answer, Vector) or len(answer.terms) < 2 or answer.equation is None:
+        return False
+    by_equation = answer.terms.keys() & answer.equation.terms.keys()
+    return not by_equation or bool(own_number(answer.equation.number, p))
 
 
 def _from_answers(p, g):

@@ -5,6 +5,7 @@ import re
 from newton_euler.algebra.language import Words, joined
 from newton_euler.algebra.ledger import Equation
 
+from .book_equations import own_term
 from .model import Problem
 
 # the terms of the equations of relative motion, whose symbols v_B, a_B would be taken for the
@@ -66,7 +67,8 @@ def term_text(
         kind, *of = name.split("_")  # coriolis_theta_phi, of two coordinates; static_euler
         kind = " ".join([kind, *(x for x in of if x == "euler")])
         whose = joined(x for x in of if x != "euler")
-        formula = f"${equation.terms[name][1]}$" if latex else equation.terms[name][0]
+        written = own_term(equation.number, name, problem) or equation.terms[name]
+        formula = f"${written[1]}$" if latex else written[0]
         other = kind.replace("euler", "Euler")
         the_term = KINDS.get(kind) or Words("the {kind} term", kind=OTHERS.get(other, other))
         if whose:

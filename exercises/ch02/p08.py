@@ -2,7 +2,7 @@
 
 from exercises.devices import thrown_ball as device
 from exercises.tools import mp, rate, root
-from newton_euler import atan, sqrt
+from newton_euler import sqrt
 
 draw = device.draw
 
@@ -20,7 +20,7 @@ def solve(g):
 def steps(g):
     u = device.best_slope(g)
     h, slope = device.at_wall(g, u)
-    return {"gam": atan(u), "upward": slope * device.forward(g, u), "h": h}
+    return {"u": u, "upward": slope * device.forward(g, u), "h": h}
 
 
 def prove(g):
@@ -37,7 +37,7 @@ def prove(g):
     # least where it no longer changes with the angle
     flattest = root(lambda a: rate(lambda t: speed(a + t)), mp.mpf("0.1"), mp.mpf("1.4"))
     answers = {"slope": slope, "sense": lambda: sense(slope), "v_min": speed(flattest)}
-    return answers | {"gam": gam, "upward": upward, "h": path(T)[1]}
+    return answers | {"u": mp.tan(gam), "upward": upward, "h": path(T)[1]}
 
 
 def mistakes(g):

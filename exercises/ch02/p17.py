@@ -12,13 +12,7 @@ def pin(g):
     return ground, r, polar(ground, "P", r, theta)
 
 
-def solve(g):
-    ground, _, P = pin(g)
-    return {"a": P.acceleration(ground).norm()}
-
-
-def steps(g):
-    yield from polar_motion.steps(*pin(g))
+solve, steps, mistakes = polar_motion.problem_of(pin)
 
 
 def prove(g):
@@ -29,11 +23,6 @@ def prove(g):
     place = lambda t: minus(at_angle(g.b, angle(t)), back(t))
     a = second_rate(place)
     return {"a": size(a), "a_P": times(rot("z", -g.theta), a)}
-
-
-def mistakes(g):
-    ground, _, P = pin(g)
-    return polar_motion.mistakes(ground, P)
 
 
 def draw(g, ax):

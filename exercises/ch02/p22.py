@@ -12,13 +12,7 @@ def particle(g):
     return ground, r, polar(ground, "P", r, theta)
 
 
-def solve(g):
-    ground, _, P = particle(g)
-    return {"a": P.acceleration(ground).norm()}
-
-
-def steps(g):
-    yield from polar_motion.steps(*particle(g))
+solve, steps, mistakes = polar_motion.problem_of(particle)
 
 
 def prove(g):
@@ -27,11 +21,6 @@ def prove(g):
     place = lambda t: [z(t).real, z(t).imag, 0]
     a = second_rate(place)
     return {"a": size(a), "a_P": a}
-
-
-def mistakes(g):
-    ground, _, P = particle(g)
-    return polar_motion.mistakes(ground, P)
 
 
 def draw(g, ax):

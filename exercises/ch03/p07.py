@@ -1,7 +1,7 @@
 """3/7: constant speed on a helix, in rectangular components."""
 
 from exercises.devices.helix import figure, helix, unrolled
-from exercises.tools import Step, rate, second_rate
+from exercises.tools import rate, second_rate
 from newton_euler import Frame, moving
 from newton_euler.kinematics import at_speed
 
@@ -24,7 +24,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("theta_dot", angle(g).rate, "rad/s", "rate of theta, from the speed", "3.1", "3.2")
+    return {"theta_dot": angle(g).rate}
 
 
 def prove(g):

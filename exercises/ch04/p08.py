@@ -47,9 +47,9 @@ follows = {"a_B": a_B}
 
 
 def steps(g):
-    ground, frame, B = line_AB(g)
+    ground, frame, _ = line_AB(g)
     AB, omega = ground.vector(g.L, 0, 0), frame.angular_velocity(ground).expressed_in(ground)
-    v_AB = B.velocity(ground).expressed_in(ground) - frame.origin.velocity(ground)
+    v_AB = ground.vector(0, g.v_By - g.v_Ay, g.v_Bz - g.v_Az)
     yield "v_AB", v_AB
     yield "omega_across", AB.cross(v_AB) / g.L**2
     yield "omega_along", omega.x * ground.i

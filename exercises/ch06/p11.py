@@ -1,6 +1,6 @@
 """6/11: a slider that a cord holds in the slot of a turning disk."""
 
-from exercises.tools import Sketch, Step, rot, second_rate, times
+from exercises.tools import Sketch, rot, second_rate, times
 from newton_euler import Frame, cos, moving, sin, solve_linear, sqrt
 from newton_euler.dynamics import resultant_force
 from newton_euler.kinematics import polar
@@ -28,10 +28,7 @@ def solve(g):
 def steps(g):
     ground, A = slider(g)
     a = A.acceleration(ground)
-    yield Step("a_A", a, "m/s^2", "acceleration of A along e_r, e_theta", "6.1", "6.6")
-    yield Step(
-        "F", resultant_force(g.m, a), "N", "resultant of the cord and the slot", "6.1", "6.6"
-    )
+    return {"a_A": a, "F": resultant_force(g.m, a)}
 
 
 def prove(g):

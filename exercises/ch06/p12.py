@@ -15,10 +15,14 @@ def flexure(g, x):
     return kinematics.frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
 
 
+def hump(g):
+    """The radius of curvature at the hump."""
+    return 1 / flexure(g, g.L / 4)
+
+
 def speed(g):
     """The speed at which the weight alone is the normal force that the hump needs."""
-    _, needed = path_force(g.m, sqrt(g.g * g.L), 0, flexure(g, g.L / 4))
-    return sqrt(g.g * g.L) * sqrt(g.m * g.g / needed)
+    return sqrt(g.g * hump(g))
 
 
 def force(g, v_max):
@@ -35,9 +39,8 @@ follows = {"F_dip": force}
 
 
 def steps(g):
-    rho = 1 / flexure(g, g.L / 4)
     _, F_n = path_force(g.m, speed(g), 0, flexure(g, 3 * g.L / 4))
-    return {"rho": rho, "F_n": F_n}
+    return {"rho": hump(g), "F_n": F_n}
 
 
 def prove(g):

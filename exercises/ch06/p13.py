@@ -1,6 +1,6 @@
 """6/13: a block that hangs from a free cart, both let go from rest."""
 
-from exercises.tools import Sketch, Step, minus, mp, rate, second_rate, size
+from exercises.tools import Sketch, minus, mp, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin, solve_linear
 from newton_euler.dynamics import resultant_force
 
@@ -37,12 +37,9 @@ def solve(g):
 
 def steps(g):
     along = g.m_B * g.g * cos(g.theta)
-    yield Step("W_t", along, "N", "part of the weight of the block along the cord", "6.1", "6.3")
+    yield "W_t", along
     share = 1 + g.m_B / g.m_A * sin(g.theta) ** 2
-    yield Step("n", share, "1", "factor by which T is smaller than $W_t$: the equations of motion "
-               "are T*sin(theta) = m_A*a_A for the cart and T - W_t = -m_B*a_A*sin(theta) for the "
-               "block along the cord, since it starts from rest, and without a_A leave n*T = W_t",
-               "6.1", "6.3")  # fmt: skip
+    yield "n", share
 
 
 follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}

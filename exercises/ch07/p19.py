@@ -1,6 +1,6 @@
 """7/19: a cylinder from which a cone is cut."""
 
-from exercises.tools import Sketch, Step, proofs
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame, sqrt
 from newton_euler.bodies import cone, cylinder
 
@@ -36,14 +36,7 @@ def solve(g):
 
 def steps(g):
     share, m_full, I_full, I_cone = shares(g)
-    yield Step(
-        "share", share, "1", "mass of the cone over that of the full cylinder, p^2*q/3", "7.10"
-    )
-    yield Step("m_full", m_full, "kg", "mass of the full cylinder", "7.10")
-    yield Step("I_full", I_full, "kg*m^2",
-               "moment of inertia of the full cylinder", "7.10")  # fmt: skip
-    yield Step("I_cone", I_cone, "kg*m^2",
-               "moment of inertia of the cone, to be subtracted", "7.10", "7.14")  # fmt: skip
+    return {"share": share, "m_full": m_full, "I_full": I_full, "I_cone": I_cone}
 
 
 follows = {"k_y": lambda g, I_y: sqrt(I_y / g.m)}

@@ -11,15 +11,7 @@ def two_bodies(g):
     return rotor.in_bearings(shaft, [first, second], -g.c, g.c)
 
 
-def solve(g):
-    return rotor.answers(two_bodies(g))
-
-
-def steps(g):
-    yield from rotor.shaft_steps(two_bodies(g))
-
-
-follows = rotor.following(two_bodies)
+solve, steps, follows = rotor.problem_of(two_bodies)
 
 
 def prove(g):

@@ -21,17 +21,7 @@ def welded_bar(g):
     return rotor.in_bearings(shaft, [bar], -g.a, g.b)
 
 
-def solve(g):
-    return rotor.answers(welded_bar(g))
-
-
-def steps(g):
-    r = welded_bar(g)
-    yield from rotor.shaft_steps(r)
-    yield from rotor.force_steps(r)
-
-
-follows = rotor.following(welded_bar)
+solve, steps, follows = rotor.problem_of(welded_bar, off_axis=True)
 
 
 def prove(g):

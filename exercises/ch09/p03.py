@@ -13,17 +13,9 @@ def fixed_disk(g):
     return rotor.in_bearings(shaft, [bodies.disk(g.r, tilted, "x", mass=g.m)], -g.c, g.c)
 
 
-def solve(g):
-    return rotor.answers(fixed_disk(g))
-
-
-def steps(g):
-    return rotor.steps(
-        fixed_disk(g), ("I_n", "x", "about the normal"), ("I_d", "y", "about a diameter")
-    )
-
-
-follows = rotor.following(fixed_disk)
+solve, steps, follows = rotor.problem_of(
+    fixed_disk, ("I_n", "x", "about the normal"), ("I_d", "y", "about a diameter")
+)
 
 
 def prove(g):

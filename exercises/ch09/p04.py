@@ -12,19 +12,11 @@ def fixed_plate(g):
     return rotor.in_bearings(shaft, [plate(g.h, g.b, tilted, "y", mass=g.m)], -g.c, g.c)
 
 
-def solve(g):
-    return rotor.answers(fixed_plate(g))
-
-
-def steps(g):
-    return rotor.steps(
-        fixed_plate(g),
-        ("I_1", "x", "about the mid-line along the slanting edges"),
-        ("I_2", "y", "about the normal of the plate"),
-    )
-
-
-follows = rotor.following(fixed_plate)
+solve, steps, follows = rotor.problem_of(
+    fixed_plate,
+    ("I_1", "x", "about the mid-line along the slanting edges"),
+    ("I_2", "y", "about the normal of the plate"),
+)
 
 
 def prove(g):

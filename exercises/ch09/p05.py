@@ -12,17 +12,7 @@ def two_rods(g):
     return rotor.in_bearings(shaft, [first, second], 0, g.d)
 
 
-def solve(g):
-    return rotor.answers(two_rods(g))
-
-
-def steps(g):
-    r = two_rods(g)
-    yield from rotor.shaft_steps(r, "xy xz")
-    yield from rotor.force_steps(r)
-
-
-follows = rotor.following(two_rods)
+solve, steps, follows = rotor.problem_of(two_rods, products="xy xz", off_axis=True)
 
 
 def prove(g):

@@ -16,19 +16,11 @@ def with_sides(g, a, b):
     return rotor.in_bearings(shaft, [bodies.plate(a, b, edges, "z", mass=g.m)], -g.c, g.c)
 
 
-def solve(g):
-    return rotor.answers(fixed_plate(g))
-
-
-def steps(g):
-    return rotor.steps(
-        fixed_plate(g),
-        ("I_1", "x", "about the mid-line parallel to PQ"),
-        ("I_2", "y", "about the mid-line parallel to PS"),
-    )
-
-
-follows = rotor.following(fixed_plate)
+solve, steps, follows = rotor.problem_of(
+    fixed_plate,
+    ("I_1", "x", "about the mid-line parallel to PQ"),
+    ("I_2", "y", "about the mid-line parallel to PS"),
+)
 
 
 def prove(g):

@@ -1,7 +1,7 @@
 """10/6: a space station that precesses free of moments."""
 
 from exercises.devices.steady_precession import carried, frames, orientation
-from exercises.tools import Sketch, Step, box, disk, mean, mp, plus, proofs, vanishing
+from exercises.tools import Sketch, box, disk, mean, mp, plus, proofs, vanishing
 from newton_euler import bodies, cos, pi
 from newton_euler.applications.gyroscopes import free_precession, steady_spin
 
@@ -22,23 +22,19 @@ def sense(g):
 
 
 def solve(g):
-    return {"phi_dot": spin(g), "sense": lambda: str(sense(g))}
+    phi_dot = whole_rate(g) - g.psi_dot * cos(g.theta)
+    return {"phi_dot": phi_dot, "sense": lambda: str(sense(g))}
 
 
 def whole_rate(g):
-    return spin(g) + g.psi_dot * cos(g.theta)
+    """The rate about the axis of symmetry with which no moment is needed (10.29)."""
+    I_0, I_z = per_mass(g)
+    return I_0 / I_z * g.psi_dot * cos(g.theta)
 
 
 def steps(g):
     I_0, I_z = per_mass(g)
-    yield Step("I", I_z, "m^2", "moment of inertia about the axis of symmetry, per mass",
-               "10.5", "10.17")  # fmt: skip
-    yield Step("I_0", I_0, "m^2", "moment of inertia about a transverse axis through O, per mass",
-               "10.5", "10.17")  # fmt: skip
-    omega_z = I_0 / I_z * g.psi_dot * cos(g.theta)
-    yield Step("omega_z", omega_z, "rev/h", "whole rate about the axis of symmetry, with which no "
-               r"moment is needed: $I \omega_z = I_0 \dot\psi \cos\theta$",
-               "10.6", "10.29")  # fmt: skip
+    return {"I": I_z, "I_0": I_0, "omega_z": whole_rate(g)}
 
 
 def by_sign(along):

@@ -33,7 +33,8 @@ def work(g, end):
 def speeds(g, U_B, U_A, v_C=None):
     """After these works."""
     m, start = mass_from_weight(g.W, g.g), g.v_C if v_C is None else v_C
-    return {"v_B": speed_after(start, U_B, m), "v_A": speed_after(start, U_A, m)}
+    T_C = m * start**2 / 2
+    return {key: speed_after(0, T_C + U, m) for key, U in (("v_B", U_B), ("v_A", U_A))}
 
 
 def solve(g):

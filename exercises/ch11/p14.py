@@ -1,7 +1,7 @@
 """11/14: a central force with the cube of the distance in it: its test and its potential."""
 
-from exercises.tools import Sketch, Step, gradient, proofs, rate
-from newton_euler import Frame, integral, work_along
+from exercises.tools import Sketch, gradient, proofs, rate
+from newton_euler import Frame, integral
 from newton_euler.dynamics import jacobian
 
 
@@ -25,19 +25,20 @@ def derivatives(g):
     return Frame("axes").vector(*(J[n][m] for n, m in ((0, 1), (1, 2), (2, 0))))
 
 
-def solve(g):
-    def segment(s):
-        return tuple(s * q for q in place(g))
+def parts(g):
+    """The parts of F.r with c and with k at the end of the segment from the origin."""
+    square = sum(q * q for q in place(g))
+    return g.c * square**2, -g.k * square
 
-    return {"cross": derivatives(g), "V": -work_along(field(g), segment, 0, 1).value}
+
+def solve(g):
+    cubic, linear = parts(g)
+    return {"cross": derivatives(g), "V": -(cubic / 4 + linear / 2)}
 
 
 def steps(g):
-    square = sum(q * q for q in place(g))
-    yield Step("cubic", g.c * square**2, "J", "part of F.r with c at the end of the segment from "
-               "the origin; at its part s, F.dr is s^3 ds times this", "11.9", "11.15")  # fmt: skip
-    yield Step("linear", -g.k * square, "J", "part of F.r with k; at the part s of the segment, "
-               "F.dr has s ds times this", "11.9", "11.15")  # fmt: skip
+    cubic, linear = parts(g)
+    return {"cubic": cubic, "linear": linear}
 
 
 def prove(g):

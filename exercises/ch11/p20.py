@@ -2,7 +2,7 @@
 
 from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
 from exercises.tools import Sketch, angular_velocity, mp, plus, proofs, rate, rot, size, times
-from newton_euler import Body, acos, asin, atan, cos, kinetic_energy, pi, sin, sqrt
+from newton_euler import Body, asin, atan, cos, kinetic_energy, pi, sin, sqrt
 
 
 def turning(g):
@@ -15,17 +15,18 @@ def distance(g):
     return sqrt(g.L**2 + g.r**2)
 
 
-def rise(g):
-    """The angles of OP above the level and of OA above OP."""
-    return acos(g.R / distance(g)), atan(g.r / g.L)
-
-
 def leaning(g):
+    """The angle of OA to the vertical."""
     return asin(g.R / distance(g)) - atan(g.r / g.L)
 
 
+def rise(g):
+    """The angle of OA above the level."""
+    return pi(g.f) / 2 - leaning(g)
+
+
 def rolls(g):
-    return rolling(turning(g), g.r, g.L, *rise(g))
+    return rolling(turning(g), g.r, g.L, rise(g))
 
 
 def axial(d):
@@ -57,7 +58,7 @@ def steps(g):
     return {
         "OP": distance(g),
         "psi_dot": turning(g),
-        "omega_s": d.body.angular_velocity(d.shaft).norm(),
+        "omega_s": -d.body.angular_velocity(d.shaft).expressed_in(d.shaft).x,
         "omega_t": d.body.angular_velocity(d.ground).expressed_in(d.shaft).z,
         "v_G": G.velocity(d.ground).norm(),
     }
@@ -98,7 +99,7 @@ def mistakes(g):
     def with_axial(omega):
         """The spin on the arm that gives the body this component along OA."""
         along = right.shaft.angular_velocity(right.ground).expressed_in(right.shaft).x
-        d = spinning(Omega, -omega - along, g.L, *rise(g))
+        d = spinning(Omega, -omega - along, g.L, rise(g))
         return {"omega_axial": axial(d), "T": energy(g, d).value}
 
     slow = solve(g.but(f=g.f / (2 * pi(g.f))))
@@ -111,7 +112,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    d = spinning(0, 0, g.L, *rise(g))
+    d = spinning(0, 0, g.L, rise(g))
     ground = d.ground
     s = Sketch(ax, ground, plane="xz")
     O, A, P = ground.point("O", 0, 0, 0), d.C, contact(d, g.r)

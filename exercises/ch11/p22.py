@@ -1,7 +1,7 @@
 """11/22: the kinetic energy of a cone that rolls round its tip."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame, bodies, cos, dynamics, sin, solve_rates, tan
+from newton_euler import Frame, bodies, cos, sin, solve_rates, tan
 
 
 def scene(g, spin):
@@ -14,20 +14,19 @@ def scene(g, spin):
 
 
 def rolling(g):
-    """The scene with the spin that keeps the line of contact at rest, as at 1 from the tip."""
+    """The scene with the spin that keeps the line of contact at rest: nothing turns it about z."""
 
-    def slip(spin):
-        ground, contact, body, _ = scene(g, spin)
-        touching = body.frame.point("touching", cos(g.alpha), 0, -sin(g.alpha))
-        return touching.velocity(ground).expressed_in(contact).y
+    def turning(spin):
+        _, contact, body, _ = scene(g, spin)
+        return spin * body.frame.i.expressed_in(contact).z + g.Omega
 
-    (spin,) = solve_rates(slip, 1)
+    (spin,) = solve_rates(turning, 1)
     return spin, *scene(g, spin)
 
 
 def solve(g):
-    _, ground, _, body, O = rolling(g)
-    return {"T": dynamics.kinetic_energy_about(body, O, ground).value}
+    spin, _, contact, body, O = rolling(g)
+    return {"T": body.about(O).moment(contact.i) * (spin * cos(g.alpha)) ** 2 / 2}
 
 
 def steps(g):

@@ -1,6 +1,6 @@
 """11/24: a pendulum made of a rod and a bob, let go."""
 
-from exercises.tools import Sketch, Step, mp, mpf, proofs
+from exercises.tools import Sketch, mp, mpf, proofs
 from newton_euler import Frame, cos, particle, sin
 from newton_euler.bodies import rod
 from newton_euler.dynamics import speed_after, weight_potential
@@ -49,14 +49,7 @@ follows = {"v_bob": lambda g, T: speed(g, T, sum(moments(g)))}
 def steps(g):
     rod_lost, bob_lost = losses(g)
     of_rod, of_bob = moments(g)
-    yield Step("dV_rod", -rod_lost, "J", "change of the potential energy of the rod", "11.12",
-               "11.34")  # fmt: skip
-    yield Step("dV_bob", -bob_lost, "J", "change of the potential energy of the bob", "11.12",
-               "11.34")  # fmt: skip
-    yield Step("I_rod", of_rod, "kg*m^2", "moment of inertia of the rod about the hinge O", "7.10")
-    yield Step("I_O", of_rod + of_bob, "kg*m^2",
-               "moment of inertia of rod and bob about O; $T = I_O v_{bob}^2/(2 l^2)$",
-               "11.17", "11.53")  # fmt: skip
+    return {"Delta_rod": -rod_lost, "Delta_bob": -bob_lost, "I_rod": of_rod, "I_O": of_rod + of_bob}
 
 
 def prove(g):

@@ -29,13 +29,14 @@ def spin(g, transverse=None, theta=None):
 
 
 def total(g):
-    """The whole rate about AB (10.26)."""
-    _, _, _, theta = hanging(g)
-    return spin(g) + g.psi_dot * cos(theta)
+    """The whole rate about AB, of steady precession (10.31)."""
+    I_0, I_z, M = data(g)
+    theta = pi(g.beta) - g.beta
+    return (M / (g.psi_dot * sin(theta)) + I_0 * g.psi_dot * cos(theta)) / I_z
 
 
 def solve(g):
-    return {"phi_dot": spin(g)}
+    return {"phi_dot": total(g) - g.psi_dot * cos(pi(g.beta) - g.beta)}
 
 
 def steps(g):
@@ -45,9 +46,7 @@ def steps(g):
                "angles to AB", "10.5", "10.17")  # fmt: skip
     yield Step("M", M, "N*m", "moment of the weight about A, in the direction of K x k, where K "
                "points up and k from A to B", "10.6", "10.30")  # fmt: skip
-    theta = pi(g.beta) - g.beta
-    omega_z = (M / (g.psi_dot * sin(theta)) + I_0 * g.psi_dot * cos(theta)) / I_z
-    yield Step("omega_z", omega_z, "rad/s", "whole rate about AB, from the equation of steady "
+    yield Step("omega_z", total(g), "rad/s", "whole rate about AB, from the equation of steady "
                r"precession with $\theta = 180^\circ - \beta$", "10.6", "10.31")  # fmt: skip
 
 

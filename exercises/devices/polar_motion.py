@@ -3,18 +3,30 @@
 from exercises.tools import Step, terms
 
 
-def steps(ground, r, P):
+def problem_of(point):
+    """``solve``, ``steps`` and ``mistakes``; ``point(g)``: ground, distance and point."""
+
+    def acceleration(g):
+        ground, _, P = point(g)
+        return P.acceleration(ground)
+
+    return (
+        lambda g: {"a": acceleration(g).norm()},
+        lambda g: steps(point(g)[1], acceleration(g)),
+        lambda g: mistakes(acceleration(g)),
+    )
+
+
+def steps(r, a):
     """The rates of the distance r, then the acceleration and its terms."""
     yield Step("r_dot", r.rate, "m/s", "rate of the distance", "2.6")
     yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
-    a = P.acceleration(ground)
     yield Step("a_P", a, "m/s^2", "acceleration along $e_r$, $e_\\theta$", "2.6", "2.18")
     yield from terms(a, "a_P", "m/s^2", "2.6")
 
 
-def mistakes(ground, P):
+def mistakes(a):
     """Terms of the acceleration left out."""
-    a = P.acceleration(ground)
     return {
         "no_coriolis": {"a": a.without("coriolis").norm()},
         "no_r_ddot": {"a": a.without("radial").norm()},

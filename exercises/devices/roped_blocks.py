@@ -79,8 +79,8 @@ def block_steps(A, B, laws):
             yield Step(f"W_{b.name}t", b.W_t, "lb", means, "6.1", "6.3")
     F, M = without_tension(A, B)
     yield Step("F", F, "lb", f"force that is left of the equations of motion {laws} without T",
-               "6.1", "6.3")  # fmt: skip
-    yield Step("M", M, "slug", "mass that it accelerates, F = M*a", "6.1", "6.3")
+               "6.1", "6.4")  # fmt: skip
+    yield Step("M", M, "slug", "mass that it accelerates, F = M*a", "6.1", "6.4")
 
 
 def by_energy(g, W_A, W_B, places, reach):

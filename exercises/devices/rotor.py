@@ -70,12 +70,6 @@ def shaft_steps(r, products="xy"):
                    f"{name[0]}*{name[1]}*dm", "7.2", "7.10")  # fmt: skip
 
 
-def steps(r, *axes):
-    """The steps of a body of one part, its centre of mass on the axis; see principal_steps."""
-    yield from principal_steps(r.body.parts[0], *axes)
-    yield from shaft_steps(r)
-
-
 def force_steps(r):
     """Steps for G off the axis: its acceleration, the parts of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
@@ -102,6 +96,23 @@ def following(rotor_of):
         return axes.vector(*right["F_A"]) + axes.vector(*right["F_B"]) - F_A
 
     return {"Hdot_O": Hdot_O, "F_A": F_A, "F_B": F_B}
+
+
+def problem_of(rotor_of, *axes, products="xy", off_axis=False):
+    """``solve``, ``steps`` and ``follows`` of a problem whose :class:`Rotor` is ``rotor_of(g)``.
+
+    axes : of a body of one part, as principal_steps takes them
+    off_axis : whether its centre of mass is off the axis
+    """
+
+    def steps(g):
+        r = rotor_of(g)
+        yield from principal_steps(r.body.parts[0], *axes)
+        yield from shaft_steps(r, products)
+        if off_axis:
+            yield from force_steps(r)
+
+    return (lambda g: answers(rotor_of(g))), steps, following(rotor_of)
 
 
 # -- mistakes

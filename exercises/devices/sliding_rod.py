@@ -80,7 +80,7 @@ def draw(g, ax, name, x, y, alpha=None, a_r=None):
     s.turn(A, -ground.k, label=r"$\omega$")
     s.vector((far, y, 0), ground.i, "u")
     if alpha is not None:
-        s.turn(A, -ground.k, label=r"$\alpha$", radius=0.36 * far)
+        s.turn(A, -ground.k, label=r"$\alpha$", radius=0.45 * far)
     if a_r is not None:
         s.vector((0.9 * far, y - 0.3 * far, 0), -ground.i, "d", kind="acceleration")
     s.label(A, "A", offset=(-4, -22))

@@ -58,7 +58,10 @@ def acceleration_steps(ground, car, B):
     """What enters (2.25)."""
     yield from velocity_steps(ground, car, B)
     v_rel = seen_velocity(ground, car, B)
-    means = r"velocity of B as seen from the car A, $v_B - v_A - \omega\times r$"
+    means = (
+        "velocity of B as seen from the car A, "
+        r"$\mathbf{v}_B - \mathbf{v}_A - \boldsymbol{\omega}\times\mathbf{r}$"
+    )
     yield Step("v_rel", v_rel, "m/s", means, "2.10", "2.24")
     terms = place(ground, car, B, v_rel).acceleration(ground).expressed_in(ground).terms
     alpha = car.angular_acceleration(ground)
@@ -69,7 +72,7 @@ def acceleration_steps(ground, car, B):
     yield Step("a_B", a_B, "m/s^2", means.format("B"), "2.3", "2.14")
     for name, means in (
         ("euler", "the term alpha x r"),
-        ("coriolis", r"the Coriolis term $2\omega\times v_\text{rel}$"),
+        ("coriolis", r"the Coriolis term $2\boldsymbol{\omega}\times\mathbf{v}_\text{rel}$"),
         ("centripetal", "the term omega x (omega x r)"),
     ):
         yield Step(f"a_{name}", terms[name], "m/s^2", means, "2.10", "2.25")

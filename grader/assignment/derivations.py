@@ -2,6 +2,7 @@
 formulas of SymPy: read off the traced computation.
 """
 
+import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
@@ -9,16 +10,26 @@ from typing import Any
 
 from exercises.catalogue import Givens, Problem
 from exercises.catalogue.tracing import before, numbers_of, traced_quantities
-from exercises.catalogue.variants import draw
+from exercises.catalogue.variants import draw, symbol_values
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
-from newton_euler.classroom.practising.programs import operate
 
-from .names import Names, unsigned
-from .tidy import LONGEST, constant, is_atom, is_forced, is_long, readable, simplest, two_sides
+from .names import Names, unsigned, value_of
+from .tidy import (  # fmt: skip
+    LONGEST,
+    constant,
+    is_atom,
+    is_forced,
+    is_long,
+    readable,
+    simplest,
+    two_sides,
+    without_unknown,
+)
 
 LONGEST_LIST = 60  # operations of all components that a reader follows
+SHEETS = 4  # on which sums are compared
 SHORT = 1  # operations of what is read as easily as the name of a component of another vector
 NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FUNCTIONS, "atan2")}}
 
@@ -65,11 +76,20 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
         return {}
     g = p.base({**p.sympy_symbols(), **values})
     memo: dict[int, float | None] = {}
-    cases = [_value(c, g, memo) for c in _choices(found)]
+    cases = [value_of(c, g, memo) for c in _choices(found)]
     scalars = {key: parts[0] for key, parts in found.components.items() if len(parts) == 1}
-    positive = {key for key, x in scalars.items() if (_value(x, g, memo) or 0.0) > 0}
+    positive = {key for key, x in scalars.items() if (value_of(x, g, memo) or 0.0) > 0}
     usual = all(low <= values[n] <= high for n, (low, high) in _ranges(p).items())
     return _derivations(p, tuple(c and c > 0 for c in cases), frozenset(positive), usual)
+
+
+def _unrelated(p, n):
+    """Numbers of the givens and symbols, also for those that all students share."""
+    rng, drawn = random.Random(n), draw(p, bytes([n]))
+    shared = {
+        k: (q.value or 1.0) * rng.uniform(0.97, 1.03) for k, q in p.givens.items() if not q.vary
+    }
+    return symbol_values(p, rng) | drawn | shared
 
 
 def _ranges(p):
@@ -105,8 +125,9 @@ def _derivations(p, cases, positive, usual):
     asked = {a.key for a in p.answers}
     drawn = [p.base({**p.sympy_symbols(), **draw(p, bytes([n]))}) for n in range(8 * usual)]
     reader = _Reader(
-        found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn, p.units
-    )
+        found, dict(zip(numbers, cases, strict=True)), {*positive}, asked, drawn, p.units,
+        [(p.base(_unrelated(p, n)), {}) for n in range(SHEETS * usual)],
+    )  # fmt: skip
     for key in reader.order():
         reader.derive(key)
     return reader.derivations
@@ -122,13 +143,15 @@ class _Reader:
     asked: set[str]
     drawn: Sequence[Givens]
     units: Mapping[str, str]  # units of the givens
+    sheets: Sequence[tuple[Givens, dict]]  # unrelated numbers, and what follows from them
     shown: set[int] = field(default_factory=set)
     derivations: dict[str, Derivation] = field(default_factory=dict)
 
     def __post_init__(self):
         self.answers = set()  # the numbers of what was an unknown of equations that are shown
         self.given_by = {x.number: name for name, x in self.found.givens.items()}
-        self.names = Names({n: self.symbol(name) for n, name in self.given_by.items()})
+        self.names = Names({n: self.symbol(name) for n, name in self.given_by.items()}, self.sheets)
+        self.nameless = {}  # {symbol of an unknown that is no quantity: what it is equal to}
         self.unknowns = {}  # number of a traced value: (its equations, its name, the sign of it)
         for equations in self.found.solved:
             for name, x in equations.values.items():
@@ -141,6 +164,7 @@ class _Reader:
         self.called, self.shorter, self.short = {}, [], {}
         self.products = {}  # {name: formula} of products of givens
         self.constants = {}  # {number: name} of those that are the same for all givens
+        self.met = set()  # the names by which a formula has numbers of the computation itself
         self.terms = {s.key: s.of for s in self.found.steps if s.of in self.asked}
         first = {}  # {number: the quantity that has its name}
         for key in sorted(self.found.components, key=lambda k: k in self.terms):
@@ -272,7 +296,9 @@ class _Reader:
 
     def _formula(self, place, x, name):
         """The formula of a component called ``name``, None where there is none to read."""
-        self.names.place = place
+        self.names.place, self.met = place, set()
+        if self.names.vanishes(x):
+            return constant(0)
         try:
             formula = self._shortened(self._without_bars(readable(self._written(x, {}))))
             formula = self._without_ones(formula)
@@ -298,13 +324,27 @@ class _Reader:
         return formula
 
     def _without_multiples(self, formula):
-        """The formula with products of givens written out where a number times one stands alone:
-        as 4*I_1/3, it is equal by chance.
+        """The formula with products of givens written out that are equal by chance: where a number
+        times one stands alone, as 4*I_1/3, and beside one that differs by a given of the same unit,
+        as m_1*d^2 and m_2*d^2.
         """
         import sympy
 
         terms = [x.as_coeff_Mul() for x in sympy.Add.make_args(formula)]
-        return sympy.Add(*(c * (self.products.get(x, x) if abs(c) != 1 else x) for c, x in terms))
+        own = self.products.keys() - self.met
+        products = [x for _, x in terms if {s.name for s in x.free_symbols} <= {*self.units}]
+
+        def written_out(c, x):
+            whole = self.products.get(x, x)
+            alike = any(self._differ_by_one(whole, y) for y in products)
+            return c * (whole if alike or (abs(c) != 1 and x in own) else x)
+
+        return sympy.Add(*(written_out(c, x) for c, x in terms))
+
+    def _differ_by_one(self, one, other):
+        """Whether two products differ by a given in the place of another of the same unit."""
+        ratio = [str(x) for x in (one / other).as_numer_denom()]
+        return ratio[0] != ratio[1] and len({self.units.get(x, x) for x in ratio}) == 1
 
     def _without_ones(self, formula):
         """The formula without squares of components of a unit vector that add up to one."""
@@ -333,10 +373,13 @@ class _Reader:
             number = constant(x)
             return self.constants.get(float(x), number) if number.is_Float else number
         if (name := self.names.of(x)) is not None:
+            self.met |= name.free_symbols
             return name
         if x.number in memo:
             return memo[x.number]
         if x.number in self.unknowns and (name := self._solved(x)) is not None:
+            return name
+        if (name := self.names.equal(x)) is not None:
             return name
         memo[x.number] = formula = self._operation(x, memo)
         if isinstance(formula, sympy.Basic) and formula.has(sympy.zoo, sympy.nan):
@@ -386,6 +429,8 @@ class _Reader:
             self.names.fixed[x.number] = variable
             return variable
         limits = self._written(start, memo), self._written(end, memo)
+        if not formula.has(variable):
+            return formula * (limits[1] - limits[0])
         return sympy.Integral(formula, (variable, *limits)) if formula != 0 else formula
 
     def _solved(self, x):
@@ -397,10 +442,26 @@ class _Reader:
             if not rows:
                 return None
             self.shown.add(id(equations))
-            self._show_together(rows, {str(n) for n in self._unknowns(equations).values()})
-        self.answers.add(x.number)
-        self.names.fixed[x.number] = sign * self.symbol(name)
+            unknowns = [n.free_symbols.pop() for n in self._unknowns(equations).values()]
+            rows = self._without_nameless(rows, unknowns)
+            self._show_together(rows, {n.name for n in unknowns if n not in self.nameless})
+        found = self.symbol(name)
+        if found not in self.nameless:
+            self.answers.add(x.number)
+        self.names.fixed[x.number] = sign * self.nameless.get(found, found)
         return self.names.fixed[x.number]
+
+    def _without_nameless(self, rows, unknowns):
+        """Linear equations without the unknowns that are no quantities of the problem, whose names
+        tell a reader nothing; :attr:`nameless` says what these are.
+        """
+        angles = ("cos_", "sin_", "tan_")
+        for u in unknowns:
+            if u.name not in self.taken and not u.name.startswith(angles):
+                rows, found = without_unknown(rows, u)
+                self.nameless = {k: x.subs(found) for k, x in self.nameless.items()} | found
+        rows = [self._tidy(*row) for row in rows]
+        return [row for row in rows if row[0] != row[1]]
 
     def _free(self, name):
         """A name for what is no quantity of the problem, other than theirs."""
@@ -483,19 +544,3 @@ _WRITTEN: Mapping[str, Any] = {
     "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
     "/": lambda a, b: a / b, "neg": lambda a: -a,
 }  # fmt: skip
-
-
-def _value(x, values, memo):
-    """The number of a traced condition for givens, None where it has none."""
-    if not isinstance(x, Step):
-        return float(x)
-    if x.number not in memo:
-        try:
-            args = (
-                [getattr(values, x.args[0])] if x.op == "argument"
-                else [_value(a, values, memo) for a in x.args]
-            )  # fmt: skip
-            memo[x.number] = operate("value" if x.op == "argument" else x.op, *args)
-        except (TypeError, ValueError, ArithmeticError, KeyError):
-            memo[x.number] = None
-    return memo[x.number]

@@ -3,6 +3,7 @@ with numbers in the place of the symbols.
 """
 
 import math
+import re
 from collections.abc import Collection, Mapping
 from functools import cache
 from typing import Any
@@ -11,6 +12,9 @@ from newton_euler.algebra.units import unit
 from newton_euler.answers.notation import number_symbol, unit_symbol
 
 Quantity = tuple[Any, str]  # a number and its unit
+_WORD = r"\\text\{[^{}]*\}(?:_(?:\w|\{(?:[^{}]|\{[^{}]*\})*\}))?(?:\^\{[^{}]*\})?"
+# the space between a word and another factor, which LaTeX leaves out
+_BESIDE_WORD = re.compile(rf"(?P<word>{_WORD}) (?=[\\\w])|(?<=[\w}}]) (?=\\text)")
 
 
 def written(
@@ -25,7 +29,8 @@ def written(
     """
     printer = _printer(latex)(names, numbers)
     printer.degrees = degrees
-    return printer.doprint(formula)
+    text = printer.doprint(formula)
+    return _BESIDE_WORD.sub(lambda m: (m["word"] or "") + r"\, ", text) if latex else text
 
 
 def numerals(quantities: Mapping[str, Quantity], bare: bool, latex: bool) -> dict:

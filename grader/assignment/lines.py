@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
-from exercises.catalogue.steps import Step, steps
+from exercises.catalogue.steps import Step, is_sum, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.scalars import is_numeric, to_plain
@@ -126,7 +126,7 @@ class _Writer:
         chain = [x for x in (formula, numbers) if x]
         last = (value, value.removesuffix(self._unit(s)))
         chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
-        above = found.solved and not found.together
+        above = found.solved and not found.together and s.key not in self.sums
         reason = "" if chain or above or found.together else self._reason(s, found)
         rows, with_numbers = self._together(found)
         with_numbers = () if formula else with_numbers
@@ -137,7 +137,7 @@ class _Writer:
         """Why there is no formula."""
         if isinstance(s.value, (str, int)) or callable(s.value):
             return WORD
-        if s.key in self.sums or is_sum(s.value):
+        if s.key in self.sums or is_sum(s.value, self.p):
             return SUM
         if not all(map(is_numeric, map(to_plain, flat(s.value)))):
             return RESULT
@@ -268,11 +268,6 @@ class _Writer:
 
 def _without_dots(row):
     return row.replace(r" \cdot ", " ").replace("*", "")
-
-
-def is_sum(answer):
-    """True if an answer is shown with a table of its terms, which are then not listed as steps."""
-    return isinstance(answer, Vector) and len(answer.terms) > 1
 
 
 def latex_of(value, notation):

@@ -5,7 +5,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from exercises.catalogue.tracing import numbers_of
 from newton_euler.algebra.trace import Step
+from newton_euler.classroom.practising.programs import operate
+
+ROUND_OFF = 1e-12
 
 _ByQuantity = dict[int, dict[str, dict[int, Any]]]
 
@@ -17,21 +21,33 @@ class Names:
     fixed : of givens, and of the unknowns of equations
     found : of the components of quantities: {number: {quantity: {place: symbol}}}
     opposite : the same for numbers that have the other sign, with a minus sign
+    sheets : numbers of the givens without any relation, and the traced numbers that follow
+    by_value : {numbers on the sheets: {name of what has them: its place in a matrix}}
+    sizes : numbers of components, by quantity
+    uses : how often each occurs in the quantity that is written
+    place, size : index of the component that is written, number of components of its quantity
+    whole : the traced numbers of this quantity
     """
 
     fixed: dict[int, Any]
+    sheets: Sequence[tuple[Any, dict]]
     found: _ByQuantity = field(default_factory=dict)
     opposite: _ByQuantity = field(default_factory=dict)
-    sizes: dict[str, int] = field(default_factory=dict)  # numbers of components, by quantity
+    sizes: dict[str, int] = field(default_factory=dict)
     uses: Counter[str] = field(default_factory=Counter)
-    place: int = 0  # index of the component that is written
-    size: int = 1  # number of components of its quantity
+    place: int = 0
+    size: int = 1
+    whole: set[int] = field(default_factory=set)
+    by_value: dict[tuple[str, ...], dict[Any, int | None]] = field(default_factory=dict)
 
     def add(self, key: str, parts: Sequence[Any], symbols: Sequence[Any]) -> None:
         """Gives names to the components of a quantity."""
         self.sizes[key] = len(parts)
         for n, (x, symbol) in enumerate(zip(parts, symbols, strict=True)):
             inner, sign = unsigned(x)
+            if numbers := self._numbers(x):
+                place = n if len(parts) == 9 else None
+                self.by_value.setdefault(_rounded(numbers), {})[symbol] = place
             if isinstance(inner, Step):
                 self.found.setdefault(x.number, {}).setdefault(key, {})[n] = symbol
             if isinstance(inner, Step) and sign < 0 and inner.number not in self.fixed:
@@ -41,7 +57,7 @@ class Names:
         """Counts for the formulas of a quantity how many numbers of each earlier one they have: of
         quantities that are partly equal, the one that is used most is meant.
         """
-        self.size, self.uses = len(parts), Counter()
+        self.size, self.uses, self.whole = len(parts), Counter(), numbers_of(parts)
         seen, waiting = set(), [*parts]
         while waiting:
             a = waiting.pop()
@@ -65,7 +81,39 @@ class Names:
         key, *others = (k for k in candidates if self.uses[k] == used)
         if others and x.args and all(self._is_plain(a) for a in x.args):
             return None  # as b/2, of two bodies that lie side by side
+        if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
+            return None  # of which axis it is does not show
         return self._at_place(candidates[key], self.sizes[key])
+
+    def equal(self, x: Step) -> Any:
+        """The name of the one earlier quantity that a sum has the same value as on all sheets, by
+        whatever way the code came to it, None if there is none. Products, sums of what has a name,
+        and whole quantities are equal by chance.
+        """
+        if x.op not in "+-" or x.number in self.whole or all(map(self._is_known, x.args)):
+            return None
+        numbers, here = self._numbers(x), self.place if self.size == 9 else None
+        for sign in (1, -1):
+            names = self.by_value.get(_rounded(numbers, sign), {})
+            if len(names) == 1 and here in names.values():
+                return sign * next(iter(names))
+        return None
+
+    def vanishes(self, x: Any) -> bool:
+        """True if two numbers cancel on all sheets but for round-off."""
+        if not isinstance(x, Step) or x.op not in "+-" or not (sizes := self._numbers(x.args[0])):
+            return False
+        rest = [value_of(x, *sheet) for sheet in self.sheets]
+        pairs = zip(rest, sizes, strict=True)
+        return all(n is not None and abs(n) <= ROUND_OFF * abs(size) for n, size in pairs)
+
+    def _numbers(self, x):
+        """A traced number on the sheets; () where it is the same on all, or has none."""
+        found = [value_of(x, *sheet) for sheet in self.sheets] if isinstance(x, Step) else []
+        return () if None in found or len({*found}) < 2 else found
+
+    def _is_known(self, x):
+        return not isinstance(x, Step) or self.of(unsigned(x)[0]) is not None
 
     def _in_place(self, candidates):
         """Without the entries of other matrices that stand elsewhere in these, and so are equal by
@@ -96,3 +144,24 @@ class Names:
 def unsigned(x: Any) -> tuple[Any, int]:
     """A traced number without its minus sign, and the sign."""
     return (x.args[0], -1) if isinstance(x, Step) and x.op == "neg" else (x, 1)
+
+
+def _rounded(numbers, sign=1):
+    """Numbers without their round-off, to be compared."""
+    return tuple(f"{sign * x:.11g}" for x in numbers)
+
+
+def value_of(x: Any, values: Any, memo: dict[int, float | None]) -> float | None:
+    """The number of a traced quantity for givens, None where it has none."""
+    if not isinstance(x, Step):
+        return float(x)
+    if x.number not in memo:
+        try:
+            args = (
+                [getattr(values, x.args[0])] if x.op == "argument"
+                else [value_of(a, values, memo) for a in x.args]
+            )  # fmt: skip
+            memo[x.number] = operate("value" if x.op == "argument" else x.op, *args)
+        except (TypeError, ValueError, ArithmeticError, KeyError):
+            memo[x.number] = None
+    return memo[x.number]

@@ -4,13 +4,14 @@ import re
 
 from exercises.catalogue import Problem
 from exercises.catalogue.book_equations import book_equations, own_number
+from exercises.catalogue.steps import is_sum
 from exercises.catalogue.wording import term_text
 from newton_euler.algebra.language import _, spoken
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.answers.notation import symbol, unit_symbol
 
 from .cells import Values
-from .lines import TOO_LONG, is_sum, latex_of, lines
+from .lines import TOO_LONG, latex_of, lines
 from .notebook import statement, typeset
 from .spelled import typeset_formulas
 
@@ -22,7 +23,10 @@ def worked_solution(p: Problem, values: Values, text: bool = True, formulas: boo
     out = [statement(p, values, figure=False), "", f"*{_('Solution')}*", ""] if text else []
     found = {line.step.key: line for line in lines(p, values, formulas=formulas)}
     answers = {a.key: found[a.key].step.value for a in p.answers}
-    shown = {*answers, *(key for key, line in found.items() if is_sum(answers.get(line.step.of)))}
+    shown = {
+        *answers,
+        *(key for key, line in found.items() if is_sum(answers.get(line.step.of), p)),
+    }
     n = 0
     for key, line in found.items():
         if key in answers:
@@ -88,7 +92,7 @@ def _where(s):
 def _answer(a, line, p, found):
     """An answer after the table of its terms, where it is a sum."""
     yield ""
-    if is_sum(line.step.value):
+    if is_sum(line.step.value, p):
         terms = {x.step.term[0]: x for x in found if x.step.of == a.key}
         yield from _ledger(a, line.step.value, p, terms)
     yield from (f"**{_sentence(_typeset(a.means, p))}:** {_chain(line)}", "")

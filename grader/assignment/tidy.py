@@ -1,6 +1,7 @@
 """Formulas of SymPy in the form in which they are read."""
 
 import math
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import combinations
 from typing import Any
@@ -76,11 +77,41 @@ def _joined(product):
     return product
 
 
+def without_unknown(rows: Sequence[tuple[Any, Any]], unknown: Any) -> tuple[list, dict]:
+    """Linear equations with what the shortest of them says of one unknown in its place in the
+    others, and this as {unknown: formula}; empty where none has it.
+    """
+    differences = [left - right for left, right in rows]
+    slopes = [d.diff(unknown) for d in differences]
+    found = {
+        n: readable(-d.subs(unknown, 0) / slope)
+        for n, (d, slope) in enumerate(zip(differences, slopes, strict=True)) if slope
+    }  # fmt: skip
+    if not found:
+        return [*rows], {}
+    shortest = min(found, key=lambda n: found[n].count_ops())
+    replaced = {unknown: found[shortest]}
+    others = [row for n, row in enumerate(rows) if n != shortest]
+    return [_without_divisor([x.subs(replaced) for x in row]) for row in others], replaced
+
+
+def _without_divisor(row):
+    """The two sides of an equation, multiplied by what they are divided by."""
+    import sympy
+
+    above, below = sympy.fraction(sympy.together(row[0] - row[1]))
+    return tuple(row) if below.is_number else (sympy.expand(above), sympy.Integer(0))
+
+
 def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
-    """The two sides of an equation without minus signs before their terms, where there are two."""
+    """The two sides of an equation without minus signs before their terms, where there are two, and
+    without a sum, or a root of one, that is a factor of both.
+    """
     import sympy
 
     terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
+    shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
+    terms = [t / sympy.Mul(*shared) for t in terms]
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
     right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
     return (left, right) if left and right else row

@@ -8,8 +8,9 @@ from ..course import Course
 from .records import entries, lines, questions
 
 _SIGNS = "=+-@−＝＋－＠﹦﹢﹣﹫"  # a spreadsheet may run a text that begins so,
-# or that goes on so behind what another language's spreadsheet takes for the end of a cell
-_NEXT_CELL = re.compile(rf"(?<=[;\t\r\n])(?=[{re.escape(_SIGNS)}])")
+# or that goes on so behind what another language's spreadsheet takes for the end of a cell, and
+# characters that are not seen
+_NEXT_CELL = re.compile(rf"(?<=[;\t\r\n])(?=[^\w\s!-/:-@\[-`{{-~]*[{re.escape(_SIGNS)}])")
 
 
 def export(

@@ -73,7 +73,8 @@ class Preview:
         said = [f"{name}: {x}" for name, x in self.options.items() if name != "tolerance"]
         return [
             f"section {e.section}", kinds, f"{e.steps + e.terms} steps", *cited,
-            f"difficulty {e.difficulty} of 5", f"{e.minutes} min", f"{e.sheets:.3g} sheets",
+            f"difficulty {e.difficulty} of 5", f"{e.minutes} min",
+            f"{e.sheets:.3g} sheet{'s' * (e.sheets != 1)}",
             f"tolerance {100 * rtol:g} % of numbers, formulas exact", *said,
         ]  # fmt: skip
 

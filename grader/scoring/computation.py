@@ -169,12 +169,16 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     stages = [Stage(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
     symbols = p.units.keys() - p.givens.keys()
     where, means = section(p.section), _means(p)
-    return Formulas(answers, p.units, p.system, stages, where, means, found.solved, symbols)
+    solved, given = found.solved, found.givens
+    return Formulas(answers, p.units, p.system, stages, where, means, solved, symbols, given)
 
 
 def _named(step):
     """What a step is in a few words: its name is not one of the text."""
     if brief := _brief(spoken(step.means)):
+        owner, _, rest = brief.partition(" ")
+        if owner in ("its", "their"):  # of what the step before is
+            return Words("the {what}", what=f"{rest} {step.key}")
         return Words("the {what}", what=brief.removeprefix("the "))
     return term_text(*step.term) if step.term else ""
 

@@ -8,16 +8,17 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import OPPOSITE_NUMBER, ROUNDED, Cause, both, in_this_part, is_left_out
+from .causes import ROUNDED, Cause, in_this_part, is_left_out
 from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
+from .near import NO_SINGLES, Singles
+from .pairs import of_two
 from .slips import (
     is_rounded,
     multiples,
     of_components,
     of_last_resort,
     of_powers,
-    pairs,
     rates_as_scalars,
 )
 from .tolerance import NOISE, NUMBER_RTOL, Points, is_apart
@@ -87,6 +88,7 @@ def diagnose(
     factors: Mapping[str, float] | None = None,
     elsewhere: Elsewhere | None = None,
     slips: Callable[[Fit, Kind], Sequence[Near]] | None = None,
+    singles: Callable[[], Singles] = lambda: NO_SINGLES,
 ) -> tuple[Cause, ...]:
     """What gives the wrong answer ``given``: all causes that give the same numbers; none if nothing
     explains it.
@@ -96,11 +98,12 @@ def diagnose(
     elsewhere : what the other parts of the problem say
     slips : finds the slips in the computation that the answer is near to; None of an answer that
         is explained, where nothing more general is looked for
+    singles : finds the slips of which two may have been made at once
     """
     elsewhere = elsewhere or Elsewhere()
     if kind.is_word:  # of few words one is soon met by chance: listed mistakes only
         models = (Hit(EXACT, *m) for m in wrong if m[0].group == "listed")
-        return _best([[hit for hit in models if hit.points == given]], elsewhere)
+        return _best([[hit for hit in models if hit.points == given]], elsewhere, ())
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
@@ -108,12 +111,13 @@ def diagnose(
     if slips and all(_says_little(h.cause, kind) for h in general):  # what is listed costs less
         computed = _simplest(fit, slips(fit, kind), elsewhere)
     if general:  # either may have been done: they give the same numbers
-        both_kinds = *_best(single, elsewhere), *_best([computed], elsewhere)
+        both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
     else:
-        found = _best([*single, computed], elsewhere)
-    found = found or _of_components(fit) or _pair(fit, wrong, elsewhere)
-    return found or (_whole(fit, wrong, slips, kind, elsewhere) if slips else ())
+        found = _best([*single, computed], elsewhere, fit.sizes)
+    found = found or _of_components(fit) or (_in_the_whole(fit, kind) if slips else ())
+    terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term")]
+    return found or of_two(fit, kind, terms, singles(), elsewhere.contradicts)
 
 
 def _says_little(cause, kind):
@@ -130,7 +134,7 @@ class Hit(NamedTuple):
     points: Points
 
 
-def _best(stages, elsewhere):
+def _best(stages, elsewhere, sizes):
     """The causes of the stage that fits best, then those of all others with the same numbers.
 
     What fits within the digits that were written goes before what fits within the tolerance, and
@@ -153,7 +157,7 @@ def _best(stages, elsewhere):
         h
         for hits in (*possible, *here)
         for h in hits
-        if h.cause.adds_to_others and any(_same(h.points, other.points) for other in best)
+        if h.cause.adds_to_others and any(_same(h.points, o.points, sizes) for o in best)
     ]
     return _chosen([h.cause for h in best], [h.cause for h in twins], elsewhere)
 
@@ -187,9 +191,13 @@ def _closest(stages):
 
 
 def _chosen(best, twins, elsewhere):
-    """One cause, or several that fit alike; of these, the ones that explain most of the rest."""
+    """One cause, or several that fit alike, of which none that is listed is left out; of these, the
+    ones that explain most of the rest.
+    """
     causes = _most_explaining(dict.fromkeys([*best, *twins]), elsewhere)
-    return causes[:MOST] if sum(c in best for c in causes) <= MOST else ()
+    kept = sorted(causes, key=lambda c: c.group != "listed")[:MOST]
+    few = sum(c in best for c in causes) <= MOST
+    return tuple(c for c in causes if c in kept) if few else ()
 
 
 def _most_explaining(causes, elsewhere):
@@ -233,31 +241,14 @@ def _of_components(fit):
     return tuple(cause for cause, x in of_components(fit) if fit(x) >= CLOSE)[:1]
 
 
-def _pair(fit, wrong, elsewhere):
-    """Two listed mistakes at once, if no other two fit."""
-    listed = [model for model in wrong if model[0].group == "listed"]
-    found = [pair for pair in pairs(fit, listed) if fit(pair[-1], NUMBER_RTOL)]
-    possible = [p[:2] for p in found if not any(map(elsewhere.contradicts, p[:2]))]
-    return (both(*possible[0]),) if len(possible) == 1 else ()
-
-
-def _whole(fit, wrong, slips, kind, elsewhere):
-    """A mistake, and the opposite sign of the whole; or a factor of the whole. A single number
-    meets these by chance, and only its square, root or inverse is named.
+def _in_the_whole(fit, kind):
+    """A factor of the whole, its square, root or inverse. A single number meets the factors by
+    chance.
     """
+    alone = kind.is_met_by_chance or (not kind.is_formula and sum(map(bool, fit.given[0])) < 2)
     near = LOOSE if kind.is_formula else CLOSE
-    if kind.is_met_by_chance or (not kind.is_formula and sum(map(bool, fit.given[0])) < 2):
-        return tuple(cause for cause, x in of_powers(fit) if fit(x) >= near)[:1]
-    given = tuple(tuple(-x for x in point) for point in fit.given)
-    opposite = Fit(given, fit.key, fit.rtol)
-    listed = [model for model in wrong if model[0].group == "listed"]
-    hits = [Hit(opposite(x), cause, x) for cause, x in opposite.near(listed)]
-    if not any(h.level >= CLOSE for h in hits):
-        simple = [near for near in slips(opposite, kind) if near[0] < 2]
-        hits = _simplest(opposite, simple, elsewhere)
-    if found := _closest([hits]):
-        return (both(found[0].cause, OPPOSITE_NUMBER),)
-    return tuple(cause for cause, x in of_last_resort(fit) if fit(x) >= near)[:1]
+    models = of_powers(fit) if alone else of_last_resort(fit)
+    return tuple(cause for cause, x in models if fit(x) >= near)[:1]
 
 
 def _is_surely_rounded(fit):
@@ -273,13 +264,13 @@ def _of_unlike_axes(models, fit):
     for cause, x in models:
         # a model that does not fit need not be compared with the others
         if level := fit(x):
-            if not any(_same(x, other) for other in seen):
+            if not any(_same(x, other, fit.sizes) for other in seen):
                 found.append(Hit(level, cause, x))
             seen.append(x)
     return found
 
 
-def _same(a, b):
+def _same(a, b, sizes):
     return a == b or all(
-        math.dist(x, y) <= NOISE * math.hypot(*x) for x, y in zip(a, b, strict=True)
+        math.dist(x, y) <= NOISE * size for x, y, size in zip(a, b, sizes, strict=True)
     )

@@ -9,7 +9,7 @@ from ..algebra.source import WITHIN
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, unit
 from .causes import Cause, computed
-from .edits_of_equations import of_equations
+from .edits_of_equations import of_elimination, of_equations
 from .edits_of_givens import (
     HALF,
     ONE,
@@ -18,6 +18,7 @@ from .edits_of_givens import (
     of_given,
     of_integrand,
     of_one_unit,
+    of_symbol,
     of_unit,
     of_vectors,
 )
@@ -99,22 +100,24 @@ def _edits(formulas):
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
     symbols, users_in = formulas.symbols, users_of(steps)
     unwritten = _unwritten(users_in)
-    varying = _varying(steps)
+    written = _varying(steps) - unwritten - of_elimination(formulas.systems)
     products = {
         s: None for s, users in users_in.items()
-        if s.op in PRODUCT and s in varying - unwritten and (s in leaves or not _is_factor(users))
+        if s.op in PRODUCT and s in written and (s in leaves or not _is_factor(users))
     }  # fmt: skip
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
     yield from of_equations(formulas.systems)
     yield from of_terms(steps, formulas.units)
     yield from of_factors(products, number)
     for s, users in users_in.items():
-        if s not in varying or s in unwritten:
+        if s not in written:
             continue
         slips = [*of_operation(s), *of_moment(s, dimensions[s])]
         if s.op == "argument":
             name, means = s.args[0], formulas.means.get(s.args[0], "")
             found = of_given(s, given, read, number, means, read[name].to_base(1.0, system))
+            if name in symbols:
+                found = [*found, *of_symbol(s, formulas.given, formulas.units)]
             # what is alone in a term, as H in D^2 + H^2, is no factor of it
             slips += [slip for slip in found if slip[1] != ONE or s in factors]
             # nobody converts the symbols of a formula
@@ -274,7 +277,9 @@ def _of_stages(answers, stages, dimensions):
             for what, rank, parts in _instead(stage.parts, len(answer.parts)):
                 instead = dict(zip(answer.parts, parts, strict=True))
                 moved = {a: x for a, x in instead.items() if isinstance(a, Step) and a is not x}
-                if moved and all(_are_alike(a, x, dimensions) for a, x in instead.items()):
+                alike = all(_are_alike(a, x, dimensions) for a, x in instead.items())
+                # a vector of formulas is met by no other
+                if moved and (alike or (answer.points > 1 and len(parts) == 3)):
                     text = Words(
                         "gives {part}{quantity} here: {key} is asked for",
                         part=what, quantity=stage.means, key=key,

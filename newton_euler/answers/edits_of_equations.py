@@ -2,6 +2,7 @@
 sign, left out, twice or half of it, in one of them.
 """
 
+import re
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import Any
@@ -10,7 +11,7 @@ from ..algebra.language import Words
 from ..algebra.linear import Solved
 from ..algebra.trace import Step
 from .causes import computed
-from .formulas import LESS, SIMPLE, Edit
+from .formulas import LESS, SIMPLE, Edit, needed
 from .typed import described
 
 SLIPS = {
@@ -22,6 +23,7 @@ SLIPS = {
     2.0: (LESS, Words("doubles {term} in one equation: it counts once")),
     0.5: (LESS, Words("halves {term} in one equation: it counts in full")),
 }
+NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
 
 
 def square(systems: Sequence[Solved]) -> list[Solved]:
@@ -32,6 +34,19 @@ def square(systems: Sequence[Solved]) -> list[Solved]:
         if numbers and 1 < len(s.equations) == len(s.names) == len(s.values):
             found.setdefault(numbers, s)
     return list(found.values())
+
+
+def of_elimination(systems: Sequence[Solved]) -> set[Step]:
+    """The steps between the entries of equations and their unknowns: nobody writes them as they are
+    computed.
+    """
+    found = set[Step]()
+    for system in square(systems):
+        known = {s.number for s in needed(entries(system))}
+        unknowns = {s.number for s in system.values.values() if isinstance(s, Step)}
+        inside = needed(system.values.values())
+        found |= {s for s in inside if s.number not in known | unknowns and s.op != "argument"}
+    return found
 
 
 def entries(system: Solved) -> list[Any]:
@@ -51,7 +66,7 @@ def of_equations(systems: Sequence[Solved]) -> Iterator[Edit]:
         unknowns = [(k, system.values[n]) for k, n in enumerate(system.names)]
         for place, x in enumerate(inside):
             name = _name(place % width, x, system.names)
-            if not isinstance(x, Step) and x == 0:
+            if not name or (not isinstance(x, Step) and x == 0):
                 continue
             for factor, (rank, words) in SLIPS.items():
                 instead = {
@@ -67,7 +82,7 @@ def of_equations(systems: Sequence[Solved]) -> Iterator[Edit]:
 def _name(column, x, names):
     if column == len(names):
         return described(x, "the term") or Words("the right side")
-    return names[column]
+    return "" if NAMELESS.fullmatch(names[column]) else names[column]
 
 
 def solution(width: float, unknown: float, place: float, factor: float, *inside: float) -> Any:

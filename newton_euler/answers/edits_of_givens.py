@@ -12,7 +12,7 @@ from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
 from .causes import computed, unconverted
-from .formulas import LESS, RARER, SIMPLE, Edit
+from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
@@ -50,9 +50,9 @@ def of_given(
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
-    twice = Words("takes twice {name}, or loses a 1/2 beside it: {why}", name=name, why=is_it)
+    twice = Words("takes twice {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
     yield rank, TWICE, twice, ("*", s, 2.0)
-    half = Words("takes half of {name}, or loses a 2 beside it: {why}", name=name, why=is_it)
+    half = Words("takes half of {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
     yield rank, HALF, half, ("*", s, 0.5)
     yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
     yield (
@@ -85,6 +85,21 @@ def of_given(
             less = Words("divides {name} by g: it is a mass, not a weight", name=name)
         yield RARER, "g", more, ("*", s, g)
         yield LESS, "g", less, ("/", s, g)
+
+
+def of_symbol(s: Step, given: Mapping[str, Step], units: Mapping[str, str]) -> Iterator[Slip]:
+    """A symbol for one in another unit, and the sum of two for one of them."""
+    name = s.args[0]
+    for other, step in given.items():
+        if units[other] != units[name]:
+            words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
+            yield LEAST, f"symbol {other}", words, step
+        elif other != name:
+            words = Words(
+                "takes {name} + {other} for {name}: {name} counts alone there",
+                name=name, other=other,
+            )  # fmt: skip
+            yield LEAST, f"sum {other}", words, ("+", s, step)
 
 
 def of_integrand(s: Step) -> Iterator[Slip]:

@@ -77,22 +77,11 @@ def _shape(s, units):
 
 
 def of_factors(products: Iterable[Step], number: Callable[[Step], Any]) -> Iterator[Edit]:
-    """A factor that is left out of all products, or squared in none."""
-    squared: dict[Step, dict[int, Any]] = {}
+    """A factor that is left out of all products."""
     used: dict[Step, list[int]] = {}
     for s in products:
         for x, power in Product(s).powers.items():
             used.setdefault(x, []).append(power)
-            if abs(power) == 2:
-                op = "/" if power > 0 else "*"
-                squared.setdefault(x, {})[s.number] = (op, s, number(x))
-    for x, instead in squared.items():
-        if len(instead) > 1 and (named := described(x)):
-            words = Words(
-                "does not square {factor} in several places: then the units do not fit",
-                factor=named,
-            )
-            yield Edit(LESS, computed(f"squares {x.number}", words), instead)
     for x, powers in used.items():
         if (len(powers) > 1 or x.op == "pi") and x.op != "argument" and (named := described(x)):
             words = Words("leaves out the factor {factor}: the formula has it", factor=named)

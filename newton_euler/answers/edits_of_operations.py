@@ -23,11 +23,12 @@ INVERSE = ("asin", "acos", "atan", "atan2")
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
+CONE = Fraction(3, 10)  # for which others are taken, but not it for them
 BODIES = {
     Fraction(1): Words("a ring"), Fraction(1, 2): Words("a disk about its axis"),
     Fraction(1, 4): Words("a disk about a diameter"), Fraction(1, 3): Words("a rod about its end"),
     Fraction(1, 12): Words("a rod about its centre"), Fraction(2, 5): Words("a solid sphere"),
-    Fraction(2, 3): Words("a spherical shell"), Fraction(3, 10): Words("a cone about its axis"),
+    Fraction(2, 3): Words("a spherical shell"),
 }  # fmt: skip
 
 
@@ -72,13 +73,6 @@ def _of_sum(s):
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
             yield LESS, kind, words, (s.op, *scaled)
-    if minus:
-        words = Words("leaves out {term}: it is not zero here", term=_term(a, s))
-        yield LESS, "only", words, b
-    if (power := _common_power(a, b)) and (whole := typed(s)):
-        n, x, y = power
-        words = Words("takes the power of a sum for {whole}: the powers come first", whole=whole)
-        yield LESS, "powers", words, ("**", (s.op, x, y), float(n))
 
 
 def _is_half(a, b, minus):
@@ -88,15 +82,6 @@ def _is_half(a, b, minus):
         return False
     p, q = x.coefficient, -y.coefficient if minus else y.coefficient
     return 2 * abs(p - q) == abs(p + q)
-
-
-def _common_power(a, b):
-    """(n, x, y) of two terms x^n and y^n; None of others."""
-    products = Product(a), Product(b)
-    if not all(len(p.powers) == 1 and p.is_exact and p.coefficient == 1 for p in products):
-        return None
-    ((x, n), (y, m)) = (next(iter(p.powers.items())) for p in products)
-    return (n, x, y) if n == m and n in (2, 3, 4) else None
 
 
 def _term(term, whole):
@@ -328,7 +313,7 @@ def of_moment(s: Step, dimension: Dimension | None) -> Iterator[Slip]:
     own = product.coefficient if product.is_exact else Fraction(0)
     alike = RODS if own in RODS else BODIES.keys() - RODS
     # a mass times a square may be that of a particle, or of a transfer
-    known = own in RODS or (own in BODIES and own != 1 and dimension == INERTIA)
+    known = own in RODS or (own in {*BODIES, CONE} and own != 1 and dimension == INERTIA)
     for other in sorted(alike - {own}) if known else ():
         words = Words(
             "takes the factor {other} for {own} in a moment of inertia: that is {body}",

@@ -44,6 +44,7 @@ class Formulas(NamedTuple):
     means : of the givens, in a few words
     systems : the linear equations that are solved on the way
     symbols : the arguments that stay symbols in the answers
+    given : the steps of all givens and symbols of the problem, also of those that no answer needs
     """
 
     answers: Mapping[str, Traced]
@@ -54,6 +55,7 @@ class Formulas(NamedTuple):
     means: Mapping[str, str] = {}
     systems: Sequence[Solved] = ()
     symbols: Collection[str] = ()
+    given: Mapping[str, Step] = {}
 
 
 class Edit(NamedTuple):

@@ -8,9 +8,9 @@ over all places, random numbers are named in a quarter of a percent.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from .causes import Cause, in_components
 from .fit import Fit, rounding, written
@@ -41,6 +41,19 @@ class Ranked:
         return [rank for rank, _ in self.slips]
 
 
+class Singles(NamedTuple):
+    """Slips, each with how simple it is, and what they make of an answer at a point, an array
+    (slips, components); ``of_symbols``: no number is given in what it is computed from.
+    """
+
+    causes: Sequence[tuple[int, Cause]] = ()
+    at: Callable[[int], Any] = lambda point: ()
+    of_symbols: bool = False
+
+
+NO_SINGLES = Singles()
+
+
 class Slips:
     """What slips make of the answers of a student; of this class itself, none."""
 
@@ -63,6 +76,24 @@ class Slips:
         ranked = self.ranked(key)
         places = ranked.places.get(cause, ()) if ranked else ()
         return [self._points(key, n) for n in places]
+
+    def singles(self, key: str, most: int) -> Singles:
+        """The slips in an answer that are so simple, of which pairs are tried."""
+        ranked = self.ranked(key)
+        places = [n for n, rank in enumerate(ranked.ranks) if rank <= most] if ranked else []
+        if ranked is None or not places:
+            return NO_SINGLES
+
+        def at(point):
+            rows = self.at(key, point)
+            return [rows[n] for n in places]
+
+        causes = [(ranked.slips[n][0] // 2, ranked.slips[n][1]) for n in places]
+        return Singles(causes, at, self.is_of_symbols(key))
+
+    def is_of_symbols(self, key: str) -> bool:
+        """True of an answer that is computed from symbols alone."""
+        return False
 
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
         """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
@@ -161,6 +192,7 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
     wrong = sum(abs(x - k) > least for x, k in zip(given, key, strict=True))
     few = _in_few_digits(rows, around, given)
     beside = CHANCE_BESIDE if allowed == 1 else allowed * CHANCE
+    loosely = CHANCE_ROUNDED / CHANCE  # by so much less, where it is not met as it was written
     found = []
     for n in filter(around.__contains__, close):
         # what is met exactly in few digits, as 7.1, is one of few slips that have no more
@@ -169,8 +201,8 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
         count = len({around[m] for m in others if ranked.ranks[m] <= ranked.ranks[n]})
         share = (rounding(given) if is_met else max(gaps[n], nearest)) / (AROUND * size)
         limit = CHANCE_MET if is_met else CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
-        by_chance = count * share**there > limit or count * share**wrong > beside
-        if not by_chance:
+        few_are = beside * (1 if gaps[n] <= nearest else loosely)
+        if count * share**there <= limit and count * share**wrong <= few_are:
             found.append(n)
     return found
 

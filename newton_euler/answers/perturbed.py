@@ -29,7 +29,7 @@ class Computation:
         self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         stages = [x for stage in formulas.stages for x in stage.parts]
         inside = [x for system in square(formulas.systems) for x in entries(system)]
-        self.every = needed([*self.steps, *stages, *inside])
+        self.every = needed([*self.steps, *stages, *inside, *formulas.given.values()])
         self.arguments = [s.args[0] for s in self.every if s.op == "argument"]
         system = formulas.system
         self.factors = {k: unit(a.unit).from_base(1.0, system) for k, a in self.answers.items()}
@@ -222,6 +222,12 @@ class Perturbed(Slips):
     def points(self, key: str) -> int:
         """As for :class:`.near.Slips`."""
         return self.computation.answers[key].points
+
+    def is_of_symbols(self, key: str) -> bool:
+        """As for :class:`.near.Slips`."""
+        steps = needed(self.computation.answers[key].parts)
+        given = (self.values[s.args[0]] for s in steps if s.op == "argument")
+        return all(getattr(x, "shape", ()) for x in given)
 
     def at(self, key: str, point: int) -> Any:
         """As for :class:`.near.Slips`."""

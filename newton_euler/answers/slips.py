@@ -14,7 +14,7 @@ from ..algebra.units import Dimension, unit
 from . import causes
 from .causes import Cause
 from .fit import Fit, most_digits, written
-from .tolerance import DIGITS, NOISE, NUMBER_RTOL, Points
+from .tolerance import DIGITS, NOISE, Points
 
 Models = Iterator[tuple[Cause, Points]]
 
@@ -223,30 +223,6 @@ def rates_as_scalars(fit: Fit, rates: Sequence[Points]) -> Models:
                 causes.AS_SCALARS,
                 tuple(tuple(x * f for x in p) for p, f in zip(points, scaled, strict=True)),
             )
-
-
-def pairs(
-    fit: Fit, listed: Sequence[tuple[Cause, Points]]
-) -> Iterator[tuple[Cause, Cause, Points]]:
-    """(cause, cause, points) of two listed mistakes at once, in vectors, where each changes the key
-    by an amount of its own (as terms do).
-    """
-    if len(listed) < 2 or fit.index is None or len(fit.first[1]) < 2:
-        return
-    index, (given, key, size) = fit.index, fit.first
-    near = NUMBER_RTOL * (math.hypot(*given) + size) + fit.rounding
-    changed = [
-        (cause, x, [a - b for a, b in zip(x[index], key, strict=True)]) for cause, x in listed
-    ]
-    for (first, a, da), (second, b, db) in combinations(changed, 2):
-        if abs(key[0] + da[0] + db[0] - given[0]) > near:  # of most pairs
-            continue
-        if all(abs(k + p + q - g) <= near for k, p, q, g in zip(key, da, db, given)):  # noqa: B905
-            together = tuple(
-                tuple(x + y - k for x, y, k in zip(*point, strict=True))
-                for point in zip(a, b, fit.key, strict=True)
-            )
-            yield first, second, together
 
 
 def is_rounded(given: Points, key: Points) -> bool:

@@ -11,6 +11,7 @@ from ..algebra.language import Words, _, joined, spoken
 from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
 from .forms import Form
+from .formulas import LESS, RARER
 from .frames import counted
 from .kinds import Kind
 from .messages import one_line
@@ -170,7 +171,7 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     assert given is not None
     earlier = _followed(asked, given, found, numbers)
     # in what follows, a slip that gives the same numbers was made before
-    slips = () if earlier else (_slips(asked, found, numbers),)
+    slips = () if earlier else (_slips(asked, found, numbers), _singles(asked, numbers))
     causes = _causes(asked, given, found, numbers, *slips)
     causes = tuple(c if c.where else c.at(numbers.where) for c in causes)
     for cause, words in OTHER_NUMBERS.items():
@@ -213,6 +214,12 @@ def _slips(asked, found, numbers):
         return [(level, c.after(wrong), points) for level, c, points in later]
 
     return near
+
+
+def _singles(asked, numbers):
+    """Finds the slips of which one may be made beside another mistake."""
+    most = LESS if asked.kind.is_formula else RARER
+    return lambda: numbers.slips.singles(asked.key, most)
 
 
 def _like(given, asked, numbers):

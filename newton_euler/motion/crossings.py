@@ -24,17 +24,19 @@ NEAR = 4  # rooms about a stop: what is as close to the end of a step needs none
 
 def choices(traced):
     """The pairs (a, b) of steps of the trace or numbers by whose order the rates choose between
-    formulas.
+    formulas, a list.
     """
+    found = []
     for s in varying(traced):
         if s.op in COMPARISONS:
-            yield tuple(s.args)
+            found.append(tuple(s.args))
         elif s.op == "abs":
-            yield s.args[0], 0.0
+            found.append((s.args[0], 0.0))
         elif s.op == "table":
-            yield from ((s.args[0], place) for place in s.args[1].places)
+            found += [(s.args[0], place) for place in s.args[1].places]
         elif s.op == "sqrt" and _is_square(s.args[0]):  # sqrt(v*v) is abs(v)
-            yield s.args[0].args[0], 0.0
+            found.append((s.args[0].args[0], 0.0))
+    return found
 
 
 def _is_square(x):

@@ -29,6 +29,8 @@ def why(error, system, t, x, span):
                 MotionError,
                 "; the coordinates may be singular there, or the motion leaves the model",
             )
+    if isinstance(error, ValueError) and not isinstance(error, ArithmeticError):
+        return NoValueError, ""  # as of a table, which says so itself
     return MotionError, "; the coordinates are singular there"
 
 

@@ -30,6 +30,8 @@ class Traced:
         content
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
+    kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the functions of
+        these names in :mod:`.analytic`, :mod:`.crossings` and :mod:`.narrow_arguments` find
     """
 
     def __init__(self, rhs, arguments):
@@ -44,43 +46,13 @@ class Traced:
         """
         return folded(self.rhs, self.arguments)
 
-    @cached_property
-    def kinks(self):
-        """See :func:`newton_euler.motion.analytic.kinks`."""
-        return kinks(self)
-
-    @cached_property
-    def clocked(self):
-        """See :func:`newton_euler.motion.analytic.clocked`."""
-        return clocked(self)
-
-    @cached_property
-    def surprises(self):
-        """See :func:`newton_euler.motion.analytic.surprises`."""
-        return surprises(self)
-
-    @cached_property
-    def hazards(self):
-        """See :func:`newton_euler.motion.analytic.hazards`."""
-        return hazards(self)
-
-    @cached_property
-    def choices(self):
-        """See :func:`newton_euler.motion.crossings.choices`, a list."""
-        return list(choices(self))
-
-    @cached_property
-    def compiled_choices(self):
-        """See :func:`newton_euler.motion.crossings.compiled_choices`."""
-        return compiled_choices(self)
-
-    @cached_property
-    def narrow(self):
-        """See :func:`newton_euler.motion.narrow.narrow_arguments`."""
-        return narrow_arguments(self)
+    kinks, clocked = cached_property(kinks), cached_property(clocked)
+    surprises, hazards = cached_property(surprises), cached_property(hazards)
+    choices, narrow = cached_property(choices), cached_property(narrow_arguments)
+    compiled_choices = cached_property(compiled_choices)
 
     def narrow_of(self, text):
-        """The same for the text of an event."""
+        """As ``narrow``, for the text of an event."""
         traced = Traced(text, self.arguments)
         return cached(self._narrow, text, lambda: narrow_arguments(traced, of_event=True))
 

@@ -221,7 +221,9 @@ class Trajectory:
         for part in self.segments if self.repeated else ():
             rows = zip(part.stepper.noise, part.stepper.scales, strict=True)
             total += max([noise / (scale or 1.0) for noise, scale in rows])
-        for system, stepper, _, end, _ in self.segments if self.watched else ():
+        for system, stepper, begun, end, _ in self.segments if self.watched else ():
+            if begun == end:
+                continue  # without a step
             passed = system.traced.narrow and not stepper.resumable and passage(stepper, 0)
             if stepper.halved and system.traced.surprises:
                 total += unsettled(stepper, end)

@@ -43,7 +43,6 @@ def test_no_modules_import_each_other_in_a_circle():
     """Through a package's __init__ too: a file of the catalogue imports the module that it needs."""
     graph = {m: {t for t, _ in imports(m, FILES) if t in FILES and t != m} for m in FILES}
     assert circle(graph) is None
-    assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
 
 
 def test_every_device_is_used_by_a_problem_or_another_device():

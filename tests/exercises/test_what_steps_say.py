@@ -3,6 +3,7 @@ givens and from each other, and none is an answer, or another step.
 """
 
 import math
+import re
 from functools import cache
 
 import pytest
@@ -88,6 +89,14 @@ def test_no_step_after_which_only_a_key_of_the_calculator_is_left(p):
                 return n in s and any(a[k]) and same(s[n][0], [f(a[k][0])])
 
             assert not always(p, gives_away), f"the step {step} is the {name} of the answer {key}"
+
+
+@by_id
+def test_a_step_has_a_name_to_read(p):
+    """A symbol or a word, and no formula without its signs, as BxC or dRdt."""
+    for s in listed_steps(p, p.base(values(p, 1))):
+        base = s.key.partition("_")[0]
+        assert not re.search(r"[a-z][A-Z]|[A-Z]x[A-Z]|^to$", base), s.key
 
 
 def traced(x):

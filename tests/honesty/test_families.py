@@ -87,8 +87,8 @@ def test_the_pieces_of_a_kinked_model_are_its_rates(name):
             x = tuple(map(abs, x))  # a level
         if name == "swing_on_a_table":
             x = max(-4.0, min(4.0, x[0])), x[1]  # where the table is
-            if name in ("puck_through_a_round_puddle", "lorry_in_a_bed_of_gravel"):
-                x = *(p.R * chance.uniform(-2.0, 2.0) for _ in "xy"), *x[2:]  # about the patch
+        if name in ("puck_through_a_round_puddle", "lorry_in_a_bed_of_gravel"):
+            x = *(p.R * chance.uniform(-2.0, 2.0) for _ in "xy"), *x[2:]  # about the patch
         s = names(case.model.states, x)
         signs = tuple(1 if g(s, p, t) > 0 else -1 for g in case.branches.switches)
         rates = case.model.derivative(x, t)

@@ -234,11 +234,15 @@ def test_every_cell_of_a_chapter_prints_what_was_built_or_says_what_it_needs(
     driver.set_script_timeout(6 * LONG)
     driver.get(f"{address}/chapters/{chapter}.html")
     ran = [x for x in driver.execute_async_script(RUN, ARRAYS) if "this needs" not in x[3]]
-    assert [x for x in ran if words(x[1]) != words(x[2]) or x[3]] == []
+    assert ran
+    built = any(x[1] for x in ran)  # with outputs
+    assert [x for x in ran if (built and words(x[1]) != words(x[2])) or x[3]] == []
 
 
 def words(text):
     """A text without its numbers and its lines: round-off and blank lines between outputs differ,
-    and what Python 3.11 calls "float division by zero".
+    and what Python 3.11 calls "float division by zero". Why a motion stops where its coordinates
+    end is said by the method, which not every install has.
     """
-    return re.sub(r"[-+\d.e]+", "#", " ".join(text.split())).replace("float division", "division")
+    text = re.sub(r"(could not be followed).*?(see \.reached)", r"\1, \2", " ".join(text.split()))
+    return re.sub(r"[-+\d.e]+", "#", text).replace("float division", "division")

@@ -80,7 +80,7 @@ def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
 
 def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
     kinds = lambda name: [s.kind.name for s in steps(problem(name), problem(name).book_values)]
-    assert kinds("A/4") == ["number"] * 4  # whole numbers, but for the numbers of the book alone
+    assert kinds("A/4") == ["number"] * 2  # whole numbers, but for the numbers of the book alone
     assert set(kinds("5/24")) == {"count"}
     assert set(kinds("7/2")) == {"number", "vector", "matrix"}
     rows = lambda g: ((g.b, 0, 0), (0, g.b, 0), (0, 0, g.b))

@@ -15,16 +15,10 @@ by_id = pytest.mark.parametrize(
 )
 
 
+@pytest.mark.parametrize("draws", [2, pytest.param(60, marks=pytest.mark.slow)])
 @by_id
-def test_it_can_be_read_for_the_book_and_for_a_student(p):
-    for seed in range(2):
-        assert figure_faults(p, values(p, seed)) == []
-
-
-@pytest.mark.slow
-@by_id
-def test_it_can_be_read_for_many_students(p):
-    for seed in range(60):
+def test_it_can_be_read_for_the_book_and_for_students(p, draws):
+    for seed in range(draws):
         assert figure_faults(p, values(p, seed)) == []
 
 

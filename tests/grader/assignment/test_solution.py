@@ -93,9 +93,14 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
     values = numbers(p, seed)
     right = p.solve(values)
     known = {*p.units}
+    named = set().union(*(map(own_names, as_python(p, seed))))
+    asked = {a.key for a in p.answers}
+    assert any(
+        line.step.key not in asked or line.equal[1:] or line.together for line in as_python(p, seed)
+    ), "nothing is explained"
     for line in as_python(p, seed):
         *formulas, value = line.equal
-        assert what_a_reader_misses(line, known) == []
+        assert what_a_reader_misses(line, known, named) == []
         assert line.reason or formulas or line.together or line.above
         assert line.reason != TOO_LONG
         if line.step.key in right:
@@ -113,20 +118,34 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
                 assert computed == pytest.approx(shown, rel=2e-4, abs=2e-4 * size), text
 
 
-def what_a_reader_misses(line, known):
-    """The numbers without a name, the names without a meaning, and the sides that are missing, in a
-    line of a solution; ``known`` are the names of the lines before, to which its own are added.
-    """
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_step_is_introduced_in_thirty_words(p):
+    """A formula is one word."""
+    for line in as_python(p, b"one"):
+        means = "" if line.step.term else typeset_formulas(line.step.means, p.notation)
+        assert len(re.sub(r"\$[^$]*\$", "formula", means).split()) <= 30, means
+
+
+def own_names(line):
+    """The names of what a line of a solution finds, and of its components."""
     count = len(flat(line.step.value)) if not callable(line.step.value) else 1
-    own = {line.step.key, *(component(line.step.key, n, count) for n in range(count))}
+    return {line.step.key, *(component(line.step.key, n, count) for n in range(count))}
+
+
+def what_a_reader_misses(line, known, named):
+    """The numbers without a name, the names without a meaning, and the sides that are missing, in a
+    line of a solution; ``known`` are the names of the lines before, to which its own are added, and
+    ``named`` those of all lines: an unknown of equations is one of them, or the cosine of one.
+    """
     functions = FUNCTIONS_OF_MATH.keys() | {"Abs", "Integral"}
     vectors = {x[:-2] for x in known if x[-2:] in ("_x", "_1")}
     texts = [QUANTITY.sub("", x) for x in line.equal[:-1]]
     with_names = [x for x in texts if {*NAME.findall(x)} - functions]
     variables = {*re.findall(r"\((\w), ", " ".join(with_names))}  # of integrals
     unknowns = {*NAME.findall(" ".join(line.together))} - known
-    known |= own | unknowns
+    known |= own_names(line) | unknowns
     return [
+        *(x for x in unknowns - named - functions if not x.startswith(("cos_", "sin_"))),
         *({*NAME.findall(" ".join(with_names))} - known - vectors - functions - variables),
         *(x for x in (*with_names, *line.together) for x in re.findall(r"\d*\.\d{4,}", x)),
         *(row for row in line.together if not all(map(str.strip, row.split("=")))),
@@ -171,6 +190,18 @@ def found_by(p, key):
     """The names in each component's formula of a quantity."""
     found = derivations(p, numbers(p, b"one"))[key].formulas
     return [{x.name for x in f.free_symbols} for f in found]
+
+
+def test_the_terms_of_a_step_come_before_it():
+    keys = [line.step.key for line in as_python(problem("2/17"), b"one")]
+    assert keys.index("a_P_radial") < keys.index("a_P_coriolis") < keys.index("a_P")
+
+
+def test_terms_are_those_of_the_own_chapter():
+    p = problem("2/13")
+    assert r"\frac{\nu^2}{\rho}\,\hat{e}_n$ |" in worked_solution(p, numbers(p, b"one"))
+    for later in map(problem, ("A/8", "3/15")):  # which do not have the equation of these terms yet
+        assert "| --- |" not in worked_solution(later, numbers(later, b"one"))
 
 
 def test_what_is_equal_by_chance_has_no_name_of_another_quantity():

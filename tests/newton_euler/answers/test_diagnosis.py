@@ -17,6 +17,7 @@ from newton_euler.answers.causes import (
     SQUARED,
     TRANSPOSED,
     Cause,
+    answer_to,
     both,
     computed,
     entry_left_out,
@@ -100,8 +101,8 @@ def test_of_frames_with_parallel_axes_the_first_is_named():
 
 
 def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_same():
-    key, a, b = ((1.0, 2.0, 3.0),), ((1.0, 0.0, 3.0),), ((1.0, 2.0, 0.0),)
-    given = ((1.0, 0.0, 0.0),)
+    key, a, b = ((1.23, 2.0, 3.0),), ((1.23, 0.0, 3.0),), ((1.23, 2.0, 0.0),)
+    given = ((1.23, 0.0, 0.0),)
     A, B, C = (listed(name, name.upper()) for name in "abc")
     found = diagnose(given, key, [(A, a), (B, b)])
     assert found == (both(A, B),)
@@ -109,6 +110,18 @@ def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_s
     twin = [(A, a), (B, b), (listed("a too", "A too"), a)]
     assert diagnose(given, key, twin) == ()
     assert diagnose(given, key, [*twin, (C, given)]) == (C,)
+
+
+def test_what_is_listed_is_named_beside_others_with_the_same_numbers_however_many():
+    """Also a vector that is left with round-off for zero."""
+    contradicted = Elsewhere(lambda: [part(True, KEY, [(TURNS, MODEL)])])
+    general = [(answer_to(name), MODEL) for name in "abc"]
+    found = diagnose(MODEL, KEY, [*general, (TURNS, MODEL)], elsewhere=contradicted)
+    assert TURNS in found
+    assert len(found) == 3
+    nothing = [(term_left_out("y", "y"), ((0.0, 0.0, 0.0),)), (TURNS, ((1e-16, 0.0, 0.0),))]
+    elsewhere = Elsewhere(lambda: [part(True, KEY, [(TURNS, MODEL)])])
+    assert TURNS in diagnose(((0.0, 0.0, 0.0),), KEY, nothing, elsewhere=elsewhere)
 
 
 INERTIA = ((4.0, -1.0, 0.5, -1.0, 5.0, 2.0, 0.5, 2.0, 6.0),)

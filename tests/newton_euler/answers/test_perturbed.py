@@ -7,6 +7,7 @@ import random
 import pytest
 
 from newton_euler import cos, sin, sqrt
+from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.diagnosis import diagnose
@@ -250,3 +251,39 @@ def test_a_given_may_be_handed_back_and_a_vector_turned():
     assert "takes x and y and y with the opposite sign" not in found
     found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y], lengths)
     assert "takes p and q with the opposite sign" in found
+
+
+def test_a_symbol_stands_for_any_other_and_for_the_sum_with_one_of_its_unit():
+    units = {"r": "m", "e": "m", "k": "s"}
+    trace = Trace()
+    given = {n: trace.new("argument", n) for n in units}
+    answers = {"x": Traced([given["r"] * given["r"]], "m^2")}  # e and k are needed by no answer
+    for symbols, there in ((units, True), ((), False)):
+        slips = Computation(Formulas(answers, units, SI, symbols=symbols, given=given))
+        found = [e.cause.what for e in slips.edits]
+        assert ("takes k for r" in found) == there
+        assert ("takes r + e for r" in found) == there
+    rows = Perturbed(slips, {"r": 1.3, "e": 2.3, "k": 3.3}).at("x", 0)
+    assert len(rows) == len(found)
+
+
+@pytest.mark.parametrize("name", ["v", "u_1"])
+def test_of_equations_that_are_solved_the_entries_are_perturbed_and_not_the_elimination(name):
+    """Of an unknown without a name of its own nothing can be said."""
+    trace = Trace()
+    a, b, c = (trace.new("argument", n) for n in "abc")
+    with solved_equations() as found:
+        x = solve_rates(lambda v, w: [a * v + b * w - c, b * v - a * w - c], 2)
+    (solved,) = found
+    other = solved.names[1]
+    names = [name, other]
+    values = dict(zip(names, solved.values.values(), strict=True))
+    system = Solved(solved.equations, names, values)
+    answers = {"x": Traced([x[0]], "1")}
+    units = dict.fromkeys("abc", "1")
+    causes = [
+        e.cause.what for e in Computation(Formulas(answers, units, SI, systems=[system])).edits
+    ]
+    assert (f"leaves out {name} in one equation" in causes) == (name == "v")
+    assert not [words for words in causes if words.startswith("doubles the term a^2")]
+    assert "takes b for a" in causes

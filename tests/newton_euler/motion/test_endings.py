@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from newton_euler import Event, Model, cos, integrate, sin, sqrt, table, where
+from newton_euler import Event, Model, cos, exp, integrate, sin, sqrt, table, where
 from newton_euler.motion import (
     LongError,
     MotionError,
@@ -68,6 +68,11 @@ def test_with_that_event_it_is_followed():
 NO_STICKING = {
     "pole": (lambda s, p, t: (s.x * s.x,), (1.0,), 2.0, "may be singular there", MotionError),
     "attraction": (lambda s, p, t: (-1 / s.x,), (1.0,), 2.0, "singular there", MotionError),
+    "overflow at the start": (lambda s, p, t: (-exp(s.x),), (1e3,), 2.0, "range|singular", MotionError),
+    "no root at the start": (lambda s, p, t: (exp(-s.x) + sqrt(s.x),), (-1.0,), 2.0,
+                             "math domain error; see", NoValueError),
+    "before a table": (lambda s, p, t: (exp(-s.x) + table([0.5, 1.0], [1.0, 2.0])(t),), (1.0,), 1.0,
+                       "has no value at 0.0; outside='hold' .* at its ends; see", NoValueError),
     "formula without value": (lambda s, p, t: (-1 - sqrt(s.x),), (1.0,), 2.0,
                               "beyond it the rates have no value: math domain error", NoValueError),
     "end of a table": (lambda s, p, t: (table([0.0, 1.0], [1.0, 2.0])(t),), (1.0,), 2.0,
