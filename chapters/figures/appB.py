@@ -239,10 +239,10 @@ def top():
     s = Sketch(ax, ground, plane="yx")
     s.plate([(0, 0, 0), (4, -3, 0), (4, 3, 0)])
     s.plate([(4, -3, 0), (4.5, -3, 0), (4.5, 3, 0), (4, 3, 0)])
-    s.plate([(4.5, -0.3, 0), (7.5, -0.3, 0), (7.5, 0.3, 0), (4.5, 0.3, 0)])
+    s.plate([(4.5, -0.5, 0), (7.5, -0.5, 0), (7.5, 0.5, 0), (4.5, 0.5, 0)])
     s.axes(O, ground, length=2, labels=["x", "y", ""])
     for x, name in ((2.6, "cone"), (4.25, "disk"), (6, "stem")):
-        s.label((x, 0.4, 0), name, offset=(14, 0), bold=False)
+        s.label((x, 0.7, 0), name, offset=(14, 0), bold=False)
     s.dimension((0, -3.2, 0), (4, -3.2, 0), "4 cm", offset=0.3)
     s.dimension((4.5, 2.0, 0), (7.5, 2.0, 0), "3 cm", offset=-0.3)
     s.dimension((-0.4, 0, 0), (-0.4, 3, 0), "3 cm", offset=(-0.3, 0, 0))

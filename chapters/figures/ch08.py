@@ -300,7 +300,7 @@ def pushed_rod(ax, b):
     s.rod((-0.5, 0, 0), (0.5, 0, 0))
     for x in evenly(-0.5, 0.5, 9):
         s.vector((x, 0, 0), ground.j * (a + alpha * x), kind="acceleration")
-    s.vector((b, -0.25, 0), ground.j * F, "$F$", kind="force")
+    s.vector((b, -0.32, 0), ground.j * F, "$F$", kind="force")
     s.dot(O)
     s.label(O, "G", offset=(0, -14))
     rest = "none" if abs(b) < 1e-9 else f"x = {-1 / (12 * b):.3f} m"

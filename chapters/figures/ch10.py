@@ -156,7 +156,7 @@ def spinning_top(ax, build, I0, I, spin, precession):
     draw_top(s, body, 0.3, 0.14)
     s.axes(O, ground, length=0.5, labels=["", "", "Z"])
     s.axes(O, body.parent, length=0.5)
-    s.vector(O, body.parent.angular_velocity(ground), r"$\Omega$", kind="rate", size="rad/s")
+    s.vector(O, body.parent.angular_velocity(ground), r"$\Omega$", kind="rate")
     s.vector(O, body.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
     s.vector(O, gyro_momentum(body, ground, I0, I), r"$\mathbf{H}_B$")
 

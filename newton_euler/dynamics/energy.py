@@ -228,7 +228,7 @@ class Audit:
             "change of T": self.kinetic,
             **{f"change of V, {n}": x for n, x in self.potentials.items()},
             **{f"less work, {n}": -x for n, x in self.works.items()},
-            "residual": self.residual,
+            "residual": 0.0 if self.balances() else self.residual,
         }
         width = max(map(len, rows))
         lines = [f"  {name:<{width}}  {short(x)}" for name, x in rows.items()]

@@ -5,6 +5,7 @@ error of a rung is its largest distance from the fullest, measured where no boun
 """
 
 import math
+import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -226,7 +227,10 @@ class Choice:
             bound = f"off by at most {e.bound:.3g}" if e.bound < math.inf else "no bound is known"
             error = "" if e.error is None else f", by {e.error:.3g} from the fullest"
             lines.append(f"{'takes' if name == self.rung.name else 'not'} {name}: {bound}{error}")
-        return "\n".join([*lines, *(f"it leaves out {n.what}" for n in self.model.neglects)])
+        if self.model.neglects:
+            left = ", ".join(n.what for n in self.model.neglects)
+            lines.append(textwrap.fill(f"it leaves out {left}", 96))
+        return "\n".join(lines)
 
     __str__ = explain
 
@@ -244,10 +248,8 @@ def smallest(ladder: Ladder, tolerance: float) -> Choice:
     for position, m, within 2:
     not projectile, flat: off by at most 4.44, by 2.84 from the fullest
     takes projectile, Coriolis to first order: off by at most 2.02, by 1.23 from the fullest
-    it leaves out the Coriolis acceleration beyond the first order in the rotation
-    it leaves out the centrifugal acceleration
-    it leaves out the change of the attraction with place
-    it leaves out the air
+    it leaves out the Coriolis acceleration beyond the first order in the rotation, the centrifugal
+    acceleration, the change of the attraction with place, the air
     """
     if not (isinstance(tolerance, (int, float)) and tolerance > 0):
         raise ModelError(f"the tolerance is a positive number, {ladder.of}; got {tolerance!r}")

@@ -58,7 +58,8 @@ def chart(
     legend: bool = True,
 ) -> list[Measured]:
     """The fronts of the points, which are drawn on the Matplotlib axes ``ax``: cost to the right,
-    error upwards. Each family has a front, with rings and steps, of points that have a right digit.
+    error upwards. Each family has a front, with rings and steps, of points that have a right digit;
+    of times, those that are on the front of every repeat.
     A band goes from the least to the largest time of its repeats; a grey bar is the time to prepare
     the first run.
 

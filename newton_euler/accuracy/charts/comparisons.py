@@ -127,7 +127,8 @@ def comparison_caption(comparison, points):
 
 
 def _worst(own):
-    return max(own, key=attrgetter("error"))
+    """The point of the largest error, the same for chart and caption: round-off is no worse."""
+    return max(own, key=lambda p: max(p.error, ROUND_OFF))
 
 
 def _answer(question, points):

@@ -141,9 +141,20 @@ def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
 
 
 def fronts(points: Sequence[Measured], cost: str = "cost") -> dict[str, list[Measured]]:
-    """The front of each family of the points, by the name of the family."""
-    families = dict.fromkeys(p.family for p in points)
-    return {name: front([p for p in points if p.family == name], cost) for name in families}
+    """The front of each family of the points, by the name of the family: of times, only what the
+    front of every repeat has.
+    """
+    runs = list(repeated(points)) if cost == "cost" else [list(points)]
+    found = {}
+    for name in dict.fromkeys(p.family for p in points):
+        own = [n for n, p in enumerate(points) if p.family == name]
+        said = []
+        for run in runs:
+            place = {id(run[n]): n for n in own}
+            said.append({place[id(p)] for p in front([run[n] for n in own], cost)})
+        if agreed := [points[n] for n in set.intersection(*said)]:
+            found[name] = sorted(agreed, key=attrgetter(cost, "error"))
+    return found
 
 
 def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:

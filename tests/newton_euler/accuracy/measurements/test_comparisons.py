@@ -164,8 +164,8 @@ def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measu
         colours = [line.get_color() for line in left.lines]
         assert len(colours) == len(q.methods)
         assert colours == [line.get_color() for line in right.lines[: len(colours)]]
-        assert [t.get_text() for t in right.get_legend().get_texts()] == [*q.methods, "front"]
-        assert any(p.question is q for p in best)
+        ringed = ["front"] if any(p.question is q for p in best) else []  # none if repeats disagree
+        assert [t.get_text() for t in right.get_legend().get_texts()] == [*q.methods, *ringed]
 
 
 @pytest.mark.parametrize("apart", [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0, 30.0])

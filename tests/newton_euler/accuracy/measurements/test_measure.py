@@ -118,6 +118,23 @@ def test_the_chart_names_every_method_once_and_returns_the_front(ax):
     ax.figure.canvas.draw()
 
 
+@pytest.mark.parametrize(
+    ("repeats", "ringed"),
+    [((2e-6, 4e-6, 5e-6), ["surely", "cheap"]), ((2e-6, 4e-6, 6e-5), ["surely"])],
+    ids=["all repeats agree", "one repeat contradicts"],
+)
+def test_only_what_every_repeat_says_is_ringed(ax, repeats, ringed):
+    """Two ways of equal errors: which one is cheaper must not hang on a single repeat."""
+    points = [
+        Measured("surely", 1e-9, 1e-2, repeats=(1e-9, 1e-9, 1e-9)),
+        Measured("cheap", 4e-6, 1e-9, repeats=repeats),
+        Measured("dear", 3e-5, 1e-9, repeats=(3e-5, 3e-5, 3e-5)),
+    ]
+    assert [p.method for p in chart(points, ax)] == ringed
+    (rings,) = (line for line in ax.lines if line.get_label() == "front")
+    assert list(rings.get_xdata()) == [p.cost for p in points if p.method in ringed]
+
+
 def test_an_error_below_the_floor_is_drawn_there_with_its_value(ax):
     chart([Measured("many digits", 1e-3, 3e-31), Measured("exact", 1e-4, 0.0)], ax)
     assert {text.get_text() for text in ax.texts} == {"3e-31", "0", "better"}
