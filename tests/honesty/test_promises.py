@@ -91,6 +91,8 @@ REASONS = {kind.__name__ for kind in (StickingError, FarError)}  # of a refusal
 TAKEN = {"lorry_in_a_bed_of_gravel": 1, "heads_over_narrow_marks": 1}
 # off by 1.3 times 1e-12: a distance of 7 cm is read off coordinates of 44 m
 TAKEN["car_through_a_cloud_of_dust"] = 1
+# refused at 1e-12 where the contact lasts: the estimate is some 10 times the true error there
+TAKEN["ball_on_a_hertz_contact"] = 1
 
 
 def _stranger(name):
