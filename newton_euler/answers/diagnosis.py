@@ -117,7 +117,7 @@ def diagnose(
         found = _best([*single, computed], elsewhere, fit.sizes)
     found = found or _of_components(fit) or (_in_the_whole(fit, kind) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term")]
-    return found or of_two(fit, kind, terms, singles(), elsewhere.contradicts)
+    return found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
 
 
 def _says_little(cause, kind):

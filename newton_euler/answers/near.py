@@ -31,6 +31,7 @@ class Ranked:
 
     def __init__(self, slips: Sequence[tuple[int, Cause]]):
         self.slips = slips
+        self._simple: dict[int, tuple[list[int], list[tuple[int, Cause]]]] = {}
         self.places: dict[Cause, list[int]] = {}
         for n, (_, cause) in enumerate(slips):
             self.places.setdefault(cause, []).append(n)
@@ -39,6 +40,14 @@ class Ranked:
     def ranks(self) -> list[int]:
         """Their ranks."""
         return [rank for rank, _ in self.slips]
+
+    def simple(self, most: int) -> tuple[list[int], list[tuple[int, Cause]]]:
+        """The places of those whose rank is no higher, and (level, cause) of each."""
+        if most not in self._simple:
+            places = [n for n, rank in enumerate(self.ranks) if rank <= most]
+            causes = [(rank // 2, cause) for rank, cause in (self.slips[n] for n in places)]
+            self._simple[most] = places, causes
+        return self._simple[most]
 
 
 class Singles(NamedTuple):
@@ -80,15 +89,14 @@ class Slips:
     def singles(self, key: str, most: int) -> Singles:
         """The slips in an answer that are so simple, of which pairs are tried."""
         ranked = self.ranked(key)
-        places = [n for n, rank in enumerate(ranked.ranks) if rank <= most] if ranked else []
-        if ranked is None or not places:
+        places, causes = ranked.simple(most) if ranked else ([], [])
+        if not places:
             return NO_SINGLES
 
         def at(point):
             rows = self.at(key, point)
-            return [rows[n] for n in places]
+            return [rows[n] for n in places] if isinstance(rows, list) else rows[places]
 
-        causes = [(ranked.slips[n][0] // 2, ranked.slips[n][1]) for n in places]
         return Singles(causes, at, self.is_of_symbols(key))
 
     def is_of_symbols(self, key: str) -> bool:

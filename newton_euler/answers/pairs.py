@@ -9,6 +9,7 @@ tried. Two slips in the computation are never named: these explain guesses as we
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
 from typing import Any
 
 from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both
@@ -22,23 +23,24 @@ def of_two(
     fit: Fit,
     kind: Kind,
     own: Sequence[tuple[Cause, Points]],
-    slips: Singles,
+    slips: Callable[[], Singles],
     is_contradicted: Callable[[Cause], bool],
 ) -> tuple[Cause, ...]:
     """The two mistakes that give an answer together, as one cause: the simplest two, of numbers
     only if there are no others as simple; () if there are none.
 
     own : the models of the problem's own mistakes
-    slips : those that may be made beside one of them
+    slips : finds those that may be made beside one of them
     """
-    if fit.index is None or not (kind.has_size or kind.is_formula):
+    of_numbers = kind.has_size and len(fit.key[0]) > 1  # any single number meets some pair
+    if fit.index is None or not (of_numbers or kind.is_formula):
         return ()
     try:
         import numpy  # noqa: F401
     except ImportError:  # on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, Cause], None]] = {}
-    for level, pair in _Pairs(fit, kind, own, slips).fitting():
+    for level, pair in _Pairs(fit, kind, own, slips()).fitting():
         if not any(map(is_contradicted, pair)):
             found.setdefault(level, {})[pair] = None
     simplest = [*found[min(found)]] if found else []
@@ -53,12 +55,16 @@ class _Pairs:
 
     def __init__(self, fit, kind, own, slips):
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own), own, slips
-        opposite = tuple(tuple(-x for x in point) for point in fit.key)
-        # the opposite sign has words of its own, which are shorter
-        levels = [4 if x == opposite else 2 * (c.group != "listed") for c, x in own]
-        self.causes = [*zip(levels, (c for c, _ in own), strict=True)]
-        self.causes += [*((n + 2, c) for n, c in slips.causes), (1, OPPOSITE_NUMBER)]
         self.of_symbols = kind.is_formula and slips.of_symbols
+
+    @cached_property
+    def causes(self) -> list[tuple[int, Cause]]:
+        """(how simple, the cause) of each row; the opposite sign has words of its own, which are
+        shorter.
+        """
+        opposite = tuple(tuple(-x for x in point) for point in self.fit.key)
+        own = [(4 if x == opposite else 2 * (c.group != "listed"), c) for c, x in self.models]
+        return [*own, *((n + 2, c) for n, c in self.slips.causes), (1, OPPOSITE_NUMBER)]
 
     def at(self, point: int) -> tuple[Any, Any]:
         """(key, rows) at a point."""
@@ -86,7 +92,8 @@ class _Pairs:
         key, rows = self.at(self.fit.index)
         near = max(ROUND_OFF * size, self.fit.rounding)
         off = abs(given - key) > near
-        if not 0 < size < math.inf or not off.any():
+        is_possible = 0 < size < math.inf and off.any()
+        if not is_possible or not self._is_met_in_one(rows, key, given, near):
             return
         # what undoes another mistake, or leaves nothing, is none of two
         undoes = (abs(rows - key)[:, ~off] > NOISE * size).any(axis=1)
@@ -94,16 +101,30 @@ class _Pairs:
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
         usable[last] = len(key) == off.sum() or not key[~off].any()
-        firsts = [i for i in (*range(self.own), last) if usable[i]]
+        needs_sign = self.kind.is_formula and not self.of_symbols
+        firsts = np.flatnonzero(usable[: 0 if needs_sign else self.own])
         seconds = np.flatnonzero(usable)
-        for i in firsts:
-            for op in self._operations():
-                gaps = np.linalg.norm(op(rows[i], rows[seconds], key) - given, axis=1)
-                for j in seconds[gaps <= near]:
-                    one, two = sorted((i, int(j)))
-                    differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
-                    if differ and self._is_named(one, two, op, near, given, key, off):
-                        yield one, two
+        tried = [(op, firsts) for op in self._operations()]
+        tried += [(_multiplied, np.flatnonzero(usable[last:]) + last)]
+        for op, places in tried:
+            made = op(rows[places][:, None], rows[seconds], key)
+            for i, j in np.argwhere((abs(made - given) <= near).all(axis=2)):
+                one, two = sorted((int(places[i]), int(seconds[j])))
+                met = math.dist(made[i, j], given) <= near
+                differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
+                if met and differ and self._is_named(one, two, op, near, given, key, off):
+                    yield one, two
+
+    def _is_met_in_one(self, rows, key, given, near):
+        """False where no pair gives the largest component of the key, as of most answers."""
+        at = abs(key).argmax()
+        x, k, y = rows[:, at], float(key[at]), float(given[at])
+        own = x[[*range(self.own), -1]][:, None]
+        close = abs(own + x - (k + y)) <= 2 * near
+        close |= abs(own * x - k * y) <= 2 * near * abs(k)
+        if self.of_symbols:
+            close |= abs(abs(own * own + x * x - k * k) ** 0.5 - abs(y)) <= 2 * near
+        return close.any()
 
     def _operations(self):
         return (_added, _multiplied, *[_under_a_root] * (self.of_symbols and self.kind.length == 1))
@@ -151,8 +172,11 @@ class _Pairs:
         import numpy as np
 
         if self.of_symbols and self.kind.length == 1:
-            gaps = [abs(self.at(n)[1][:, 0] * x - 1) for n, (x,) in enumerate(self.fit.given)]
-            yield from np.flatnonzero((np.array(gaps)[:, : self.own] <= ROUND_OFF).all(axis=0))
+            met = np.ones(self.own, bool)
+            for n, (x,) in enumerate(self.fit.given):
+                if met.any():
+                    met &= abs(self.at(n)[1][: self.own, 0] * x - 1) <= ROUND_OFF
+            yield from np.flatnonzero(met)
 
 
 def _added(x, y, key):

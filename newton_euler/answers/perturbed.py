@@ -31,6 +31,7 @@ class Computation:
         inside = [x for system in square(formulas.systems) for x in entries(system)]
         self.every = needed([*self.steps, *stages, *inside, *formulas.given.values()])
         self.arguments = [s.args[0] for s in self.every if s.op == "argument"]
+        self._arguments: dict[str, list[str]] = {}
         system = formulas.system
         self.factors = {k: unit(a.unit).from_base(1.0, system) for k, a in self.answers.items()}
         self.to_base = {n: unit(formulas.units[n]).to_base(1.0, system) for n in self.arguments}
@@ -38,6 +39,13 @@ class Computation:
         self.names |= {"answer": self._answer, "within": self._within, "equations": solution}
         exec(compile(_Text(self).text, "the slips", "exec"), self.names)
         self._run = self.names["slips"]
+
+    def arguments_of(self, key: str) -> list[str]:
+        """The names of the arguments that an answer needs."""
+        if key not in self._arguments:
+            steps = needed(self.answers[key].parts)
+            self._arguments[key] = [s.args[0] for s in steps if s.op == "argument"]
+        return self._arguments[key]
 
     def rows(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """{answer: array (slips, components)} for one value of each argument, in the unit of the
@@ -225,9 +233,7 @@ class Perturbed(Slips):
 
     def is_of_symbols(self, key: str) -> bool:
         """As for :class:`.near.Slips`."""
-        steps = needed(self.computation.answers[key].parts)
-        given = (self.values[s.args[0]] for s in steps if s.op == "argument")
-        return all(getattr(x, "shape", ()) for x in given)
+        return all(getattr(self.values[n], "shape", ()) for n in self.computation.arguments_of(key))
 
     def at(self, key: str, point: int) -> Any:
         """As for :class:`.near.Slips`."""

@@ -24,7 +24,7 @@ def in_symbols(given, key, own, **slips):
     singles = Singles(causes, lambda n: [x[n] for x in made], of_symbols=True)
     kind = KINDS["expression"]
     fit = Fit(points(given), points(key), kind.rtol)
-    return of_two(fit, kind, [(LISTED, points(own))], singles, lambda cause: False)
+    return of_two(fit, kind, [(LISTED, points(own))], lambda: singles, lambda cause: False)
 
 
 ROOT_OF = lambda x, y: np.sqrt(x**2 + y**2)
@@ -67,7 +67,7 @@ def of_numbers(given, own, slips):
     kind = KINDS["vector"]
     singles = Singles([(1, SLIP)] * len(slips), lambda n: slips) if slips else NO_SINGLES
     fit = Fit((given,), (KEY,), kind.rtol)
-    return of_two(fit, kind, [(LISTED, (own,))], singles, lambda cause: False)
+    return of_two(fit, kind, [(LISTED, (own,))], lambda: singles, lambda cause: False)
 
 
 def test_numbers_are_named_where_two_components_are_wrong_with_the_digits_that_were_written():
