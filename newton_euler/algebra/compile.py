@@ -346,8 +346,12 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
     return Compiled(*recorded(f, **constants)._replace(backend=backend))
 
 
-# in the messages of Python and NumPy, which have no class of their own for these errors
-_OF_STEPS = "ufunc", "<traced ", "'Step'", "only integers, slices"
+# what Python, NumPy and mpmath say, which have no class of their own for these errors
+_OF_STEPS = {
+    TypeError: ("ufunc", "'Step'", "cannot create mpf from <traced "),
+    IndexError: ("only integers, slices",),
+    ValueError: ("could not convert string to float: '<traced ",),
+}
 
 
 def _lacked_values(error):
@@ -356,7 +360,9 @@ def _lacked_values(error):
     """
     if isinstance(error, NewtonEulerError):
         return str(error) == NO_VALUE
-    if any(text in str(error) for text in _OF_STEPS):
+    if any(text in str(error) for text in _OF_STEPS.get(type(error), ())):
+        return True
+    if any(map(_traced, (getattr(error, "obj", None), *error.args))):  # of s.real_part, data[s]
         return True
     for frame, _ in walk_tb(error.__traceback__):
         if frame.f_globals.get("__name__", "").partition(".")[0] in ("numpy", "scipy"):
