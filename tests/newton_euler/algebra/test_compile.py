@@ -103,7 +103,7 @@ def with_backends(*names):
 # -- the same numbers
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.sampled_from(sorted(FORMULAS)), st.floats(0.05, 1.4), st.floats(0.05, 1.4))
 def test_compiled_is_direct_on_floats(name, x, y):
     f = FORMULAS[name]

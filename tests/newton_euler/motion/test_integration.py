@@ -1,22 +1,16 @@
 """Integration of models: orders of convergence, dense output, prepared runs, and refusals."""
 
-import gc
 import math
 import subprocess
 import sys
-import weakref
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from newton_euler import Model, exp, sqrt
 from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.model import KEPT
-from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
 from tests.models import FALL, TAYLOR, forced, free_body, needs_heyoka, oscillator
 
@@ -195,22 +189,6 @@ def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start,
     with pytest.raises(ModelError, match=words):
         run(t, start)
     assert run(3.0, (1.0, 0.0))[0] == pytest.approx(math.cos(6.0), abs=3e-7)
-
-
-def test_functions_made_at_each_call_do_not_pile_up():
-    """An event and an invariant that are new each time, as lambdas are: those used last are kept."""
-    model, first = oscillator(), []
-    for n in range(3 * KEPT):
-        event, energy = (lambda s, p, t, n=n: s.x - n), (lambda s, p, t: s.dx**2 + p.k * s.x**2)
-        first = first or [weakref.ref(event), weakref.ref(energy)]
-        found = integrate(
-            replace(model, invariants={"energy": energy}), 0.1, (0.3, 0.0), events=Event(event)
-        )
-        assert found.drift["energy"] < 1e-12
-        del found
-    gc.collect()
-    assert len(prepared_model(model).traced.functions) <= KEPT
-    assert [seen() for seen in first] == [None, None]
 
 
 def test_only_one_model_is_prepared_at_a_time():
