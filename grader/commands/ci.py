@@ -30,6 +30,6 @@ def ci(forge: str, folder: str, to: Path) -> None:
     if path.exists():
         raise click.UsageError(f"{path} is there already; delete it to have it written anew")
     path.parent.mkdir(parents=True, exist_ok=True)
-    text = (TEMPLATES / f"{forge}.yml").read_text(encoding="utf-8")
+    text = (TEMPLATES / f"{forge}.yaml").read_text(encoding="utf-8")
     path.write_text(text.replace("{folder}", folder), encoding="utf-8")
     click.echo(path)
