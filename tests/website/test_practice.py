@@ -12,7 +12,7 @@ import pytest
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
-from tests.website.browser import LONG, complaints, emulated, requests, wait
+from tests.website.browser import LONG, complaints, emulated, requests, script, wait
 from website.build import CACHE
 from website.npm import Package
 
@@ -25,15 +25,7 @@ AXE = Package(
     "4.14.1",
     "sha512-FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ==",
 )
-FAULTS = """
-const [only, done] = arguments;
-// after a change of theme, in which colours are neither
-Promise.all(document.getAnimations().map((one) => one.finished.catch(() => 0)))
-  .then(() => axe.run(document, {resultTypes: ["violations"], ...(only && {runOnly: [only]})}))
-  .then(({violations}) => done(violations
-    .filter((v) => ["serious", "critical"].includes(v.impact))
-    .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => n.target).join(" ")}`)));
-"""
+FAULTS = script("faults_for_axe")
 # a page of each kind
 KINDS = (
     "index.html", "problems/4-16.html", "problems/own.html", "problems/index.html",
