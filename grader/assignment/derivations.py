@@ -137,7 +137,8 @@ class _Deriver:
         self.components = traced.components
         self.given_by = {x.number: name for name, x in traced.givens.items()}
         self.terms = {s.key: s.of for s in traced.steps if s.of in asked}
-        self.called = {}  # {number: (name, sign)} of components, for which others have the name
+        # {number: (name, sign)} of components, for which others have the name
+        self.called = dict[int, tuple[str, int]]()
         first = {}  # {number: the quantity that has its name}
         for key in sorted(self.components, key=lambda k: k in self.terms):
             for x, name in zip(self.components[key], self._names(key), strict=True):
