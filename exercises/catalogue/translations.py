@@ -58,7 +58,7 @@ def _translated(p, name):
         answers=tuple(replace(a, means=means("answers", a.key, a.means)) for a in p.answers),
         steps={n: {**s, "means": means("steps", n, s["means"])} for n, s in p.steps.items()},
         mistakes={n: means("mistakes", n, text) for n, text in p.mistakes.items()},
-        said=own.get("steps", {}),
+        step_texts=own.get("steps", {}),
     )
 
 

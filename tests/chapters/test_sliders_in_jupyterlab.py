@@ -62,19 +62,19 @@ def quiet(page):
 def test_a_screen_reader_hears_the_name_and_the_value_of_every_slider(page):
     from selenium.webdriver import Keys
 
-    said = """return [...document.querySelectorAll('[role=slider]')].map(h => [
+    labels = """return [...document.querySelectorAll('[role=slider]')].map(h => [
         h.getAttribute('aria-label'), h.getAttribute('aria-valuetext'),
         h.closest('.newton-euler-slider').querySelector('.newton-euler-value').textContent])"""
 
     def announced():
-        found = page.driver.execute_script(said)
+        found = page.driver.execute_script(labels)
         return found and all(f"{name} = {value}" == shown for name, value, shown in found)
 
     page.wait(announced, "names and values")
-    before = page.driver.execute_script(said)
+    before = page.driver.execute_script(labels)
     page.all(".noUi-handle", 0)[0].send_keys(Keys.ARROW_RIGHT)
     page.wait(
-        lambda: page.driver.execute_script(said)[0] != before[0] and announced(), "the next one"
+        lambda: page.driver.execute_script(labels)[0] != before[0] and announced(), "the next one"
     )
 
 

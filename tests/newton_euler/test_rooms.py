@@ -42,7 +42,7 @@ def faulty(check):
 
 
 def room_of(module):
-    """The room of a module, "" for the files beside the rooms."""
+    """The room of a module, "" for the files outside of the rooms."""
     parts = module.split(".")
     return parts[1] if len(parts) > 1 and parts[1] in BELOW else ""
 

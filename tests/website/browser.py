@@ -79,7 +79,7 @@ def emulated(driver, theme="", media="", reduced=""):
 
 
 def complaints(driver):
-    """What the console has said since it was asked before."""
+    """What the console has printed since it was asked before."""
     return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]
 
 

@@ -220,7 +220,7 @@ def test_every_cell_of_a_chapter_prints_what_was_built_or_says_what_it_needs(
 def words(text):
     """A text without its numbers and its lines: round-off and blank lines between outputs differ,
     and what Python 3.11 calls "float division by zero". Why a motion stops where its coordinates
-    end is said by the method, which not every install has.
+    end is explained by the method, which not every install has.
     """
     text = re.sub(r"(could not be followed).*?(see \.reached)", r"\1, \2", " ".join(text.split()))
     return re.sub(r"[-+\d.e]+", "#", text).replace("float division", "division")

@@ -187,9 +187,9 @@ def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_s
     if not phone.execute_script("return localStorage['newton-euler.practises']"):
         go(".practice button", Keys.ENTER, "true")
     wait(phone, TOUCHED, "the form")
-    said = "document.querySelectorAll('.practice .said')[{}].textContent"
-    go(".help button:nth-of-type(1)", Keys.ENTER, said.format(0))
-    go(".help button:nth-of-type(2)", Keys.ENTER, said.format(1))
+    output = "document.querySelectorAll('.practice .said')[{}].textContent"
+    go(".help button:nth-of-type(1)", Keys.ENTER, output.format(0))
+    go(".help button:nth-of-type(2)", Keys.ENTER, output.format(1))
     go("details.steps > summary", Keys.ENTER, "document.querySelector('details.steps').open")
     assert complaints(phone) == []
 
@@ -299,8 +299,8 @@ def test_a_practice_file_of_ones_own_opens_and_what_is_none_is_refused_in_words(
     words = "document.querySelector('.practice .verdict.wrong')?.textContent"
     for path, reason in refused(sound, tmp_path).items():
         chosen.send_keys(str(path))
-        said = wait(phone, f"({words} || '').startsWith('{path.name}') && {words}", path.name)
-        assert reason in said
+        output = wait(phone, f"({words} || '').startsWith('{path.name}') && {words}", path.name)
+        assert reason in output
         assert not phone.execute_script("return document.querySelector('progress, fieldset')")
     chosen.send_keys(str(shutil.copy(sound, tmp_path / "mine.practice")))
     wait(phone, "document.querySelector('.practice select option[value=\"4/1\"]')", "its problems")

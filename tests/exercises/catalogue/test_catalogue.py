@@ -81,7 +81,7 @@ def test_a_text_names_what_the_problem_gives_and_all_that_its_answers_need(p):
 
 
 @by_id
-def test_mistakes_are_told_in_words(p):
+def test_mistakes_are_named_in_words(p):
     assert len(p.mistakes) >= 2
     for text in p.mistakes.values():
         assert re.match(r"[a-z]+s ", text), f"{text!r} does not go on from 'The answer ...'"
@@ -178,7 +178,7 @@ def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, va
 
 
 @pytest.mark.parametrize("text", ["", "- " + ENTRY.strip().replace("\n", "\n  "), "a wheel"])
-def test_a_file_that_holds_no_problem_is_told(write, text):
+def test_a_file_that_holds_no_problem_is_reported(write, text):
     write("p01.yaml", text)
     assert refused(problem, "77/1").startswith(
         "ch77/p01.yaml: a problem must be written as key: value, and is "
@@ -221,7 +221,7 @@ def test_what_cannot_be_read_is_refused_with_file_and_line(write, text, message)
     assert re.fullmatch(message, refused(problem, "77/1"), re.DOTALL)
 
 
-def test_the_same_problem_twice_is_told(write):
+def test_the_same_problem_twice_is_reported(write):
     write("p01.yaml", ENTRY)
     write("p02.yaml", ENTRY)
     assert refused(problems, "ch77") == (
@@ -254,7 +254,7 @@ def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_edi
     assert [p.id for p in problems("ch77")] == ["77/2", "77/12", "77/100"]
 
 
-def test_a_chapter_without_its_file_or_its_title_is_told(write):
+def test_a_chapter_without_its_file_or_its_title_is_reported(write):
     write("p01.yaml", ENTRY)
     assert refused(chapter, "ch77").startswith(
         "ch77/chapter.yaml is missing; write it with the title of the chapter, as in title: "
@@ -271,13 +271,13 @@ def test_a_chapter_has_a_title_and_what_holds_for_all_its_problems(write):
     assert chapter("ch77") == model.Chapter("ch77", "Wheels", "All wheels are round.")
 
 
-def test_a_text_without_code_is_told(write):
+def test_a_text_without_code_is_reported(write):
     write("p01.yaml", ENTRY)
     message = "problem 77/1 has a text but no code: write exercises/ch77/p01.py"
     assert refused(lambda name: problem(name).code, "77/1") == message
 
 
-def test_code_without_a_function_is_told(write, monkeypatch):
+def test_code_without_a_function_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: half)
@@ -285,7 +285,7 @@ def test_code_without_a_function_is_told(write, monkeypatch):
         problem("77/1").code.solve(None)
 
 
-def test_an_answer_that_is_not_asked_for_is_told(write, monkeypatch):
+def test_an_answer_that_is_not_asked_for_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     code = SimpleNamespace(solve=lambda g: {"speed": g.r}, prove=print, mistakes=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: code)

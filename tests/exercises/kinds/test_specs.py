@@ -76,7 +76,7 @@ def test_what_is_not_in_the_spec_is_refused(spec, chapter, only, message):
         write_chapter(chapter, spec, only, spec.parent)
 
 
-def test_a_problem_that_does_not_fit_the_format_is_told_and_nothing_is_written(spec):
+def test_a_problem_that_does_not_fit_the_format_is_reported_and_nothing_is_written(spec):
     spec.write_text(SPEC.replace("kind: number", "kind: nmber"))
     with pytest.raises(CatalogueError, match=r"problem 2/1: a: kind 'nmber' is none of"):
         written(spec)

@@ -171,7 +171,7 @@ def test_a_prepared_run_into_a_singular_place_says_so(method):
     [(1.0, (1.0,), "has the 2 states x, dx; got 1 values"), (1.0, (1.0, "fast"), "needs a number for dx"), ("soon", (1.0, 0.0), "t is the time"),
      (math.nan, (1.0, 0.0), "time runs forward"), (1.0, (math.nan, 0.0), "needs finite numbers")],
 )  # fmt: skip
-def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start, words):
+def test_what_a_prepared_run_cannot_do_is_reported_as_by_integrate(method, t, start, words):
     run = prepare(oscillator(), 1e-7, method)
     with pytest.raises(ModelError, match=words):
         run(t, start)
