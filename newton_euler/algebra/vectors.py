@@ -8,9 +8,10 @@ the frame of the left one. A vector that theory writes as a sum keeps its terms 
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from .jets import Moving, moving
+from .late import np
 from .ledger import (
     NOISE,
     Equation,
@@ -48,9 +49,6 @@ from .scalars import (
     to_plain,
     where,
 )
-
-if TYPE_CHECKING:
-    import numpy as np
 
 Frame: TypeAlias = Any  # a kinematics.frames.Frame, which is in a room above this one
 
@@ -219,8 +217,6 @@ class Vector(Scaled, NamedTerms):
         >>> Frame("ground").vector(1.0, 2.0, 0).to_array()
         array([1., 2., 0.])
         """
-        import numpy as np
-
         return np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in self)))
 
     def __repr__(self):

@@ -16,9 +16,9 @@ values: they take numbers of all kinds and arrays of shape (N,) as entries, and 
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked, checked_but
+from ..algebra.late import np
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -37,9 +37,6 @@ from ..algebra.scalars import (
 )
 from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .frames import Frame, Point, divided_by_length, vanishes
-
-if TYPE_CHECKING:  # importing numpy takes 0.1 s, and only one function needs it
-    import numpy as np
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
 Triple = Sequence[Scalar] | Vector
@@ -488,8 +485,6 @@ def unwound(
     >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
     [0.0, 7.283185, 14.566371]
     """
-    import numpy as np
-
     q, w, t = (np.asarray(x, dtype=float) for x in (angles, rates, times))
     missing = np.diff(t) * (w[1:] + w[:-1]) / 2 - np.diff(q)
     turns = np.round(missing / (2 * np.pi))
