@@ -34,13 +34,7 @@ def solve(
     """
     from exercises.catalogue import select
 
-    from ..reports import (
-        answers_json,
-        answers_text,
-        given_values,
-        solution_text,
-        solve_problem,
-    )
+    from ..reports import answers_json, answers_text, given_values, solution_text, solve_problem
 
     problems = select(names)
     changes = dict(_pair(c) for c in changed)

@@ -98,6 +98,14 @@ def sub3(a, b):
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
+def three(values):
+    """The triple of three numbers, () for anything else."""
+    try:
+        return tuple(map(real_scalar, values)) if len(values) == 3 else ()
+    except TypeError:
+        return ()
+
+
 def scale3(s, a):
     """s a."""
     return ZERO3 if a is ZERO3 else (s * a[0], s * a[1], s * a[2])

@@ -35,7 +35,7 @@ from ..algebra.scalars import (
     where,
     without_rates,
 )
-from ..algebra.vectors import Vector, cross3, dot3, scale3
+from ..algebra.vectors import Vector, cross3, dot3, scale3, three
 from .frames import Frame, Point, divided_by_length, vanishes
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
@@ -182,13 +182,9 @@ def _unit(axis, angle):
 
 
 def _three(v, what):
-    try:
-        given = tuple(real_scalar(x) for x in v) if len(v) == 3 else ()
-    except TypeError:
-        given = ()
-    if len(given) != 3:
-        raise RotationError(f"{what} has three components, numbers as in (0, 0.6, 0.8); got {v!r}")
-    return given
+    if given := three(v):
+        return given
+    raise RotationError(f"{what} has three components, numbers as in (0, 0.6, 0.8); got {v!r}")
 
 
 def _length_and_direction(v):

@@ -19,9 +19,8 @@ from ...algebra.vectors import dot3, sub3
 EQUAL_WITHIN = 2.0
 ROUND_OFF = 2.0**-52  # smaller relative errors are luck
 EQUAL_COST = 1.2  # counts of operations that differ by less count as equal
-ALIKE = (
-    3.0  # times that differ by less are "about the same" in words: so they vary on a busy machine
-)
+# times that differ by less are "about the same" in words: so they vary on a busy machine
+ALIKE = 3.0
 
 
 @dataclass(frozen=True)

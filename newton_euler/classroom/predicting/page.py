@@ -3,7 +3,7 @@ open where the kernel has the buttons.
 """
 
 import re
-from html import escape
+from html import escape, unescape
 
 from ...algebra.language import _
 from .question import Question, with_unit
@@ -104,6 +104,4 @@ def plain(html: str) -> str:
     """HTML as text, for a terminal."""
     broken = re.sub(r"</p>|</li>|</ol>", "\n", html).replace("<li>", "- ")
     bare = re.sub(r"<[^>]+>", "", broken).replace(r"\(", "").replace(r"\)", "")
-    for name, sign in (("&lt;", "<"), ("&gt;", ">"), ("&quot;", '"'), ("&amp;", "&")):
-        bare = bare.replace(name, sign)
-    return bare.strip()
+    return unescape(bare).strip()

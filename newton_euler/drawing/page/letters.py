@@ -22,11 +22,8 @@ _WIDTHS = {
 WIDTH = {letter: width / 100 for width, letters in _WIDTHS.items() for letter in letters}
 BOLD = 1.12  # its width, of the usual
 SMALL, LOWER, HIGHER = 0.7, 0.2, 0.38  # size, and shifts, of an index and of a power, by the size
-ABOVE, ACCENTED, BELOW = (
-    0.76,
-    0.95,
-    0.21,
-)  # heights above the base line, of l and with an accent; depth of p
+# heights above the base line, of l and with an accent; depth of p
+ABOVE, ACCENTED, BELOW = 0.76, 0.95, 0.21
 _DEEP = set("gjpqyQ,;()/|βγζημξρφχψ")
 
 _SYMBOLS = {
