@@ -22,9 +22,9 @@ from .shared import (
     POINTS,
     PROBLEMS,
     console,
+    counted,
     progress_bar,
     remember_problems,
-    steps,
 )
 
 if TYPE_CHECKING:
@@ -410,7 +410,7 @@ def personal(
     """
     from ..assignment import make_personal_copies
 
-    with steps("figures", 1.0) as done:
+    with counted("figures", 1.0) as done:
         paths = make_personal_copies(
             course, assignment, students or None, done, right_or_wrong=right_or_wrong
         )
@@ -596,7 +596,7 @@ def demo(course_path: Path, only: tuple[str, ...]) -> None:
     """
     from ..demo import run_demo
 
-    run_demo(course_path, _chapter_of(only), only, console, progress_bar, steps)
+    run_demo(course_path, _chapter_of(only), only, console, progress_bar, counted)
 
 
 def _chapter_of(only):

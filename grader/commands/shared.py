@@ -158,7 +158,7 @@ def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[
 
 
 @contextlib.contextmanager
-def steps(what: str, total: float) -> Iterator[Callable[..., None]]:
+def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
     """A function to be called after each of ``total`` steps, which a :func:`progress_bar` shows, or
     with how much was done.
     """

@@ -35,7 +35,7 @@ def run_demo(
     only: Collection[str],
     console: Console,
     bar: Callable[[], contextlib.AbstractContextManager[Progress]],
-    steps: Callable[[str, float], contextlib.AbstractContextManager[Callable[..., None]]],
+    counted: Callable[[str, float], contextlib.AbstractContextManager[Callable[..., None]]],
 ) -> None:
     """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points
     are not as expected.
@@ -43,7 +43,7 @@ def run_demo(
     chapter : whose problems are handed out
     only : numbers of the problems to include; default: all
     bar : makes a ``rich`` progress bar
-    steps : shows how many of how many are done; gives a function to call after each
+    counted : shows how many of how many are done; gives a function to call after each
     """
     start = time.perf_counter()
     console.print(f"[bold]A course in {folder}[/]")
@@ -60,7 +60,7 @@ def run_demo(
     )
     api = nbgrader_api(course)
     require_success(api.generate_assignment(chapter))
-    with steps("personal copies", 1.0) as advance:
+    with counted("personal copies", 1.0) as advance:
         paths = make_personal_copies(course, chapter, progress=advance)
     # nbgrader's own step, not ours, which would make the personal copies again
     _exchange_step(course, chapter, "release_assignment")
@@ -72,10 +72,10 @@ def run_demo(
         "[bold]Grade:[/] rebuild each notebook, run its answers in the sandbox, score them in "
         "a process that runs no student code"
     )
-    with steps("grading", len(STUDENTS)) as advance:
+    with counted("grading", len(STUDENTS)) as advance:
         results = grade(course, chapter, progress=lambda result: advance())
     console.print("[bold]Feedback:[/] nbgrader generate_feedback")
-    with steps("feedback pages", len(STUDENTS)) as advance:
+    with counted("feedback pages", len(STUDENTS)) as advance:
         for s in STUDENTS:
             require_success(api.generate_feedback(chapter, s))
             advance()

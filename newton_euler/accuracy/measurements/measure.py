@@ -147,11 +147,11 @@ def fronts(points: Sequence[Measured], cost: str = "cost") -> dict[str, list[Mea
     found = {}
     for name in dict.fromkeys(p.family for p in points):
         own = [n for n, p in enumerate(points) if p.family == name]
-        said = []
+        fronts_of_runs = []
         for run in runs:
             place = {id(run[n]): n for n in own}
-            said.append({place[id(p)] for p in front([run[n] for n in own], cost)})
-        if agreed := [points[n] for n in set.intersection(*said)]:
+            fronts_of_runs.append({place[id(p)] for p in front([run[n] for n in own], cost)})
+        if agreed := [points[n] for n in set.intersection(*fronts_of_runs)]:
             found[name] = sorted(agreed, key=attrgetter(cost, "error"))
     return found
 

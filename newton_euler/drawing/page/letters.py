@@ -174,7 +174,7 @@ class _Formula:
         return [Run(f"{name}\u2009", bold=bold)]  # a function, as sin
 
     def letter(self, text, italic, bold):
-        """Letters slant, but no capital of the Greek; a space is none in a formula."""
+        """Letters slant, but no capital of the Greek; a formula has no spaces."""
         if text == " ":
             return []
         slants = italic and text.isalpha() and text != "ℓ" and not "Α" <= text <= "Ω"
