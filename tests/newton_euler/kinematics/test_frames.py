@@ -32,7 +32,6 @@ from newton_euler import (
     moving,
     pi,
     sin,
-    solve_rates,
 )
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import AngleWarning, along
@@ -546,22 +545,6 @@ def test_a_vector_times_an_expression_in_t_changes():
     ground = Frame("ground")
     assert (t**2 * ground.i).rate(ground).components() == (2 * t, 0, 0)
     assert (ground.i / t).rate(ground).rate(ground).components() == (2 / t**3, 0, 0)
-
-
-def test_solve_rates_is_not_led_astray_by_rounding():
-    """Components of 1e-17 are neither contradictions nor conditions."""
-    ground = Frame("ground")
-    turned = ground.rotate("turned", "z", angle=np.pi / 2).rotate("leaned", (1, 2, 3), angle=0.3)
-
-    def slip(spin):
-        axle = turned.rotate(
-            "axle", "x", rate=spin, origin=turned.point("C", 0, moving(0.0, rate=2.0), 0.5)
-        )
-        return axle.point("contact", 0, 0, -0.5).velocity(ground).expressed_in(ground)
-
-    assert solve_rates(slip, 1)[0] == pytest.approx(-4.0)
-    with pytest.raises(FrameError, match=r"do not determine|more are needed"):
-        solve_rates(lambda w, u: (slip(w), 1e-17 * u), 2)
 
 
 def robot(root="ground", arm="arm"):

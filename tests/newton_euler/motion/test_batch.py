@@ -492,11 +492,3 @@ def test_a_prepared_model_is_not_changed_by_its_batch():
     before = prepared_model(PENDULUM).p
     integrate(PENDULUM.changed(n=np.array([1.0, 2.0])), 1.0, (1.0, 0.0), method="dop853")
     assert prepared_model(PENDULUM).p == before
-
-
-def test_many_motions_end_like_each_of_them():
-    motions = integrate(SPRING, (1.0, 4.0), (amplitudes(3), np.zeros(3)))
-    each = [integrate(SPRING, (1.0, 4.0), (x, 0.0)) for x in amplitudes(3)]
-    assert motions.t_end == 4.0
-    for name, x in motions.end.items():
-        assert np.allclose(x, [one.end[name] for one in each], rtol=1e-9, atol=1e-9)

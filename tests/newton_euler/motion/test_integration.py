@@ -61,19 +61,6 @@ def test_where_heyoka_fails_because_rates_are_not_analytic_auto_goes_on():
     assert motion.end["dy"] == pytest.approx(-10 * math.tanh(2.0), abs=1e-7)
 
 
-def test_progress_is_reported():
-    parts = []
-    integrate(free_body(), 50.0, (0.01, 1.0, 0.01), method="dop853", progress=parts.append)
-    assert parts[-1] == 1.0
-    assert len(parts) > 3
-
-
-def test_an_array_in_the_start_is_many_motions():
-    x = np.linspace(-1.0, 1.0, 7)
-    found = integrate(oscillator(), 2.0, (x, 0.0), samples=[0.0, 1.0, 2.0]).states["x"]
-    assert found == pytest.approx(np.outer(x, np.cos([0.0, 2.0, 4.0])), abs=1e-14)
-
-
 # -- refusals
 
 

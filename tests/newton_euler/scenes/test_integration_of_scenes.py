@@ -10,12 +10,11 @@ from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import PreparedModel, prepared_model
-from newton_euler.motion.solution import AccuracyError, MotionError
+from newton_euler.motion.solution import AccuracyError
 from newton_euler.scenes.planar.pendulum import physical_pendulum
-from newton_euler.scenes.spatial import top
 from tests.honesty.closed_forms import pendulum
 from tests.models import TAYLOR
-from tests.motions import SCENES, SPIN, reference, true_error
+from tests.motions import SCENES, reference, true_error
 
 
 def swing(**more):
@@ -126,9 +125,3 @@ def test_what_parameters_alone_give_is_computed_once(scene):
     assert count(rest.source) <= count(system.traced.rhs.source)
     arguments = rest.source.split("(", 1)[1].split(")")[0].split(", ")
     assert not set(arguments) & set(model.parameters)
-
-
-@pytest.mark.parametrize("method", ["dop853", TAYLOR, "scipy RK45"])
-def test_euler_angles_of_an_upright_top_are_refused_at_their_singular_place(method):
-    with pytest.raises(MotionError, match="t = 0, at psi = 0, theta = 0"):
-        integrate(top.euler(1.0, 1.5, 5.0, SPIN), 1.0, (0.0,) * 5, method=method, rtol=1e-6)
