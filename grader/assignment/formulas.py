@@ -117,6 +117,11 @@ class _Names:
         return text.replace("+ -", "- ").replace("- -", "+ ") if self.numbers else text
 
     def _print_Mul(self, expr):
+        import sympy
+
+        f = -expr
+        if isinstance(f, (sympy.asin, sympy.atan)) and f.args[0].is_Add:  # an angle without a sign
+            return self._print(f.func(-f.args[0], evaluate=False))
         joined = _one_root(expr) if expr.is_Mul else expr  # SymPy prints 1/x here, too
         alone = expr.is_Mul and not joined.is_Mul
         text = self._print(joined) if alone else super()._print_Mul(joined)

@@ -54,8 +54,8 @@ def integrated(formula: Any) -> Any:
 
 
 def without_conjugates(formula: Any) -> Any:
-    """The formula with a^2 - b^2 for (a + b)*(a - b), also under one power, and 1/sqrt(x) for
-    sqrt(1/x).
+    """The formula with a^2 - b^2 for (a + b)*(a - b), also under one power, 1/sqrt(x) for
+    sqrt(1/x), and tan for sin/cos.
     """
     import sympy
 
@@ -69,7 +69,12 @@ def without_conjugates(formula: Any) -> Any:
 def _joined(product):
     import sympy
 
-    factors = [x.as_base_exp() for x in product.args if x.as_base_exp()[0].is_Add]
+    powers = dict(x.as_base_exp() for x in product.args)
+    for a, n in powers.items():
+        cosine = sympy.cos(*a.args) if isinstance(a, sympy.sin) else None
+        if powers.get(cosine) == -n:
+            return product * (sympy.tan(*a.args) * cosine / a) ** n
+    factors = [(a, n) for a, n in powers.items() if a.is_Add]
     for (a, n), (b, m) in combinations(factors, 2):
         whole = sympy.expand(a * b)
         if n == m and len(whole.args) == 2:
@@ -130,6 +135,41 @@ def is_forced(name: Any, value: Any, formula: Any) -> bool:
     return any(x.has(name) and abs(x.as_coeff_Mul()[0]) != 1 for x in products)
 
 
+def factored(formula: Any) -> Any:
+    """The formula without factors that cancel in its fractions, and with those that a sum under a
+    root, in a function or above a fraction has in all its terms before it; terms stay terms.
+    """
+    import sympy
+
+    return sympy.Add(*(_cancelled(x) for x in sympy.Add.make_args(formula)))
+
+
+def _cancelled(term):
+    import sympy
+
+    if term.has(sympy.Integral) or not term.has(sympy.Add):
+        return term
+    below = sympy.fraction(term)[1]
+    nested = (x.exp.is_negative and x.base.free_symbols for x in below.atoms(sympy.Pow))
+    if any(nested) and below.is_rational_function():
+        term = sympy.cancel(sympy.together(term))
+    shorter = sympy.factor_terms(term, clear=False)
+    return shorter if _names_in(shorter) < _names_in(term) else term
+
+
+def _names_in(formula):
+    """How often names, and how often numbers stand in a formula."""
+    import sympy
+
+    atoms = [x for x in sympy.preorder_traversal(formula) if x.is_Atom]
+    return sum(x.is_Symbol for x in atoms), sum(not x.is_Symbol and bool(abs(x) > 1) for x in atoms)
+
+
+def is_itself_shorter(formula: Any, other: Any) -> bool:
+    """True if a formula has at most half of the operations of another."""
+    return formula.count_ops() <= other.count_ops() / 2
+
+
 def is_atom(formula: Any) -> bool:
     """True if a formula is a name, with a sign or without."""
     return formula.is_Symbol or (-formula).is_Symbol
@@ -155,6 +195,14 @@ def constant(x: Any) -> Any:
     return sympy.Float(x)
 
 
+def _rooted(root):
+    """A root without factors that cancel under it."""
+    import sympy
+
+    inside = sympy.factor(root.base)
+    return inside**root.exp if _names_in(inside) < _names_in(root.base) else root
+
+
 @lru_cache(maxsize=4000)  # many results are the same for all students
 def simplest(formula: Any) -> Any:
     """A result as the shortest of its usual forms."""
@@ -164,7 +212,9 @@ def simplest(formula: Any) -> Any:
         return formula
     if formula.has(sympy.Float):  # next to rounded numbers pi and sqrt(2) are rounded too
         formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
-    forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
+    formula = formula.replace(lambda x: x.is_Pow and not x.exp.is_Integer, _rooted)
+    ways = factored, sympy.factor, sympy.expand, sympy.together
+    forms = [formula, *(way(formula) for way in ways)]
     if formula.has(sympy.sin) and formula.count_ops() < 60:
         forms.append(sympy.trigsimp(formula))
     shortest = without_conjugates(min(forms, key=lambda f: f.count_ops()))

@@ -254,18 +254,6 @@ def test_a_slip_in_one_part_is_told_beside_parts_that_are_right(key, change, wor
     assert words in parts[key].diagnosis
 
 
-def test_of_equal_causes_the_one_that_explains_the_other_parts_is_told():
-    """Alone, an alpha of 4/17 that is reversed fits two listed mistakes; with the velocity one."""
-    p = problem("4/17")
-    given = values(p, "variant")
-    wrong = p.in_units(p.code.mistakes(p.base(given))["CD_outward"])
-    answers = trees(p, wrong)
-    alone = part_of(p, given, "alpha_CD", answers["alpha_CD"])
-    assert [c.group for c in alone.causes].count("listed") == 2
-    parts = score_receipt(p, given, {"answers": answers}).parts
-    assert {part.diagnosis for part in parts} == {p.mistakes["CD_outward"] + " (see section 4.10)"}
-
-
 def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():
     """It also leaves out the axial speed."""
     p = problem("4/1")
