@@ -167,8 +167,8 @@ def _merged(wrong):
             found.append((w, [w.text]))
         elif w.text not in texts:
             texts.append(w.text)
-    said = "It fits a solution that {}.".format
-    return [replace(w, text=said("; or one that ".join(texts))) for w, texts in found]
+    fitting = "It fits a solution that {}.".format
+    return [replace(w, text=fitting("; or one that ".join(texts))) for w, texts in found]
 
 
 def _alike(a, b):
