@@ -108,13 +108,13 @@ def question() -> str:
         write_practice(path, [problem("4/16")], 2, workers=1, draw=_no_figure)
         p = Practice([PracticeFile(path)], Progress(None))["4/16"].new()
     x, y, z = p.solved["a_D"]
-    said = []
+    judged = []
     for factor in WRONG:
         checked = p.check(a_D=[factor * x, y, z])
-        said.append([factor * x, checked.verdicts["a_D"], checked.said["a_D"]])
+        judged.append([factor * x, checked.verdicts["a_D"], checked.said["a_D"]])
         p.forget()
     numbers = {name: f"{value:g}" for name, value in p.givens.items()}
     return ASK.format(
         asked=_(ASKED, **numbers, y=f"{y:.4g}", z=f"{z:.4g}"), more=_(MORE), check=_("Check"),
-        question=_("What is its first component?"), data=json.dumps(said),
+        question=_("What is its first component?"), data=json.dumps(judged),
     )  # fmt: skip

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
+from newton_euler.algebra.late import sympy
 from newton_euler.algebra.scalars import Scalar, integer_like, is_numeric, scalar
 from newton_euler.algebra.units import SI, System, unit
 from newton_euler.answers.forms import Form, kind_named
@@ -344,8 +345,6 @@ class Problem:
         """The answers with every symbol as a SymPy symbol and the givens of the book as numbers;
         exact ones next to symbols, 3/2 for 1.5.
         """
-        import sympy
-
         given = self.book_values
         if self.symbolic:
             given = {n: sympy.Rational(str(x)) for n, x in given.items()}
@@ -353,7 +352,6 @@ class Problem:
 
     def sympy_symbols(self) -> dict[str, Any]:
         """A SymPy symbol for each symbol of the text: real, and positive where its range is."""
-        import sympy
 
         def ranged(name, low):
             return sympy.Symbol(name, **({"positive": True} if low > 0 else {"real": True}))
