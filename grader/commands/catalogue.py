@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, console, course_option, names_or_all, steps
+from .shared import FILE, console, counted, course_option, names_or_all
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -99,7 +99,7 @@ def problems(
         tuple((words or "").split()), limits,
     )  # fmt: skip
     found: list[Entry] = []
-    with steps("reading problems", len(asked)) as done:
+    with counted("reading problems", len(asked)) as done:
         for p in asked:
             found += chosen([p], wanted)
             done()
@@ -155,7 +155,7 @@ def preview(
     from ..reports import preview_page, preview_text
 
     chosen, found = named(names, course), []
-    with steps("solving and drawing", len(chosen)) as done:
+    with counted("solving and drawing", len(chosen)) as done:
         for p, options in chosen.items():
             found.append(previewed(p, options))
             done()

@@ -22,6 +22,7 @@ from .shared import (
     POINTS,
     PROBLEMS,
     console,
+    counted,
     progress_bar,
     remember_problems,
 )
@@ -407,17 +408,14 @@ def personal(
     Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to
     that student only.
     """
-    from ..assignment import copy_to_exchange, exchange_outbound, make_personal_copies
+    from ..assignment import make_personal_copies
 
-    with progress_bar() as bar:
-        task = bar.add_task("figures", total=1.0)
+    with counted("figures", 1.0) as done:
         paths = make_personal_copies(
-            course, assignment, students or None, lambda share: bar.advance(task, share),
-            right_or_wrong=right_or_wrong,
-        )  # fmt: skip
+            course, assignment, students or None, done, right_or_wrong=right_or_wrong
+        )
     if exchange:
-        outbound = exchange_outbound(course, assignment)
-        _warn_of(copy_to_exchange(course, assignment, outbound, paths))
+        _put_into_exchange(course, assignment, paths)
     for student, path in paths.items():
         click.echo(f"{student}: {path}")
 
@@ -528,7 +526,6 @@ def retry(
     handed in and graded, which then counts. With --back the earlier one counts again: grade after
     it.
     """
-    from ..assignment import copy_to_exchange, exchange_outbound
     from ..assignment.attempts import new_attempt, put_back
 
     if back:
@@ -537,15 +534,16 @@ def retry(
         return
     number, path = new_attempt(course, assignment, student)
     if exchange:
-        outbound = exchange_outbound(course, assignment)
-        _warn_of(copy_to_exchange(course, assignment, outbound, {student: path}))
+        _put_into_exchange(course, assignment, {student: path})
     click.echo(f"Attempt {number} of {student}: {path}")
 
 
-def _warn_of(students):
-    from ..assignment.personal import warning
+def _put_into_exchange(course, assignment, paths):
+    """Copy personal notebooks to the exchange, and warn where others can read them."""
+    from ..assignment.personal import copy_to_exchange, exchange_outbound, warning
 
-    if words := warning(students):
+    outbound = exchange_outbound(course, assignment)
+    if words := warning(copy_to_exchange(course, assignment, outbound, paths)):
         click.echo(words, err=True)
 
 
@@ -598,7 +596,7 @@ def demo(course_path: Path, only: tuple[str, ...]) -> None:
     """
     from ..demo import run_demo
 
-    run_demo(course_path, _chapter_of(only), only, console, progress_bar)
+    run_demo(course_path, _chapter_of(only), only, console, progress_bar, counted)
 
 
 def _chapter_of(only):

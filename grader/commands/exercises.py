@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 from rich.markup import escape
 
-from .shared import FOLDER, SEED, console, count_option, names_or_all, progress_bar, steps
+from .shared import FOLDER, SEED, console, count_option, counted, names_or_all, progress_bar
 
 
 @click.command()
@@ -34,13 +34,7 @@ def solve(
     """
     from exercises.catalogue import select
 
-    from ..reports import (
-        answers_json,
-        answers_text,
-        given_values,
-        solution_text,
-        solve_problem,
-    )
+    from ..reports import answers_json, answers_text, given_values, solution_text, solve_problem
 
     problems = select(names)
     changes = dict(_pair(c) for c in changed)
@@ -239,7 +233,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     from ..reports import RANDOM, SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
     problems = select(names_or_all(names))
-    with steps("making mistakes", len(problems)) as done:
+    with counted("making mistakes", len(problems)) as done:
         if practice:
             found, took = practice_shares(problems, draws, done)
         else:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import click
 
 from .courses import ID_COLUMN
-from .shared import FOLDER, ONLY, POINTS, course_option, steps
+from .shared import FOLDER, ONLY, POINTS, counted, course_option
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -74,7 +74,7 @@ def paper(
         )
     home = course.path / "paper" / spec.name if course else Path(f"{spec.name}-paper")
     folder = folder or home
-    with steps("writing", len(set(key_for) or class_)) as done:
+    with counted("writing", len(set(key_for) or class_)) as done:
         written = write_papers(folder, spec, class_, course, key_for, done=done)
     if written.sheets:
         click.echo(f"{len(written.sheets)} sheets in {folder / 'sheets'}")

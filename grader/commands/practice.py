@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, FOLDER, console, count_option, course_option, progress_bar, steps
+from .shared import FILE, FOLDER, console, count_option, counted, course_option, progress_bar
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -88,7 +88,7 @@ def sets(folder: Path | None, course: Path | None) -> None:
     from ..practice.public import SETS, write_public
 
     folder = folder or SETS
-    with steps("solving and drawing", len(select(["all"]))) as done:
+    with counted("solving and drawing", len(select(["all"]))) as done:
         left = write_public(folder, course=course, done=done)
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")

@@ -158,11 +158,13 @@ def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[
 
 
 @contextlib.contextmanager
-def steps(what: str, total: float) -> Iterator[Callable[..., None]]:
-    """A function to be called after each of ``total`` steps, which a :func:`progress_bar` shows."""
+def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
+    """A function to be called after each of ``total`` steps, which a :func:`progress_bar` shows, or
+    with how much was done.
+    """
     with progress_bar() as bar:
         task = bar.add_task(what, total=total)
-        yield lambda *_: bar.advance(task)
+        yield lambda share=1: bar.advance(task, share)
 
 
 def _how_far(task):

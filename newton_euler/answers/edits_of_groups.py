@@ -15,6 +15,7 @@ from .typed import Product, described, typed
 PRODUCT, SUM = ("*", "/"), ("+", "-")
 LIKE_IT = Words("the other terms like it")
 ALIKE = 8  # terms of one shape, of which more are no single slip
+LARGE = 7  # numbers from which on no next one is taken for them
 FRACTIONS = {Fraction(1, n) for n in (2, 3, 4, 12)}  # one is taken for another
 
 
@@ -90,6 +91,13 @@ def of_factors(products: Iterable[Step], number: Callable[[Step], Any]) -> Itera
             yield Edit(LESS, computed(f"no {x.number}", words), {x.number: ("/", x, number(x))})
 
 
+def neighbours(c: Fraction) -> list[Fraction]:
+    """The factors with the next numbers, as 1/4 and 1/6 for 1/5; none of large numbers."""
+    n, d = c.numerator, c.denominator
+    above = [Fraction(n + k, d) for k in (1, -1) if n != 1 < n + k] if n < LARGE else []
+    return above + ([Fraction(n, d + k) for k in (1, -1) if d != 1 < d + k] if d < LARGE else [])
+
+
 def of_constants(steps: Sequence[Step]) -> Iterator[Edit]:
     """One constant left out, or taken for another, wherever it is a factor, as both halves of
     (x/2, y/2).
@@ -104,9 +112,8 @@ def of_constants(steps: Sequence[Step]) -> Iterator[Edit]:
         if len(places) < 2 or c == 1 or abs(c - Fraction(x)) > 1e-12 * c:
             continue
         own = c if op == "*" else 1 / c
-        for other in {Fraction(1), 2 * own, own / 2, *(FRACTIONS if own in FRACTIONS else ())} - {
-            own
-        }:
+        others = {Fraction(1), 2 * own, own / 2, *(FRACTIONS if own in FRACTIONS else ())}
+        for other in sorted({*others, *neighbours(own)} - {own}):
             words = Words(
                 "takes the factor {other} for {own} in several places: the formulas have {own}",
                 other=other, own=own,

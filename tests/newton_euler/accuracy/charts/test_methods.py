@@ -111,7 +111,7 @@ def test_only_what_every_repeat_says_is_in_the_caption():
         for measured in (times, quiet)
     )  # fmt: skip
     assert "taylor is the cheapest stepping method" in busy_caption
-    assert "There dop853 takes about 20 times as long as taylor" in quiet_caption
+    assert "There dop853 takes about 30 times as long as taylor" in quiet_caption
     assert "There dop853" not in busy_caption
 
 
