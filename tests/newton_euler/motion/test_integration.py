@@ -182,3 +182,9 @@ def test_only_one_model_is_prepared_at_a_time():
     words = "prepare takes a model with numbers, but parameters of 'oscillator' are arrays"
     with pytest.raises(ModelError, match=words):
         prepare(oscillator().changed(k=np.ones(3)))
+
+
+def test_an_array_in_the_start_is_many_motions():
+    x = np.linspace(-1.0, 1.0, 7)
+    found = integrate(oscillator(), 2.0, (x, 0.0), samples=[0.0, 1.0, 2.0]).states["x"]
+    assert found == pytest.approx(np.outer(x, np.cos([0.0, 2.0, 4.0])), abs=1e-14)
