@@ -387,7 +387,7 @@ class Run:
     def error(before, trajectory):
         """The error of a trajectory by comparison with another one, and by what it has not seen."""
         known = error_by_comparison(before, trajectory, trajectory.method)
-        return known + trajectory.unseen()
+        return known + trajectory.unseen(known)
 
     def motion(self, trajectory, method, error):
         """The :class:`~newton_euler.motion.solution.Motion` of a trajectory; raises
