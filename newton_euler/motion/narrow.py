@@ -30,6 +30,8 @@ SAMPLES, NEWTON_STEPS = 32, 3  # of a step, for the times at which it passes the
 ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
 HALVINGS = 44  # of a step towards it
 LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
+SHORT = 0.1  # time between two jumps, over the longest step, that may be passed over
+UNEQUAL = 2  # distances at which what turns may have two signs
 SLIGHT, HIT = 0.01, 40.0  # changes of an argument that matter, and of exp up to which it does
 NUDGE = 2.0**-51  # of states and constants, relative: what rates change by is round-off
 
@@ -55,7 +57,8 @@ def passage(stepper, first):
     # the same steps again, as of the same call
     clear = vars(stepper.system).setdefault("_clear", {})
     key, steps = stepper.tolerance, (first, stepper.start, stepper.t, stepper.x)
-    if clear.get(key) == steps:
+    if key in clear and clear[key][0] == steps:
+        stepper.near = clear[key][1]
         return None
     arguments = stepper.system.traced.narrow
     few = FEW <= len(stepper.steps) - first < MANY and not (stepper.repeated or arguments.tables)
@@ -67,8 +70,8 @@ def passage(stepper, first):
         times, knots, near = narrow_times(stepper, arguments, first)
         stepper.near += near
         if not len(times) and not len(knots):
-            if not first and not near:
-                clear[key] = steps
+            if not first:
+                clear[key] = steps, stepper.near
             return None
         stepper = stepper.dense
         ends = np.array(stepper.step_times)
@@ -111,7 +114,8 @@ def _calm(stepper, arguments, first):
         crossed += kind == "jump" and min(row) <= 0 <= max(row)
         for x, y, k, change, m in zip(row, row[1:], before, d, after, strict=False):
             much = not abs(k) + abs(change) + abs(m) <= (limit or 2 * min(abs(x), abs(y)))
-            if much and (kind != "jump" or k * m <= 0 or x * y > 0 or crossed > 1):
+            turns = k * m <= 0 or (k * change < 0 and k * x < 0) or (m * change < 0 and m * y > 0)
+            if much and (kind != "jump" or turns or crossed > 1):
                 return False
     return True
 
@@ -132,7 +136,7 @@ def narrow_times(stepper, arguments, first):
         if brackets:
             times, more = _located(np, stepper.dense, arguments, brackets)
         knots = [_knots(np, path, j, table.places) for j, table in arguments.tables.items()]
-        near += more
+        near += [*more, *_inside(np, path)]
         return times, np.concatenate([*knots, times[:0]]), near
 
 
@@ -162,6 +166,18 @@ def _knots(np, path, j, places):
     for _ in range(NEWTON_STEPS):
         t = t - (path.arguments(t)[j] - place) / slope
     return t
+
+
+def _inside(np, path):
+    """Pairs (time, number of an argument) between two jumps that are close to each other."""
+    near, ends = [], path.ends
+    for j in np.flatnonzero(path.of.jumps[:, 0]).tolist():
+        edges = np.flatnonzero(np.diff(np.sign(path.rows[j])))
+        first, last = edges[:-1] + 1, edges[1:] + 1
+        close = ends[last - 1] - ends[first] < SHORT * path.lengths.max()
+        for a, b in zip(first[close].tolist(), last[close].tolist(), strict=True):
+            near.append((float(ends[a + abs(path.rows[j, a:b]).argmax()]), j))
+    return near
 
 
 class _Path:
@@ -207,7 +223,11 @@ class _Path:
         if not self.closely and much.any():
             # where the rates jump once in a step, its end shows it
             crossed = of.jumps & (a * b <= 0)
-            much &= ~of.jumps | (crossed.sum(axis=0) > 1) | (k * m <= 0) | (a * b > 0)
+            # towards zero at one end, or away from it, and on the whole the other way
+            turns = (k * m <= 0) | ((k * change < 0) & (k * a < 0))
+            turns |= (m * change < 0) & (m * b > 0)
+            turns[:, [0, -1]] |= (a * b > 0)[:, [0, -1]]  # for all that is known
+            much &= ~of.jumps | (crossed.sum(axis=0) > 1) | turns
             much |= crossed & much.any(axis=0)
         return much | (much & of.phases).any(axis=0)
 
@@ -252,6 +272,10 @@ def _brackets(np, path, suspects):
                 times = begin[c[row]] + length[c[row]] * np.array(edges)
                 found.append((int(j[row]), *times.tolist()))
         level = np.where((kinds == "largest")[:, None], -v, abs(v))[:, 1:-1]
+        for row in np.flatnonzero(narrow & ~rough & (kinds == "jump")).tolist():
+            for before, after in pairwise(_about(np, "jump", u[row], v[row])):
+                place = (before[1] + after[0]) / 2
+                near.append((float(begin[c[row]] + length[c[row]] * place), int(j[row])))
         for row in np.flatnonzero(~(narrow | rough) & turned & (kinds != "phase")).tolist():
             place = u[row, 1 + level[row].argmin()]
             near.append((float(begin[c[row]] + length[c[row]] * place), int(j[row])))
@@ -431,14 +455,24 @@ def within_reach(stepper, error):
     scales = np.array([s or 1.0 for s in stepper.scales])[:, None]
     begin, end, longest = dense.start[0], dense.t, np.diff(dense.step_times).max()
     with np.errstate(all="ignore"):
+        beside = longest * 0.5 ** np.arange(HALVINGS)[:, None]
+        beside = np.clip([times - beside, times + beside], begin, end).reshape(-1)
+        values = _values(np, stepper, arguments, beside, dense.states(beside))
+        values = np.sign(values.reshape(len(values), 2, -1, len(j))[j, :, :, np.arange(len(j))])
+        kinds = arguments.names[j]
+        # with other signs on the left than on the right it only seems to turn, by round-off
+        turns = np.isin(kinds, ("largest", "ratio"))
+        turns |= (values[:, 0] != values[:, 1]).sum(axis=1) <= UNEQUAL
+        inside = (np.ptp(values, axis=(1, 2)) > 0) & (kinds == "jump")
+        times, j, kinds, inside = times[turns], j[turns], kinds[turns], inside[turns]
         x, signs = dense.states(times), 1.0
 
         def levels(shift):
             values = _values(np, stepper, arguments, times, x + shift)
             return signs * values[j, np.arange(len(j))]
 
-        nothing, kinds = np.zeros_like(x), arguments.names[j]
-        signs = np.where(kinds == "largest", -1.0, np.sign(levels(nothing)))
+        nothing = np.zeros_like(x)
+        signs = np.where(kinds == "largest", -1.0, np.sign(levels(nothing)) * (1 - 2 * inside))
         first, least, closer, needed = levels(nothing), levels(nothing), nothing.copy(), []
         ways = error * scales * np.eye(len(x))[:, :, None]
         for way in ways:
@@ -453,12 +487,14 @@ def within_reach(stepper, error):
         along /= np.sqrt((along**2).sum(axis=0)) + 1e-300
         across = [way - error * scales * along * along[i] for i, way in enumerate(ways)]
         most = np.array([levels(way * needed[i]) for i, way in enumerate(across)])
-        farther = np.choose(most.argmax(axis=0), across)
-        of_kind, limit = [kinds == "jump", kinds == "ratio"], SLIGHT * first
+        farther = np.take_along_axis(np.array(across), most.argmax(axis=0)[None, None], axis=0)[0]
+        of_kind, limit = [kinds == "jump", kinds == "ratio"], SLIGHT * abs(first)
         hit = (first < HIT) & (kinds == "largest")
         much = [
-            np.select(of_kind, [least < 0, first - least > limit], first - least > SLIGHT),
-            np.select(of_kind, [False, most.max(axis=0) > first + limit], hit),
+            np.select(
+                of_kind, [(least < 0) & ~inside, first - least > limit], first - least > SLIGHT
+            ),
+            np.select(of_kind, [inside, True], hit) & (most.max(axis=0) > first + limit),
         ]
         for way, k in zip(*np.nonzero(much), strict=True):
             ends = max(begin, times[k] - longest), min(end, times[k] + longest)
