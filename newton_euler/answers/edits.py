@@ -100,7 +100,7 @@ def _edits(formulas):
     own = US if any(u.is_of_feet for u in read.values()) else SI
     number = partial(_number, dimensions, system, own)
     yield from of_angles(steps)
-    yield from of_constants(steps)
+    yield from of_constants(steps, dimensions.get)
     yield from of_one_unit(given, read, system)
     yield from of_exchanged(given, read)
     yield from of_shifted(anything, read, steps)

@@ -62,7 +62,7 @@ class _Pairs:
     def __init__(self, fit, kind, own, slips):
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own) + 2, own, slips
         self.of_symbols = kind.is_formula and slips.of_symbols
-        self.exactly = fit.rtol if kind.is_formula and not self.of_symbols else ROUND_OFF
+        self.exactly = fit.rtol if kind.is_formula else ROUND_OFF
 
     @cached_property
     def causes(self) -> list[tuple[int, Cause]]:
@@ -126,12 +126,16 @@ class _Pairs:
                 is_slip, by_factor = self.own <= two < last, self.own - 2 <= one < self.own
                 of_numbers = self.kind.is_formula and not self.of_symbols
                 by_sign = two == last
+                twice = abs(abs(np.log2(abs(rows[one] / key))) - 1).max() < NOISE
+                is_number = self.kind.is_met_by_chance
                 is_mere = by_factor and not (by_sign and self.of_symbols)
+                is_mere |= bool(by_sign and is_number and twice)
                 if is_mere or (is_slip and of_numbers):
                     continue
                 shares = share ** (1 if alike and not by_sign else wrong)
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
-                met = self.of_symbols or not by_chance
+                exact = self.of_symbols and gaps[i, j].max() <= ROUND_OFF * size
+                met = exact or not by_chance
                 differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
                 if met and differ and self._is_named(one, two, op):
                     yield one, two
@@ -202,13 +206,14 @@ class _Pairs:
             with np.errstate(all="ignore"):
                 gaps = _off_line(off, changed)
                 shown = (abs(changed) > NOISE * size).sum(axis=1)
-                chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
-                is_met = (gaps <= near) & (shown > 1) & (chance <= CHANCE)
+                is_met = (gaps <= near) & (shown > 1)
                 is_met &= _off_line(key, changed) > NOISE * size  # what is the whole is no term
             if not is_met.any():
                 return ()
+        chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
+        is_met &= chance <= CHANCE
         largest = np.where(is_met, abs(changed).max(axis=1), 0).argmax()
-        return (multiple_of(terms[largest][-1]),)
+        return (multiple_of(terms[largest][-1]),) if is_met.any() else ()
 
     def _upside_down(self):
         import numpy as np
