@@ -30,7 +30,7 @@ from .edits_of_quantities import (
     of_components,
     of_densities,
     of_distances,
-    of_other_components,
+    of_other_entries,
     of_quantities,
     of_squares,
     of_uncancelled,
@@ -128,7 +128,7 @@ def _edits(formulas):
     yield from of_uncancelled(anything, products, given, dimensions.get)
     yield from of_densities(given, steps, dimensions.get)
     yield from of_squares(products, number, dimensions.get)
-    yield from of_other_components(answers, dimensions.get)
+    yield from of_other_entries(answers)
     yield from of_terms(steps, formulas.units)
     yield from of_factors(products, number)
     for s, users in users_in.items():

@@ -62,7 +62,7 @@ class _Pairs:
     def __init__(self, fit, kind, own, slips):
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own) + 2, own, slips
         self.of_symbols = kind.is_formula and slips.of_symbols
-        self.exactly = fit.rtol if kind.is_formula else ROUND_OFF
+        self.exactly = fit.rtol if kind.is_formula and not self.of_symbols else ROUND_OFF
 
     @cached_property
     def causes(self) -> list[tuple[int, Cause]]:
@@ -79,8 +79,9 @@ class _Pairs:
         import numpy as np
 
         key = np.array(self.fit.key[point], float)
-        rows = [*(x[point] for _, x in self.models), 2 * key, key / 2, *self.slips.at(point), -key]
-        return key, np.array(rows, float)
+        parts = [x[point] for _, x in self.models], self.slips.at(point)
+        own, slips = (np.array(x, float).reshape(-1, len(key)) for x in parts)
+        return key, np.concatenate((own, (2 * key, key / 2), slips, (-key,)))
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
         """(how simple, the two causes) of each pair that is met."""
@@ -134,8 +135,7 @@ class _Pairs:
                     continue
                 shares = share ** (1 if alike and not by_sign else wrong)
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
-                exact = self.of_symbols and gaps[i, j].max() <= ROUND_OFF * size
-                met = exact or not by_chance
+                met = self.of_symbols or not by_chance
                 differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
                 if met and differ and self._is_named(one, two, op):
                     yield one, two
