@@ -67,7 +67,8 @@ class Answer:
     zero. weight : its share of the problem's points, relative to those of the other answers.
     follow_through : the part of them that it earns where it is wrong, but follows from a student's
     own earlier answers. latex : how it is printed, where its key does not say it. rtol : the
-    relative tolerance of its numbers, which a sheet may change.
+    relative tolerance of its numbers, which a sheet may change. because : of a choice, what tells
+    it, as a sentence for the worked solution that holds for all numbers.
     """
 
     key: str
@@ -80,6 +81,7 @@ class Answer:
     follow_through: float = 0.0
     latex: str = ""
     rtol: float = RTOL
+    because: str = ""
 
     def __post_init__(self) -> None:
         if isinstance(self.kind, str):

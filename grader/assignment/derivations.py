@@ -146,8 +146,9 @@ class _Deriver:
                 if isinstance(x, Step) and x.number not in self.called:
                     self.called[x.number] = name, sign
                     first[x.number] = key
-        self.answers_by = {}  # {answer: its numbers}, where no step has them
-        for key in {*asked} & {*self.components}:
+        # {answer: its numbers}, where no step has them; cos(phi) is found without a matrix of it
+        self.answers_by = {}
+        for key in {a for a in asked if len(self.components.get(a, ())) in range(1, 9)}:
             numbers = numbers_of(self.components[key]) - {*self.given_by}
             if numbers and all(first[n] == key for n in numbers):
                 self.answers_by[key] = numbers

@@ -201,7 +201,14 @@ def simplest(formula: Any) -> Any:
     forms = [formula, *(way(formula) for way in ways)]
     if formula.has(sympy.sin) and formula.count_ops() < 60:
         forms.append(sympy.trigsimp(formula))
-    shortest = without_conjugates(min(forms, key=lambda f: f.count_ops()))
+    shortest = min(forms, key=lambda f: f.count_ops())
+    if shortest.count_ops() > LONGEST and any(
+        not x.exp.is_Integer for x in shortest.atoms(sympy.Pow)
+    ):
+        shortest = min(
+            shortest, sympy.factor(sympy.simplify(shortest)), key=lambda f: f.count_ops()
+        )
+    shortest = without_conjugates(shortest)
     return shortest.xreplace(
         {x: sympy.Integer(1) for x in shortest.atoms(sympy.Float) if float(x) == 1}
     )

@@ -99,6 +99,10 @@ class Question:
     parts: tuple[Part, ...]
     points: float
 
+    def points_of(self, part: Part) -> float:
+        """What one of its parts earns."""
+        return self.points * part.weight / sum(p.weight for p in self.parts)
+
 
 def question(
     p: Problem, values: Values, number: int, points: float, text: str = "", diagnosed: bool = True
