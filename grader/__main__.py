@@ -5,7 +5,7 @@ import sys
 import click
 
 from .commands import COMMANDS
-from .commands.shared import STOPPED, with_own_problems
+from .commands.shared import PROBLEMS_FROM, STOPPED
 
 # jsonschema, which nbgrader imports, would build a grammar of internationalised addresses: a second
 # of each command, and notebooks have no such addresses to check
@@ -65,7 +65,7 @@ def main() -> None:
 
 
 for command in COMMANDS:
-    main.add_command(with_own_problems(command))
+    main.add_command(PROBLEMS_FROM(command))
 main.add_command(COMMANDS[0], "list")  # an earlier name
 
 if __name__ == "__main__":

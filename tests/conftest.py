@@ -5,6 +5,7 @@ notebooks' tests have run, when these have. Of the notebooks each is a piece of 
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 HERE = Path(__file__).parent
 FIRST = (
@@ -12,6 +13,11 @@ FIRST = (
     "website/test_pages.py",  # which builds the site: for the other tests of it, no worker has to wait
     "exercises", "website", "grader", "fuzz", "stability",
 )  # fmt: skip
+
+
+# no time that a property test takes decides: other workers share the processors
+settings.register_profile("busy", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("busy")
 
 
 def pytest_configure(config):

@@ -11,7 +11,7 @@ NAMES = st.sampled_from(["force", "force 1", "force 2", "force x force", "", "se
 COMPONENTS = st.integers(-8, 8).map(lambda n: n / 4)  # exact in binary, and often equal
 TRIPLES = st.tuples(COMPONENTS, COMPONENTS, COMPONENTS)
 
-by_any_names = settings(max_examples=40, deadline=None, derandomize=True)
+by_any_names = settings(max_examples=40, derandomize=True)
 
 
 def value(x):

@@ -54,8 +54,8 @@ def write_words(pages: Path) -> None:
         return
     script = pages / "_static" / "words.js"
     known = catalogue(language())
-    said = {text: known[text]["msgstr"] for text in sentences([".js"]) if text in known}
-    words = json.dumps(said, ensure_ascii=False)
+    translated = {text: known[text]["msgstr"] for text in sentences([".js"]) if text in known}
+    words = json.dumps(translated, ensure_ascii=False)
     script.write_text(f"const WORDS = {words};\n{script.read_text('utf-8')}", "utf-8")
 
 

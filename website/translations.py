@@ -172,8 +172,10 @@ def report(language: str) -> Iterator[Part]:
 
 def _lacking(name: str, found: Collection[str], known: Mapping[str, Mapping[str, str]]) -> Part:
     """The part of a catalogue."""
-    said = {text for text, m in known.items() if all(x for k, x in m.items() if "msgstr" in k)}
-    return Part(name, len(found), [x for x in found if x not in said])
+    translated = {
+        text for text, m in known.items() if all(x for k, x in m.items() if "msgstr" in k)
+    }
+    return Part(name, len(found), [x for x in found if x not in translated])
 
 
 def _part(name: str, sources: Iterable[str], current: Callable[[str], bool | None]) -> Part:

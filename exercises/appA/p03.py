@@ -1,7 +1,7 @@
 """A/3: the sum of two vectors and its direction, in a plane."""
 
 from exercises.tools import Sketch, integral, minus, mp, size
-from newton_euler import Frame, radians
+from newton_euler import Frame, acos, radians
 
 AXES = Frame("axes")
 follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
@@ -13,7 +13,7 @@ def vectors(g):
 
 
 def answers(R):
-    return {"R": R, "angle": R.angle_to(AXES.i)}
+    return {"R": R, "angle": acos(R.x / R.norm())}
 
 
 def solve(g):

@@ -15,7 +15,7 @@ def between(g, start, end):
 
 
 def solve(g):
-    return {"whole": between(g, g.t_1, g.t_2)}
+    return {"whole": between(g, 0, g.t_2) - between(g, 0, g.t_1)}
 
 
 def steps(g):

@@ -15,16 +15,11 @@ def solve(g):
     return {"r": Q.position(axes) + g.s * R}
 
 
-def steps(g):
-    axes, Q, R = line(g)
-    return {"r_0": Q.position(axes), "r_1": Q.position(axes) + R}
-
-
 def prove(g):
     """By growing at the rate R per unit of s."""
     Q, R = [g.Q_x, g.Q_y, g.Q_z], [g.R_x, g.R_y, g.R_z]
     place = lambda s: proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
-    return {"r": place(g.s), "r_0": Q, "r_1": place(1)}
+    return {"r": place(g.s)}
 
 
 def mistakes(g):

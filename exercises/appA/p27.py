@@ -18,15 +18,11 @@ def solve(g):
     return {"F": normal(g).dot(place(g))}
 
 
-def steps(g):
-    return {"N_square": normal(g).dot(normal(g))}
-
-
 def prove(g):
     """By the volume of the box of the place and two vectors in the plane, whose base is N_x N."""
     u, v = (-g.N_y, g.N_x, 0), (-g.N_z, 0, g.N_x)
     F = lambda *place: mp.det(mp.matrix([place, u, v])) / g.N_x
-    return {"F": F(g.x, g.y, g.z), "N_square": F(g.N_x, g.N_y, g.N_z)}
+    return {"F": F(g.x, g.y, g.z)}
 
 
 def mistakes(g):

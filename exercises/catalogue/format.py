@@ -86,7 +86,7 @@ def _symbol(name, s):
 
 
 def _answer(a):
-    optional = ("unit", "of", "atol", "weight", "follow_through", "symbol")
+    optional = ("unit", "of", "atol", "weight", "follow_through", "symbol", "because")
     _check_keys(a, "an answer", ("key", "kind", "means"), optional)
     key, name, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
     _require(name in KINDS, f"{key}: kind {name!r} is none of {', '.join(sorted(KINDS))}")
@@ -111,7 +111,12 @@ def _answer(a):
     fault = f"{key}: follow_through must be a number from 0 to 1, as in 0.5, and is {short(follow)}"
     _require(_is_number(follow) and 0 <= follow <= 1, fault)
     numbers = float(atol), float(weight), float(follow)
-    return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), *numbers, _latex(key, a))
+    because = _text(a, "because") if "because" in a else ""
+    _require(kind.has_options or not because, f"{key}: because is for a choice; this is a {kind}")
+    means, latex = _text(a, "means"), _latex(key, a)
+    return Answer(
+        key, kind, _unit(key, a), means, tuple(of), *numbers, latex=latex, because=because
+    )
 
 
 def _step(key, s):

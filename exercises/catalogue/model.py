@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
+from newton_euler.algebra.late import sympy
 from newton_euler.algebra.scalars import Scalar, integer_like, is_numeric, scalar
 from newton_euler.algebra.units import SI, System, unit
 from newton_euler.answers.forms import Form, kind_named
@@ -66,7 +67,8 @@ class Answer:
     zero. weight : its share of the problem's points, relative to those of the other answers.
     follow_through : the part of them that it earns where it is wrong, but follows from a student's
     own earlier answers. latex : how it is printed, where its key does not say it. rtol : the
-    relative tolerance of its numbers, which a sheet may change.
+    relative tolerance of its numbers, which a sheet may change. because : of a choice, what tells
+    it, as a sentence for the worked solution that holds for all numbers.
     """
 
     key: str
@@ -79,6 +81,7 @@ class Answer:
     follow_through: float = 0.0
     latex: str = ""
     rtol: float = RTOL
+    because: str = ""
 
     def __post_init__(self) -> None:
         if isinstance(self.kind, str):
@@ -342,8 +345,6 @@ class Problem:
         """The answers with every symbol as a SymPy symbol and the givens of the book as numbers;
         exact ones next to symbols, 3/2 for 1.5.
         """
-        import sympy
-
         given = self.book_values
         if self.symbolic:
             given = {n: sympy.Rational(str(x)) for n, x in given.items()}
@@ -351,7 +352,6 @@ class Problem:
 
     def sympy_symbols(self) -> dict[str, Any]:
         """A SymPy symbol for each symbol of the text: real, and positive where its range is."""
-        import sympy
 
         def ranged(name, low):
             return sympy.Symbol(name, **({"positive": True} if low > 0 else {"real": True}))

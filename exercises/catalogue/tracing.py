@@ -35,17 +35,19 @@ class Traced:
     steps: Sequence[Step]
 
 
-def traced_quantities(p: Problem, with_all_terms: bool = False) -> Traced:
-    """The traced computation of ``p``; ``with_all_terms`` of the answers among the steps. Raises
-    ScalarError where it branches on values.
+def traced_quantities(p: Problem, to_be_read: bool = False) -> Traced:
+    """The traced computation of ``p``; ``to_be_read`` with all terms of the answers among the steps
+    and, where nothing is given, with the number 1 as the argument "one", so that constants show how
+    they are found. Raises ScalarError where it branches on values.
     """
     trace = Trace()
     givens = {n: trace.new("argument", n) for n in p.units}
-    g = p.base(dict.fromkeys(p.units, 1.0)).but(**givens)
+    one = 1.0 if p.units or not to_be_read else trace.new("argument", "one")
+    g = p.base(dict.fromkeys(p.units, 1.0), one).but(**givens)
     with solved_equations() as solved:
         steps = listed_steps(p, g)
         answers = p.code.solve(g)
-        steps += further_terms(p, steps, answers) if with_all_terms else []
+        steps += further_terms(p, steps, answers) if to_be_read else []
     found = [(s.key, s.value, s.unit) for s in steps]
     found += [(a.key, answers[a.key], a.unit) for a in p.answers if not a.kind.is_word]
     numbers = [x for x in found if not isinstance(x[1], (str, int)) and not callable(x[1])]

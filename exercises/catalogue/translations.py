@@ -16,7 +16,7 @@ from .model import CatalogueError, Chapter, Problem
 from .places import home, place
 
 TEXTS = "title", "text", "figure", "frame"
-MEANINGS = "givens", "answers", "steps", "mistakes"
+MEANINGS = "givens", "answers", "because", "steps", "mistakes"
 
 
 def file_of(problem_id: str, name: str) -> Path:
@@ -55,7 +55,14 @@ def _translated(p, name):
         p,
         **texts,
         givens={n: replace(g, means=means("givens", n, g.means)) for n, g in p.givens.items()},
-        answers=tuple(replace(a, means=means("answers", a.key, a.means)) for a in p.answers),
+        answers=tuple(
+            replace(
+                a,
+                means=means("answers", a.key, a.means),
+                because=means("because", a.key, a.because),
+            )
+            for a in p.answers
+        ),
         steps={n: {**s, "means": means("steps", n, s["means"])} for n, s in p.steps.items()},
         mistakes={n: means("mistakes", n, text) for n, text in p.mistakes.items()},
         said=own.get("steps", {}),
@@ -74,6 +81,7 @@ def texts_of(p: Problem) -> dict[str, Any]:
         **{name: getattr(p, name) for name in TEXTS},
         "givens": {n: g.means for n, g in p.givens.items()},
         "answers": {a.key: a.means for a in p.answers},
+        "because": {a.key: a.because for a in p.answers if a.because},
         "steps": {n: s["means"] for n, s in p.steps.items()},
         "mistakes": dict(p.mistakes),
     }

@@ -44,7 +44,7 @@ def draw(g, ax):
     s.disk(P, disk.k, R)
     s.plate(slot, shade="light")
     s.plate([(-0.16, -w, 0), (0.16, -w, 0), (0.16, w, 0), (-0.16, w, 0)], shade="dark")
-    s.swing(P, (R * 1.08, 0, 0), disk.k, r"$\omega$")
+    s.swing(P, (R * 1.08, 0, 0), disk.k, r"$\omega,\ \alpha$")
     s.line((R, 0, 0), (1.4 * R, 0, 0), style="centre")
     s.vector((0.16, 0, 0), disk.i, r"$\dot x$")
     s.label((1.4 * R, 0, 0), "x", offset=(10, 0), bold=False)

@@ -25,6 +25,7 @@ def steps(g):
     yield "v_theta", v.y
     yield "z_dot", z.rate
     yield from terms(a, "a", "m/s^2", "3.5")
+    yield "a", a
 
 
 def prove(g):

@@ -26,6 +26,7 @@ def steps(g):
     yield "phi_dot", phi.rate
     yield "v", v
     yield from terms(a, "a", "m/s^2", "3.7")
+    yield "a", a
 
 
 def prove(g):

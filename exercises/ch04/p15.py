@@ -67,7 +67,7 @@ def draw(g, ax):
     s.line(B, level)
     s.axes(B, ground, length=0.45 * g.L)
     s.turn((A - B) * 0.6, ground.j, label=r"$\omega_1$")
-    s.swing(B, C, shaft.k, label=r"$\omega_2$")
+    s.swing(B, C, shaft.k, label=r"$\omega_2,\ \dot\omega_2$")
     s.arc(B, level, C, label=r"$\beta_1$")
     s.dimension(B, C, label="L")
     for P in (A, B, C):

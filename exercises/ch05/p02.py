@@ -4,7 +4,9 @@ from exercises.devices.put_together import centre, problem_of, proved
 from exercises.devices.satellite import SATELLITE, figure, parts, spheres
 from exercises.tools import proofs
 
-solve, steps = problem_of(SATELLITE, parts, content="mass", mass="slug", length="ft")
+solve, steps = problem_of(
+    SATELLITE, parts, content="mass", mass="slug", length="ft", given=("larger", "smaller")
+)
 draw = figure
 
 

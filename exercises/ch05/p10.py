@@ -5,7 +5,7 @@ from exercises.devices.put_together import centre, problem_of, unweighed, walked
 from exercises.devices.wire_figure import WIRE, parts, path
 from newton_euler.bodies import Body, half_disk
 
-solve, steps = problem_of(WIRE, parts, content="length", length="mm")
+solve, steps = problem_of(WIRE, parts, content="length", length="mm", given=("leg",))
 draw = wire_figure.figure
 
 

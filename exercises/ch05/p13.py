@@ -3,7 +3,9 @@
 from exercises.devices.put_together import centre, problem_of, unweighed, walked
 from exercises.devices.welded_rods import WELDED, figure, parts, path
 
-solve, steps = problem_of(WELDED, parts, content="length", length="m")
+solve, steps = problem_of(
+    WELDED, parts, content="length", length="m", given=("first", "second", "third")
+)
 draw = figure
 
 

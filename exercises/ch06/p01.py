@@ -29,18 +29,13 @@ def solve(g):
     return answers(pulls(g))
 
 
-def steps(g):
-    R = solve(g)["R"]
-    return {"R_x": R.x, "R_y": R.y}
-
-
 def prove(g):
     """Across its line the three forces have no resultant; the line is in the second quadrant."""
     pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
     line = root(lambda line: sum(F * mp.sin(theta - line) for F, theta in pairs), mp.pi / 2, mp.pi)
     size = sum(F * mp.cos(theta - line) for F, theta in pairs)
     x, y = size * mp.cos(line), size * mp.sin(line)
-    return {"R": [x, y, 0], "R_mag": size, "dir_R": line, "R_x": x, "R_y": y}
+    return {"R": [x, y, 0], "R_mag": size, "dir_R": line}
 
 
 def mistakes(g):

@@ -36,10 +36,7 @@ def solve(g):
 
 
 def steps(g):
-    along = g.m_B * g.g * cos(g.theta)
-    yield "W_t", along
-    share = 1 + g.m_B / g.m_A * sin(g.theta) ** 2
-    yield "n", share
+    return {"W_t": g.m_B * g.g * cos(g.theta)}
 
 
 follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}

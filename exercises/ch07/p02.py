@@ -5,7 +5,9 @@ from exercises.devices.inertia_proof import added, of_points
 from exercises.devices.satellite import SATELLITE, figure, parts, spheres
 from newton_euler.bodies import spherical_shell
 
-solve, steps = problem_of(SATELLITE, parts, "slug", "ft", "slug*ft^2", at_O=["larger sphere"])
+solve, steps = problem_of(
+    SATELLITE, parts, "slug", "ft", "slug*ft^2", at_O=["larger sphere"], given=("larger", "smaller")
+)
 draw = figure
 
 

@@ -16,13 +16,17 @@ def density(g, radius=radius):
 def moments(g, radius=radius, transfer=1):
     """(I_xx, I_yy, I_zz) by thin disks at height z; ``transfer`` weighs the parallel-axis term."""
     rho = density(g, radius)
-    own = lambda z: bodies.disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
-    thin_disk = lambda z: own(z).about(CONE).reweighted(transfer=transfer).moments
-    return integral(thin_disk, 0, g.h)
+    disk = lambda z: bodies.disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
+    own, far = (
+        integral(lambda z, w=w: disk(z).about(CONE).reweighted(**w).moments, 0, g.h)
+        for w in ({"transfer": 0}, {"own": 0})
+    )
+    return [x + transfer * y for x, y in zip(own, far, strict=True)]
 
 
 def solve(g):
-    return matrix(CONE, moments(g))
+    I_xx, _, I_zz = moments(g)
+    return matrix(CONE, (I_xx, I_xx, I_zz))
 
 
 def steps(g):

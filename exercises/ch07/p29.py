@@ -1,7 +1,7 @@
 """7/29: how long a spacecraft with two panels is to be for a steady spin."""
 
 from exercises.tools import Sketch, mp, proofs
-from newton_euler import Frame, composite, root
+from newton_euler import Frame, composite, root, sqrt
 from newton_euler.bodies import cylinder, cylindrical_shell, plate
 
 CRAFT = Frame("craft")
@@ -34,21 +34,17 @@ def critical(g, of):
 
 
 def solve(g):
-    def of(l_r):
-        shell, panels = parts(g, l_r)
-        return excess([shell, *panels])
-
-    return critical(g, of)
+    """Where I_yy, which is 1/2 and the slope times (l/r)^2, is as great as I_xx."""
+    *_, I_x, slope = steps(g).values()
+    return {"l_r": sqrt((I_x - g.one / 2) / slope)}
 
 
 def steps(g):
     shell, (panel, _) = parts(g, g.one)
     share = panel.mass / shell.mass
-    yield "share", share
     k2 = panel.about(CRAFT).moment("x") / panel.mass
-    yield "panel_x", k2
-    yield "I_x", 1 + 2 * share * k2
-    yield "slope", (1 + 2 * share * g.q**2) / 12
+    I_x, slope = 1 + 2 * share * k2, (1 + 2 * share * g.q**2) / 12
+    return {"share": share, "panel_x": k2, "I_x": I_x, "slope": slope}
 
 
 def prove(g):

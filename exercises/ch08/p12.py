@@ -19,10 +19,10 @@ def solve(g):
 
 
 def steps(g):
-    ground, bracket, body, O = scene(g)
+    ground, bracket, body, _ = scene(g)
     omega = body.frame.angular_velocity(ground).expressed_in(bracket)
-    (_, across, _), (_, at_vertex, axial) = body.inertia.moments, body.about(O).moments
-    return {"omega_cone": omega, "I_G": across, "I_x": at_vertex, "I_z": axial}
+    _, across, axial = body.inertia.moments
+    return {"omega_cone": omega, "I_G": across, "I_z": axial}
 
 
 def prove(g):
@@ -40,11 +40,11 @@ def prove(g):
 
     turning = proofs.rate(orientation)
     H_O = over_cone(lambda r: proofs.cross(r, proofs.times(turning, r)))
-    I_x, I_z = over_cone(lambda r: [r[1] ** 2 + r[2] ** 2, r[0] ** 2 + r[1] ** 2])
+    I_z = over_cone(lambda r: [r[0] ** 2 + r[1] ** 2])[0]
     middle = over_cone(lambda r: r)[2] / g.m
     I_G = over_cone(lambda r: [r[1] ** 2 + (r[2] - middle) ** 2])[0]
     omega = proofs.angular_velocity(orientation)
-    return {"H_O": H_O, "omega_cone": omega, "I_G": I_G, "I_x": I_x, "I_z": I_z}
+    return {"H_O": H_O, "omega_cone": omega, "I_G": I_G, "I_z": I_z}
 
 
 def mistakes(g):

@@ -38,7 +38,7 @@ def draw(g, ax):
     O, X, Y = (0, 0, 0), (g.a, 0, 0), (0, g.b, 0)
     s.box((g.a / 2, g.b / 2, g.c / 2), BLOCK, (g.a, g.b, g.c))
     s.axes(O, BLOCK, length=1.45 * max(g.a, g.b, g.c))
-    s.turn((0, 1.25 * max(g.a, g.b, g.c), 0), BLOCK.j, r"$\omega$")
+    s.turn((0, 1.25 * max(g.a, g.b, g.c), 0), BLOCK.j, r"$\omega,\ \alpha$")
     s.dimension(O, X, "a")
     s.dimension(O, Y, "b")
     s.dimension(X, (g.a, 0, g.c), "c")

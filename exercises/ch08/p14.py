@@ -42,4 +42,4 @@ def mistakes(g):
 
 def draw(g, ax):
     s = wire_figure.figure(g, ax)
-    s.turn((0, 1.35 * g.r, 0), WIRE.j, r"$\omega$")
+    s.turn((0, 1.35 * g.r, 0), WIRE.j, r"$\omega,\ \alpha$")

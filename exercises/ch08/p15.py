@@ -47,7 +47,7 @@ def draw(g, ax):
     s.plate([O, X, end, Y], thickness=thick)
     s.plate([Y, end, (g.a, g.b, g.c), (0, g.b, g.c)], thickness=thick)
     s.axes(O, SHEET, length=1.45 * size)
-    s.turn((1.25 * size, 0, 0), SHEET.i, r"$\omega$")
+    s.turn((1.25 * size, 0, 0), SHEET.i, r"$\omega,\ \alpha$")
     s.dimension(O, X, "a")
     s.dimension(O, Y, "b")
     s.dimension(end, (g.a, g.b, g.c), "c")

@@ -50,7 +50,7 @@ def draw(g, ax):
     size = max(g.b, g.h)
     s.plate([O, A, C])
     s.axes(O, PLATE, length=1.45 * size)
-    s.turn((0, 0, 1.15 * g.h), PLATE.k, r"$\omega$")
+    s.turn((0, 0, 1.15 * g.h), PLATE.k, r"$\omega,\ \alpha$")
     s.dimension(O, A, "b")
     s.dimension(O, C, "h")
     for P in (O, A, C):

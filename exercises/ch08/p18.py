@@ -50,6 +50,6 @@ def draw(g, ax):
     O, X = (0, 0, 0), (g.r, 0, 0)
     s.plate([O, *s.around(O, X, PLATE.k, 3.14159265 / 2)])
     s.axes(O, PLATE, length=1.4 * g.r)
-    s.turn((1.12 * g.r, 0, 0), PLATE.i, r"$\omega$")
+    s.turn((1.12 * g.r, 0, 0), PLATE.i, r"$\omega,\ \alpha$")
     s.dimension(O, X, "r")
     s.label(O, "O")

@@ -65,6 +65,6 @@ def draw(g, ax):
     for n, (m, P) in enumerate(zip(masses(g), points, strict=True), 1):
         s.sphere(P, 0.16 * d * (4 * m / total) ** (1 / 3))  # all of one density
         s.label(P, f"$m_{n}$", bold=False)
-    s.turn((3.2 * d, 0, 0), BODY.i, r"$\omega$")
+    s.turn((3.2 * d, 0, 0), BODY.i, r"$\omega,\ \alpha$")
     s.dimension((2 * d, 0, 0), points[1], "d", offset=(0, -0.45 * d, 0))
     s.label(O, "O")

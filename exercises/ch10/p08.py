@@ -99,6 +99,7 @@ def draw(g, ax):
     s.shaft((-g.a - 0.4 * h, 0, 0), (g.b + 0.4 * h, 0, 0))
     s.line((0, low - 2.2 * h, 0), (0, 1.4 * h, 0), style="centre")
     s.turn((0, low - 1.2 * h, 0), ground.j, label=r"$\Omega$")
+    s.turn((g.b + 0.3 * h, 0, 0), -ground.i, label="p")
     s.label(A, "A", offset=(-10, 8))
     s.label(B, "B", offset=(10, 8))
     s.dot(G, "G", offset=(10, 10))

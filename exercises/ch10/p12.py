@@ -2,7 +2,7 @@
 
 from exercises.devices.wobbling import difference, neutral_length
 from exercises.tools import Sketch, mpf, proofs
-from newton_euler import Frame, composite, root
+from newton_euler import Frame, composite, root, sqrt
 from newton_euler.bodies import cone, cylinder
 
 
@@ -19,15 +19,21 @@ def limit(g, excess):
     return {"ratio": root(excess, g.one / 100, 10 * g.one)}
 
 
-def solve(g):
-    return limit(g, lambda ratio: difference(*cones(g, ratio)))
-
-
-def steps(g):
+def shares(g):
+    """The moments of a cone as wide as high, which a stretch along the axis multiplies."""
     body, O = cones(g, g.one)
     I = body.parts[0].about(O)
     axial = I.moment("z")
     return {"axial": axial, "flat": axial / 2, "tall": I.moment("x") - axial / 2}
+
+
+steps = shares
+
+
+def solve(g):
+    """Where the moments about all axes through the vertices are equal."""
+    of = shares(g)
+    return {"ratio": sqrt((of["axial"] - of["flat"]) / of["tall"])}
 
 
 def prove(g):

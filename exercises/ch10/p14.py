@@ -1,7 +1,7 @@
 """10/14: a spinning disk that falls over on a cross shaft, and the forces of its bearings."""
 
 from exercises.tools import Sketch, minus, mp, mpf, plus, proofs, rot, scaled, times
-from newton_euler import ForceSystem, Frame, kinetic_energy, particle, pi, solve_linear, sqrt
+from newton_euler import ForceSystem, Frame, particle, pi, solve_linear, sqrt
 from newton_euler.bodies import disk
 from newton_euler.dynamics import resultant_force, resultant_moment, weight
 
@@ -15,23 +15,20 @@ def scene(g, rate=0, acceleration=0, spin=0, mass=1):
     return ground, disk(g.r, turned, "z", mass=mass)
 
 
-def as_particle(g, rate=0, acceleration=0):
-    ground, body = scene(g, rate, acceleration)
-    return ground, particle(1, body.frame.point("G", 0, 0, 0))
+def as_particle(g):
+    ground, body = scene(g, mass=g.m)
+    return ground, particle(g.m, body.frame.point("G", 0, 0, 0))
 
 
-def fall(g, scene=scene):
-    """theta_dot and theta_ddot, by work and moment of the weight, whatever spin and mass."""
-    rate = sqrt(g.g * g.b / kinetic_energy(*reversed(scene(g, rate=1))).value)
+def about_shaft(g, body):
+    return body.about(body.frame.point("O", 0, 0, -g.b)).moment("x")
 
-    def about_x(alpha):
-        ground, body = scene(g, acceleration=alpha)
-        O, force = ground.point("O", 0, 0, 0), weight(1, ground.k, g.g)
-        given = ForceSystem({"weight": (force, body.centre)}).moment(O)
-        needed = resultant_moment(body, ground, about=O)
-        return (given - needed.expressed_in(ground)).x
 
-    return rate, solve_linear(about_x).alpha
+def fall(g, scene=lambda g: scene(g, mass=g.m)):
+    """theta_dot and theta_ddot, by work and moment of the weight, whatever the spin."""
+    ground, body = scene(g)
+    I_0, arm = about_shaft(g, body), body.centre.position(ground).y
+    return sqrt(2 * g.m * g.g * arm / I_0), g.m * g.g * arm / I_0
 
 
 def needed(g, rate, acceleration):
@@ -62,11 +59,9 @@ def solve(g):
 
 def steps(g):
     rate, acceleration = fall(g)
-    ground, body = scene(g, rate, acceleration, g.P, g.m)
-    O = ground.point("O", 0, 0, 0)
     force, moment = needed(g, rate, acceleration)
     return {
-        "I_0": body.about(O).moment("x"),
+        "I_0": about_shaft(g, scene(g, mass=g.m)[1]),
         "theta_dot": rate,
         "theta_ddot": acceleration,
         "R_AB": force,

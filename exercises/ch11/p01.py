@@ -1,9 +1,9 @@
 """11/1: a cart that slides down a rough chute."""
 
 from exercises.tools import Sketch, minus, mp, proofs, rate, root, scaled, size, vanishing
-from newton_euler import Frame, pi
-from newton_euler.algebra.ledger import summed
-from newton_euler.dynamics import constant_force_work, speed_after, weight
+from newton_euler import Frame, pi, sqrt
+from newton_euler.algebra.ledger import summed, value_of
+from newton_euler.dynamics import constant_force_work, weight
 
 
 def scene(g):
@@ -27,8 +27,12 @@ def work(g, N=None):
     return summed({name: constant_force_work(F, A, B) for name, F in forces.items()})
 
 
+def start_energy(g):
+    return g.m * g.v_A**2 / 2
+
+
 def speed(g, U):
-    return {"v_B": speed_after(g.v_A, U, g.m)}
+    return {"v_B": sqrt(2 * (start_energy(g) + value_of(U)) / g.m)}
 
 
 def solve(g):
@@ -42,7 +46,7 @@ def steps(g):
         "F_f": g.mu * normal_force(g),
         "U_w": U["weight"],
         "U_f": U["friction"],
-        "T_A": g.m * g.v_A**2 / 2,
+        "T_A": start_energy(g),
     }
 
 

@@ -130,7 +130,7 @@ def draw(g, ax):
     cord = 0.05 * r
     s.line((0, 0, cord), (g.r_A - size / 2, 0, cord), style="solid")
     s.label((g.r_A / 2, 0, cord), "cord", offset=(0, 9), bold=False)
-    s.turn((0, 0, 0.35 * r), z, label=r"$\omega$")
+    s.turn((0, 0, 0.35 * r), z, label=r"$\omega_A$")
     s.dimension((0, 0, 0), A, label="$r_A$", offset=-0.16 * r)
     s.dimension((0, 0, 0), B, label="$r_B$", offset=-0.3 * r)
     s.label((g.r_A, 0, 0.75 * size), "A", offset=(0, 10))

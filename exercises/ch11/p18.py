@@ -55,7 +55,6 @@ def steps(g):
     return {
         "I_z": I.moment("z"),
         "I_x": I.moment("x"),
-        "omega_n": omega.x,
         "omega_t": omega.y,
         "omega_s": omega.z,
     }
@@ -77,7 +76,6 @@ def prove(g):
         "T_euler": energy(in_time),
         "I_z": g.M * proofs.mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
         "I_x": g.M * proofs.mean(lambda r: r[1] ** 2 + r[2] ** 2, points),
-        "omega_n": omega[0],
         "omega_t": omega[1],
         "omega_s": omega[2],
     }

@@ -34,7 +34,7 @@ def steps(n, n_C, tan_gamma, rolling):
     yield Step("omega_OA", omega, "rad/s", "angular velocity of DE and OA in the ground", "4.9")
     omega = B.angular_velocity(arm).expressed_in(arm)
     means = f"angular velocity of B relative to OA, ${rolling}$ about y, as it does not slide on C"
-    yield Step("omega_rel", omega, "rad/s", means, "4.9", "4.19")
+    yield Step("omega_rel", omega, "rad/s", means, "4.9")
     omega, alpha = answers(n, n_C, tan_gamma).values()
     yield from terms(omega, "omega_B", "rad/s", "4.9")
     yield from terms(alpha, "alpha_B", "rad/s^2", "4.9")

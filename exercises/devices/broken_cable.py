@@ -66,7 +66,7 @@ def fall_steps(g, shape, pin):
     yield Step(f"M_{pin}", moment_of_weight(g, shape), "lb*ft",
                f"moment of the weight about z through {pin}", "8.1", "8.7")  # fmt: skip
     yield Step("a_G", a_G.expressed_in(ground), "ft/s^2", "acceleration of the centre of mass",
-               "8.5", "8.15")  # fmt: skip
+               "4.8", "4.18")  # fmt: skip
 
 
 def by_energy(g, points, *places):

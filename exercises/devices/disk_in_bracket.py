@@ -43,7 +43,7 @@ def whole_problem(name):
         lambda g: all_motion(disk_in_bracket(g), name, g.r),
         lambda g: [*turning_steps(g), *rim_steps(g, name)],
         lambda g: prove_turning(g) | prove_rim(g, name),
-        lambda g, ax: figure(g, ax, omega_name=r"\omega_b"),
+        lambda g, ax: figure(g, ax, name, r"\omega_b"),
     )
 
 
@@ -167,8 +167,10 @@ def prove_rim(g, name):
     return {f"v_{name}": rate(place), f"a_{name}": proofs.second_rate(place)} | found
 
 
-def figure(g, ax, rim="AB", omega_name=r"\omega"):
-    """The figure; ``rim``: the points shown. Rates that grow are shown with their growth."""
+def figure(g, ax, rim="", omega_name=r"\omega"):
+    """The figure; ``rim``: the points of the rim that it shows. Rates that grow are shown with
+    their growth.
+    """
     ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)
     letters = [

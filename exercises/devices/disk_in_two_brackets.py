@@ -27,7 +27,7 @@ def rim_problem(name):
         lambda g: answers(*frames_and_point(g, name)),
         lambda g: rim_steps(g, name),
         lambda g: prove_rim(g, name),
-        draw_two_brackets,
+        lambda g, ax: draw_two_brackets(g, ax, name),
     )
 
 
@@ -139,8 +139,8 @@ def wrong_alphas(alpha):
     }
 
 
-def draw_two_brackets(g, ax):
-    """The figure of both problems."""
+def draw_two_brackets(g, ax, name):
+    """The figure, with C or D."""
     ground, B, A, disk = disk_in_two_brackets(g)
     s = Sketch(ax, ground, azimuth=50, elevation=20)
     ring, arm, low = 1.3 * g.r, 1.6 * g.r, -1.6 * g.r
@@ -160,8 +160,7 @@ def draw_two_brackets(g, ax):
     s.turn(B.point("", 0, 0, 1.3 * low), B.k, label=r"$\omega_1$")
     s.turn(B.point("", arm, 0, 0), B.i, label=r"$\omega_2$")
     s.turn(A.point("", 0, 1.5 * g.r, 0), A.j, label=r"$\omega_3$")
-    for name in PLACES:
-        s.dot(rim_point(g, disk, name), name)
+    s.dot(rim_point(g, disk, name), name)
     s.label(B.point("", arm, 0, low), "B")
     s.label(A.point("", 0.7 * ring, -0.7 * ring, 0), "A")
-    s.dimension(O, rim_point(g, disk, "C"), label="r")
+    s.dimension(O, rim_point(g, disk, name), label="r")

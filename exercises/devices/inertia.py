@@ -24,11 +24,11 @@ def whole(frame, parts, removed=()):
     return answer(together(frame, parts, removed))
 
 
-def problem_of(frame, parts, mass, length, inertia, holes=False, at_O=()):
+def problem_of(frame, parts, mass, length, inertia, holes=False, at_O=(), given=()):
     """``solve`` and ``steps`` about ``parts(g)``; with ``holes``, a pair of these and holes."""
     bodies = lambda g: parts(g) if holes else (parts(g),)
     units = {"mass": mass, "length": length, "inertia": inertia}
-    steps = lambda g: steps_of(frame, *bodies(g), at_O=at_O, **units)
+    steps = lambda g: steps_of(frame, *bodies(g), at_O=at_O, given=given, **units)
     return (lambda g: whole(frame, *bodies(g))), steps
 
 
@@ -47,11 +47,14 @@ def no_products(frame, I):
     return matrix(frame, I.moments)
 
 
-def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=()):
-    """Mass, own matrix, place and matrix at O of each part; ``at_O`` names those centred at O."""
+def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=(), given=()):
+    """Mass, unless it is ``given``, own matrix, place and matrix at O of each part; ``at_O`` names
+    those centred at O.
+    """
     for part in (*parts, *removed):
         key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""
-        yield Step(f"m_{key}", part.mass, mass, f"mass of the {part.name}{cut_out}", "7.10")
+        if key not in given:
+            yield Step(f"m_{key}", part.mass, mass, f"mass of the {part.name}{cut_out}", "7.10")
         own = part.about(part.centre, frame).matrix
         if part.name in at_O:
             yield Step(f"I_{key}", own, inertia,

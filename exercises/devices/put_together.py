@@ -23,15 +23,17 @@ def unweighed(frame, one, points):
     return {"d": centre_of_mass([(one, P) for P in points], frame).position(frame)}
 
 
-def steps_of(frame, parts, removed=(), *, content, length, mass=""):
-    """The content of each part (one of SYMBOLS) and its centre, named after the first word of its
-    name, then the sums over all of them. ``length`` and ``mass`` are units.
+def steps_of(frame, parts, removed=(), *, content, length, mass="", given=()):
+    """The content of each part (one of SYMBOLS), unless it is ``given``, and its centre, named
+    after the first word of its name, then the sums over all of them. ``length`` and ``mass`` are
+    units.
     """
     symbol, (unit, _) = SYMBOLS[content], units(content, length, mass)
     for part in (*parts, *removed):
         key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""
-        yield Step(f"{symbol}_{key}", part.mass, unit, f"{content} of the {part.name}{cut_out}",
-                   "5.4")  # fmt: skip
+        if key not in given:
+            yield Step(f"{symbol}_{key}", part.mass, unit, f"{content} of the {part.name}{cut_out}",
+                       "5.4")  # fmt: skip
         yield Step(f"d_{key}", part.centre.position(frame), length,
                    f"centre of mass of the {part.name}", "5.4", "5.13")  # fmt: skip
     yield from sums(frame, parts, removed, content=content, length=length, mass=mass)

@@ -73,7 +73,8 @@ def shaft_steps(r, products="xy"):
 def force_steps(r):
     """Steps for G off the axis: its acceleration, the parts of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
-    yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "9.5", "9.7")
+    yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "4.8",
+               "4.18")  # fmt: skip
     for key, force in ("F_A", forces(r).A), ("F_B", forces(r).B):
         yield from terms(force.expressed_in(r.shaft), key, "N", "9.5", "9.9")
 

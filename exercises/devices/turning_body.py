@@ -71,17 +71,17 @@ def inertia_steps(inertia, axis, system="SI"):
                    f"moment of inertia of {which} about the {axis} axis",
                    "7.8", "7.25")  # fmt: skip
     yield Step(f"I_{axis}{axis}", inertia.moments[n], unit,
-               f"moment of inertia of the whole about the {axis} axis", "7.3",
+               f"moment of inertia of the whole about the {axis} axis", "7.2",
                "7.14" if parts else "7.10")  # fmt: skip
     for name, value in products(inertia, axis).items():
         u, v = name[2:]
-        yield Step(name, value, unit, f"integral of {u} {v} over the mass", "7.3", "7.10")
+        yield Step(name, value, unit, f"integral of {u} {v} over the mass", "7.2", "7.10")
 
 
 def steps_of(g, inertia, axis, system="SI"):
     """The inertia, and the terms of the moment."""
     yield from inertia_steps(inertia, axis, system)
-    yield from terms(answers(g, inertia, axis)["M_O"], "M_O", UNITS[system]["moment"], "8.2")
+    yield from terms(answers(g, inertia, axis)["M_O"], "M_O", UNITS[system]["moment"], "8.5")
 
 
 # -- mistakes

@@ -60,6 +60,7 @@ def draw(g, ax):
     s.shaft(start, A)
     s.axes(centre, fork, length=0.95)
     s.turn(foot, ground.k, label=r"$\Omega$")
+    s.turn(fork.point("", 0.6, 0, 0), fork.i, label=r"$|\dot\gamma|$")  # towards z
     s.turn(shaft.point("", 0, 0, 1), shaft.k, label=r"$\omega$")
     s.vector(A, shaft.k, "e", kind="plain")
     s.arc(centre, up, A, label=r"$\gamma$")

@@ -80,9 +80,6 @@ def _draw(problem, values, ax):
 
 
 def _png(figure, dpi):
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    FigureCanvasAgg(figure)
     out = io.BytesIO()
     figure.savefig(out, format="png", dpi=dpi)
     return out.getvalue()

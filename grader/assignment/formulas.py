@@ -8,6 +8,7 @@ from collections.abc import Collection, Mapping
 from functools import cache
 from typing import Any
 
+from newton_euler.algebra.late import np, sympy
 from newton_euler.algebra.units import unit
 from newton_euler.answers.notation import number_symbol, unit_symbol
 
@@ -47,8 +48,6 @@ def coherent(units: Collection[str]) -> bool:
     >>> coherent(["m", "s", "m/s"]), coherent(["mm", "m/s^2", "s"])
     (True, False)
     """
-    import numpy as np
-
     found = [unit(u) for u in units if u != "deg"]
     powers = np.array([[float(x) for x in u.dimension.powers] for u in found]).reshape(-1, 3)
     factors = np.array([math.log(u.to_base(1.0)) for u in found])
@@ -75,8 +74,6 @@ def _is_function(text):
 
 def _one_root(product):
     """A product with its square roots of factors as one."""
-    import sympy
-
     roots = [x for x in product.args if x.is_Pow and abs(x.exp) == sympy.Rational(1, 2)]
     if len(roots) < 2:
         return product
@@ -101,8 +98,6 @@ class _Names:
         return sorted(terms, key=lambda x: bool(x.as_coeff_Mul()[0] < 0))
 
     def _in_degrees(self, x):
-        import sympy
-
         turns = x / sympy.pi
         if not turns.is_Rational:
             return x
@@ -117,6 +112,11 @@ class _Names:
         return text.replace("+ -", "- ").replace("- -", "+ ") if self.numbers else text
 
     def _print_Mul(self, expr):
+        import sympy
+
+        f = -expr
+        if isinstance(f, (sympy.asin, sympy.atan)) and f.args[0].is_Add:  # an angle without a sign
+            return self._print(f.func(-f.args[0], evaluate=False))
         joined = _one_root(expr) if expr.is_Mul else expr  # SymPy prints 1/x here, too
         alone = expr.is_Mul and not joined.is_Mul
         text = self._print(joined) if alone else super()._print_Mul(joined)

@@ -10,6 +10,7 @@ from exercises.catalogue import Problem
 from exercises.catalogue.steps import Step, is_sum, steps
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.language import Words
+from newton_euler.algebra.late import sympy
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.notation import (  # fmt: skip
@@ -146,8 +147,6 @@ class _Writer:
 
     def _sum(self, key, n):
         """A component of a sum, of the symbols of its terms."""
-        import sympy
-
         return sympy.Add(*(sympy.Symbol(component(k, n, 3)) for k in self.sums[key]))
 
     def _together(self, found):
@@ -184,8 +183,6 @@ class _Writer:
 
     def _formula(self, formulas, s):
         """A quantity as a formula, and with numbers; "" where there is none to read."""
-        import sympy
-
         if not formulas or None in formulas or all(isinstance(f, sympy.Float) for f in formulas):
             return "", ""
         free = {x.name for f in formulas for x in f.free_symbols}
@@ -208,7 +205,6 @@ class _Writer:
 
     def _mixes(self, formula):
         """True if an angle in degrees is added to one that is not."""
-        import sympy
 
         def in_degrees(x):
             of = x.as_coeff_Mul()[1]

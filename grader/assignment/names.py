@@ -3,6 +3,8 @@
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import permutations
+from operator import mul, truediv
 from typing import Any
 
 from exercises.catalogue.tracing import numbers_of
@@ -27,6 +29,8 @@ class Names:
     uses : how often each occurs in the quantity that is written
     place, size : index of the component that is written, number of components of its quantity
     whole : the traced numbers of this quantity
+    indices : the indices of its name, as AB of I_AB
+    scalars : the quantities that are one number, on the sheets
     """
 
     fixed: dict[int, Any]
@@ -38,6 +42,8 @@ class Names:
     place: int = 0
     size: int = 1
     whole: set[int] = field(default_factory=set)
+    indices: set[str] = field(default_factory=set)
+    scalars: list[tuple[Any, Sequence[float]]] = field(default_factory=list)
     by_value: dict[tuple[str, ...], dict[Any, int | None]] = field(default_factory=dict)
 
     def add(self, key: str, parts: Sequence[Any], symbols: Sequence[Any]) -> None:
@@ -48,16 +54,19 @@ class Names:
             if numbers := self._numbers(x):
                 place = n if len(parts) == 9 else None
                 self.by_value.setdefault(_rounded(numbers), {})[symbol] = place
+                self.scalars += [(symbol, numbers)] * (len(parts) == 1 and 0 not in numbers)
             if isinstance(inner, Step):
                 self.found.setdefault(x.number, {}).setdefault(key, {})[n] = symbol
             if isinstance(inner, Step) and sign < 0 and inner.number not in self.fixed:
                 self.opposite.setdefault(inner.number, {}).setdefault(key, {})[n] = -symbol
 
-    def look_at(self, parts: Sequence[Any]) -> None:
+    def look_at(self, key: str, parts: Sequence[Any]) -> None:
         """Counts for the formulas of a quantity how many numbers of each earlier one they have: of
-        quantities that are partly equal, the one that is used most is meant.
+        quantities that are partly equal, the one that is used most is meant, or of those that are
+        used as often, the one with the same index.
         """
         self.size, self.uses, self.whole = len(parts), Counter(), numbers_of(parts)
+        self.indices = _indices(key)
         seen, waiting = set(), [*parts]
         while waiting:
             a = waiting.pop()
@@ -79,6 +88,9 @@ class Names:
             return None
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
+        same = [k for k in (key, *others) if self.indices and _indices(k) == self.indices]
+        if others and len(same) == 1:
+            key, others = same[0], []
         if others and x.args and all(self._is_plain(a) for a in x.args):
             return None  # as b/2, of two bodies that lie side by side
         if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
@@ -97,6 +109,18 @@ class Names:
             names = self.by_value.get(_rounded(numbers, sign), {})
             if len(names) == 1 and here in names.values():
                 return sign * next(iter(names))
+        return None
+
+    def of_two(self, x: Any) -> Any:
+        """A number as the ratio or product of two earlier ones, by whatever way the code came to
+        it; None if it is none.
+        """
+        numbers = self._numbers(x)
+        for (a, of_a), (b, of_b) in permutations(self.scalars if numbers else (), 2):
+            if _rounded(numbers) == _rounded(map(truediv, of_a, of_b)):
+                return a / b
+            if _rounded(numbers) == _rounded(map(mul, of_a, of_b)):
+                return a * b
         return None
 
     def vanishes(self, x: Any) -> bool:
@@ -144,6 +168,11 @@ class Names:
 def unsigned(x: Any) -> tuple[Any, int]:
     """A traced number without its minus sign, and the sign."""
     return (x.args[0], -1) if isinstance(x, Step) and x.op == "neg" else (x, 1)
+
+
+def _indices(key):
+    """The indices of a name, as {"AB"} of I_AB."""
+    return {*key.split("_")[1:]}
 
 
 def _rounded(numbers, sign=1):

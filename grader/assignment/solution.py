@@ -95,7 +95,8 @@ def _answer(a, line, p, found):
     if is_sum(line.step.value, p):
         terms = {x.step.term[0]: x for x in found if x.step.of == a.key}
         yield from _ledger(a, line.step.value, p, terms)
-    yield from (f"**{_sentence(_typeset(a.means, p))}:** {_chain(line)}", "")
+    because = f". {_typeset(a.because, p)}" * bool(a.because)
+    yield from (f"**{_sentence(_typeset(a.means, p))}:** {_chain(line)}{because}", "")
 
 
 def _ledger(a, value, p, found):

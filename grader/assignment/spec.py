@@ -14,14 +14,7 @@ from typing import Any
 
 import yaml
 
-from exercises.catalogue import (
-    CatalogueError,
-    Problem,
-    chapter,
-    chapters,
-    problem,
-    problems,
-)
+from exercises.catalogue import CatalogueError, Problem, chapter, chapters, problem, problems
 from exercises.catalogue.variants import sheets
 from newton_euler.answers.tolerance import SEPARATION
 

@@ -6,6 +6,8 @@ from functools import lru_cache
 from itertools import combinations
 from typing import Any
 
+from newton_euler.algebra.late import sympy
+
 LONGEST = 30  # operations of a formula that a reader follows
 ROUND_OFF = 1e-15  # no constant of a formula is as small
 HOPELESS = 150  # operations that are not worth to be simplified
@@ -13,8 +15,6 @@ HOPELESS = 150  # operations that are not worth to be simplified
 
 def readable(formula: Any) -> Any:
     """The formula, integrated under a bar, with sin^2 + cos^2 = 1 where that makes it shorter."""
-    import sympy
-
     formula = sympy.sympify(formula)
     formula = formula.xreplace({x: constant(x) for x in formula.atoms(sympy.Float)})
     formula = formula.replace(_is_double, integrated)
@@ -33,8 +33,6 @@ def readable(formula: Any) -> Any:
 
 def _is_double(x):
     """True for an integral with t - u, by which an integral of an integral is computed."""
-    import sympy
-
     if not isinstance(x, sympy.Integral):
         return False
     variable, _, end = x.limits[0]
@@ -43,7 +41,6 @@ def _is_double(x):
 
 def integrated(formula: Any) -> Any:
     """The formula with the integrals of polynomials worked out."""
-    import sympy
 
     def value(x):
         return sympy.factor_terms(sympy.expand(x.doit()))
@@ -54,10 +51,9 @@ def integrated(formula: Any) -> Any:
 
 
 def without_conjugates(formula: Any) -> Any:
-    """The formula with a^2 - b^2 for (a + b)*(a - b), also under one power, and 1/sqrt(x) for
-    sqrt(1/x).
+    """The formula with a^2 - b^2 for (a + b)*(a - b), also under one power, 1/sqrt(x) for
+    sqrt(1/x), and tan for sin/cos.
     """
-    import sympy
 
     def is_root(x):
         return x.is_Pow and x.base.is_Pow and (x.exp, x.base.exp) == (sympy.S.Half, -1)
@@ -67,9 +63,12 @@ def without_conjugates(formula: Any) -> Any:
 
 
 def _joined(product):
-    import sympy
-
-    factors = [x.as_base_exp() for x in product.args if x.as_base_exp()[0].is_Add]
+    powers = dict(x.as_base_exp() for x in product.args)
+    for a, n in powers.items():
+        cosine = sympy.cos(*a.args) if isinstance(a, sympy.sin) else None
+        if powers.get(cosine) == -n:
+            return product * (sympy.tan(*a.args) * cosine / a) ** n
+    factors = [(a, n) for a, n in powers.items() if a.is_Add]
     for (a, n), (b, m) in combinations(factors, 2):
         whole = sympy.expand(a * b)
         if n == m and len(whole.args) == 2:
@@ -97,8 +96,6 @@ def without_unknown(rows: Sequence[tuple[Any, Any]], unknown: Any) -> tuple[list
 
 def _without_divisor(row):
     """The two sides of an equation, multiplied by what they are divided by."""
-    import sympy
-
     above, below = sympy.fraction(sympy.together(row[0] - row[1]))
     return tuple(row) if below.is_number else (sympy.expand(above), sympy.Integer(0))
 
@@ -107,8 +104,6 @@ def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
     """The two sides of an equation without minus signs before their terms, where there are two, and
     without a sum, or a root of one, that is a factor of both.
     """
-    import sympy
-
     terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
     shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
     terms = [t / sympy.Mul(*shared) for t in terms]
@@ -121,13 +116,46 @@ def is_forced(name: Any, value: Any, formula: Any) -> bool:
     """True if a formula has the name of a value under an unusual power, or times a number where the
     value has one: 4 I_1 for m a^2, where I_1 = m a^2/4.
     """
-    import sympy
-
     usual = (1, 2, sympy.Rational(1, 2))
     if any(p.base == name and abs(p.exp) not in usual for p in formula.atoms(sympy.Pow)):
         return True
     products = formula.atoms(sympy.Mul) if abs(value.as_coeff_Mul()[0]) != 1 else ()
     return any(x.has(name) and abs(x.as_coeff_Mul()[0]) != 1 for x in products)
+
+
+def factored(formula: Any) -> Any:
+    """The formula without factors that cancel in its fractions, and with those that a sum under a
+    root, in a function or above a fraction has in all its terms before it; terms stay terms.
+    """
+    import sympy
+
+    return sympy.Add(*(_cancelled(x) for x in sympy.Add.make_args(formula)))
+
+
+def _cancelled(term):
+    import sympy
+
+    if term.has(sympy.Integral) or not term.has(sympy.Add):
+        return term
+    below = sympy.fraction(term)[1]
+    nested = (x.exp.is_negative and x.base.free_symbols for x in below.atoms(sympy.Pow))
+    if any(nested) and below.is_rational_function():
+        term = sympy.cancel(sympy.together(term))
+    shorter = sympy.factor_terms(term, clear=False)
+    return shorter if _names_in(shorter) < _names_in(term) else term
+
+
+def _names_in(formula):
+    """How often names, and how often numbers stand in a formula."""
+    import sympy
+
+    atoms = [x for x in sympy.preorder_traversal(formula) if x.is_Atom]
+    return sum(x.is_Symbol for x in atoms), sum(not x.is_Symbol and bool(abs(x) > 1) for x in atoms)
+
+
+def is_itself_shorter(formula: Any, other: Any) -> bool:
+    """True if a formula has at most half of the operations of another."""
+    return formula.count_ops() <= other.count_ops() / 2
 
 
 def is_atom(formula: Any) -> bool:
@@ -142,8 +170,6 @@ def is_long(formula: Any) -> bool:
 
 def constant(x: Any) -> Any:
     """A number of the code as a reader writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
-    import sympy
-
     x = float(x) if abs(float(x)) > ROUND_OFF else 0.0
     if x.is_integer():
         return sympy.Integer(int(x))
@@ -155,19 +181,34 @@ def constant(x: Any) -> Any:
     return sympy.Float(x)
 
 
+def _rooted(root):
+    """A root without factors that cancel under it."""
+    import sympy
+
+    inside = sympy.factor(root.base)
+    return inside**root.exp if _names_in(inside) < _names_in(root.base) else root
+
+
 @lru_cache(maxsize=4000)  # many results are the same for all students
 def simplest(formula: Any) -> Any:
     """A result as the shortest of its usual forms."""
-    import sympy
-
     if formula.count_ops() > HOPELESS:
         return formula
     if formula.has(sympy.Float):  # next to rounded numbers pi and sqrt(2) are rounded too
         formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
-    forms = [formula, sympy.factor(formula), sympy.expand(formula), sympy.together(formula)]
+    formula = formula.replace(lambda x: x.is_Pow and not x.exp.is_Integer, _rooted)
+    ways = factored, sympy.factor, sympy.expand, sympy.together
+    forms = [formula, *(way(formula) for way in ways)]
     if formula.has(sympy.sin) and formula.count_ops() < 60:
         forms.append(sympy.trigsimp(formula))
-    shortest = without_conjugates(min(forms, key=lambda f: f.count_ops()))
+    shortest = min(forms, key=lambda f: f.count_ops())
+    if shortest.count_ops() > LONGEST and any(
+        not x.exp.is_Integer for x in shortest.atoms(sympy.Pow)
+    ):
+        shortest = min(
+            shortest, sympy.factor(sympy.simplify(shortest)), key=lambda f: f.count_ops()
+        )
+    shortest = without_conjugates(shortest)
     return shortest.xreplace(
         {x: sympy.Integer(1) for x in shortest.atoms(sympy.Float) if float(x) == 1}
     )

@@ -52,7 +52,7 @@ def _title(notebook: Notebook) -> str:
 
 
 def _items(notebook: Notebook, built: Mapping[str, str]) -> Iterator[Item | str]:
-    """The items, and the names of the cells that are none."""
+    """The items, and the names of cells that are not items."""
     changed: dict[str, str] = {}
     for cell in notebook["cells"]:
         role, text = kind(cell), cell["source"]

@@ -3,10 +3,14 @@
 import hashlib
 import hmac
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, FOLDER, ONLY, progress_bar
+from .shared import FILE, ONLY, count_option, course_option, progress_bar
+
+if TYPE_CHECKING:
+    from ..course import Course
 
 
 @click.command()
@@ -17,12 +21,8 @@ from .shared import FILE, FOLDER, ONLY, progress_bar
     "--format", "form", required=True, type=click.Choice(["moodle", "qti", "canvas"]),
     help="Moodle's XML; a package of QTI 2.1; Canvas' package, of QTI 1.2.",
 )  # fmt: skip
-@click.option(
-    "--variants",
-    default=10,
-    show_default=True,
-    type=click.IntRange(1),
-    help="How many sets of numbers of each problem; the platform draws among them.",
+@count_option(
+    "--variants", 10, "How many sets of numbers of each problem; the platform draws among them."
 )
 @click.option(
     "-o",
@@ -31,12 +31,9 @@ from .shared import FILE, FOLDER, ONLY, progress_bar
     type=FILE,
     help="Default: NAME-FORMAT.xml or .zip, here. Only you read it.",
 )
-@click.option(
-    "--course",
-    "course_path",
-    type=FOLDER,
-    help="The course: its assignment as it is now; no answer in the bank is near one of its "
-    "students', and the numbers come from its secret.",
+@course_option(
+    "The course: its assignment as it is now; no answer in the bank is near one of its students', "
+    "and the numbers come from its secret."
 )
 @click.option("--seed", type=int, help="Other numbers.")
 def bank(
@@ -46,7 +43,7 @@ def bank(
     form: str,
     variants: int,
     path: Path | None,
-    course_path: Path | None,
+    course: "Course | None",
     seed: int | None,
 ) -> None:
     """Write a bank of questions that a learning platform imports.
@@ -65,12 +62,10 @@ def bank(
     Canvas:  Settings > Import Course Content > QTI .zip file; a group for each number asked for
     """
     from ..assignment.chosen import chosen
-    from ..course import Course
     from ..course.files import write_text
     from ..lms import FORMATS, write_bank
     from ..practice import graded_numbers
 
-    course = Course(course_path) if course_path else None
     spec = chosen(assignment, (*only, *more), (), course)
     path = path or Path(f"{spec.name}-{form}{FORMATS[form][1]}")
     text = f"bank {spec.name} {'' if seed is None else seed}"

@@ -4,10 +4,14 @@ import json
 import math
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, FOLDER, console, names_or_all, progress_bar
+from .shared import FILE, console, counted, course_option, names_or_all
+
+if TYPE_CHECKING:
+    from ..course import Course
 
 COLUMNS = ("id", "section", "steps", "difficulty", "minutes", "sheets", "right")
 
@@ -45,12 +49,7 @@ SPAN = Span()
 @click.option("--difficulty", type=SPAN, help="From 1 to 5, estimated from the computation.")
 @click.option("--minutes", type=SPAN, help="That takes so long, estimated.")
 @click.option("--sheets", type=SPAN, help="By the number of different sheets that can be drawn.")
-@click.option(
-    "--course",
-    "course_path",
-    type=FOLDER,
-    help="Also say what share of the points its students earned, and of how many sheets.",
-)
+@course_option("Also say what share of the points its students earned, and of how many sheets.")
 @click.option("--right", type=SPAN, help="With such a share of the points earned, in percent.")
 @click.option(
     "--sort", type=click.Choice(COLUMNS), help="Sort by this column; default: as in the book."
@@ -63,7 +62,7 @@ def problems(
     kinds: tuple[str, ...],
     equations: tuple[str, ...],
     words: str | None,
-    course_path: Path | None,
+    course: "Course | None",
     right: tuple[float, float] | None,
     sort: str | None,
     reverse: bool,
@@ -82,28 +81,28 @@ def problems(
     problems --equation 4.18 --kind vector --minutes -20
     problems --course ~/mechanics --right -50    those that half of the points were lost in
     """
-    from exercises.catalogue.survey import Wanted, chosen
+    from exercises.catalogue.survey import Entry, Wanted, chosen
     from newton_euler.answers.kinds import KINDS
 
     from ..assignment.chosen import named
     from ..assignment.options import unknown
-    from ..course import Course
     from ..reports import measured, problems_table
 
     if wrong := [k for k in kinds if k.replace(" ", "_") not in KINDS]:
         raise click.UsageError(f"--kind {unknown(wrong[0], KINDS)}")
-    if right and not course_path:
+    if right and not course:
         raise click.UsageError("--right is what students earned: name a --course")
-    course = Course(course_path) if course_path else None
     asked = list(named(names_or_all(names), course))
     limits = {name: span for name, span in spans.items() if span}
     wanted = Wanted(
         sections, tuple(k.replace(" ", "_") for k in kinds), equations,
         tuple((words or "").split()), limits,
     )  # fmt: skip
-    with progress_bar() as bar:
-        task = bar.add_task("reading problems", total=len(asked))
-        found = [e for p in asked for e in (*chosen([p], wanted), *_advance(bar, task))]
+    found: list[Entry] = []
+    with counted("reading problems", len(asked)) as done:
+        for p in asked:
+            found += chosen([p], wanted)
+            done()
     earned = measured(course) if course else {}
     if right:
         low, high = right
@@ -119,11 +118,6 @@ def problems(
         click.echo("No problem is like that.")
     else:
         console.print(problems_table(found, earned if course else None))
-
-
-def _advance(bar, task):
-    bar.advance(task)
-    return ()
 
 
 def _by(name):
@@ -142,12 +136,12 @@ def _as_json(e, earned):
 
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | hw3 …")
-@click.option("--course", "course_path", type=FOLDER, help="Where hw3 is an assignment.")
+@course_option("Where hw3 is an assignment.")
 @click.option("--text", is_flag=True, help="Print it in the terminal instead.")
 @click.option("--to", "path", type=FILE, help="The page to write; default: a private new folder.")
 @click.option("--no-open", is_flag=True, help="Do not open a browser.")
 def preview(
-    names: tuple[str, ...], course_path: Path | None, text: bool, path: Path | None, no_open: bool
+    names: tuple[str, ...], course: "Course | None", text: bool, path: Path | None, no_open: bool
 ) -> None:
     """Show problems before they are on a sheet, as a page in the browser.
 
@@ -156,18 +150,15 @@ def preview(
     of it. The page holds keys: only you can read the file.
     """
     from ..assignment.chosen import named
-    from ..course import Course
     from ..course.files import write_text
     from ..reports import preview as previewed
     from ..reports import preview_page, preview_text
 
-    chosen = named(names, Course(course_path) if course_path else None)
-    found = []
-    with progress_bar() as bar:
-        task = bar.add_task("solving and drawing", total=len(chosen))
+    chosen, found = named(names, course), []
+    with counted("solving and drawing", len(chosen)) as done:
         for p, options in chosen.items():
             found.append(previewed(p, options))
-            bar.advance(task)
+            done()
     if text:
         for each in found:
             console.print(preview_text(each), soft_wrap=True)

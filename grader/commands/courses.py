@@ -5,24 +5,30 @@ import sys
 from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
+from textwrap import indent
+from typing import TYPE_CHECKING
 
 import click
 from rich.panel import Panel
 
 from newton_euler.algebra.language import choose_language, languages
 
-from .example import EXAM_EXAMPLE, EXAMPLE, indented
 from .shared import (
     COURSE,
     FILE,
     FOLDER,
+    NEW_COURSE,
     ONLY,
     POINTS,
     PROBLEMS,
     console,
+    counted,
     progress_bar,
     remember_problems,
 )
+
+if TYPE_CHECKING:
+    from ..course import Course
 
 UNSANDBOXED = 3  # exit code
 GOES_ON = (
@@ -39,6 +45,12 @@ STUDENTS = click.option(
 )
 
 
+def _example(name):
+    """The file of an assignment, as click leaves it: a block of lines."""
+    path = Path(__file__).parent / "templates" / f"{name}.yaml"
+    return indent(path.read_text(encoding="utf-8"), "  ")
+
+
 BUILD = f"""Make an nbgrader assignment: of a chapter, of problems, or as a file describes it.
 
 The course folder is new, or with --update an existing one.
@@ -53,17 +65,17 @@ python -m grader spec hw3 --course ~/mechanics  the file of what was built
 A file with all that it may hold, hw3.yaml:
 
 \b
-{indented(EXAMPLE)}
+{_example("hw3")}
 and midterm.yaml:
 
 \b
-{indented(EXAM_EXAMPLE)}"""
+{_example("midterm")}"""
 
 
 @click.command(help=BUILD)
 @click.argument("assignment")
 @click.argument("more", nargs=-1, metavar="")
-@COURSE
+@NEW_COURSE
 @click.option(
     "--students",
     type=click.Path(exists=True, dir_okay=False),
@@ -189,7 +201,7 @@ def build(
 @click.argument("assignment")
 @COURSE
 @click.option("-o", "--to", "path", type=FILE, help="The file to write; default: print it.")
-def spec(assignment: str, course_path: Path, path: Path | None) -> None:
+def spec(assignment: str, course: "Course", path: Path | None) -> None:
     """Write the file of an assignment from the source notebook that is in a course.
 
     It has the problems and texts in their order, with the points, weights, tolerances and help
@@ -197,10 +209,9 @@ def spec(assignment: str, course_path: Path, path: Path | None) -> None:
     another course or the next year.
     """
     from ..assignment.written import spec_of_course
-    from ..course import Course
     from ..course.files import write_text
 
-    found = spec_of_course(Course(course_path), assignment)
+    found = spec_of_course(course, assignment)
     left = [*(i.question for i in found.items if i.question), *found.left_out]
     left += [f"your text of {i.problem.id}" for i in found.items if i.problem and i.text]
     if path:
@@ -226,17 +237,16 @@ def _report_merge(merged, backup, written):
 @click.command()
 @click.argument("group", metavar="GROUP")
 @COURSE
-def share(group: str, course_path: Path) -> None:
+def share(group: str, course: "Course") -> None:
     """Let the users of a group work on a course: assistants, and an account that grades.
 
     They can grade, comment and export as you do, and can read all that is in the course, the secret
     of its numbers too. One account, yours, releases and collects.
     """
-    from ..course import Course
     from ..course.shared import share as open_course
 
-    open_course(Course(course_path), group)
-    click.echo(f"The group {group} reads and writes {course_path}.")
+    open_course(course, group)
+    click.echo(f"The group {group} reads and writes {course.path}.")
 
 
 @click.command()
@@ -269,7 +279,7 @@ def _warn_of_closed(exchange):
 
 @click.command("next-year")
 @click.argument("last", type=FOLDER)
-@COURSE
+@NEW_COURSE
 @click.option("--name", help="The name of the new course; default: that of its folder.")
 @click.option("--exchange", type=FOLDER, help="Its exchange; default: last year's.")
 @click.option(
@@ -309,15 +319,15 @@ def next_year(
 @click.argument("roster", type=click.Path(exists=True, dir_okay=False))
 @COURSE
 @ID_COLUMN
-def enrol(roster: str, course_path: Path, id_column: str | None) -> None:
+def enrol(roster: str, course: "Course", id_column: str | None) -> None:
     """Add the students of a roster to a course, and change nothing else.
 
     Students who are in the course already keep their numbers and scores. Those who join after an
     assignment was released get their copies by: personal ASSIGNMENT --student ID --exchange
     """
-    from ..course import Course, read_roster
+    from ..course import read_roster
 
-    course, read = Course(course_path), read_roster(roster, id_column)
+    read = read_roster(roster, id_column)
     new = course.enrol(read.students)
     click.echo(f"Enrolled {new} students ({read.read_as})")
     click.echo(f"{len(course.roster())} students are on the roster of the course {course.name}.")
@@ -328,16 +338,15 @@ def enrol(roster: str, course_path: Path, id_column: str | None) -> None:
 @click.argument("when", metavar="'2027-01-31 23:59 Europe/Berlin'|none")
 @COURSE
 @STUDENTS
-def due(assignment: str, when: str, course_path: Path, students: tuple[str, ...]) -> None:
+def due(assignment: str, when: str, course: "Course", students: tuple[str, ...]) -> None:
     """Set the due date of an assignment, and change nothing else.
 
     With --student it is the date of this student alone; "none" takes it away again. Grade after it:
     what is late, and the penalty (python -m grader late), follow.
     """
-    from ..course import Course
     from ..course.due import due_date, set_due, set_own_due
 
-    course, found = Course(course_path), None if when == "none" else due_date(when)
+    found = None if when == "none" else due_date(when)
     if students:
         set_own_due(course, assignment, students, found)
     else:
@@ -349,16 +358,15 @@ def due(assignment: str, when: str, course_path: Path, students: tuple[str, ...]
 @click.command()
 @click.argument("share", metavar="none|zero|10%")
 @COURSE
-def late(share: str, course_path: Path) -> None:
+def late(share: str, course: "Course") -> None:
     """Set what late work loses: nothing, all, or a share of its points for each day begun.
 
     It holds for all assignments of the course, also for work that was graded before: grade again. A
     policy of your own in nbgrader_config.py comes first.
     """
-    from ..course import Course
     from ..course.due import set_late_share
 
-    lost = set_late_share(Course(course_path), share)
+    lost = set_late_share(course, share)
     click.echo(
         f"Late work loses {100 * lost:g} % of its points for each day begun. Next: python -m "
         "grader grade ASSIGNMENT --course …"
@@ -387,7 +395,7 @@ def late(share: str, course_path: Path) -> None:
 )
 def personal(
     assignment: str,
-    course_path: Path,
+    course: "Course",
     students: tuple[str, ...],
     exchange: bool,
     right_or_wrong: bool,
@@ -400,19 +408,14 @@ def personal(
     Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to
     that student only.
     """
-    from ..assignment import copy_to_exchange, exchange_outbound, make_personal_copies
-    from ..course import Course
+    from ..assignment import make_personal_copies
 
-    course = Course(course_path)
-    with progress_bar() as bar:
-        task = bar.add_task("figures", total=1.0)
+    with counted("figures", 1.0) as done:
         paths = make_personal_copies(
-            course, assignment, students or None, lambda share: bar.advance(task, share),
-            right_or_wrong=right_or_wrong,
-        )  # fmt: skip
+            course, assignment, students or None, done, right_or_wrong=right_or_wrong
+        )
     if exchange:
-        outbound = exchange_outbound(course, assignment)
-        _warn_of(copy_to_exchange(course, assignment, outbound, paths))
+        _put_into_exchange(course, assignment, paths)
     for student, path in paths.items():
         click.echo(f"{student}: {path}")
 
@@ -443,7 +446,7 @@ def personal(
 @click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
 def grade(
     assignment: str,
-    course_path: Path,
+    course: "Course",
     students: tuple[str, ...],
     force: bool,
     workers: int | None,
@@ -463,13 +466,11 @@ def grade(
                  3  --unsandboxed was given, and all submissions are graded
                130  stopped by Ctrl-C; the next run goes on
     """
-    from ..course import Course
     from ..grading import grade as grade_submissions
     from ..reports import diagnosis_table, gradebook_table, shown
 
     if scheduler and workers:
         raise click.UsageError("--workers is for this machine; a cluster has its own")
-    course = Course(course_path)
     if unsandboxed:
         _warn_unsandboxed()
     with progress_bar(then=GOES_ON) as bar:
@@ -517,7 +518,7 @@ def _warn_unsandboxed():
 )
 @click.option("--exchange", is_flag=True, help="Also copy the new sheet to nbgrader's exchange.")
 def retry(
-    assignment: str, course_path: Path, student: str, back: int | None, exchange: bool
+    assignment: str, course: "Course", student: str, back: int | None, exchange: bool
 ) -> None:
     """Give a student another sheet, with fresh numbers.
 
@@ -525,26 +526,24 @@ def retry(
     handed in and graded, which then counts. With --back the earlier one counts again: grade after
     it.
     """
-    from ..assignment import copy_to_exchange, exchange_outbound
     from ..assignment.attempts import new_attempt, put_back
-    from ..course import Course
 
-    course = Course(course_path)
     if back:
         put_back(course, assignment, student, back)
         click.echo(f"Attempt {back} counts again: python -m grader grade {assignment} --course …")
         return
     number, path = new_attempt(course, assignment, student)
     if exchange:
-        outbound = exchange_outbound(course, assignment)
-        _warn_of(copy_to_exchange(course, assignment, outbound, {student: path}))
+        _put_into_exchange(course, assignment, {student: path})
     click.echo(f"Attempt {number} of {student}: {path}")
 
 
-def _warn_of(students):
-    from ..assignment.personal import warning
+def _put_into_exchange(course, assignment, paths):
+    """Copy personal notebooks to the exchange, and warn where others can read them."""
+    from ..assignment.personal import copy_to_exchange, exchange_outbound, warning
 
-    if words := warning(students):
+    outbound = exchange_outbound(course, assignment)
+    if words := warning(copy_to_exchange(course, assignment, outbound, paths)):
         click.echo(words, err=True)
 
 
@@ -558,7 +557,7 @@ def _warn_of(students):
     is_flag=True,
     help="Take the times of the files in the archive, as UTC, for the times of submission.",
 )
-def take_in(assignment: str, archive: Path, course_path: Path, replace: bool, times: bool) -> None:
+def take_in(assignment: str, archive: Path, course: "Course", replace: bool, times: bool) -> None:
     """Take students' work from a zip archive, without nbgrader's exchange.
 
     ARCHIVE is what a learning platform gives as "download all submissions". A notebook is a
@@ -566,11 +565,10 @@ def take_in(assignment: str, archive: Path, course_path: Path, replace: bool, ti
     no word that may be of anybody else's: of a name that a platform numbered, what comes before the
     numbers. The table lists the matches. Exit code 1 if a file was left out.
     """
-    from ..course import Course
     from ..course import take_in as take
     from ..reports import taken_in_table
 
-    taken = take(Course(course_path), assignment, archive, replace, times)
+    taken = take(course, assignment, archive, replace, times)
     console.print(taken_in_table(taken))
     click.echo(
         f"{len(taken.taken)} taken in, {len(taken.kept)} kept as they were, "
@@ -598,7 +596,7 @@ def demo(course_path: Path, only: tuple[str, ...]) -> None:
     """
     from ..demo import run_demo
 
-    run_demo(course_path, _chapter_of(only), only, console, progress_bar)
+    run_demo(course_path, _chapter_of(only), only, console, progress_bar, counted)
 
 
 def _chapter_of(only):

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 from rich.markup import escape
 
-from .shared import FOLDER, SEED, console, names_or_all, progress_bar
+from .shared import FOLDER, SEED, console, count_option, counted, names_or_all, progress_bar
 
 
 @click.command()
@@ -34,13 +34,7 @@ def solve(
     """
     from exercises.catalogue import select
 
-    from ..reports import (
-        answers_json,
-        answers_text,
-        given_values,
-        solution_text,
-        solve_problem,
-    )
+    from ..reports import answers_json, answers_text, given_values, solution_text, solve_problem
 
     problems = select(names)
     changes = dict(_pair(c) for c in changed)
@@ -85,13 +79,7 @@ def _pair(text):
 
 @click.command()
 @click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
-@click.option(
-    "--seeds",
-    default=3,
-    show_default=True,
-    type=click.IntRange(1),
-    help="How many sets of numbers to check: the book's and drawn ones.",
-)
+@count_option("--seeds", 3, "How many sets of numbers to check: the book's and drawn ones.")
 @click.option(
     "--workers", type=click.IntRange(1), help="How many processes; default: one for each core."
 )
@@ -225,13 +213,7 @@ def new(chapter: str, spec: Path, only: tuple[str, ...], folder: Path | None) ->
 
 @click.command()
 @click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
-@click.option(
-    "--draws",
-    default=3,
-    show_default=True,
-    type=click.IntRange(1),
-    help="How many sets of numbers to take: the book's and drawn ones.",
-)
+@count_option("--draws", 3, "How many sets of numbers to take: the book's and drawn ones.")
 @click.option(
     "--practice",
     is_flag=True,
@@ -251,12 +233,11 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     from ..reports import RANDOM, SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
     problems = select(names_or_all(names))
-    with progress_bar() as bar:
-        task = bar.add_task("making mistakes", total=len(problems))
+    with counted("making mistakes", len(problems)) as done:
         if practice:
-            found, took = practice_shares(problems, draws, lambda: bar.advance(task))
+            found, took = practice_shares(problems, draws, done)
         else:
-            found = diagnosis_shares(problems, draws, lambda: bar.advance(task))
+            found = diagnosis_shares(problems, draws, done)
     console.print(shares_table(found, "What was given" if practice else "Listed mistakes"))
     if practice:
         click.echo(f"a check takes {1000 * took:.2g} ms")

@@ -1,18 +1,15 @@
 """The command that prints."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from .courses import ID_COLUMN
-from .shared import FOLDER, ONLY, POINTS, progress_bar
+from .shared import FOLDER, ONLY, POINTS, counted, course_option
 
-COURSE_OR_NONE = click.option(
-    "--course",
-    "course_path",
-    type=FOLDER,
-    help="The course: its assignment as it is now, its students, the numbers of their sheets.",
-)
+if TYPE_CHECKING:
+    from ..course import Course
 
 
 @click.command()
@@ -24,7 +21,9 @@ COURSE_OR_NONE = click.option(
     help="The roster, as for build. Default: that of the course.",
 )
 @ID_COLUMN
-@COURSE_OR_NONE
+@course_option(
+    "The course: its assignment as it is now, its students, the numbers of their sheets."
+)
 @ONLY
 @POINTS
 @click.option(
@@ -41,7 +40,7 @@ def paper(
     more: tuple[str, ...],
     students: str | None,
     id_column: str | None,
-    course_path: Path | None,
+    course: "Course | None",
     only: tuple[str, ...],
     points: tuple[str, ...],
     key_for: tuple[str, ...],
@@ -60,10 +59,9 @@ def paper(
     paper hw3 --course ~/mechanics --key-for ada        one key again
     """
     from ..assignment.chosen import chosen
-    from ..course import Course, read_roster
+    from ..course import read_roster
     from ..paper import PaperError, write_papers
 
-    course = Course(course_path) if course_path else None
     spec = chosen(assignment, (*only, *more), points, course)
     if students:
         class_ = read_roster(students, id_column).students
@@ -76,11 +74,8 @@ def paper(
         )
     home = course.path / "paper" / spec.name if course else Path(f"{spec.name}-paper")
     folder = folder or home
-    with progress_bar() as bar:
-        task = bar.add_task("writing", total=len(set(key_for)) if key_for else len(class_))
-        written = write_papers(
-            folder, spec, class_, course, key_for, done=lambda: bar.advance(task)
-        )
+    with counted("writing", len(set(key_for) or class_)) as done:
+        written = write_papers(folder, spec, class_, course, key_for, done=done)
     if written.sheets:
         click.echo(f"{len(written.sheets)} sheets in {folder / 'sheets'}")
     click.echo(f"{len(written.keys)} keys in {folder / 'keys'}: not for students")

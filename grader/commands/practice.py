@@ -1,10 +1,14 @@
 """The commands that write practice files."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, FOLDER, console, progress_bar
+from .shared import FILE, FOLDER, console, count_option, counted, course_option, progress_bar
+
+if TYPE_CHECKING:
+    from ..course import Course
 
 
 @click.command()
@@ -12,13 +16,7 @@ from .shared import FILE, FOLDER, console, progress_bar
 @click.option(
     "-o", "--to", "path", required=True, type=FILE, help="The file to write, as ch04.practice."
 )
-@click.option(
-    "--variants",
-    default=10,
-    show_default=True,
-    type=click.IntRange(1),
-    help="How many sets of numbers each problem has, the book's first.",
-)
+@count_option("--variants", 10, "How many sets of numbers each problem has, the book's first.")
 @click.option(
     "--help-level",
     "level",
@@ -28,15 +26,12 @@ from .shared import FILE, FOLDER, console, progress_bar
     help="The most that a student is shown: whether an answer is right, and its mistake; also "
     "every step, with hints; also the solution.",
 )
-@click.option(
-    "--course",
-    "course_path",
-    type=click.Path(path_type=Path, exists=True, file_okay=False),
-    help="A course that grades such problems: no answer in the file is near one of its students', "
-    "and no problem whose answers are formulas, or the same for everybody.",
+@course_option(
+    "A course that grades such problems: no answer in the file is near one of its students', and "
+    "no problem whose answers are formulas, or the same for everybody."
 )
 def practice(
-    names: tuple[str, ...], path: Path, variants: int, level: str, course_path: Path | None
+    names: tuple[str, ...], path: Path, variants: int, level: str, course: "Course | None"
 ) -> None:
     """Write a practice file for students.
 
@@ -47,18 +42,17 @@ def practice(
     numbers and no others.
     """
     from ..assignment.chosen import named
-    from ..course import Course
     from ..practice import graded_numbers, rules_of, write_practice
 
-    chosen = named(names, Course(course_path) if course_path else None)
+    chosen = named(names, course)
     problems, rules = list(chosen), {p.id: dict(own) for p, own in chosen.items()}
     with progress_bar() as bar:
         graded = {}
-        if course_path:
+        if course:
             sheets = bar.add_task("reading the course's numbers", total=None)
-            rules |= rules_of(course_path)
+            rules |= rules_of(course.path)
             graded = graded_numbers(
-                course_path, lambda n, of: bar.update(sheets, completed=n, total=of)
+                course.path, lambda n, of: bar.update(sheets, completed=n, total=of)
             )
         task = bar.add_task("solving and drawing", total=len(problems))
         left = write_practice(
@@ -94,9 +88,8 @@ def sets(folder: Path | None, course: Path | None) -> None:
     from ..practice.public import SETS, write_public
 
     folder = folder or SETS
-    with progress_bar() as bar:
-        task = bar.add_task("solving and drawing", total=len(select(["all"])))
-        left = write_public(folder, course=course, done=lambda: bar.advance(task))
+    with counted("solving and drawing", len(select(["all"]))) as done:
+        left = write_public(folder, course=course, done=done)
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
     size = sum(path.stat().st_size for path in folder.glob("*.practice"))

@@ -1,10 +1,14 @@
 """Commands that report on graded assignments."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from .shared import COURSE, FILE, console
+
+if TYPE_CHECKING:
+    from ..course import Course
 
 
 @click.command()
@@ -12,17 +16,16 @@ from .shared import COURSE, FILE, console
 @COURSE
 @click.option("--csv", "csv_path", type=FILE, help="Also write them to this file.")
 @click.option("--png", "png_path", type=FILE, help="Also draw them into this file.")
-def stats(assignment: str, course_path: Path, csv_path: Path | None, png_path: Path | None) -> None:
+def stats(assignment: str, course: "Course", csv_path: Path | None, png_path: Path | None) -> None:
     """Print statistics of a graded assignment, part by part.
 
     The difficulty is the mean share of the points, so that 1 is easy; the discrimination is the
     correlation with the points of all other parts. The file of --csv has every mistake with its
     frequency.
     """
-    from ..course import Course
     from ..reports import part_statistics, statistics_csv, statistics_figure, statistics_table
 
-    parts = part_statistics(Course(course_path), assignment)
+    parts = part_statistics(course, assignment)
     console.print(statistics_table(parts))
     if csv_path:
         statistics_csv(parts, csv_path)
@@ -53,7 +56,7 @@ def stats(assignment: str, course_path: Path, csv_path: Path | None, png_path: P
     show_default=True,
 )
 def export(
-    assignment: str, course_path: Path, form: str, path: Path | None, penalties: bool
+    assignment: str, course: "Course", form: str, path: Path | None, penalties: bool
 ) -> None:
     """Write the results of a graded assignment as CSV.
 
@@ -66,11 +69,10 @@ def export(
                  "ID number", which hold the ids of the roster
     Gradescope:  has no import; these are the columns of its own download
     """
-    from ..course import Course
     from ..reports import export as write
 
     path = path or Path(f"{assignment}-{form}.csv")
-    waiting, late = write(Course(course_path), assignment, form, path, penalties)
+    waiting, late = write(course, assignment, form, path, penalties)
     click.echo(f"Wrote {path}")
     if late and form != "parts":
         what = "subtracted; see --no-penalties" if penalties else "not subtracted"

@@ -1,9 +1,9 @@
 """What the commands share: the console, the progress bar, the option that names a course."""
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from rich.console import Console
@@ -16,16 +16,15 @@ from rich.progress import (
     TimeElapsedColumn,
 )
 
+if TYPE_CHECKING:  # importing it takes longer than most commands
+    from ..course import Course
+
 STOPPED = 130  # exit code after Ctrl-C, as of a shell
 BEGINS_ANEW = "The same command begins anew."
 
 console = Console(highlight=False)
 FOLDER = click.Path(path_type=Path, file_okay=False)
 FILE = click.Path(path_type=Path, dir_okay=False)
-COURSE = click.option(
-    "--course", "course_path", required=True, type=FOLDER, help="The course folder."
-)
-
 ONLY = click.option(
     "--problems",
     "--problem",
@@ -65,6 +64,12 @@ def _know(context, _, course_path):
     return course_path
 
 
+def _open(context, _, course_path):
+    from ..course import Course
+
+    return Course(_know(context, _, course_path)) if course_path else None
+
+
 def _reopen(course_path):
     """Let the group of a shared course have what a command has made."""
     from ..course import Course, CourseError
@@ -74,6 +79,27 @@ def _reopen(course_path):
         course = Course(course_path)
         if group := course.settings.get("group"):
             open_to(course.path, group)
+
+
+def course_option(help: str, required: bool = False) -> Callable[[Any], Any]:
+    """The option --course: the command gets the Course, None where it is not given, and knows its
+    problems and its language.
+    """
+    return click.option(
+        "--course", required=required, type=FOLDER, is_eager=True, callback=_open, help=help
+    )
+
+
+COURSE = course_option("The course folder.", required=True)
+NEW_COURSE = click.option(  # a folder in which there need not be a course yet
+    "--course", "course_path", required=True, type=FOLDER, is_eager=True, callback=_know,
+    help="The course folder.",
+)  # fmt: skip
+
+
+def count_option(name: str, default: int, help: str) -> Callable[[Any], Any]:
+    """An option that says how many, one at least."""
+    return click.option(name, default=default, show_default=True, type=click.IntRange(1), help=help)
 
 
 PROBLEMS_FROM = click.option(
@@ -88,15 +114,7 @@ PROBLEMS_FROM = click.option(
 )
 
 
-def with_own_problems(command: click.Command) -> click.Command:
-    """The command with --problems-from; where it has --course, it knows the course's problems."""
-    for option in command.params:
-        if option.name == "course_path":
-            option.is_eager, option.callback = True, _know
-    return PROBLEMS_FROM(command)
-
-
-def remember_problems(course: Any) -> None:
+def remember_problems(course: "Course") -> None:
     """Write the folders of --problems-from into course.json, relative where they are in it."""
     folders = [p.resolve() for p in click.get_current_context().meta.get(FOLDERS) or ()]
     here = [str(p.relative_to(course.path) if course.path in p.parents else p) for p in folders]
@@ -137,6 +155,16 @@ def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[
     except KeyboardInterrupt:
         far = "; ".join(map(_how_far, bar.tasks)) or "Nothing was done"
         raise Stopped(f"{far}. {then}") from None
+
+
+@contextlib.contextmanager
+def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
+    """A function to be called after each of ``total`` steps, which a :func:`progress_bar` shows, or
+    with how much was done.
+    """
+    with progress_bar() as bar:
+        task = bar.add_task(what, total=total)
+        yield lambda share=1: bar.advance(task, share)
 
 
 def _how_far(task):

@@ -91,7 +91,7 @@ def _holds(found, wanted):
 
 
 @dataclass(frozen=True)
-class Roster:
+class Candidates:
     """The people to whom work may belong, and the words of the assignment's title."""
 
     people: Mapping[str, Person]
@@ -110,7 +110,7 @@ class Roster:
     def named_in(self, part: str, common: frozenset[str] = frozenset()) -> list[str]:
         """The students of whom the name of a folder or file tells, apart from ``common`` words."""
         match = _of_platform(part)
-        who, number, titled = _said(part, match)
+        who, number, titled = _who(part, match)
         if number and (known := [s for s, p in self.people.items() if p.number == number]):
             return known
         found = tuple(w for w in words(who) if w not in common)
@@ -143,7 +143,7 @@ def _of_platform(part):
     return min(found, key=lambda match: match.end(), default=None)
 
 
-def _said(part, match):
+def _who(part, match):
     """(who handed a part in, their number or None, whether they may be named)."""
     if not match:
         return part, None, True
@@ -159,19 +159,19 @@ def owners(
     A folder of all files holds the work of a class if it has no name that a platform gives to that
     of one, is nobody's on the roster, and what lies in it belongs to two students or more.
     """
-    roster = Roster(people, frozenset(words(assignment)))
+    candidates = Candidates(people, frozenset(words(assignment)))
     paths = {n: PurePosixPath(n.removesuffix(".ipynb").replace("\\", "/")).parts for n in names}
     lead = _shared(path[:-1] for path in paths.values())
-    inside = _owners({n: path[len(lead) :] for n, path in paths.items()}, roster)
+    inside = _owners({n: path[len(lead) :] for n, path in paths.items()}, candidates)
     whose = {found[0] for found in inside.values() if len(found) == 1}
-    of_one = any(_of_platform(part) or roster.named_in(part) for part in lead)
-    return inside if len(whose) > 1 and not of_one else _owners(paths, roster)
+    of_one = any(_of_platform(part) or candidates.named_in(part) for part in lead)
+    return inside if len(whose) > 1 and not of_one else _owners(paths, candidates)
 
 
-def _owners(paths, roster):
-    telling = {next(filter(roster.tells, folders), own) for *folders, own in paths.values()}
-    common = _common({words(_said(part, _of_platform(part))[0]) for part in telling})
-    return {n: roster.owners(folders, own, common) for n, (*folders, own) in paths.items()}
+def _owners(paths, candidates):
+    telling = {next(filter(candidates.tells, folders), own) for *folders, own in paths.values()}
+    common = _common({words(_who(part, _of_platform(part))[0]) for part in telling})
+    return {n: candidates.owners(folders, own, common) for n, (*folders, own) in paths.items()}
 
 
 def _shared(folders: Iterable[Sequence[str]]) -> list[str]:

@@ -35,6 +35,7 @@ def run_demo(
     only: Collection[str],
     console: Console,
     bar: Callable[[], contextlib.AbstractContextManager[Progress]],
+    counted: Callable[[str, float], contextlib.AbstractContextManager[Callable[..., None]]],
 ) -> None:
     """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points
     are not as expected.
@@ -42,6 +43,7 @@ def run_demo(
     chapter : whose problems are handed out
     only : numbers of the problems to include; default: all
     bar : makes a ``rich`` progress bar
+    counted : shows how many of how many are done; gives a function to call after each
     """
     start = time.perf_counter()
     console.print(f"[bold]A course in {folder}[/]")
@@ -58,7 +60,7 @@ def run_demo(
     )
     api = nbgrader_api(course)
     require_success(api.generate_assignment(chapter))
-    with _counted(bar, "personal copies", 1.0) as advance:
+    with counted("personal copies", 1.0) as advance:
         paths = make_personal_copies(course, chapter, progress=advance)
     # nbgrader's own step, not ours, which would make the personal copies again
     _exchange_step(course, chapter, "release_assignment")
@@ -70,13 +72,13 @@ def run_demo(
         "[bold]Grade:[/] rebuild each notebook, run its answers in the sandbox, score them in "
         "a process that runs no student code"
     )
-    with _counted(bar, "grading", len(STUDENTS)) as advance:
-        results = grade(course, chapter, progress=lambda result: advance(1))
+    with counted("grading", len(STUDENTS)) as advance:
+        results = grade(course, chapter, progress=lambda result: advance())
     console.print("[bold]Feedback:[/] nbgrader generate_feedback")
-    with _counted(bar, "feedback pages", len(STUDENTS)) as advance:
+    with counted("feedback pages", len(STUDENTS)) as advance:
         for s in STUDENTS:
             require_success(api.generate_feedback(chapter, s))
-            advance(1)
+            advance()
     console.print(gradebook_table(results))
     console.print(diagnosis_table([r for r in results if r.student == "ben"], most=8))
     unexpected = [r for r in results if r.problem or r.points != expected[r.student]]
@@ -86,14 +88,6 @@ def run_demo(
     _print_paths(course, chapter, console, time.perf_counter() - start)
     if unexpected or len(results) != len(STUDENTS):
         sys.exit(1)
-
-
-@contextlib.contextmanager
-def _counted(bar, what, total):
-    """A progress bar, as a function that advances it."""
-    with bar() as progress:
-        task = progress.add_task(what, total=total)
-        yield lambda share: progress.advance(task, share)
 
 
 def _clear_earlier(folder, console):

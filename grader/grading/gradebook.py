@@ -210,6 +210,7 @@ class _LatePenalties:
 
     @cached_property
     def plugin(self):
+        """The plugin of nbgrader."""
         from nbgrader.preprocessors import AssignLatePenalties
 
         step = AssignLatePenalties(config=self.course.config())

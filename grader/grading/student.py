@@ -87,18 +87,9 @@ class Run:
         there = [n for n in self.names if os.path.lexists(folder / f"{n}.ipynb")]
         if not there:
             raise UnreadableError(_missing(folder, self.names))
+        about, remark = (self.course, self.assignment, student), self.remarks.get(student, "")
         outcomes = {
-            n: grade_one(
-                self.course,
-                self.assignment,
-                student,
-                n,
-                self.sources[n],
-                harvester,
-                self.force,
-                self.remarks.get(student, ""),
-            )
-            for n in there
+            n: grade_one(*about, n, self.sources[n], harvester, self.force, remark) for n in there
         }
         graded = {n: o.graded for n, o in outcomes.items()}
         timestamp, notes = read_timestamp(folder), [g.note for g in graded.values()]

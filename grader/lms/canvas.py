@@ -4,13 +4,13 @@ Canvas takes every number that a numerical question's conditions name for a righ
 one stands in the comment on wrong answers, with its diagnosis, and in no condition.
 """
 
-import xml.etree.ElementTree as ET
 from collections.abc import Iterable
+from dataclasses import dataclass
 from html import escape
 
-from .package import packed
+from .package import packed, xml
 from .pages import asked, axis, html, number
-from .questions import Question
+from .questions import Blank, Part, Question
 
 NAMESPACE = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
 FIGURE = '<p><img src="$IMS-CC-FILEBASE$/figures/{}.png" alt="{}"/></p>'
@@ -18,109 +18,60 @@ FIGURE = '<p><img src="$IMS-CC-FILEBASE$/figures/{}.png" alt="{}"/></p>'
 
 def write(name: str, questions: Iterable[Question]) -> bytes:
     """The bank as a quiz: of each number that is asked for, Canvas draws one variant."""
-    root = ET.Element("questestinterop", xmlns=NAMESPACE)
-    quiz = ET.SubElement(root, "assessment", ident=f"bank-{name}", title=name)
-    whole = ET.SubElement(quiz, "section", ident="root_section")
     figures: dict[str, bytes] = {}
-    groups: dict[str, ET.Element] = {}
+    groups: dict[str, list[_Item]] = {}
     for q in questions:
         if q.figure:
             figures[f"figures/{q.ident}.png"] = q.figure
-        total = sum(p.weight for p in q.parts)
         for n, part in enumerate(q.parts):
-            count = 1 if part.options else len(part.key)
-            for m in range(count):
-                points = q.points * part.weight / total / count
-                title = ", ".join(x for x in (q.title, part.means, axis(part, m)) if x)
+            for m in range(1 if part.options else len(part.key)):
                 place = f"{q.ident.rpartition('-')[0]}-{n}-{m}"
-                if place not in groups:
-                    groups[place] = _group(whole, place, title, points)
-                _item(groups[place], f"{q.ident}-{n}-{m}", title, points, q, part, m)
+                groups.setdefault(place, []).append(_Item(q, part, n, m))
     path = f"bank-{name}/bank-{name}.xml"
-    ET.indent(root, " ")
-    files = {path: ET.tostring(root, encoding="utf-8", xml_declaration=True), **figures}
+    quiz = xml("canvas", namespace=NAMESPACE, name=name, groups=groups, number=number)
     resources = [("quiz", "imsqti_xmlv1p2", [path])]
     resources += [(f"figure-{n}", "webcontent", [f]) for n, f in enumerate(figures)]
-    return packed(name, files, resources, "IMS Content", "1.1.3")
+    return packed(name, {path: quiz, **figures}, resources, "IMS Content", "1.1.3")
 
 
-def _group(whole, ident, title, points):
-    section = ET.SubElement(whole, "section", ident=f"g-{ident}", title=title)
-    choice = ET.SubElement(ET.SubElement(section, "selection_ordering"), "selection")
-    ET.SubElement(choice, "selection_number").text = "1"
-    more = ET.SubElement(choice, "selection_extension")
-    ET.SubElement(more, "points_per_item").text = number(points)
-    return section
+@dataclass(frozen=True)
+class _Item:
+    """Number ``m`` of part ``n`` of a question, or its choice; texts are HTML."""
 
+    question: Question
+    part: Part
+    n: int
+    m: int
 
-def _item(section, ident, title, points, q, part, n):
-    item = ET.SubElement(section, "item", ident=f"q-{ident}", title=title)
-    kind = "multiple_choice_question" if part.options else "numerical_question"
-    fields = ET.SubElement(ET.SubElement(item, "itemmetadata"), "qtimetadata")
-    for label, entry in (("question_type", kind), ("points_possible", number(points))):
-        field = ET.SubElement(fields, "qtimetadatafield")
-        ET.SubElement(field, "fieldlabel").text = label
-        ET.SubElement(field, "fieldentry").text = entry
-    figure = FIGURE.format(q.ident, escape(q.words)) if q.figure else ""
-    which = f"<p><strong>{axis(part, n)}</strong></p>" if axis(part, n) else ""
-    shown = ET.SubElement(item, "presentation")
-    _material(shown, html(q.text) + figure + asked(part) + which)
-    judged = ET.SubElement(item, "resprocessing")
-    score = {"maxvalue": "100", "minvalue": "0", "varname": "SCORE", "vartype": "Decimal"}
-    ET.SubElement(ET.SubElement(judged, "outcomes"), "decvar", score)
-    (_choice if part.options else _number)(item, shown, judged, part, n)
+    @property
+    def ident(self) -> str:
+        return f"{self.question.ident}-{self.n}-{self.m}"
 
+    @property
+    def title(self) -> str:
+        words = self.question.title, self.part.means, axis(self.part, self.m)
+        return ", ".join(x for x in words if x)
 
-def _choice(item, shown, judged, part, n):
-    field = ET.SubElement(shown, "response_lid", ident="response1", rcardinality="Single")
-    words = ET.SubElement(field, "render_choice")
-    for m, word in enumerate(part.options):
-        _material(ET.SubElement(words, "response_label", ident=f"w{m}"), escape(word))
-        if text := part.says(word):
-            condition = _condition(judged, "Yes", feedback=f"w{m}_fb")
-            ET.SubElement(condition, "varequal", respident="response1").text = f"w{m}"
-            _feedback(item, f"w{m}_fb", text)
-    condition = _condition(judged, "No", right=True)
-    right = f"w{part.options.index(part.key)}"
-    ET.SubElement(condition, "varequal", respident="response1").text = right
+    @property
+    def points(self) -> float:
+        count = 1 if self.part.options else len(self.part.key)
+        return self.question.points_of(self.part) / count
 
+    @property
+    def text(self) -> str:
+        q, which = self.question, axis(self.part, self.m)
+        figure = FIGURE.format(q.ident, escape(q.words)) if q.figure else ""
+        which = f"<p><strong>{which}</strong></p>" if which else ""
+        return html(q.text) + figure + asked(self.part) + which
 
-def _number(item, shown, judged, part, n):
-    blank = part.blanks[n]
-    field = ET.SubElement(shown, "response_str", ident="response1", rcardinality="Single")
-    ET.SubElement(
-        ET.SubElement(field, "render_fib", fibtype="Decimal"), "response_label", ident="answer1"
-    )
-    either = ET.SubElement(_condition(judged, "No", right=True), "or")
-    ET.SubElement(either, "varequal", respident="response1").text = number(blank.key)
-    both = ET.SubElement(either, "and")
-    for tag, x in (("vargte", blank.key - blank.off), ("varlte", blank.key + blank.off)):
-        ET.SubElement(both, tag, respident="response1").text = number(x)
-    if blank.wrong:
-        ET.SubElement(_condition(judged, "Yes", feedback="general_incorrect_fb"), "other")
+    @property
+    def blank(self) -> Blank:
+        return self.part.blanks[self.m]
+
+    @property
+    def wrong(self) -> str:
         rows = (
-            f"<li>{number(float(f'{w.point[0]:.3g}'))}: {escape(w.text)}</li>" for w in blank.wrong
+            f"<li>{number(float(f'{w.point[0]:.3g}'))}: {escape(w.text)}</li>"
+            for w in self.blank.wrong
         )
-        _feedback(
-            item, "general_incorrect_fb", f"<p>If you found about</p><ul>{''.join(rows)}</ul>"
-        )
-
-
-def _condition(judged, goes_on, right=False, feedback=""):
-    condition = ET.SubElement(judged, "respcondition", {"continue": goes_on})
-    found = ET.SubElement(condition, "conditionvar")
-    if right:
-        ET.SubElement(condition, "setvar", action="Set", varname="SCORE").text = "100"
-    if feedback:
-        shown = {"feedbacktype": "Response", "linkrefid": feedback}
-        ET.SubElement(condition, "displayfeedback", shown)
-    return found
-
-
-def _feedback(item, ident, text):
-    feedback = ET.SubElement(item, "itemfeedback", ident=ident)
-    _material(ET.SubElement(feedback, "flow_mat"), text)
-
-
-def _material(parent, text):
-    ET.SubElement(ET.SubElement(parent, "material"), "mattext", texttype="text/html").text = text
+        return f"<p>If you found about</p><ul>{''.join(rows)}</ul>"

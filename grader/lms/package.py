@@ -1,11 +1,29 @@
-"""Zip archives with a manifest, as QTI and Canvas read them."""
+"""The texts of a bank by their templates, and zip archives of them as QTI and Canvas read them."""
 
 import io
 import xml.etree.ElementTree as ET
 import zipfile
 from collections.abc import Iterable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
 
 NAMESPACE = "http://www.imsglobal.org/xsd/imscp_v1p1"
+
+
+def xml(template: str, **given: Any) -> bytes:
+    """The text that a template of this room makes of what it is given, which is well-formed."""
+    made = _templates().get_template(f"{template}.xml.j2").render(given).encode()
+    ET.fromstring(made)
+    return made
+
+
+@cache
+def _templates():
+    from jinja2 import Environment, FileSystemLoader
+
+    folder = FileSystemLoader(Path(__file__).with_name("templates"))
+    return Environment(loader=folder, autoescape=True, trim_blocks=True, lstrip_blocks=True)
 
 
 def packed(
@@ -18,20 +36,11 @@ def packed(
     """The archive of these files: {path: content}; resources : [(identifier, type, its files)], the
     first file of each is the one that it is read from.
     """
-    root = ET.Element("manifest", {"xmlns": NAMESPACE, "identifier": f"bank-{name}"})
-    metadata = ET.SubElement(root, "metadata")
-    ET.SubElement(metadata, "schema").text = schema
-    ET.SubElement(metadata, "schemaversion").text = version
-    ET.SubElement(root, "organizations")
-    listed = ET.SubElement(root, "resources")
-    for ident, kind, used in resources:
-        what = {"identifier": f"r-{ident}", "type": kind, "href": used[0]}
-        resource = ET.SubElement(listed, "resource", what)
-        for path in used:
-            ET.SubElement(resource, "file", href=path)
-    ET.indent(root, " ")
+    manifest = xml(
+        "manifest", namespace=NAMESPACE, name=name, resources=resources, schema=schema,
+        version=version,
+    )  # fmt: skip
     out = io.BytesIO()
-    manifest = ET.tostring(root, encoding="utf-8", xml_declaration=True)
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for path, content in {"imsmanifest.xml": manifest, **files}.items():
             archive.writestr(zipfile.ZipInfo(path), content, zipfile.ZIP_DEFLATED)

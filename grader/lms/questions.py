@@ -99,6 +99,10 @@ class Question:
     parts: tuple[Part, ...]
     points: float
 
+    def points_of(self, part: Part) -> float:
+        """What one of its parts earns."""
+        return self.points * part.weight / sum(p.weight for p in self.parts)
+
 
 def question(
     p: Problem, values: Values, number: int, points: float, text: str = "", diagnosed: bool = True
@@ -167,8 +171,8 @@ def _merged(wrong):
             found.append((w, [w.text]))
         elif w.text not in texts:
             texts.append(w.text)
-    said = "It fits a solution that {}.".format
-    return [replace(w, text=said("; or one that ".join(texts))) for w, texts in found]
+    fitting = "It fits a solution that {}.".format
+    return [replace(w, text=fitting("; or one that ".join(texts))) for w, texts in found]
 
 
 def _alike(a, b):

@@ -66,9 +66,9 @@ def write_bank(
     questions: list[Question] = []
     problems = 0
     with process_pool(workers) as pool:
-        for found, said in pool.map(variants_of, jobs, repeat(variants), repeat(seed)):
+        for found, left_out in pool.map(variants_of, jobs, repeat(variants), repeat(seed)):
             questions += found
-            notes += said
+            notes += left_out
             problems += bool(found)
             if done:
                 done()

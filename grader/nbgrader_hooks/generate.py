@@ -12,11 +12,10 @@ from nbformat import NotebookNode
 from nbgrader import api
 from nbgrader.preprocessors import SaveCells
 
-from ..course import Course
 from ..course.by_hand import give, given_by_hand
 from ..course.files import load_json, write_json
 from .guards import Configured
-from .shared import course_path
+from .shared import OfCourse
 
 KINDS = ("grade", "solution", "task", "source")  # kinds of cells in the gradebook
 
@@ -25,8 +24,6 @@ class SourceReader(Configured, NotebookExporter):
     """Reads the source notebooks for ``nbgrader generate_assignment``, which saves their cells by
     :class:`SaveChangedCells`. The release that is there stays until the new one is complete.
     """
-
-    course_path = course_path()
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -37,7 +34,7 @@ class SourceReader(Configured, NotebookExporter):
         converter.convert_notebooks = lambda: self._keep(converter.coursedir, convert)
 
     def _keep(self, coursedir, convert):
-        release = Course(self.course_path).released_path(coursedir.assignment_id).parent
+        release = self.course.released_path(coursedir.assignment_id).parent
         with tempfile.TemporaryDirectory() as folder:
             kept = Path(folder) / "release"
             if release.is_dir():
@@ -51,14 +48,12 @@ class SourceReader(Configured, NotebookExporter):
                 raise
 
 
-class SaveChangedCells(SaveCells):
+class SaveChangedCells(OfCourse, SaveCells):
     """Writes the cells to the gradebook, also those added or removed since work was handed in.
 
     A removed cell takes its points along. What a person gave for it is kept in COURSE/backup, and
     is there again when the cell comes back.
     """
-
-    course_path = course_path()
 
     def _create_notebook(self, nb: NotebookNode) -> None:
         assignment = self.gradebook.find_assignment(self.assignment_id)
@@ -69,7 +64,7 @@ class SaveChangedCells(SaveCells):
 
     def _change(self, notebook):
         """Remove the cells that are gone, and add those that are new, for every submission."""
-        path = Course(self.course_path).path / "backup" / f"{self.assignment_id}.by_hand.json"
+        path = self.course.path / "backup" / f"{self.assignment_id}.by_hand.json"
         kept = load_json(path.read_bytes()) if path.exists() else {}
         by_hand, db, back = kept.setdefault(self.notebook_id, {}), self.gradebook.db, set()
         for kind in KINDS:

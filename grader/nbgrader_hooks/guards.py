@@ -15,16 +15,15 @@ from nbconvert.exporters import HTMLExporter, NotebookExporter
 from nbformat.v4 import new_notebook
 from nbgrader.converters.base import NbGraderException
 
-from ..course import Course, CourseError
+from ..course import CourseError
 from ..course.exam import refuse_feedback
 from .patches import copy_only_nbgraders_own_files, read_regular_files_only
-from .shared import WRITTEN, course_path, ending_at_ctrl_c
+from .shared import WRITTEN, OfCourse, ending_at_ctrl_c
 
 
-class Configured:
+class Configured(OfCourse):
     """Refuses to start unless the whole nbgrader_config.py of the course has run."""
 
-    course_path: str
     log: logging.Logger
     parent: Any
 
@@ -44,7 +43,7 @@ class Configured:
                 "install -e '.[course]'; nothing was run"
             )
         try:
-            Course(self.course_path).secret  # noqa: B018  # raises if it is missing or changed
+            self.course.secret  # noqa: B018  # raises if it is missing or changed
         except CourseError as error:
             self._refuse(str(error))
         read_regular_files_only()
@@ -69,8 +68,6 @@ class SubmissionReader(Configured, NotebookExporter):
     nbformat would follow a link, wait for a pipe, and take 7 GB for 60 MB of brackets.
     """
 
-    course_path = course_path()
-
     def from_filename(
         self, filename: str, resources: dict[str, Any] | None = None, **kwargs: Any
     ) -> Any:
@@ -87,15 +84,12 @@ class FeedbackPage(Configured, HTMLExporter):
     complete, and a file of the student could take its place.
     """
 
-    course_path = course_path()
-
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         copy_only_nbgraders_own_files()
-        course, converter = Course(self.course_path), self.parent
-        if converter is not None:
+        if (converter := self.parent) is not None:
             try:
-                refuse_feedback(course, converter.coursedir.assignment_id)
+                refuse_feedback(self.course, converter.coursedir.assignment_id)
             except CourseError as error:
                 self._refuse(str(error))
 

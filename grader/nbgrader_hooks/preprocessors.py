@@ -14,14 +14,13 @@ from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor
 from ..assignment.cells import kind, nbgrader_metadata, own_metadata
 from ..assignment.figures import figure_for_page
 from ..assignment.released import released, sheet_numbers
-from ..course import Course
 from ..course.exam import judged
 from ..grading.gradebook import Entry, instructors_cells, save
 from ..grading.lock import alone
 from ..grading.one import Outcome, autograded_path, grade_one
 from ..sandbox import Harvester
 from ..submission import read_timestamp
-from .shared import WRITTEN, Processed, course_path
+from .shared import WRITTEN, OfCourse, Processed
 
 _graded: dict[tuple[str, ...], Outcome] = {}  # passed from the first step to the second
 _harvester = None
@@ -41,21 +40,19 @@ def _key(resources):
     return names["db_url"], names["assignment"], names["student"], names["notebook"]
 
 
-def _with_written(resources, course_path):
+def _with_written(resources, course):
     """The resources with the path of the annotated notebook, for ``SubmissionReader``."""
     _, *names = _key(resources)
-    return {**resources, WRITTEN: autograded_path(Course(course_path), *names)}
+    return {**resources, WRITTEN: autograded_path(course, *names)}
 
 
-class RebuildFromSource(NbGraderPreprocessor):
+class RebuildFromSource(OfCourse, NbGraderPreprocessor):
     """The only one of ``Autograde.sanitize_preprocessors``: grades the trusted notebook with the
     student's work in it, not the submitted one.
     """
 
-    course_path = course_path()
-
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
-        names, course = resources["nbgrader"], Course(self.course_path)
+        names, course = resources["nbgrader"], self.course
         assignment, student, name = names["assignment"], names["student"], names["notebook"]
         with Gradebook(names["db_url"]) as book:
             sources = instructors_cells(book, assignment)[name]
@@ -68,17 +65,15 @@ class RebuildFromSource(NbGraderPreprocessor):
                 course, assignment, student, name, sources, shared_harvester(),
                 remark=remarks.get(student, ""),
             )  # fmt: skip
-        return notebook, _with_written(resources, self.course_path)
+        return notebook, _with_written(resources, course)
 
 
-class HarvestExecute(NbGraderPreprocessor):
+class HarvestExecute(OfCourse, NbGraderPreprocessor):
     """Replaces ``Execute`` and what follows it: writes the gradebook, penalties included."""
-
-    course_path = course_path()
 
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
         names, outcome = resources["nbgrader"], _graded.pop(_key(resources))
-        course, student, name = Course(self.course_path), names["student"], names["notebook"]
+        course, student, name = self.course, names["student"], names["notebook"]
         time = read_timestamp(course.path / "submitted" / student / names["assignment"])
         graded = {name: outcome.graded}
         entry = Entry(student, graded, time, outcome.changed, outcome.again)
@@ -86,18 +81,16 @@ class HarvestExecute(NbGraderPreprocessor):
             save(course, book, names["assignment"], [entry], only=name)
         if outcome.graded.note:
             self.log.warning("%s: %s", student, outcome.graded.note)
-        return notebook, _with_written(resources, self.course_path)
+        return notebook, _with_written(resources, course)
 
 
-class GradesAndFigures(GetGrades):
+class GradesAndFigures(OfCourse, GetGrades):
     """For the feedback page: adds points and comments, also those of a human grader, puts each
     figure into its text, and takes the instructor's hidden tests out.
     """
 
-    course_path = course_path()
-
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
-        names, course = resources["nbgrader"], Course(self.course_path)
+        names, course = resources["nbgrader"], self.course
         found = released(course, names["assignment"])[names["notebook"]]
         self._tasks = found.tasks
         self._numbers = sheet_numbers(course, names["assignment"], names["student"])

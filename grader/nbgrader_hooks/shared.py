@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from nbformat import NotebookNode
-from traitlets import Unicode
+from traitlets import HasTraits, Unicode
 
+from ..course import Course
 from ..course.processes import ctrl_c_not_ignored
 
 Processed = tuple[NotebookNode, dict[str, Any]]  # what a preprocessor returns
@@ -31,8 +32,12 @@ def ending_at_ctrl_c(log: logging.Logger, how_far: Callable[[], str]) -> Iterato
         sys.exit(STOPPED)
 
 
-def course_path() -> Any:
-    """The trait of a hook that holds the course folder."""
-    return Unicode("", help="The course folder; set by grader.nbgrader_config.configure").tag(
-        config=True
-    )
+class OfCourse(HasTraits):
+    """A hook of one course."""
+
+    course_path = Unicode("", help="The course folder; set by .config.configure").tag(config=True)
+
+    @property
+    def course(self) -> Course:
+        """The course."""
+        return Course(self.course_path)

@@ -8,13 +8,12 @@ from traitlets import Enum
 
 from ..assignment.released import released, sheet_numbers
 from ..assignment.solution import worked_solution
-from ..course import Course
 from ..course.due import is_over
 from .grading_page import html_with_mathml
-from .shared import Processed, course_path
+from .shared import OfCourse, Processed
 
 
-class WorkedSolutions(NbGraderPreprocessor):
+class WorkedSolutions(OfCourse, NbGraderPreprocessor):
     """Adds worked solutions, in the student's own numbers, to the sections of the page."""
 
     solutions = Enum(
@@ -24,10 +23,9 @@ class WorkedSolutions(NbGraderPreprocessor):
         "says no help level: they hold the answers. The due date is the latest of all students, "
         "with their extensions.",
     ).tag(config=True)
-    course_path = course_path()
 
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
-        names, course = resources["nbgrader"], Course(self.course_path)
+        names, course = resources["nbgrader"], self.course
         asked = released(course, names["assignment"])[names["notebook"]].tasks
         over = self.solutions == "always" or is_over(course, names["assignment"])
         by_default = "none" if self.solutions == "never" else "solution"

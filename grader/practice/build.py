@@ -110,8 +110,8 @@ def write_practice(
 
 def _write(path, pages, help):
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(path.name + ".part")
-    with zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED) as archive:
+    partial = path.with_name(path.name + ".part")
+    with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED) as archive:
         titles = {page["id"]: [page["title"], page["section"]] for page, _ in pages}
         head = {"format": FORMAT, "help": help, "problems": list(titles), "titles": titles}
         archive.writestr("practice.json", json.dumps(head))
@@ -121,7 +121,7 @@ def _write(path, pages, help):
                 # a PNG is compressed already
                 packed = zipfile.ZIP_STORED if name.endswith(".png") else zipfile.ZIP_DEFLATED
                 archive.writestr(zipfile.ZipInfo(name), figure, packed)
-    os.replace(beside, path)
+    os.replace(partial, path)
 
 
 def _page_in(language, *given):

@@ -11,9 +11,10 @@ from exercises.catalogue.steps import repeated
 from exercises.catalogue.tracing import traced_quantities
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
-from newton_euler.classroom.practising.programs import OPERATIONS, operate
+from newton_euler.classroom.practising.programs import OPERATIONS
 
 from ..assignment.cells import Values
+from ..assignment.names import value_of
 
 
 def relations(p: Problem, values: Values) -> dict[str, Any] | None:
@@ -81,20 +82,9 @@ def _inward(x, factor):
 
 def _evaluated(trace, g):
     """The number of each traced operation for these values, None where it is no plain number."""
-    found = []
-    for s in trace.steps:
-        arguments = [found[a.number] if _is_step(a) else a for a in s.args]
-        if s.op == "argument":
-            found.append(float(getattr(g, s.args[0])))
-        elif None in arguments or s.op not in OPERATIONS:
-            found.append(None)
-        else:
-            try:
-                x = operate(s.op, *map(float, arguments))
-                found.append(x if math.isfinite(x) else None)
-            except (ArithmeticError, ValueError, TypeError):
-                found.append(None)
-    return found
+    memo: dict[int, float | None] = {}
+    found = [value_of(s, g, memo) for s in trace.steps]
+    return [None if x is None or not math.isfinite(x) else x for x in found]
 
 
 def _number(x, factor, numbers):

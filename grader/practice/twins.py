@@ -41,11 +41,7 @@ class _Middle:
 
 
 def sets_of_numbers(
-    p: Problem,
-    count: int,
-    graded: Sequence[Values] = (),
-    seed: str = "practice",
-    book: bool = True,
+    p: Problem, count: int, graded: Sequence[Values] = (), seed: str = "practice", book: bool = True
 ) -> list[Values]:
     """The numbers of the ``book``, or near the middle for symbols, and drawn ones, ``count`` in all
     or as many as differ; none with an answer near one of the ``graded`` sheets.

@@ -70,12 +70,12 @@ class Preview:
         cited = [f"equations {', '.join(e.equations)}"] if e.equations else []
         kinds = ", ".join(kind.replace("_", " ") for kind in e.kinds)
         rtol = self.problem.answers[0].rtol
-        said = [f"{name}: {x}" for name, x in self.options.items() if name != "tolerance"]
+        own = [f"{name}: {x}" for name, x in self.options.items() if name != "tolerance"]
         return [
             f"section {e.section}", kinds, f"{e.steps + e.terms} steps", *cited,
             f"difficulty {e.difficulty} of 5", f"{e.minutes} min",
             f"{e.sheets:.3g} sheet{'s' * (e.sheets != 1)}",
-            f"tolerance {100 * rtol:g} % of numbers, formulas exact", *said,
+            f"tolerance {100 * rtol:g} % of numbers, formulas exact", *own,
         ]  # fmt: skip
 
     @property

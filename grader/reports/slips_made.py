@@ -111,6 +111,7 @@ class _Evaluation:
         self.within = {(e.user.number, e.step.number): e.instead for e in edits if e.user}
 
     def value(self, x):
+        """The number of a step, of a number, or of an operation (name, *arguments)."""
         if isinstance(x, tuple):
             return self._operated(x[0], [self.value(a) for a in x[1:]])
         if not isinstance(x, Step):

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 from rich.table import Table
 
+from newton_euler.algebra.late import Figure
+
 from ..course import Course
 from ..submission.pipeline import MARK
 from .export import cell
@@ -125,13 +127,9 @@ def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
 
 def statistics_figure(parts: Sequence[PartStatistics], path: str | Path) -> None:
     """Draw the statistics: a bar of verdicts for each part, a dot for its discrimination."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
     # distinguishable in grey, and for the colour-blind
     colours = {"right": "#1b7f5c", "wrong": "#d1622b", "unreadable": "#8a6fb0", "blank": "#c9c9c9"}
     figure = Figure(figsize=(8, 1.2 + 0.26 * len(parts)), dpi=120, layout="constrained")
-    FigureCanvasAgg(figure)
     ax = figure.add_subplot()
     places, left = np.arange(len(parts)), np.zeros(len(parts))
     for verdict, colour in colours.items():

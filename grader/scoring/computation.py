@@ -160,7 +160,9 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     asked = {a.key for a in p.answers}
     steps = [s for s in found.steps if s.key in found.components and s.key not in asked]
     answers = {
-        a.key: Traced(found.components[a.key], a.unit, POINTS if a.kind.is_formula else 1)
+        a.key: Traced(
+            _with_zeros(found.components[a.key]), a.unit, POINTS if a.kind.is_formula else 1
+        )
         for a in p.answers
         if a.key in found.components
     }
@@ -171,6 +173,15 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     where, means = section(p.section), _means(p)
     solved, given = found.solved, found.givens
     return Formulas(answers, p.units, p.system, stages, where, means, solved, symbols, given)
+
+
+def _with_zeros(parts):
+    """The components of a vector; those that are zero as steps, in which slips can be made."""
+    trace = next((x.trace for x in parts if isinstance(x, Step)), None) if len(parts) == 3 else None
+    return [
+        trace.new("*", 0.0, 0.0) if trace and not isinstance(x, Step) and x == 0 else x
+        for x in parts
+    ]
 
 
 def _named(step):
@@ -189,7 +200,7 @@ def _means(p):
 
 def _brief(means):
     """The first words of a meaning, as "mass" of "mass, W/g"; "" if they are long."""
-    first = re.split("[,;:(]", means)[0].strip()
+    first = re.split("[,;:(=]", means)[0].strip()
     return first if len(first.split()) <= FEW and not re.search(r"[$\\{]", first) else ""
 
 

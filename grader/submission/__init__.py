@@ -5,6 +5,6 @@ notebook, runs it in the sandbox, scores it, annotates the notebook.
 from .annotation import annotate
 from .files import UnreadableError, parse_notebook, read_notebook
 from .pipeline import Graded, execute, feedback_comment, grade_notebook
-from .rebuild import Work, as_handed_out, rebuild
+from .rebuild import Work, rebuild
 from .sheet import Sheet, student_sheet
 from .timestamps import read_timestamp

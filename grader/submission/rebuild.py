@@ -9,7 +9,6 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from exercises.catalogue import Problem
 from newton_euler.algebra.language import Words, _
 
 from ..assignment.cells import (
@@ -21,7 +20,6 @@ from ..assignment.cells import (
     nbgrader_metadata,
     own_metadata,
 )
-from ..assignment.notebook import starter
 from .checked import checked_notes
 from .recognition import OWN, places_of, text_of
 
@@ -151,11 +149,6 @@ def is_untouched(cell: Cell, text: str) -> bool:
     if cell["cell_type"] != "code":
         return text.strip() in ("", cell["source"].strip())
     return _code_only(text) in ("", _our_code(cell["source"]))
-
-
-def as_handed_out(p: Problem, text: str) -> bool:
-    """True if the text of an answer cell of problem ``p`` is empty or as it is handed out."""
-    return _code_only(text) in ("", _code_only(starter(p)))
 
 
 def _code_only(text):

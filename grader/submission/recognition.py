@@ -47,8 +47,8 @@ def places_of(cells: Sequence[Mapping[str, Any]], master: Notebook) -> list[int 
 
 
 def _with_answers(cells, found, master):
-    """And the answers that still miss: the only cell of code beside the statement, numbers or
-    receipt of the same problem that gives a value to a name that is asked for.
+    """And the answers that are still missing: the only cell of code next to the statement, numbers
+    or receipt of the same problem that gives a value to a name that is asked for.
     """
     problems = [own_metadata(c).get("problem") for c in master["cells"]]
     missing = {

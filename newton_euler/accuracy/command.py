@@ -30,6 +30,7 @@ class _Charts(click.Command):
     """The command of the charts, and those of the atlas and of honesty by their first word."""
 
     def main(self, args=None, prog_name=None, **more):
+        """Run the command that the first word names, or else that of the charts."""
         words = sys.argv[1:] if args is None else list(args)
         other = {HONESTY: honesty_main, ATLAS: atlas_main}.get(words[0] if words else "")
         if other:
@@ -158,7 +159,7 @@ def _picture(context, parameter, path):
 )  # fmt: skip
 @click.option("--quick", is_flag=True, help="Every other tolerance, and --longest 0.05.")
 def honesty_main(scenes, methods, path, longest, quick):
-    """Measure and draw whether each method keeps its word, beside what it costs.
+    """Measure and draw whether each method keeps its word, and what it costs.
 
     Every method is asked for tolerances from 1e-3 to 1e-12 on every scene that it can use, which
     takes some minutes; its answer is compared with a reference of 30 digits. A method has a row,

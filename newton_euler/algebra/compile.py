@@ -307,7 +307,7 @@ def _from_steps(name, parameters, steps, leaves, *rest):
 
 
 def _running(constant, rounded):
-    """A constant as a text uses it: a formula compiled, a number as a float if others are none."""
+    """A constant as a text uses it: a formula compiled, a number as a float if all are."""
     if isinstance(constant, Inner):
         return Compiled("the formula inside", constant.parameters, constant.trace, constant.leaves)
     return _float(constant) if rounded else constant

@@ -7,7 +7,7 @@ from functools import cache, lru_cache
 from itertools import count, pairwise, product
 
 from .errors import checked
-from .late import is_here
+from .late import is_here, np, sympy
 from .scalars import (
     ZERO,
     NewtonEulerError,
@@ -172,8 +172,6 @@ def _tanh_sinh(f, start, end, sample):
 
 def by_formula(f, start, end):
     """The integrals by SymPy, where a limit or the function is an expression."""
-    import sympy
-
     # SymEngine would lose a Dummy, and the assumptions of a symbol
     name = sympy.Symbol(f"_q{next(_NUMBERS)}")
     try:
@@ -192,23 +190,17 @@ def by_formula(f, start, end):
 
 @cache
 def _variable():
-    import sympy
-
     return sympy.Dummy("q", real=True)
 
 
 @lru_cache(maxsize=64)
 def _by_sympy(y, start, end):
     """The integral of y over the variable; SymPy searches for seconds where there is no formula."""
-    import sympy
-
     return sympy.integrate(y, (_variable(), start, end))
 
 
 def _exact(x):
     """A scalar for SymPy; a whole float, as the limit 0.0, becomes exact."""
-    import sympy
-
     x = to_plain(scalar(x))
     return sympy.sympify(int(x) if isinstance(x, float) and x.is_integer() else x)
 
@@ -246,8 +238,6 @@ def over_cube(f, n):
 
 def _by_arrays(f, n, order, sample):
     """The sums over all places at once; along an axis next to those of arrays that f returns."""
-    import numpy as np
-
     depth = max(len(getattr(x, "shape", ())) for x in sample)
     nodes, weights = np.polynomial.legendre.leggauss(order)
     places = np.array(list(product((nodes + 1) / 2, repeat=n))).T

@@ -84,8 +84,8 @@ def _(text: str, /, **values: object) -> str:
     >>> _("{key} is right", key="a_D")
     'a_D is right'
     """
-    said = _catalogue(_chosen).texts.get(text, (text,))[0] if _chosen != ENGLISH else text
-    return _filled(said, _all_spoken(values))
+    translated = _catalogue(_chosen).texts.get(text, (text,))[0] if _chosen != ENGLISH else text
+    return _filled(translated, _all_spoken(values))
 
 
 def plural(one: str, several: str, n: int, /, **values: object) -> str:

@@ -3,7 +3,7 @@ without them.
 """
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 
 def is_here(library: str) -> bool:
@@ -28,14 +28,20 @@ class _Late:
     def __getattr__(self, name):
         if name.startswith("__"):  # as inspect asks of everything
             raise AttributeError(name)
-        return getattr(self._found(), name)
+        found = getattr(self._found(), name)
+        setattr(self, name, found)  # the next time it is there
+        return found
 
     def __call__(self, *args, **named):
         return self._found()(*args, **named)
 
 
-np: Any = _Late("numpy")
-mpmath: Any = _Late("mpmath")
+if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
+    import sympy
+else:
+    np, mpmath, sympy = map(_Late, ("numpy", "mpmath", "sympy"))
 plt: Any = _Late("matplotlib.pyplot")
 Figure: Any = _Late("matplotlib.figure", "Figure")
 EngFormatter: Any = _Late("matplotlib.ticker", "EngFormatter")

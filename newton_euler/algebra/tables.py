@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from .errors import checked
+from .late import np, sympy
 from .scalars import (
     NewtonEulerError,
     Scalar,
@@ -181,8 +182,6 @@ class Table:
             )
 
     def _of_array(self, x):
-        import numpy as np
-
         if x.dtype.kind == "O":
             return np.array([self(entry) for entry in x.flat]).reshape(x.shape)
         if x.size:
@@ -205,8 +204,6 @@ class Table:
         """The formula of SymPy with the expression ``x`` as place; it has no value outside."""
         if library_of((x,)).__name__ == "heyoka":
             raise ScalarError("heyoka has no tables: take backend='numpy', or another method")
-        import sympy
-
         x = sympy.sympify(x)
         places, pieces = self._of_kind(x)
         formulas = [_polynomial(c, x - base) for base, c in pieces]

@@ -8,9 +8,10 @@ the frame of the left one. A vector that theory writes as a sum keeps its terms 
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from .jets import Moving, moving
+from .late import np
 from .ledger import (
     NOISE,
     Equation,
@@ -48,9 +49,6 @@ from .scalars import (
     to_plain,
     where,
 )
-
-if TYPE_CHECKING:
-    import numpy as np
 
 Frame: TypeAlias = Any  # a kinematics.frames.Frame, which is in a room above this one
 
@@ -98,6 +96,14 @@ def sum3(triples):
 def sub3(a, b):
     """a - b."""
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def three(values):
+    """The triple of three numbers, () for anything else."""
+    try:
+        return tuple(map(real_scalar, values)) if len(values) == 3 else ()
+    except TypeError:
+        return ()
 
 
 def scale3(s, a):
@@ -219,8 +225,6 @@ class Vector(Scaled, NamedTerms):
         >>> Frame("ground").vector(1.0, 2.0, 0).to_array()
         array([1., 2., 0.])
         """
-        import numpy as np
-
         return np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in self)))
 
     def __repr__(self):

@@ -3,6 +3,7 @@ them. The words complete "it fits a solution that …" and never contain a numbe
 """
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -127,6 +128,10 @@ OFF_DIAGONAL = slip(
         "are right"
     ),
 )
+DIAGONAL_ONLY = slip(
+    "diagonal only",
+    Words("leaves out every product of inertia: only the entries on the diagonal are right"),
+)
 BOUNDS = slip("bounds", Words("has its bounds in the wrong order: the lower one comes first"))
 OTHER_ORDER = slip(
     "order",
@@ -161,11 +166,26 @@ NEAR_IN_FEW_DIGITS = Cause(
         percent=f"{100 * NEARLY:.0f}",
     ),
 )
+NUMBERS = Cause(
+    "seen",
+    "numbers",
+    Words("its symbols are right, a number in front of them is not"),
+)
 FIRST_DIGITS = Cause(
     "seen",
     "first digits",
     Words("it agrees with the right answer in one or two digits only: three are needed"),
 )
+
+
+def right_but(places: Sequence[int], length: int) -> Cause:
+    """A remark: some components, or entries of a matrix, are not right; the others are."""
+    if length == 9:
+        entries = joined(_entry(*divmod(n, 3)) for n in places if n // 3 <= n % 3)
+        text = Words("all but {entries} is right", entries=entries)
+    else:
+        text = Words("all but its {which} component is right", which=_ordinals(places))
+    return Cause("seen", f"right but {places}", text)
 
 
 def reversed_components(places: Sequence[int]) -> Cause:
@@ -224,7 +244,7 @@ def _entry(n, m):
 
 
 def entry_left_out(n: int, m: int) -> Cause:
-    """A product of inertia is zero."""
+    """A moment or a product of inertia is zero."""
     name = _entry(n, m)
     return slip(f"no {name}", Words("leaves out {entry}: it is not zero here", entry=name))
 
@@ -236,9 +256,9 @@ def entry_reversed(n: int, m: int) -> Cause:
     return slip(f"opposite {name}", text)
 
 
-def exchanged_diagonal(n: int, m: int) -> Cause:
-    """Two moments of inertia stand in each other's place."""
-    a, b = _entry(n, n), _entry(m, m)
+def exchanged_entries(one: Sequence[int], other: Sequence[int]) -> Cause:
+    """Two moments, or two products of inertia, stand in each other's place."""
+    a, b = _entry(*sorted(one)), _entry(*sorted(other))
     return slip(
         f"exchanged {a} {b}", Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
     )
@@ -258,9 +278,11 @@ def _ordinals(places: Sequence[int]) -> str:
     return joined(ORDINALS[n] for n in places)
 
 
-LOST = {2.0: Words("look for a half or a double")} | dict.fromkeys(
-    (3.0, 4.0, math.pi), Words("look for a factor left out")
-)  # all other factors are those between two units
+LOST = {
+    2.0: Words("look for a half or a double"),
+    **dict.fromkeys((3.0, 4.0, math.pi), Words("look for a factor left out")),
+    **dict.fromkeys((10.0, 100.0), Words("look for a misplaced decimal point")),
+}  # all other factors are those between two units
 
 
 def multiplied(what: str, factor: float, large: bool) -> Cause:
@@ -347,6 +369,19 @@ def term_reversed(name: str, words: str) -> Cause:
     """A named term of a sum has the opposite sign."""
     text = Words("has {term} with the opposite sign: the equation adds it", term=words)
     return Cause("term", f"{name} x -1", text)
+
+
+def left_out(cause: Cause) -> str:
+    """The term that a mistake leaves out; "" of any other mistake."""
+    template, values = getattr(cause.text, "template", ""), getattr(cause.text, "values", {})
+    found = re.match(r"leaves out {(term|quantity|names)}:", template)
+    return values[found[1]] if found else ""
+
+
+def multiple_of(term: str) -> Cause:
+    """A remark: a term has another factor."""
+    words = Words("all but the factor of {term} is right", term=term)
+    return Cause("seen", f"multiple of {term}", words)
 
 
 CORIOLIS_HALVED = Cause(

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import ROUNDED, Cause, in_this_part, is_left_out
+from .causes import CORIOLIS_HALVED, ROUNDED, Cause, in_this_part, is_left_out
 from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
@@ -116,7 +116,7 @@ def diagnose(
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
     found = found or _of_components(fit) or (_in_the_whole(fit, kind) if slips else ())
-    terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term")]
+    terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
     return found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
 
 
@@ -201,11 +201,14 @@ def _chosen(best, twins, elsewhere):
 
 
 def _most_explaining(causes, elsewhere):
-    """Those causes that explain the most other wrong parts."""
+    """Those causes that explain the most other wrong parts; no other cause hides the factor 2 of
+    the Coriolis term, which is only seen in vectors.
+    """
     if len(causes) < 2:
         return tuple(causes)
     counts = {c: elsewhere.explains(c) for c in causes}
-    return tuple(c for c in causes if counts[c] == max(counts.values()))
+    most = max(counts.values())
+    return tuple(c for c in causes if counts[c] == most or c == CORIOLIS_HALVED)
 
 
 def _stages(

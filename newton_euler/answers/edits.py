@@ -12,18 +12,29 @@ from .causes import Cause, computed
 from .edits_of_equations import of_elimination, of_equations
 from .edits_of_givens import (
     HALF,
+    LENGTH,
     ONE,
     TWICE,
     of_exchanged,
     of_given,
     of_integrand,
     of_one_unit,
+    of_shifted,
     of_symbol,
     of_unit,
     of_vectors,
 )
 from .edits_of_groups import of_constants, of_factors, of_terms
 from .edits_of_operations import PRODUCT, of_angles, of_moment, of_operation, of_product
+from .edits_of_quantities import (
+    of_components,
+    of_densities,
+    of_distances,
+    of_other_entries,
+    of_quantities,
+    of_squares,
+    of_uncancelled,
+)
 from .formulas import (
     FIRST,
     LEAST,
@@ -81,20 +92,23 @@ def _edits(formulas):
     answers, system = formulas.answers, formulas.system
     steps = needed(x for a in answers.values() for x in a.parts)
     given = {s.args[0]: s for s in steps if s.op == "argument"}
-    read = {name: unit(formulas.units[name]) for name in given}
-    every = needed(x for a in (*answers.values(), *formulas.stages) for x in a.parts)
+    anything = {**formulas.given, **given}  # also what no answer needs
+    read = {name: unit(formulas.units[name]) for name in anything}
+    parts = (x for a in (*answers.values(), *formulas.stages) for x in a.parts)
+    every = needed([*parts, *anything.values()])
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
     own = US if any(u.is_of_feet for u in read.values()) else SI
     number = partial(_number, dimensions, system, own)
     yield from of_angles(steps)
-    yield from of_constants(steps)
+    yield from of_constants(steps, dimensions.get)
     yield from of_one_unit(given, read, system)
     yield from of_exchanged(given, read)
+    yield from of_shifted(anything, read, steps)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from of_vectors([a.parts for a in answers.values()])
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
-    yield from _of_differences(answers, numbers, dimensions)
+    yield from _of_differences(answers, numbers, formulas.stages, dimensions)
     yield from _of_stages(answers, formulas.stages, dimensions)
     yield from _of_angles(answers)
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
@@ -107,15 +121,23 @@ def _edits(formulas):
     }  # fmt: skip
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
     yield from of_equations(formulas.systems)
+    yield from of_quantities(answers, formulas.stages, steps, dimensions.get)
+    yield from of_distances(given, products, dimensions.get)
+    angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
+    yield from of_components(given, angles, dimensions.get)
+    yield from of_uncancelled(anything, products, given, dimensions.get)
+    yield from of_densities(given, steps, dimensions.get)
+    yield from of_squares(products, number, dimensions.get)
+    yield from of_other_entries(answers)
     yield from of_terms(steps, formulas.units)
     yield from of_factors(products, number)
     for s, users in users_in.items():
         if s not in written:
             continue
-        slips = [*of_operation(s), *of_moment(s, dimensions[s])]
+        slips = [*of_operation(s), *of_moment(s, dimensions.get)]
         if s.op == "argument":
             name, means = s.args[0], formulas.means.get(s.args[0], "")
-            found = of_given(s, given, read, number, means, read[name].to_base(1.0, system))
+            found = of_given(s, anything, read, number, means, read[name].to_base(1.0, system))
             if name in symbols:
                 found = [*found, *of_symbol(s, formulas.given, formulas.units)]
             # what is alone in a term, as H in D^2 + H^2, is no factor of it
@@ -218,38 +240,52 @@ def _of_power(name, power, change):
 
 
 def _of_unchanged(answers, given, read):
-    """A given as the answer."""
+    """A given as the answer, or a length or its half as one of its components."""
     for key, answer in answers.items():
-        own = unit(answer.unit).dimension
-        for name, step in given.items() if own != Dimension() and len(answer.parts) == 1 else ():
-            (x,) = answer.parts
-            if isinstance(x, Step) and x is not step and read[name].dimension == own:
+        own, alone = unit(answer.unit).dimension, len(answer.parts) == 1
+        for name, step in given.items() if own != Dimension() else ():
+            for x in answer.parts if read[name].dimension == own else ():
                 words = Words(
                     "gives {name} unchanged, as if nothing else counted: {key} is asked for",
                     name=name, key=key,
                 )  # fmt: skip
-                yield Edit(FIRST, computed(f"{name} for {key}", words), {x.number: step})
+                if isinstance(x, Step) and x is not step and (alone or own == LENGTH):
+                    rank = FIRST if alone else LEAST
+                    yield Edit(rank, computed(f"{name} for {x.number}", words), {x.number: step})
+                    half = Words(words.template, name=f"{name}/2", key=key)
+                    cause = computed(f"{name}/2 for {x.number}", half)
+                    yield Edit(LEAST, cause, {x.number: ("*", step, 0.5)})
 
 
-def _of_differences(answers, given, dimensions):
-    """Answers from another origin: less, or more by a given; the rest of a given."""
+def _of_differences(answers, given, stages, dimensions):
+    """Answers from another origin: less, or more by a given; the rest of a given; all components
+    less by a quantity.
+    """
+    less = Words("takes {name} off {key}: the whole is asked for")
     for key, answer in answers.items():
         for x in answer.parts:
             for name, step in given.items() if isinstance(x, Step) else ():
                 if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
                     continue
-                less = Words("takes {name} off {key}: the whole is asked for", name=name, key=key)
                 more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
                 rest = Words(
                     "gives the difference between {name} and {key}: {key} is asked for",
                     name=name, key=key,
                 )  # fmt: skip
+                whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
                 for what, text, other in (
-                    ("less", less, ("-", x, step)), ("more", more, ("+", x, step)),
-                    ("rest", rest, ("-", step, x)),
+                    ("less", whole, ("-", x, step)), ("more", more, ("+", x, step)),
+                    ("rest", rest, ("-", step, x)), ("less half", half, ("-", x, ("*", step, 0.5))),
                 ):  # fmt: skip
                     cause = computed(f"{what} {name} {x.number}", text)
                     yield Edit(LEAST, cause, {x.number: other})
+        for stage in stages if len(answer.parts) == 3 else ():
+            pairs = [*zip(answer.parts, stage.parts, strict=False)]
+            moved = [(a, x) for a, x in pairs if isinstance(x, Step)]
+            if stage.means and moved and all(_are_alike(a, x, dimensions) for a, x in moved):
+                words = Words(less.template, name=stage.means, key=key)
+                instead = {a.number: ("-", a, x) for a, x in moved}
+                yield Edit(LEAST, computed(f"less {stage.name} {key}", words), instead)
 
 
 def _of_angles(answers):
@@ -271,21 +307,25 @@ def _of_angles(answers):
 def _of_stages(answers, stages, dimensions):
     """Answers that stop on the way: a quantity of the same dimension, its size, a component."""
     vectors = [Stage(key, "", a.parts, key) for key, a in answers.items() if len(a.parts) == 3]
+    known = {s.number for s, of in dimensions.items() if of is not None or s.op not in PRODUCT}
     for key, answer in answers.items():
         named = [s for s in stages if s.means]  # of the others there is nothing to read
         for stage in (*named, *(vectors if len(answer.parts) == 1 else ())):
             for what, rank, parts in _instead(stage.parts, len(answer.parts)):
-                instead = dict(zip(answer.parts, parts, strict=True))
-                moved = {a: x for a, x in instead.items() if isinstance(a, Step) and a is not x}
-                alike = all(_are_alike(a, x, dimensions) for a, x in instead.items())
+                instead = [*zip(answer.parts, parts, strict=True)]
+                alike = all(_are_alike(a, x, dimensions) for a, x in instead)
                 # a vector of formulas is met by no other
-                if moved and (alike or (answer.points > 1 and len(parts) == 3)):
+                if not alike and not (answer.points > 1 and len(parts) == 3):
+                    continue
+                moved = {a.number: x for a, x in instead if isinstance(a, Step) and a is not x}
+                there = {n: x for n, x in moved.items() if n in known}  # no component that is zero
+                for n, some in enumerate([moved, there][: 2 if 0 < len(there) < len(moved) else 1]):
                     text = Words(
                         "gives {part}{quantity} here: {key} is asked for",
                         part=what, quantity=stage.means, key=key,
                     )  # fmt: skip
-                    cause = computed(f"{what} {stage.name} {key}", text)
-                    yield Edit(rank, cause, {a.number: x for a, x in moved.items()})
+                    if some:
+                        yield Edit(rank, computed(f"{what} {stage.name} {key} {n}", text), some)
 
 
 def _instead(parts, length):

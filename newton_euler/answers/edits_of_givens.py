@@ -20,6 +20,9 @@ TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
+SEVERAL = 6  # givens of one unit, of which more are not shifted
+
+TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
 Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, its replacement
@@ -65,7 +68,7 @@ def of_given(
         ),
         ("/", s, number(s)),
     )
-    if own.dimension == GRAVITY:
+    if name == "g" and own.dimension == GRAVITY:
         words = Words("takes 10 for {name}: the text gives more digits", name=name)
         if own.text == "m/s^2":
             yield LESS, "ten", words, 10.0
@@ -76,14 +79,14 @@ def of_given(
         yield LESS, "g of others", words, elsewhere * one
     if own.dimension in (MASS, FORCE):
         otherwise = G_OF_FEET if own.is_of_feet else G
-        g = next((number(x) for n, x in given.items() if read[n].dimension == GRAVITY), otherwise)
+        g = number(given["g"]) if "g" in given else otherwise
         if own.dimension == FORCE:
             more = Words("takes {name} for a mass: it is a weight", name=name)
             less = Words("divides {name} by g: it is a force already", name=name)
         else:
             more = Words("multiplies {name} by g: it is a mass already", name=name)
             less = Words("divides {name} by g: it is a mass, not a weight", name=name)
-        yield RARER, "g", more, ("*", s, g)
+        yield LESS, "g", more, ("*", s, g)
         yield LESS, "g", less, ("/", s, g)
 
 
@@ -114,7 +117,7 @@ def of_integrand(s: Step) -> Iterator[Slip]:
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     """A given used with its number in another unit."""
-    name, factor = s.args[0], own.to_base(1.0, system)
+    name = s.args[0]
     for ratio in _ratios(own, system):
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
         words = Words(
@@ -122,9 +125,8 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             name=name, unit=own.text,
         )  # fmt: skip
         yield LESS, "wrong way", words, ("*", s, ratio * ratio)
-    if own.is_of_turning and abs(factor - pi / 180) > 1e-9:
-        words = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians", name=name)
-        yield SIMPLE, "2 pi", words, ("*", s, 0.5 / pi)
+    if _is_of_turns(own):
+        yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
         if part in CONFUSED:
             other = CONFUSED[part]
@@ -141,6 +143,11 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             )  # fmt: skip
             yield LESS, f"part {part}", words, ("*", s, 1 / unit(part).to_base(1.0, system))
             yield LESS, f"part {part}", words, ("*", s, unit(part).to_base(1.0, system))
+
+
+def _is_of_turns(own):
+    """True of a unit with revolutions in it, and of radians."""
+    return own.is_of_turning and abs(own.to_base(1.0, SI) - pi / 180) > 1e-9
 
 
 def _ratios(own, system):
@@ -163,6 +170,24 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
         if read[a].text == read[b].text:
             words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
             yield Edit(LESS, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
+
+
+def of_shifted(
+    given: Mapping[str, Step], read: Mapping[str, Unit], steps: Sequence[Step]
+) -> Iterator[Edit]:
+    """Each of several numbered givens, as m1, m2, m3, in the place of its neighbour."""
+    needed = {s.number for s in steps}
+    for stem in dict.fromkeys(n.rstrip("0123456789") for n in given):
+        names = [n for n in given if n != stem == n.rstrip("0123456789")]
+        around = names[1:] + names[:1]
+        rows = (names, names[1:]), (names[1:], names), (names, around), (around, names)
+        for own, others in rows if 2 < len(names) <= SEVERAL else ():
+            pairs = [(a, b) for a, b in zip(own, others, strict=False) if given[a].number in needed]
+            if len(pairs) > 1:
+                (a, b), *_ = pairs
+                words = Words("takes {b} for {a}, and so on: each has its own place", a=a, b=b)
+                instead = {given[a].number: given[b] for a, b in pairs}
+                yield Edit(LESS, computed(f"shifted {pairs}", words), instead)
 
 
 def of_vectors(answers: Iterable[Sequence[Any]]) -> Iterator[Edit]:
@@ -204,3 +229,6 @@ def of_one_unit(
         for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():
             cause = unconverted(Words("what is given"), stated)
             yield Edit(SIMPLE, cause, {s.number: ("*", s, ratio) for s in steps})
+        if len(steps) > 1 and _is_of_turns(unit(stated)):
+            cause = computed(f"2 pi of all in {stated}", Words(TWO_PI, name=stated))
+            yield Edit(SIMPLE, cause, {s.number: ("*", s, 0.5 / pi) for s in steps})

@@ -2,26 +2,36 @@
 kind, words, its replacement).
 """
 
+import itertools
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
+from math import pi
 from typing import Any
 
 from ..algebra.language import Words
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
 from .causes import Cause, computed
-from .edits_of_givens import NO_FIT, NOT_ONE
+from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE
+from .edits_of_groups import neighbours
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
 from .typed import Product, described, is_given, typed
 
 Slip = tuple[int, str, str | Cause, Any]
-AREA, INERTIA = Dimension(0, 2), Dimension(1, 2)
+AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
+TWICE_ITS_ANGLE = Words("takes {own}(2*{angle}) for {own}({angle})^2: these differ").template
+TANGENT = Words("takes tan({angle}) for 1/cos({angle}): that is another side of its triangle")
+DOUBLED = {("sin", 2): TWICE_ITS_ANGLE, ("cos", 2): TWICE_ITS_ANGLE, ("cos", -1): TANGENT.template}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
 INVERSE = ("asin", "acos", "atan", "atan2")
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
+RATIOS = {
+    -1: Words("inverts {ratio}{of}: it is the other way round").template,
+    1: Words("does not square {ratio}{of}: the formula does").template,
+}
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
 CONE = Fraction(3, 10)  # for which others are taken, but not it for them
 BODIES = {
@@ -29,6 +39,12 @@ BODIES = {
     Fraction(1, 4): Words("a disk about a diameter"), Fraction(1, 3): Words("a rod about its end"),
     Fraction(1, 12): Words("a rod about its centre"), Fraction(2, 5): Words("a solid sphere"),
     Fraction(2, 3): Words("a spherical shell"),
+}  # fmt: skip
+
+CENTRES = {  # {part of a length: (from its base or its top, which body)}
+    Fraction(1, 2): ("base top", Words("a rod")), Fraction(1, 3): ("base", Words("a triangle")),
+    Fraction(1, 4): ("base", Words("a cone")), Fraction(3, 8): ("base", Words("a half ball")),
+    Fraction(2, 3): ("top", Words("a triangle")), Fraction(3, 4): ("top", Words("a cone")),
 }  # fmt: skip
 
 
@@ -55,6 +71,7 @@ def _of_sum(s):
     if (whole := typed(s)) and _is_half(a, b, minus):
         words = Words("takes half of {sum}: it counts in full", sum=whole)
         yield SIMPLE, "half", words, ("*", s, 0.5)
+    yield from _of_legs(s)
     for term, left, turned in (
         (a, ("neg", b) if minus else b, turned_first),
         (b, a, ("+" if minus else "-", a, b)),
@@ -73,6 +90,17 @@ def _of_sum(s):
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
             yield LESS, kind, words, (s.op, *scaled)
+
+
+def _of_legs(s):
+    """The sine and the cosine of one angle exchanged, of which each of two terms has one."""
+    for (first, n), (second, m) in itertools.product(*(Product(x).powers.items() for x in s.args)):
+        alike = n == m and COFUNCTIONS.get(first.op) == second.op
+        if alike and first.args[0] is second.args[0]:
+            one, other = (f"{x.op}({typed(*x.args) or '...'})" for x in (first, second))
+            words = Words("exchanges {a} and {b} in a sum: each has its own term", a=one, b=other)
+            power, (a, b) = ("**", ("/", second, first), float(n)), s.args
+            yield LESS, "legs", words, (s.op, ("*", a, power), ("/", b, power))
 
 
 def _is_half(a, b, minus):
@@ -107,7 +135,7 @@ def of_product(
     for factor, power in product.powers.items():
         if described(factor):
             yield from _of_factor(s, factor, power, number(factor), of, why(factor))
-    for part, op in _parts(s, "/"):
+    for part, op in parts_of(s, "/"):
         if (inner := Product(part)).coefficient == 1 and len(inner.powers) == 1:
             continue  # one factor, as above
         named = described(part, "the factor") or Words("a factor")
@@ -121,12 +149,13 @@ def of_product(
         yield LESS, "inverse", words, ("/", 1.0, s)
     c = abs(product.coefficient)
     if product.is_exact and c != 1 and c.denominator < 100:
-        for other in (c / 2, 2 * c):
+        for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
+            rank = LESS if other in (c / 2, 2 * c) else LEAST
             words = Words(
                 "takes the factor {other} for {own}{of}: the formula has {own}",
                 other=other, own=c, of=of,
             )  # fmt: skip
-            yield LESS, f"constant for {other}", words, ("*", s, float(other / c))
+            yield rank, f"constant for {other}", words, ("*", s, float(other / c))
         turn = next((x for x, power in product.powers.items() if (x.op, power) == ("pi", 2)), None)
         if turn is not None and c.numerator % 4 == 0:
             words = Words("does not square 2*pi{of}: the formula has its square", of=of)
@@ -139,42 +168,52 @@ def of_product(
 
 
 def _of_ratios(s, product, dimension, of):
-    """A ratio of two quantities of one dimension upside down, or not squared."""
-    above = [(x, n) for x, n in product.powers.items() if n > 0 and dimension(x) is not None]
-    for x, n in above:
-        for y, m in product.powers.items():
-            if m != -n or dimension(y) != dimension(x):
-                continue
-            ratio = {"a": described(x), "b": described(y)}
-            words = Words("inverts a ratio{of}: it is the other way round", of=of)
-            if all(ratio.values()):
-                words = Words("inverts the ratio of {a} to {b}: it is the other way round", **ratio)
-            power = float(2 * n)
-            yield LESS, "ratio", words, ("*", s, ("**", ("/", y, x), power))
-            if n > 1 and all(ratio.values()):
-                words = Words("does not square the ratio of {a} to {b}: the formula does", **ratio)
-                yield LESS, "ratio squared", words, ("*", s, ("/", y, x))
+    """A ratio of two quantities of one dimension upside down, or not squared: of two factors, or
+    of what a quotient within divides.
+    """
+    powers = product.powers.items()
+    ratios = [(x, y, n) for x, n in powers for y, m in powers if m == -n < 0]
+    inside = [a for a, _ in parts_of(s, "/") if a.op == "/" and any(map(_is_whole, a.args))]
+    for x, y, n in (*ratios, *((*a.args, 1) for a in inside)):
+        own = dimension(x) if isinstance(x, Step) else None
+        if own is None or not isinstance(y, Step) or dimension(y) != own:
+            continue
+        a, b = described(x), described(y)
+        ratio = Words("the ratio of {a} to {b}", a=a, b=b) if a and b else Words("a ratio")
+        for k, text in RATIOS.items():
+            if k < 0 or (n > 1 and a and b):
+                words = Words(text, ratio=ratio, of="" if a and b else of)
+                power = float(2 * n if k < 0 else n - 1)
+                yield LESS, f"ratio {k}", words, ("*", s, ("**", ("/", y, x), power))
 
 
-def _parts(s, op):
+def _is_whole(x):
+    """True of a product or a sum, False of a single factor."""
+    return isinstance(x, Step) and (x.op in PRODUCT or x.op in ("+", "-"))
+
+
+def parts_of(s: Step, op: str) -> Iterator[tuple[Step, str]]:
     """The products within a product, and the operation that takes each out of it."""
     for n, a in enumerate(s.args):
         if isinstance(a, Step) and a.op in PRODUCT:
             inner = op if n == 0 or s.op == "*" else "*/".replace(op, "")
             yield a, inner
-            yield from _parts(a, inner)
+            yield from parts_of(a, inner)
 
 
 def _of_factor(s, x, power, factor, of, why):
     named, the_factor = described(x), described(x, "the factor")
+    if (x.op, power) in DOUBLED and (angle := typed(*x.args)):
+        words = Words(DOUBLED[x.op, power], own=x.op, angle=angle)
+        double = (x.op, ("*", *x.args, 2.0)), ("*", x, x)
+        instead = ("sin", *x.args) if power < 0 else ("/", *double)
+        yield LESS, "function", words, ("*", s, instead)
     if power == 2:
         of = "" if of == f" of {named}^2" else of
         words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
         yield SIMPLE, "square", words, ("/", s, factor)
         words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
         yield LEAST, "half", words, ("*", s, 0.25)
-        words = Words("takes twice {factor}{of}: the formula has it once", factor=named, of=of)
-        yield LEAST, "twice", words, ("*", s, 4.0)
     elif power == -2:
         words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
         yield SIMPLE, "square", words, ("*", s, factor)
@@ -182,8 +221,6 @@ def _of_factor(s, x, power, factor, of, why):
         words = Words(LEAVES_OUT, factor=the_factor, of=of, why=why)
         cause = computed(f"factor {s.number} {x.number}", words, f"without {x.number}")
         yield LESS, "factor", cause, ("/", s, factor)
-        words = Words("squares {factor}{of}: {why}", factor=named, of=of, why=why)
-        yield LEAST, "squared", words, ("*", s, factor)
         words = Words("divides by {factor} instead of multiplying: {why}", factor=named, why=why)
         if power > 2:
             words = Words(
@@ -212,6 +249,11 @@ def _of_root(s):
     words = Words("leaves out the square root of {sum}: its square was found", sum=inside)
     yield SIMPLE, "root", words, x
     squares = _summands(x)
+    roots = {y.number: ("/", y, r) for y in squares if isinstance(y, Step) and (r := _number_in(y))}
+    if roots:
+        words = Words("does not square the numbers in {sum}: the whole term is squared", sum=inside)
+        sums = [roots.get(getattr(y, "number", -1), y) for y in squares]
+        yield SIMPLE, "numbers", words, ("sqrt", reduce(lambda a, b: ("+", a, b), sums))
     if len(squares) > 1 and all(Product(a).is_square for a in squares):
         words = Words("adds components as numbers: they are at right angles")
         sizes = [("sqrt", a) for a in squares]
@@ -222,6 +264,14 @@ def _of_root(s):
         roots: Any = (y.op, *(("sqrt", ("abs", a)) for a in y.args))
         words = Words("takes the root of each term of a sum: it is the root of the whole")
         yield LESS, "roots", words, ("*", s, ("/", roots, ("sqrt", y)))
+
+
+def _number_in(x):
+    """The root of the number in a square, as 3 of 9*c^2; None of another one."""
+    product = Product(x)
+    root = product.coefficient**0.5
+    squared = all(p % 2 == 0 for p in product.powers.values())
+    return root if product.is_exact and squared and root % 1 == 0 and root > 1 else None
 
 
 def _summands(x):
@@ -240,7 +290,7 @@ def _of_function(s):
             other=f"{twin}({inside})", own=f"{s.op}({inside})",
         )  # fmt: skip
         yield rank, f"cofunction {twin}", words, (twin, x)
-    if s.op in ("cos", "acos"):
+    if s.op in _SUPPLEMENT:
         words, turned = _SUPPLEMENT[s.op]
         if x.op == "argument" and s.op == "cos":  # given, as a latitude: no other angle is meant
             words = Words("has {cosine} with the opposite sign: look at the sign of its term")
@@ -253,6 +303,8 @@ _SUPPLEMENT = {
             lambda s: ("neg", s)),
     "acos": (Words("gives the supplement of {cosine}: a cosine has the opposite sign"),
              lambda s: ("acos", ("neg", s.args[0]))),
+    "asin": (Words("takes the supplement of {cosine}: it has the same sine, but does not fit here"),
+             lambda s: ("-", pi, s)),
 }  # fmt: skip
 
 
@@ -305,18 +357,40 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
         )
 
 
-def of_moment(s: Step, dimension: Dimension | None) -> Iterator[Slip]:
-    """The moment of inertia of another body, in a product of this dimension."""
-    if s.op not in PRODUCT or dimension not in (INERTIA, AREA):
+def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterator[Slip]:
+    """The moment of inertia of another body, in a product, and the centre of another one in a part
+    of a length.
+    """
+    product, whole = Product(s), dimension(s)
+    if s.op not in PRODUCT or whole is None or not product.is_exact:
         return
-    product = Product(s)
-    own = product.coefficient if product.is_exact else Fraction(0)
-    alike = RODS if own in RODS else BODIES.keys() - RODS
-    # a mass times a square may be that of a particle, or of a transfer
-    known = own in RODS or (own in {*BODIES, CONE} and own != 1 and dimension == INERTIA)
-    for other in sorted(alike - {own}) if known else ():
+    own, powers = product.coefficient, product.powers
+    if whole == LENGTH and len(powers) == 1 and own in CENTRES:
+        side = CENTRES[own][0]
+        alike = (c for c, (of, _) in CENTRES.items() if c != own and (of in side or side in of))
+        for other in alike:
+            words = Words(
+                "takes {other} of {length} for {own} of it: that is the centre of {body}",
+                other=other, own=own, length=described(next(iter(powers))), body=CENTRES[other][1],
+            )  # fmt: skip
+            yield LESS, f"centre {other}", words, ("*", s, float(other / own))
+    # of an energy the half of a moment of inertia, of a body of this diameter four times it
+    turns = whole != ENERGY or LENGTH in map(dimension, powers)  # m*v^2/2 is of no body
+    for n in {INERTIA: (1, 4), AREA: (1,), ENERGY: (2,)}.get(whole, ()) if turns else ():
+        yield from _of_body(s, own * n, n, whole)
+
+
+def _of_body(s, own, times, dimension):
+    """The factor of another body in a moment of inertia; a mass times a square may be that of a
+    particle, or of a transfer.
+    """
+    of_rod = own in RODS and times < 4
+    if not of_rod and (own not in {*BODIES, CONE} or dimension == AREA or own == 1 == times):
+        return
+    alike = RODS if of_rod or own == 1 else BODIES.keys() - RODS
+    for other in sorted(alike - {own}):
         words = Words(
             "takes the factor {other} for {own} in a moment of inertia: that is {body}",
             other=other, own=own, body=BODIES[other],
         )  # fmt: skip
-        yield RARER, f"body {other}", words, ("*", s, float(other / own))
+        yield RARER if times == 1 else LESS, f"body {other}", words, ("*", s, float(other / own))

@@ -49,6 +49,10 @@ class Fit:
         asked = 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) + 1 - DIGITS) if x else 0.0
         return self.rounding if others else min(self.rounding, asked)
 
+    def times(self, factor: float) -> Points:
+        """The key times a factor."""
+        return tuple(tuple(factor * x for x in point) for point in self.key)
+
     @property
     def first(self) -> tuple[Point, Point, float]:
         """(answer, key, size of the key) at the first point where the key has a value."""

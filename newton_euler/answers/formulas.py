@@ -113,7 +113,9 @@ def dimensions_of(steps: Sequence[Step], units: Mapping[str, Unit]) -> dict[Step
     for s in steps:
         try:
             args = [found[a] if isinstance(a, Step) else a for a in s.args]
-            found[s] = units[s.args[0]].dimension if s.op == "argument" else run[s.op](*args)
+            number = Dimension() if s.op == "pi" else None
+            given = units[s.args[0]].dimension if s.op == "argument" else number
+            found[s] = given or run[s.op](*args)
         except (NewtonEulerError, TypeError, AttributeError, KeyError):
             found[s] = None
     return {s: d if isinstance(d, Dimension) and _is_whole(d) else None for s, d in found.items()}

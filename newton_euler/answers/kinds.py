@@ -5,14 +5,24 @@ with the key, worded, typeset, drawn with other numbers and hinted at. A new kin
 import contextlib
 import math
 from collections.abc import Mapping, Sequence
+from itertools import chain
 from typing import Any, ClassVar
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.language import Words, _, plural
 from ..algebra.scalars import clipped, sqrt
+from ..algebra.units import unit as unit_of
 from ..algebra.vectors import Vector
 from . import slips, tolerance
-from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, Cause
+from .causes import (
+    DIRECTION,
+    FIRST_DIGITS,
+    NEAR,
+    NEAR_IN_FEW_DIGITS,
+    NUMBERS,
+    Cause,
+    right_but,
+)
 from .fit import Fit, most_digits
 from .messages import Stated
 from .notation import list_symbol, matrix_symbol
@@ -142,6 +152,15 @@ class Kind:
             return None
         return NEAR_IN_FEW_DIGITS if most_digits(given[0]) < tolerance.DIGITS else NEAR
 
+    def _in_part(self, given, key):
+        """That some components are right, if any is that is not zero."""
+        near = [self.rtol * math.hypot(*k) for k in key]
+        triples = [*zip(given, key, near, strict=True)]
+        places = range(self.length)
+        off = [n for n in places if any(not abs(x[n] - k[n]) <= e for x, k, e in triples)]
+        right = any(abs(k[n]) > e for _, k, e in triples for n in {*places} - {*off})
+        return right_but(off, self.length) if right and off else None
+
     # -- other numbers
 
     def unfit(self, points: Points) -> str | None:
@@ -234,7 +253,8 @@ class VectorKind(Kind):
             return seen
         fit, size = Fit(given, key, self.rtol), math.hypot(*key[0])
         off = abs(math.hypot(*given[0]) - size)
-        return DIRECTION if size and off <= max(tolerance.SAME_SIZE * size, fit.rounding) else None
+        is_turned = size and off <= max(tolerance.SAME_SIZE * size, fit.rounding)
+        return DIRECTION if is_turned else self._in_part(given, key)
 
 
 def _chain(frame):
@@ -314,6 +334,9 @@ class Matrix(Kind):
     def slips(self, fit):
         return slips.of_matrix(fit)
 
+    def observed(self, given, key):
+        return super().observed(given, key) or self._in_part(given, key)
+
     def nested(self, parts):
         return [list(parts[n : n + 3]) for n in (0, 3, 6)]
 
@@ -354,10 +377,15 @@ class _Formula(Kind):
         return formula_is_near(given, key, atol)
 
     def factors(self, unit):
-        return slips.PURE  # a formula is in no unit
+        of_angle = unit_of(unit).is_of_angle  # a formula is in no other unit
+        return slips.PURE | slips.ANGLES if of_angle else slips.PURE
 
     def observed(self, given, key):
-        return None
+        pairs = zip(chain(*given), chain(*key), strict=True)
+        ratios = [x / k if k else math.inf for x, k in pairs if k or x]
+        first = next((x for x in ratios if math.isfinite(x)), 0.0)
+        alike = first and all(abs(x - first) <= self.rtol * abs(first) for x in ratios)
+        return NUMBERS if alike else self._in_part(given, key)
 
     def unfit(self, points):
         real = sum(math.isfinite(math.hypot(*x)) for x in points)

@@ -1,22 +1,28 @@
-"""Two mistakes at once, where no single one explains an answer: one of the problem's own, or the
-opposite sign, and another. What they change is added, as of terms, or multiplied, as of factors, or
-stands under one root.
+"""Two mistakes at once, where no single one explains an answer: one of the problem's own, the
+opposite sign or a factor of 2, and another. What they change is added, as of terms, or multiplied,
+as of factors, or stands under one root.
 
 A number meets some pair by chance. Of formulas in symbols alone a pair must give all digits at all
-points; of numbers two components or more must be wrong, each in its own way, and all pairs count as
-tried. Two slips in the computation are never named: these explain guesses as well.
+points; of numbers, all pairs that are as simple and near count as tried. Two slips in the
+computation are never named: these explain guesses as well.
 """
 
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
-from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both
+from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both, left_out, multiple_of, multiplied
 from .fit import Fit
+from .formulas import FIRST
 from .kinds import Kind
-from .near import AROUND, CHANCE, Singles
+from .near import AROUND, Singles
+from .slips import PURE
 from .tolerance import NOISE, ROUND_OFF, Points
+
+(TWO, *_) = PURE
+CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
 def of_two(
@@ -32,38 +38,40 @@ def of_two(
     own : the models of the problem's own mistakes
     slips : finds those that may be made beside one of them
     """
-    of_numbers = kind.has_size and len(fit.key[0]) > 1  # any single number meets some pair
-    if fit.index is None or not (of_numbers or kind.is_formula):
+    if fit.index is None or not (kind.has_size or kind.is_formula):
         return ()
     try:
         import numpy  # noqa: F401
     except ImportError:  # on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, Cause], None]] = {}
-    for level, pair in _Pairs(fit, kind, own, slips()).fitting():
+    pairs = _Pairs(fit, kind, own, slips())
+    for level, pair in pairs.fitting():
         if not any(map(is_contradicted, pair)):
             found.setdefault(level, {})[pair] = None
     simplest = [*found[min(found)]] if found else []
     is_one = len(simplest) == 1 or kind.is_formula
-    return (both(*simplest[0]),) if simplest and is_one else ()
+    return (both(*simplest[0]),) if simplest and is_one else pairs.multiple()
 
 
 class _Pairs:
     """The pairs that an answer meets; each row of ``rows`` is what a single mistake makes of it, of
-    which the first ``own`` are the problem's own, and the last the opposite sign.
+    which the first ``own`` are the problem's own and a factor of 2, and the last the opposite sign.
     """
 
     def __init__(self, fit, kind, own, slips):
-        self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own), own, slips
+        self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own) + 2, own, slips
         self.of_symbols = kind.is_formula and slips.of_symbols
+        self.exactly = fit.rtol if kind.is_formula and not self.of_symbols else ROUND_OFF
 
     @cached_property
     def causes(self) -> list[tuple[int, Cause]]:
         """(how simple, the cause) of each row; the opposite sign has words of its own, which are
         shorter.
         """
-        opposite = tuple(tuple(-x for x in point) for point in self.fit.key)
+        opposite = self.fit.times(-1.0)
         own = [(4 if x == opposite else 2 * (c.group != "listed"), c) for c, x in self.models]
+        own += [(2, multiplied(TWO, 2.0, large)) for large in (True, False)]
         return [*own, *((n + 2, c) for n, c in self.slips.causes), (1, OPPOSITE_NUMBER)]
 
     def at(self, point: int) -> tuple[Any, Any]:
@@ -71,8 +79,9 @@ class _Pairs:
         import numpy as np
 
         key = np.array(self.fit.key[point], float)
-        rows = [*(x[point] for _, x in self.models), *self.slips.at(point), -key]
-        return key, np.array(rows, float)
+        parts = [x[point] for _, x in self.models], self.slips.at(point)
+        own, slips = (np.array(x, float).reshape(-1, len(key)) for x in parts)
+        return key, np.concatenate((own, (2 * key, key / 2), slips, (-key,)))
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
         """(how simple, the two causes) of each pair that is met."""
@@ -90,9 +99,9 @@ class _Pairs:
 
         given, size = np.array(self.fit.first[0], float), math.hypot(*self.fit.first[0])
         key, rows = self.at(self.fit.index)
-        near = max(ROUND_OFF * size, self.fit.rounding)
+        near = max(self.exactly * size, self.fit.rounding)
         off = abs(given - key) > near
-        is_possible = 0 < size < math.inf and off.any()
+        is_possible = NOISE * math.hypot(*key) < size < math.inf and off.any()
         if not is_possible or not self._is_met_in_one(rows, key, given, near):
             return
         # what undoes another mistake, or leaves nothing, is none of two
@@ -101,18 +110,34 @@ class _Pairs:
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
         usable[last] = len(key) == off.sum() or not key[~off].any()
-        needs_sign = self.kind.is_formula and not self.of_symbols
-        firsts = np.flatnonzero(usable[: 0 if needs_sign else self.own])
-        seconds = np.flatnonzero(usable)
+        ratio = given[off] / key[off]
+        alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
+        share, wrong = near / (AROUND * size), int(off.sum())
+        levels = np.array([n for n, _ in self.causes])
+        usable[self.own : last] &= levels[self.own : last] > FIRST // 2 + 2  # handed back alone
+        firsts, seconds = np.flatnonzero(usable[: self.own]), np.flatnonzero(usable)
         tried = [(op, firsts) for op in self._operations()]
         tried += [(_multiplied, np.flatnonzero(usable[last:]) + last)]
         for op, places in tried:
-            made = op(rows[places][:, None], rows[seconds], key)
-            for i, j in np.argwhere((abs(made - given) <= near).all(axis=2)):
+            gaps = abs(op(rows[places][:, None], rows[seconds], key) - given)
+            sums = levels[places][:, None] + levels[seconds]
+            there = sums[(gaps <= AROUND * size).all(axis=2)]
+            for i, j in np.argwhere((gaps <= near).all(axis=2)):
                 one, two = sorted((int(places[i]), int(seconds[j])))
-                met = math.dist(made[i, j], given) <= near
+                is_slip, by_factor = self.own <= two < last, self.own - 2 <= one < self.own
+                of_numbers = self.kind.is_formula and not self.of_symbols
+                by_sign = two == last
+                twice = abs(abs(np.log2(abs(rows[one] / key))) - 1).max() < NOISE
+                is_number = self.kind.is_met_by_chance
+                is_mere = by_factor and not (by_sign and self.of_symbols)
+                is_mere |= bool(by_sign and is_number and twice)
+                if is_mere or (is_slip and of_numbers):
+                    continue
+                shares = share ** (1 if alike and not by_sign else wrong)
+                by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
+                met = self.of_symbols or not by_chance
                 differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
-                if met and differ and self._is_named(one, two, op, near, given, key, off):
+                if met and differ and self._is_named(one, two, op):
                     yield one, two
 
     def _is_met_in_one(self, rows, key, given, near):
@@ -122,33 +147,23 @@ class _Pairs:
         own = x[[*range(self.own), -1]][:, None]
         close = abs(own + x - (k + y)) <= 2 * near
         close |= abs(own * x - k * y) <= 2 * near * abs(k)
-        if self.of_symbols:
+        if self.kind.length == 1:
             close |= abs(abs(own * own + x * x - k * k) ** 0.5 - abs(y)) <= 2 * near
         return close.any()
 
     def _operations(self):
-        return (_added, _multiplied, *[_under_a_root] * (self.of_symbols and self.kind.length == 1))
+        return (_added, _multiplied, *[_under_a_root] * (self.kind.length == 1))
 
-    def _is_named(self, i, j, op, near, given, key, off):
-        """True of what is met neither by chance nor by two mere factors."""
-        import numpy as np
-
-        by_sign = j == len(self.causes) - 1
-        if by_sign and op is not _multiplied:
-            return False
-        if self.kind.is_formula:
-            return (self.of_symbols or by_sign) and self._is_met_everywhere(i, j, op)
-        if len(key) < 2 or (j < self.own and op is not _added):
-            return False
-        tried = self.own**2
-        if j >= self.own:
-            ratio = given[off] / key[off]
-            alike = np.ptp(ratio) <= 0.01 * abs(ratio).max()
-            if off.sum() < 2 or (alike and not by_sign) or not given[off].all():
+    def _is_named(self, i, j, op):
+        """True of what is not met by two mere factors, and of a formula at all points."""
+        by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
+        if op is _multiplied and not by_sign:
+            key, rows = self.at(self.fit.index)
+            if _are_powers(*(rows[[i, j]][:, key != 0] / key[key != 0])):
                 return False
-            tried = len(self.causes) * (1 if by_sign else self.own + 1)
-        share = near / (AROUND * math.hypot(*given))
-        return tried * share ** int(off.sum()) <= CHANCE
+        return not (by_sign and op is not _multiplied) and (
+            not of_formula or self._is_met_everywhere(i, j, op)
+        )
 
     def _is_met_everywhere(self, i, j, op):
         import numpy as np
@@ -157,7 +172,7 @@ class _Pairs:
         for n, given in enumerate(self.fit.given):
             key, rows = self.at(n)
             if np.isfinite(key).all() and np.isfinite(rows[[i, j]]).all():
-                if math.dist(op(rows[i], rows[j], key), given) > ROUND_OFF * math.hypot(*given):
+                if math.dist(op(rows[i], rows[j], key), given) > self.exactly * math.hypot(*given):
                     return False
                 ratios.append(rows[[i, j]][:, key != 0] / key[key != 0])
         first, second = (np.array(x) for x in zip(*ratios, strict=True))
@@ -168,6 +183,38 @@ class _Pairs:
         by_sign = any((abs(abs(x) - 1) < NOISE).all() for x in (first, second))
         return by_sign or any((np.ptp(x, axis=0) >= NOISE).any() for x in (first, second))
 
+    def multiple(self) -> tuple[Cause, ...]:
+        """A term of which the answer has another multiple, where the rest is right; the simplest.
+        It must show in two components or points, by the digits that were written.
+        """
+        import numpy as np
+
+        points, size = range(len(self.fit.key)), math.hypot(*self.fit.first[0])
+        pairs = zip(chain(*self.fit.given[:2]), chain(*self.fit.key[:2]), strict=True)
+        first, *ratios = [x / k for x, k in pairs if k] or [0.0]
+        if all(abs(x - first) <= 0.01 * abs(first) for x in ratios):
+            return ()  # a single number, or the whole is multiplied
+        terms = [(n, k, x) for k, (n, c) in enumerate(self.causes) if (x := left_out(c))]
+        if not terms or not NOISE * self.fit.first[2] < size < math.inf:
+            return ()
+        places, near = [k for _, k, _ in terms], max(self.exactly * size, self.fit.rounding)
+        for last in (1, len(points)) if len(points) > 1 else (0,):
+            keys, rows = zip(*(self.at(n) for n in points[: last + 1]), strict=True)
+            key, off = np.concatenate(keys), np.concatenate(self.fit.given[: last + 1])
+            off = off - key
+            changed = np.concatenate([r[places] for r in rows], axis=1) - key
+            with np.errstate(all="ignore"):
+                gaps = _off_line(off, changed)
+                shown = (abs(changed) > NOISE * size).sum(axis=1)
+                is_met = (gaps <= near) & (shown > 1)
+                is_met &= _off_line(key, changed) > NOISE * size  # what is the whole is no term
+            if not is_met.any():
+                return ()
+        chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
+        is_met &= chance <= CHANCE
+        largest = np.where(is_met, abs(changed).max(axis=1), 0).argmax()
+        return (multiple_of(terms[largest][-1]),) if is_met.any() else ()
+
     def _upside_down(self):
         import numpy as np
 
@@ -177,6 +224,22 @@ class _Pairs:
                 if met.any():
                     met &= abs(self.at(n)[1][: self.own, 0] * x - 1) <= ROUND_OFF
             yield from np.flatnonzero(met)
+
+
+def _are_powers(x, y):
+    """True of changes of which one is a power of the other: a third power is met by them."""
+    import numpy as np
+
+    with np.errstate(all="ignore"):
+        power = (np.log(abs(x)) / np.log(abs(y))).ravel()
+    whole = 12 * power  # of halves, thirds and fourths
+    return bool(whole[0]) and bool((abs(whole - np.round(whole[0])) < NOISE).all())
+
+
+def _off_line(x, lines):
+    """How far a point is from each of the lines through zero."""
+    times = (lines * x).sum(axis=1) / (lines**2).sum(axis=1)
+    return abs(times[:, None] * lines - x).max(axis=1)
 
 
 def _added(x, y, key):

@@ -25,6 +25,7 @@ PURE: dict[str, float] = {
 WHOLE = {
     Words("a factor of 3"): 3.0, Words("a factor of 4"): 4.0, Words("a factor of pi"): math.pi,
 }  # fmt: skip
+TENS = {Words("one decimal place"): 10.0, Words("two decimal places"): 100.0}
 ANGLES: dict[str, float] = {
     Words("degrees against radians"): 180 / math.pi,
     Words("rev/min against rad/s"): 30 / math.pi,
@@ -54,28 +55,33 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
     """The key times the factors that may fit, found by the first point of the answer."""
     if fit.index is None:
         return
-    given, key, size = fit.first
-    ratio = math.hypot(*given) / (size or math.inf)
+    ratio = _ratio(fit)
     if 0.9 < ratio < 1.1:
-        yield causes.OPPOSITE if len(key) > 1 else causes.OPPOSITE_NUMBER, _times(-1.0, fit.key)
+        yield causes.OPPOSITE if len(fit.first[1]) > 1 else causes.OPPOSITE_NUMBER, fit.times(-1.0)
     yield from _factors(fit, ratio, found)
 
 
 def of_last_resort(fit: Fit) -> Models:
     """Factors that say little, and the inverse: named where nothing else explains an answer."""
-    if fit.index is None:
-        return
-    given, key, size = fit.first
-    yield from _factors(fit, math.hypot(*given) / (size or math.inf), WHOLE)
-    yield from of_components(fit)
-    yield from _of_other_axes(fit) if len(key) == 9 else ()
-    yield from of_powers(fit)
+    if fit.index is not None:
+        yield from _factors(fit, _ratio(fit), WHOLE)
+        yield from of_components(fit)
+        yield from _of_other_axes(fit) if len(fit.first[1]) == 9 else ()
+        yield from of_powers(fit)
+
+
+def _ratio(fit):
+    given, _, size = fit.first
+    return math.hypot(*given) / (size or math.inf)
 
 
 def of_powers(fit: Fit) -> Models:
-    """The square, the root and the inverse of the key; of a vector, some components of it."""
+    """A power of ten; the square, the root and the inverse of the key; of a vector, some components
+    of it.
+    """
     if fit.index is None:
         return
+    yield from _factors(fit, _ratio(fit), TENS)
     if len(fit.first[1]) != 1:
         yield from left_out(fit) if len(fit.first[1]) == 3 else ()
         return
@@ -115,38 +121,41 @@ def of_components(fit: Fit) -> Models:
 def _factors(fit, ratio, found):
     for words, factor in found.items():
         if 0.9 * factor < ratio < 1.1 * factor:
-            yield causes.multiplied(words, factor, True), _times(factor, fit.key)
+            yield causes.multiplied(words, factor, True), fit.times(factor)
         if 0.9 / factor < ratio < 1.1 / factor:
-            yield causes.multiplied(words, factor, False), _times(1 / factor, fit.key)
-
-
-def _times(factor, points):
-    return tuple(tuple(factor * x for x in point) for point in points)
+            yield causes.multiplied(words, factor, False), fit.times(1 / factor)
 
 
 def of_matrix(fit: Fit) -> Models:
     """A matrix transposed, or with products of inertia of the other sign."""
     yield causes.TRANSPOSED, _ordered((0, 3, 6, 1, 4, 7, 2, 5, 8), fit.key)
     yield causes.OFF_DIAGONAL, _signed((1, -1, -1, -1, 1, -1, -1, -1, 1), fit.key)
+    yield causes.DIAGONAL_ONLY, _signed((1, 0, 0, 0, 1, 0, 0, 0, 1), fit.key)
     yield from _of_one_entry(fit)
 
 
 def _of_one_entry(fit):
     """A matrix with a product of inertia, and its mirror image, left out or of the other sign; two
-    entries on the diagonal exchanged, or one the sum of the others.
+    moments or two products exchanged, or one moment the sum of the others.
     """
     if fit.index is None:
         return
+    for n in range(3):
+        yield causes.entry_left_out(n, n), _signed([x != 4 * n for x in range(9)], fit.key)
     for n, m in combinations(range(3), 2):
         pair, (a, b) = (3 * n + m, 3 * m + n), (4 * n, 4 * m)
         for cause, factor in ((causes.entry_left_out(n, m), 0), (causes.entry_reversed(n, m), -1)):
             if fit.first[1][pair[0]]:
                 yield cause, _signed([factor if x in pair else 1 for x in range(9)], fit.key)
-        order = [{a: b, b: a}.get(x, x) for x in range(9)]
-        yield causes.exchanged_diagonal(n, m), _ordered(order, fit.key)
-        last = 4 * (3 - n - m)
+        k = 3 - n - m
+        for one, other in (((n, n), (m, m)), ((n, k), (m, k))):
+            (a1, a2), (b1, b2) = ((3 * i + j, 3 * j + i) for i, j in (one, other))
+            order = {a1: b1, a2: b2, b1: a1, b2: a2}
+            moved = [order.get(x, x) for x in range(9)]
+            yield causes.exchanged_entries(one, other), _ordered(moved, fit.key)
+        last = 4 * k
         sums = (tuple(p[a] + p[b] if x == last else p[x] for x in range(9)) for p in fit.key)
-        yield causes.sum_on_diagonal(3 - n - m), tuple(sums)
+        yield causes.sum_on_diagonal(k), tuple(sums)
 
 
 def of_interval(fit: Fit) -> Models:

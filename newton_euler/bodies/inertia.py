@@ -32,7 +32,7 @@ from ..algebra.scalars import (
     sqrt,
     to_plain,
 )
-from ..algebra.vectors import ZERO3, FrameError, Vector, add3, dot3, scale3, sum3
+from ..algebra.vectors import ZERO3, FrameError, Vector, add3, dot3, scale3, sum3, three
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, check
 from .principal_axes import Principal, Symmetry, principal, symmetry
@@ -289,13 +289,9 @@ class Inertia(Scaled, NamedTerms):
 
 
 def _three(values, what):
-    try:
-        given = tuple(real_scalar(x) for x in values) if len(values) == 3 else ()
-    except TypeError:
-        given = ()
-    if len(given) != 3:
-        raise MassError(f"{what} are three numbers, got {values!r}")
-    return given
+    if given := three(values):
+        return given
+    raise MassError(f"{what} are three numbers, got {values!r}")
 
 
 def axis_index(name: str) -> tuple[int, int]:

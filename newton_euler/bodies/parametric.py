@@ -12,7 +12,7 @@ from itertools import product
 from ..algebra.errors import Accuracy, checked
 from ..algebra.integrals import NEAR_MIDDLE, over_cube
 from ..algebra.jets import Moving, as_moving
-from ..algebra.late import is_here
+from ..algebra.late import is_here, np, sympy
 from ..algebra.quadrature import cubature
 from ..algebra.scalars import (
     ZERO,
@@ -130,8 +130,6 @@ def _tidy(x):
     """An expression as a fraction of polynomials without common factors; numbers as they are."""
     if not is_expression(x):
         return x
-    import sympy
-
     return sympy.cancel(x)
 
 
@@ -202,8 +200,6 @@ def _numeric(position, limits, weigh, rtol, name):
     if not is_here("scipy"):
         reference, values, _ = _of_any_kind(position, limits, weigh, name)
         return reference, [float(to_plain(x)) for x in values], GAUSS
-    import numpy as np
-
     n = len(limits)
     with np.errstate(all="ignore"):  # _scales and cubature refuse values that are not finite
         middle, _ = _parameters(limits, [np.array([0.5])] * n)
@@ -246,8 +242,6 @@ def _moments(position, limits, weigh, reference, unit):
 def _scales(sample, name):
     """Rough content, mass, mass times length and mass times length squared, for relative errors."""
 
-    import numpy as np
-
     if not np.isfinite(sample).all():
         raise MassError(
             f"the formula of {name} has no finite value at some of its points; look at the "
@@ -267,8 +261,6 @@ def _scales(sample, name):
 
 
 def _exact(position, limits, weigh, name):
-    import sympy
-
     symbols = sympy.symbols(f"u0:{len(limits)}", real=True, cls=sympy.Dummy)
     bounds = [
         tuple(sympy.sympify(x(*symbols[:n]) if callable(x) else x) for x in pair)
@@ -296,8 +288,6 @@ def _exact(position, limits, weigh, name):
 
 def _exact_content(tangents):
     """The content per unit of the parameters, up to its sign."""
-    import sympy
-
     spanned = _spanned(tangents)
     if len(tangents) == 3:
         return sympy.trigsimp(sympy.expand(spanned))
@@ -310,8 +300,6 @@ def _exact_content(tangents):
 
 def _sense(dV, symbols, bounds, name):
     """The sign of the content, +1 or -1, from sample points and sample values of the symbols."""
-    import sympy
-
     free = dV.free_symbols.union(*(x.free_symbols for pair in bounds for x in pair))
     others = sorted(free - set(symbols), key=str)
     # unequal fractions, so that no sample point lies on an axis or plane of symmetry

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..algebra.errors import Tolerance, checked
-from ..algebra.late import is_here
+from ..algebra.late import is_here, np, sympy
 from ..algebra.scalars import (
     ZERO,
     acos,
@@ -159,8 +159,6 @@ def _as_floats(x):
 
 
 def _of_arrays(inertia, noise):
-    import numpy as np
-
     values, axes = zip(*_by_numpy(np.moveaxis(inertia.to_array(), -1, 0)), strict=True)
     axes = np.moveaxis(np.array(axes, dtype=float), 0, -1)
     return _with_report(inertia, noise, np.array(values).T, axes)
@@ -168,8 +166,6 @@ def _of_arrays(inertia, noise):
 
 def _by_numpy(matrices):
     """Moments and axes of each of the matrices."""
-    import numpy as np
-
     values, columns = np.linalg.eigh(np.asarray(matrices, dtype=float))
     pairs = zip(values.tolist(), columns.swapaxes(-1, -2).tolist(), strict=True)
     return [(v, _canonical(v, c)) for v, c in pairs]
@@ -239,8 +235,6 @@ def _unit(v):
 
 def _by_sympy(rows):
     """Exact moments and axes; None unless the roots of (7.20) are fractions or their roots."""
-    import sympy
-
     M = sympy.Matrix([[sympy.nsimplify(x, rational=True) for x in row] for row in rows])
     if len(sympy.roots(M.charpoly(), cubics=False, multiple=True)) < 3:
         return None

@@ -205,15 +205,15 @@ def check(problem: str, fields: Mapping[str, Sequence[str]]) -> dict[str, Any]:
 
 def hint(problem: str) -> dict[str, str]:
     """Where to go on, in Markdown; asked again, more."""
-    return _said(_desk.problem(problem), PracticeProblem.next_step)
+    return _help(_desk.problem(problem), PracticeProblem.next_step)
 
 
 def solution(problem: str) -> dict[str, str]:
     """The worked solution in the numbers at hand, in Markdown."""
-    return _said(_desk.problem(problem), PracticeProblem.solution)
+    return _help(_desk.problem(problem), PracticeProblem.solution)
 
 
-def _said(p, help):
+def _help(p, help):
     with p.spoken_of(ON_A_PAGE):
         message: Message = help(p)
     return {"text": message.markdown, "kept": str(_desk.progress)}

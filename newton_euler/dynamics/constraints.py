@@ -186,6 +186,9 @@ class _System:
                 )
 
     def given(self, at):
+        """The configuration ``at``, {body: its coordinates}, as a list of floats; raises
+        :class:`ConstraintError` where bodies or numbers miss, or a constraint does not hold.
+        """
         if set(at) != set(self.places):
             raise ConstraintError(
                 f"at= gives the coordinates of every body ({', '.join(self.places)}); it has "

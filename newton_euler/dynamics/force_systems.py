@@ -17,16 +17,7 @@ from dataclasses import dataclass, replace
 from ..algebra.errors import Tolerance, checked
 from ..algebra.ledger import distinct
 from ..algebra.names import guided
-from ..algebra.scalars import (
-    Scalar,
-    clipped,
-    is_numeric,
-    max_abs,
-    min_abs,
-    scalar,
-    short,
-    to_plain,
-)
+from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
 

@@ -16,9 +16,9 @@ values: they take numbers of all kinds and arrays of shape (N,) as entries, and 
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked, checked_but
+from ..algebra.late import np
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -35,11 +35,8 @@ from ..algebra.scalars import (
     where,
     without_rates,
 )
-from ..algebra.vectors import Vector, cross3, dot3, scale3
+from ..algebra.vectors import Vector, cross3, dot3, scale3, three
 from .frames import Frame, Point, divided_by_length, vanishes
-
-if TYPE_CHECKING:  # importing numpy takes 0.1 s, and only one function needs it
-    import numpy as np
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
 Triple = Sequence[Scalar] | Vector
@@ -185,13 +182,9 @@ def _unit(axis, angle):
 
 
 def _three(v, what):
-    try:
-        given = tuple(real_scalar(x) for x in v) if len(v) == 3 else ()
-    except TypeError:
-        given = ()
-    if len(given) != 3:
-        raise RotationError(f"{what} has three components, numbers as in (0, 0.6, 0.8); got {v!r}")
-    return given
+    if given := three(v):
+        return given
+    raise RotationError(f"{what} has three components, numbers as in (0, 0.6, 0.8); got {v!r}")
 
 
 def _length_and_direction(v):
@@ -488,8 +481,6 @@ def unwound(
     >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
     [0.0, 7.283185, 14.566371]
     """
-    import numpy as np
-
     q, w, t = (np.asarray(x, dtype=float) for x in (angles, rates, times))
     missing = np.diff(t) * (w[1:] + w[:-1]) / 2 - np.diff(q)
     turns = np.round(missing / (2 * np.pi))

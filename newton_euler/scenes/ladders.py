@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from ..algebra.errors import Tolerance, checked, checked_but
+from ..algebra.late import np
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import Scalar, is_numeric, max_abs
@@ -136,8 +137,6 @@ class Ladder:
     @checked
     def observe(self, rung: Rung, rtol: float) -> "ndarray":
         """What is observed of a rung, an array (components, instants), at this ``rtol``."""
-        import numpy as np
-
         from ..motion.integration import integrate
         from ..motion.prepared import prepared_model
         from ..motion.solution import FarError
@@ -166,8 +165,6 @@ class Ladder:
     @checked
     def distances(self, rung: Rung, accuracy: Tolerance = 0.0) -> "ndarray":
         """The distance from the fullest rung at each of the instants; the largest is the error."""
-        import numpy as np
-
         if rung is self.fullest:
             return np.zeros(INSTANTS)
         full = self.fullest
@@ -175,8 +172,6 @@ class Ladder:
         return self._kept(accuracy, [rung, full], lambda: self._apart(rung, observed, accuracy))
 
     def _apart(self, rung, full, accuracy):
-        import numpy as np
-
         try:
             apart = self.observed(rung, accuracy) - full
         except ModelError:

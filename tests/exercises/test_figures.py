@@ -72,6 +72,13 @@ def test_4_31_shows_the_end_face_on_which_P_is(seed):
     ("2/32", {"v", "$c_A$", "$c_B$"}),
     ("2/37", {r"$\omega$", r"$\alpha$", "u"}),
     ("2/38", {r"$\omega$", "d", "u"}),
+    ("2/26", {r"$\dot L$"}),
+    ("2/33", {r"$\omega,\ \alpha$"}),
+    ("4/21", {r"$|\dot\gamma|$"}),
+    ("4/15", {r"$\omega_2,\ \dot\omega_2$"}),
+    ("8/13", {r"$\omega,\ \alpha$"}),
+    ("10/8", {"p"}),
+    ("11/15", {r"$\omega_A$"}),
     ("4/8", {"$v_A$", "$v_B$", "$a_A$", r"$\omega_x$"}),
     ("11/3", {"W", "F"}),
     ("11/20", {"f"}),
@@ -85,3 +92,17 @@ def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
     assert rates <= {t.get_text().strip() for t in ax.texts} | {
         t.get_text().strip("$") for t in ax.texts
     }
+
+
+@pytest.mark.parametrize(("problem_id", "points"), [
+    ("4/34", ""), ("4/37", ""), ("4/40", "A"), ("4/41", "B"), ("4/42", "ABC"), ("4/43", "ABD"),
+])  # fmt: skip
+def test_problems_with_one_machine_show_their_own_points(problem_id, points):
+    """A point that the text does not name leads nowhere."""
+    ax = Figure(figsize=(5.2, 4)).add_subplot()
+    p = problem(problem_id)
+    p.code.draw(p.base(values(p, 1)), ax)
+    (sketch,) = sketches_on(ax)
+    sketch.finish()
+    shown = {t.get_text() for t in ax.texts} & set("ABCD")
+    assert shown == set(points)

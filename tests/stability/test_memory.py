@@ -155,16 +155,3 @@ def test_prepared_runs_that_are_dropped_do_not_stay():
         )
 
     assert more_objects(make, 3 * KEPT, 300) < FEW
-
-
-def test_models_of_one_formula_share_one_integrator():
-    """Each takes about 2 MB, which Python does not count."""
-    pytest.importorskip("heyoka")
-
-    known = set()
-    for _ in range(20):
-        model = Model("new", {"k": 1.0}, STATES, eval(RATES.format(n=123457)))
-        integrate(model, 0.01, (0.3, 0.0), 1e-9, "taylor")
-        pools = prepared_module.prepared_model(model).traced.integrators.values()
-        known |= {id(integrator) for pool in pools for integrator in pool}
-    assert len(known) == 2  # of the order, and of that with which it is compared

@@ -44,7 +44,6 @@ from newton_euler.kinematics import curvilinear, frenet
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.model import Neglected
 from newton_euler.motion.prepared import prepared_model
-from newton_euler.motion.solution import MotionError
 from newton_euler.scenes import LADDERS, SCENES, ladder, scene
 from newton_euler.scenes.ladders import Ladder, Rung
 
@@ -237,14 +236,6 @@ def test_a_motion_that_was_sent_belongs_to_what_its_functions_read_then():
     space["G"] = 1.62
     assert differences(motion, sent(motion)) == []
     assert sent(motion).drift["energy"] < 1e-9
-
-
-def test_a_motion_that_failed_can_be_sent_with_its_error():
-    with pytest.raises(MotionError) as raised:
-        integrate(Model("falls in", {}, ("r",), lambda s, p, t: (-1 / s.r,)), 2.0, (1.0,), 1e-6)
-    there = sent(raised.value)
-    assert str(there) == str(raised.value)
-    assert there.reached.end == raised.value.reached.end
 
 
 def test_many_motions_can_be_sent():

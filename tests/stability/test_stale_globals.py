@@ -2,10 +2,8 @@
 no motion depends on what ran before.
 """
 
-import gc
 import math
 import sys
-import weakref
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from types import FunctionType, ModuleType, SimpleNamespace
@@ -348,17 +346,6 @@ def test_functions_that_call_each_other_are_read_once():
     assert reads.hold()
     space["odd"] = lambda n: False
     assert not reads.hold()
-
-
-def test_a_cache_by_function_keeps_no_function_alive():
-    first = None
-    for n in range(200):
-        rhs = eval(f"lambda s, p, t: (s.v, -{n}.5)")
-        first = first or weakref.ref(rhs)
-        prepared_model(model_of(rhs))
-        del rhs
-    gc.collect()
-    assert first() is None
 
 
 def test_threads_that_change_and_integrate_do_not_mix():

@@ -7,7 +7,8 @@ import sys
 PRELOAD = (
     "numpy", "sympy", "mpmath", "scipy.linalg", "scipy.optimize", "scipy.integrate",
     "numpy.testing", "newton_euler", "newton_euler.answers.receipts",
-    "newton_euler.kinematics",  # from which the first cell of every notebook imports names
+    # from which the first cell of every notebook imports names
+    "newton_euler.kinematics", "newton_euler.classroom",
 )  # fmt: skip
 # packages that an instructor's tests use, and that run them; all of scipy would double the cost
 TRUSTED = (

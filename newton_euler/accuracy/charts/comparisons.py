@@ -5,14 +5,7 @@ from itertools import groupby
 from operator import attrgetter
 
 from ...algebra.late import EngFormatter
-from ..measurements.measure import (
-    ALIKE,
-    EQUAL_WITHIN,
-    ROUND_OFF,
-    cheapest,
-    of_equal_cost,
-    repeated,
-)
+from ..measurements.measure import ALIKE, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost, repeated
 from .axes import COLOURS, MARKERS, chart, log_log
 from .words import about_times, agreed, listed, number, seconds
 

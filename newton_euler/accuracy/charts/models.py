@@ -41,12 +41,8 @@ def measured_models(ladder, progress=lambda fraction, words: None):
 
 
 def _measured(ladder, rung):
-    distances = ladder.distances(rung)
-    cost, error, usual = (
-        _operations(ladder, rung),
-        float(distances.max()),
-        float(np.median(distances)),
-    )
+    distances, cost = ladder.distances(rung), _operations(ladder, rung)
+    error, usual = float(distances.max()), float(np.median(distances))
     bound, drops = rung.bound(ladder.t), tuple(n.what for n in rung.model.neglects)
     return MeasuredModel(rung.name, cost, error, asked=RTOL, usual=usual, bound=bound, drops=drops)
 

@@ -1,7 +1,7 @@
 """Textbook methods, numerically poor on purpose, those of the engine, and exact results."""
 
 import math
-from functools import cache, reduce
+from functools import cache, reduce, wraps
 from itertools import repeat
 from operator import mul
 
@@ -25,6 +25,7 @@ def _in_digits(f):
     """The function that computes ``f`` in 40 digits, once for each set of arguments."""
 
     @cache
+    @wraps(f)
     def found(*arguments):
         with mp.workdps(DIGITS):
             return f(*arguments)

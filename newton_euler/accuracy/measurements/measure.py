@@ -19,9 +19,8 @@ from ...algebra.vectors import dot3, sub3
 EQUAL_WITHIN = 2.0
 ROUND_OFF = 2.0**-52  # smaller relative errors are luck
 EQUAL_COST = 1.2  # counts of operations that differ by less count as equal
-ALIKE = (
-    3.0  # times that differ by less are "about the same" in words: so they vary on a busy machine
-)
+# times that differ by less are "about the same" in words: so they vary on a busy machine
+ALIKE = 3.0
 
 
 @dataclass(frozen=True)
@@ -148,11 +147,11 @@ def fronts(points: Sequence[Measured], cost: str = "cost") -> dict[str, list[Mea
     found = {}
     for name in dict.fromkeys(p.family for p in points):
         own = [n for n, p in enumerate(points) if p.family == name]
-        said = []
+        fronts_of_runs = []
         for run in runs:
             place = {id(run[n]): n for n in own}
-            said.append({place[id(p)] for p in front([run[n] for n in own], cost)})
-        if agreed := [points[n] for n in set.intersection(*said)]:
+            fronts_of_runs.append({place[id(p)] for p in front([run[n] for n in own], cost)})
+        if agreed := [points[n] for n in set.intersection(*fronts_of_runs)]:
             found[name] = sorted(agreed, key=attrgetter(cost, "error"))
     return found
 

@@ -8,6 +8,7 @@ further run, with 2, 4, 6, … steps, removes one. No method that is measured wo
 import importlib
 from collections.abc import Sequence
 
+from ...algebra.late import mpmath as mp
 from ...algebra.scalars import Scalar
 from ...motion.arguments import start_state
 from ...motion.methods.taylor import installed
@@ -35,8 +36,6 @@ def by_heyoka(model, t, start):
     """The same states in heyoka's numbers of 42 digits. Heyoka divides by a number through its
     inverse, a float: dividing by 60 leaves 17 digits, by 64 all.
     """
-    import mpmath as mp
-
     hy, system = importlib.import_module("heyoka"), PreparedModel(model)
     variables, one = [hy.expression(n) for n in model.states], hy.real(1, BITS)
     outputs = system.traced.rhs(hy.time, *variables, *(hy.par[i] for i in range(len(system.free))))
@@ -53,8 +52,6 @@ def by_heyoka(model, t, start):
 
 def by_extrapolation(model, t, start, digits=30):
     """The same states by extrapolation; ten swings of a pendulum take some seconds."""
-    import mpmath as mp
-
     with mp.workdps(digits + GUARD):
         system = PreparedModel(model)
         p = [mp.mpf(x) for x in system.p]

@@ -133,7 +133,7 @@ class PracticeFile:
 # -- what a file must hold; {str: x}: names with an x each; (x, y): a list of an x and a y
 
 NUMBER = int | float
-TEXT = str | list  # in English, or what it is said by in any language
+TEXT = str | list  # English, or a template with its values, for any language
 HEAD = {"help": str, "problems": [str], "titles": {str: (str, str)}}
 QUANTITY = {
     **dict.fromkeys(("key", "kind", "unit", "means", "plain", "section"), str),
@@ -207,7 +207,7 @@ def _is_whole(page):
 
 
 def _texts(page):
-    """What is said of causes and terms."""
+    """The texts of causes and terms."""
     yield page["where"]
     for *_other, text, where, subject in (*page["labels"], *page["slips"]):
         yield from (text, where, subject)

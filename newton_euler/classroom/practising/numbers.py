@@ -75,10 +75,10 @@ class KeptNumbers:
         for label, numbers in self._variant["wrong"]:
             key, *cause = self._labels[label]
             if key in found:
-                found[key].append((Cause(*cause[:2], *map(self._said, cause[2:])), _point(numbers)))
+                found[key].append((Cause(*cause[:2], *map(self._read, cause[2:])), _point(numbers)))
         return found
 
-    def _said(self, stored):
+    def _read(self, stored):
         """The text of a cause; one in another language than the reader's is quoted."""
         text = words(stored)
         if self._own or isinstance(text, Words) or not text:

@@ -103,10 +103,10 @@ class Progress:
     def _write(self):
         if self.path is None:
             return
-        beside = self.path.with_name(f"{self.path.name}.{os.getpid()}")
+        partial = self.path.with_name(f"{self.path.name}.{os.getpid()}")
         try:
-            beside.write_text(str(self), "utf-8")
-            os.replace(beside, self.path)
+            partial.write_text(str(self), "utf-8")
+            os.replace(partial, self.path)
         except OSError as error:
             self.note = _("your progress is kept only while this kernel runs: {error}", error=error)
 

@@ -16,10 +16,7 @@ _WRITTEN = str.maketrans(
     {"\N{MINUS SIGN}": "-", "×": "*", "·": "*", "⋅": "*", "÷": "/", "^": "**", "\xa0": " "}
 )
 _NOT_REAL = Words("it is no real number")
-_WHY = {
-    ZeroDivisionError: Words("it divides by zero"),
-    OverflowError: Words("it is too large"),
-}
+_WHY = {ZeroDivisionError: Words("it divides by zero"), OverflowError: Words("it is too large")}
 _SIGNS = Words("only numbers, lists, + - * / ** and functions as sqrt, sin, cos are read")
 
 

@@ -20,10 +20,10 @@ def given(question: str) -> str | None:
 def keep(question: str, prediction: str) -> str:
     """Keep a prediction; returns why it could not be written, or nothing."""
     kept = {**_read(), question: prediction}
-    beside = Path(f"{FILE}.{os.getpid()}")
+    partial = Path(f"{FILE}.{os.getpid()}")
     try:
-        beside.write_text(json.dumps(kept, ensure_ascii=False, indent=1), encoding="utf-8")
-        os.replace(beside, FILE)
+        partial.write_text(json.dumps(kept, ensure_ascii=False, indent=1), encoding="utf-8")
+        os.replace(partial, FILE)
     except OSError as error:
         _unwritten[question] = prediction
         return _("It is kept only while this notebook runs: {error}", error=error)

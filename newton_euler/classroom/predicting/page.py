@@ -3,7 +3,7 @@ open where the kernel has the buttons.
 """
 
 import re
-from html import escape
+from html import escape, unescape
 
 from ...algebra.language import _
 from .question import Question, with_unit
@@ -82,15 +82,15 @@ def opened(q: Question, given: str | None, note: str = "") -> str:
     """The question as a notebook shows it beside its buttons; with a prediction also the answer."""
     listed = "".join(f"<li>{inline(c)}</li>" for c in q.choices or ())
     choices = f'<ol type="a">{listed}</ol>' if listed else ""
-    said = "" if given is None else _said(q, given) + f"<p>{escape(note)}</p>" * bool(note)
-    return f'<div class="prediction">{_asked(q)}{choices}{said}</div>'
+    judged = "" if given is None else _judged(q, given) + f"<p>{escape(note)}</p>" * bool(note)
+    return f'<div class="prediction">{_asked(q)}{choices}{judged}</div>'
 
 
-def _said(q, given):
-    judged = q.judge(given)
-    mark = {True: "✓", False: "✗", None: "·"}[judged.right]
-    lines = [f"<p>{mark} {_('You predicted:')} <b>{inline(given)}</b>. {inline(judged.words)}</p>"]
-    if q.choices and not judged.right:
+def _judged(q, given):
+    found = q.judge(given)
+    mark = {True: "✓", False: "✗", None: "·"}[found.right]
+    lines = [f"<p>{mark} {_('You predicted:')} <b>{inline(given)}</b>. {inline(found.words)}</p>"]
+    if q.choices and not found.right:
         right = f"<b>{inline(q.right)}</b>. {inline(_means(q, q.right))}"
         lines.append(f"<p>{_('The answer:')} {right}</p>")
     elif q.choices:
@@ -104,6 +104,4 @@ def plain(html: str) -> str:
     """HTML as text, for a terminal."""
     broken = re.sub(r"</p>|</li>|</ol>", "\n", html).replace("<li>", "- ")
     bare = re.sub(r"<[^>]+>", "", broken).replace(r"\(", "").replace(r"\)", "")
-    for name, sign in (("&lt;", "<"), ("&gt;", ">"), ("&quot;", '"'), ("&amp;", "&")):
-        bare = bare.replace(name, sign)
-    return bare.strip()
+    return unescape(bare).strip()

@@ -84,8 +84,8 @@ def question(
     why: str,
 ) -> Question:
     """The question that :func:`~.asking.predict` asks, in the reader's language."""
-    text, why, answer = _said(text), _said(why), _said(answer)
-    choices = {_said(c): _said(means) for c, means in (choices or {}).items()}
+    text, why, answer = _translated(text), _translated(why), _translated(answer)
+    choices = {_translated(c): _translated(means) for c, means in (choices or {}).items()}
     if answer is None and not choices:
         return Question(text, why)
     if within is not None:
@@ -102,7 +102,7 @@ def question(
     return Question(text, why, words, right)
 
 
-def _said(x):
+def _translated(x):
     return _(x) if isinstance(x, str) else x
 
 

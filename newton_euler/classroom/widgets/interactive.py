@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked_but
@@ -15,33 +16,8 @@ from .stage import Stage, in_words
 MOST_SAMPLES = 90
 
 ROW, VALUE = "newton-euler-slider", "newton-euler-value"  # classes in the page
-# the handles of ipywidgets have no name for a screen reader, and their values no unit: both are in
-# the label beside, "φ = 30°"
-NAMED = f"""
-if (!window.newtonEulerSliders) {{
-  const set = (handle, name, text) =>
-    handle.getAttribute(name) === text || handle.setAttribute(name, text);
-  const describe = () => {{
-    for (const row of document.querySelectorAll('.{ROW}')) {{
-      const handle = row.querySelector('[role=slider]'), label = row.querySelector('.{VALUE}');
-      if (!handle || !label) continue;
-      const [name, value] = label.textContent.split(' = ');
-      set(handle, 'aria-label', name);
-      set(handle, 'aria-valuetext', value);
-    }}
-  }};
-  let asked = false;
-  const soon = () => {{
-    if (!asked) requestAnimationFrame(() => {{ asked = false; describe(); }});
-    asked = true;
-  }};
-  window.newtonEulerSliders = new MutationObserver(soon);
-  window.newtonEulerSliders.observe(document.body, {{
-    subtree: true, childList: true, attributes: true, attributeFilter: ['aria-valuetext'],
-  }});
-  soon();
-}}
-"""
+# names the handles of sliders and their values for a screen reader
+NAMED = Path(__file__).with_name("sliders.js")
 
 
 @checked_but("alt", "size", "panels", "title")
@@ -157,7 +133,7 @@ def _show_sliders(sliders, values, redraw):
         redraw(dict(values))
 
     display(VBox([_row(slider, moved) for slider in sliders]))
-    display(Javascript(NAMED))
+    display(Javascript(NAMED.read_text(encoding="utf-8")))
 
 
 def _row(slider, moved):

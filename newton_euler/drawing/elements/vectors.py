@@ -50,7 +50,7 @@ class Vectors(Recorder):
     def vector(
         self, P: Place, v: Direction, label: str = "", kind: str = "velocity", size: str = ""
     ) -> None:
-        """Draw an arrow from P along ``v``; a dot if ``v`` is zero beside the longest of its kind.
+        """Draw an arrow from P along ``v``; a dot if ``v`` is negligible against the longest.
         That is 62 points long (``Sketch(…, arrows=62)``), the others in proportion, but no shorter
         than a quarter of it, unless the figure moves. To the scale of the bodies: :meth:`arrow`.
 

@@ -30,7 +30,7 @@ def faults(ax: Any) -> list[str]:
 
     sketches = sketches_on(ax)
     FigureCanvasAgg(ax.figure).draw()  # finishes the sketches and places their labels
-    found = _label_faults(ax)
+    found = list(_label_faults(ax))
     for drawn in filter(None, (sketch.drawn for sketch in sketches)):
         found += [fault for triad in drawn.triads for fault in _alike(drawn, *triad)]
         found += _strays(ax, drawn)
@@ -52,20 +52,14 @@ def _alike(view, origin, axes):
 
 def _label_faults(ax):
     """Labels that leave the picture, and those that overlap."""
-    found = []
     boxes = [(text.get_text(), text.get_window_extent()) for text in ax.texts]
     page = ax.figure.bbox
     for text, box in boxes:
         if box.x0 < page.x0 or box.x1 > page.x1 or box.y0 < page.y0 or box.y1 > page.y1:
-            found.append(
-                f"the label {text} is partly outside of the picture; shorten it or move it"
-            )
+            yield f"the label {text} is partly outside of the picture; shorten it or move it"
     for (one, a), (other, b) in combinations(boxes, 2):
         if a.overlaps(b):
-            found.append(
-                f"the labels {one} and {other} overlap; leave more room, or give an offset"
-            )
-    return found
+            yield f"the labels {one} and {other} overlap; leave more room, or give an offset"
 
 
 def _strays(ax, drawn):

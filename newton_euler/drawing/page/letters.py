@@ -22,11 +22,8 @@ _WIDTHS = {
 WIDTH = {letter: width / 100 for width, letters in _WIDTHS.items() for letter in letters}
 BOLD = 1.12  # its width, of the usual
 SMALL, LOWER, HIGHER = 0.7, 0.2, 0.38  # size, and shifts, of an index and of a power, by the size
-ABOVE, ACCENTED, BELOW = (
-    0.76,
-    0.95,
-    0.21,
-)  # heights above the base line, of l and with an accent; depth of p
+# heights above the base line, of l and with an accent; depth of p
+ABOVE, ACCENTED, BELOW = 0.76, 0.95, 0.21
 _DEEP = set("gjpqyQ,;()/|βγζημξρφχψ")
 
 _SYMBOLS = {
@@ -177,7 +174,7 @@ class _Formula:
         return [Run(f"{name}\u2009", bold=bold)]  # a function, as sin
 
     def letter(self, text, italic, bold):
-        """Letters slant, but no capital of the Greek; a space is none in a formula."""
+        """Letters slant, but no capital of the Greek; a formula has no spaces."""
         if text == " ":
             return []
         slants = italic and text.isalpha() and text != "ℓ" and not "Α" <= text <= "Ω"

@@ -63,7 +63,7 @@ class Page:
     >>> left, right = page.panels()
     >>> Sketch(left, ground).rod((0, 0, 0), (0, 0, 2))
     >>> right.set_title("no rod")
-    >>> svg(page, "On the left, a rod stands on its end; on the right is none.")[:4]
+    >>> svg(page, "On the left, a rod stands on its end; the right panel is empty.")[:4]
     '<svg'
     """
 

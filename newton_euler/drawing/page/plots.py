@@ -114,16 +114,15 @@ class Plots:
         ys = _numbers(data[-1])
         xs = _numbers(data[0]) if len(data) == 2 else [float(n) for n in range(len(ys))]
         dashes, marker, colour = _style(style)
-        given = dict(named)
-        colour = given.pop("color", given.pop("c", colour))
-        if "ls" in given or "linestyle" in given:
-            dashes = DASHES[given.pop("ls", None) or given.pop("linestyle")]
-        marker = given.pop("marker", marker)
-        size = given.pop("ms", given.pop("markersize", 6))
-        width = given.pop("lw", given.pop("linewidth", 1.5))
-        filled = given.pop("mfc", None) != "none"
-        label, opacity = given.pop("label", ""), given.pop("alpha", 1)
-        _refuse(given)
+        colour = named.pop("color", named.pop("c", colour))
+        if "ls" in named or "linestyle" in named:
+            dashes = DASHES[named.pop("ls", None) or named.pop("linestyle")]
+        marker = named.pop("marker", marker)
+        size = named.pop("ms", named.pop("markersize", 6))
+        width = named.pop("lw", named.pop("linewidth", 1.5))
+        filled = named.pop("mfc", None) != "none"
+        label, opacity = named.pop("label", ""), named.pop("alpha", 1)
+        _refuse(named)
         look = _colour(self.plotted, colour)
         if marker and marker not in MARKERS:
             raise NeedsMatplotlib(f"a panel does not know the marker {marker!r}")
@@ -161,33 +160,30 @@ class Plots:
         self._edge_to_edge([float(x)] * 2, [None, None], named)
 
     def _edge_to_edge(self, xs, ys, named):
-        given = dict(named)
-        colour = _colour(self.plotted, given.pop("color", given.pop("c", None)))
-        width = given.pop("lw", given.pop("linewidth", 1.5))
-        dashes = DASHES[given.pop("ls", given.pop("linestyle", "-"))]
-        label = given.pop("label", "")
-        _refuse(given)
+        colour = _colour(self.plotted, named.pop("color", named.pop("c", None)))
+        width = named.pop("lw", named.pop("linewidth", 1.5))
+        dashes = DASHES[named.pop("ls", named.pop("linestyle", "-"))]
+        label = named.pop("label", "")
+        _refuse(named)
         self.plotted.marks.append(Mark("line", xs, ys, colour, width, dashes, label))
 
     @_recorded
     def vlines(self, x: float, low: float, high: float, **named: Any) -> None:
         """Draw an upright line from ``low`` to ``high``."""
-        given = dict(named)
-        colour, width = _colour(self.plotted, given.pop("color", None)), given.pop("lw", 1.5)
-        label = given.pop("label", "")
-        _refuse(given)
+        colour, width = _colour(self.plotted, named.pop("color", None)), named.pop("lw", 1.5)
+        label = named.pop("label", "")
+        _refuse(named)
         ys = [float(low), float(high)]
         self.plotted.marks.append(Mark("line", [float(x)] * 2, ys, colour, width, (), label))
 
     @_recorded
     def fill_between(self, x: Any, y: Any, base: Any = 0.0, **named: Any) -> None:
         """Fill the area between a curve and a level, or another curve, ``where`` so."""
-        given = dict(named)
-        colour = _colour(self.plotted, given.pop("color", None))
-        opacity, label = given.pop("alpha", 1), given.pop("label", "")
-        where = given.pop("where", None)
-        given.pop("hatch", None), given.pop("lw", None), given.pop("interpolate", None)
-        _refuse(given)
+        colour = _colour(self.plotted, named.pop("color", None))
+        opacity, label = named.pop("alpha", 1), named.pop("label", "")
+        where = named.pop("where", None)
+        named.pop("hatch", None), named.pop("lw", None), named.pop("interpolate", None)
+        _refuse(named)
         xs, ys = _numbers(x), _numbers(y)
         lows = _numbers(base) if hasattr(base, "__len__") else [float(base)] * len(xs)
         kept = [True] * len(xs) if where is None else [bool(k) for k in where]
@@ -201,10 +197,9 @@ class Plots:
     @_recorded
     def bar(self, x: Any, height: Any, width: float = 0.8, **named: Any) -> None:
         """Draw a bar, or several, with its middle at ``x``."""
-        given = dict(named)
-        colour, label = _colour(self.plotted, given.pop("color", None)), given.pop("label", "")
-        given.pop("hatch", None), given.pop("edgecolor", None)
-        _refuse(given)
+        colour, label = _colour(self.plotted, named.pop("color", None)), named.pop("label", "")
+        named.pop("hatch", None), named.pop("edgecolor", None)
+        _refuse(named)
         for middle, top in zip(_numbers(x), _numbers(height), strict=True):
             left, right = middle - width / 2, middle + width / 2
             corners = [left, right, right, left], [0.0, 0.0, top, top]
@@ -216,10 +211,9 @@ class Plots:
         """Write a text, its middle or an end (``ha``) some points from a place."""
         if "arrowprops" in named and not text:
             return self._arrow(xytext, xy, **named["arrowprops"])
-        given = dict(named)
-        if given.pop("textcoords", None) != "offset points":
+        if named.pop("textcoords", None) != "offset points":
             raise NeedsMatplotlib("a panel writes texts at an offset in points")
-        return self._write(text, xy, xytext, **given)
+        return self._write(text, xy, xytext, **named)
 
     @_recorded
     def text(self, x: float, y: float, text: str, **named: Any) -> None:

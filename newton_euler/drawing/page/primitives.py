@@ -5,16 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ...algebra.vectors import add3, cross3, scale3, sub3
-from .projection import (
-    View,
-    circle,
-    convex_hull,
-    mean,
-    moved,
-    on_plane,
-    perpendiculars,
-    unit3,
-)
+from .projection import View, circle, convex_hull, mean, moved, on_plane, perpendiculars, unit3
 
 # colours that colour-blind readers can distinguish (after Okabe and Ito 2008); bodies are grey
 KINDS = {

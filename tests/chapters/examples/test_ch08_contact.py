@@ -42,7 +42,7 @@ def test_many_contacts_at_once_choose_their_regime_one_by_one():
     assert np.all(c.friction * force < 0)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.floats(-20, 20),
     st.floats(-5, 5),

@@ -1,7 +1,5 @@
 """A problem that is broken, in one of the ways in which problems break, is caught by ``check``."""
 
-from dataclasses import replace
-
 import pytest
 
 from exercises import problem
@@ -90,13 +88,6 @@ def renamed(wrong, g):
 )  # fmt: skip
 def test_a_fault_is_caught(tamper, functions, fault):
     assert any(found.startswith(fault) for found in tamper(**functions))
-
-
-def test_a_mistake_without_a_text_is_caught():
-    others = {name: text for name, text in P.mistakes.items() if name != "no_coriolis"}
-    assert check(replace(P, mistakes=others)) == [
-        "the mistake no_coriolis is computed but not in p16.yaml"
-    ]
 
 
 def test_a_mistake_under_the_key_of_another_answer_is_a_warning(monkeypatch):

@@ -82,7 +82,7 @@ def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
     kinds = lambda name: [s.kind.name for s in steps(problem(name), problem(name).book_values)]
     assert kinds("A/4") == ["number"] * 2  # whole numbers, but for the numbers of the book alone
     assert set(kinds("5/24")) == {"count"}
-    assert set(kinds("7/2")) == {"number", "vector", "matrix"}
+    assert set(kinds("7/3")) == {"number", "vector", "matrix"}
     rows = lambda g: ((g.b, 0, 0), (0, g.b, 0), (0, 0, g.b))
     p = with_steps(monkeypatch, lambda g: Step("rows", rows(g), "mm", "a matrix"))
     assert faults(p, p.book_values) == [

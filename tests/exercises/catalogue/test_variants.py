@@ -4,7 +4,6 @@ round, and fit to grade.
 
 import re
 from functools import cache
-from types import SimpleNamespace
 
 import pytest
 
@@ -99,14 +98,6 @@ def test_a_range_without_good_numbers_is_told(monkeypatch):
 
 def test_a_step_of_the_grid_is_the_round_number_below():
     assert [variants._round_step(x) for x in (0.0225, 0.05, 1.9, 7.5)] == [0.02, 0.05, 1, 5]
-
-
-@pytest.mark.parametrize("span", [(0.3, 1.2), (0.85, 0.95), (0.2, 0.35), (-2.3, -0.8), (1, 4.8)])
-def test_both_ends_of_a_range_can_be_drawn(span):
-    """Also where an end divided by the step of the grid is not quite a whole number."""
-    given = SimpleNamespace(vary=span)
-    ends = [SimpleNamespace(randint=end) for end in (min, max)]
-    assert tuple(variants.drawn_value(given, rng) for rng in ends) == span
 
 
 def test_evaluate_is_the_solution_and_its_mistakes_as_numbers():

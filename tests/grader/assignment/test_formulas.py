@@ -93,6 +93,12 @@ def shown(name, key):
 @pytest.mark.parametrize(("name", "key", "formulas"), [
     ("A/16", "z", ["-known_PQ/p_3"]),  # one equation with one unknown is solved
     ("6/17", "rho_C", ["v_C**2/g"]),  # also where the unknown is no quantity of the problem
+    ("2/32", "a_rel", ["-a_A_x + a_B_x - a_centripetal_x - a_coriolis_x",
+                       "-a_A_y + a_B_y - a_euler_y", "0"]),  # not 2 a_B_x
+    ("10/4", "psi_fast", ["B/A"]),  # a ratio of earlier ones, by whatever way it was computed
+    ("10/12", "ratio", ["sqrt(axial - flat)/sqrt(tall)"]),  # nothing is given
+    ("11/26", "v_b", ["sqrt(2)*sqrt(g)*sqrt((b - c)/(1 - ratio))"]),  # m cancels
+    ("9/6", "I_xx", ["I_1*a**2/(a**2 + b**2) + I_2*b**2/(a**2 + b**2)"]),
     ("2/30", "v_rel", ["0", "-v_A_y + v_B_y - v_rotation_y", "0"]),  # not -2 v_A, as v_B = -v_A
     ("4/4", "a_P_coriolis", ["0", "2*n*v_r_x", "0"]),  # not v_P_x, which is equal
     ("3/12", "v_theta", ["a*omega"]),  # a step that converts a given is used after it
@@ -112,7 +118,10 @@ def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):
 
 def test_of_bodies_that_are_partly_equal_each_has_its_own_names():
     assert shown("7/9", "I_O")[0] == "I_base_xx - I_hole_xx + I_wall_xx"
-    assert "d_BC" not in shown("7/11", "I_BC")[0]  # of which both y and x are a
+    assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + a**2*m + d_BC_z**2*m"  # x and y of d are a
+    assert shown("7/11", "I_AB")[8] == "I_G_AB_zz + d_AB_x**2*m + d_AB_y**2*m"  # not 5*a**2*m/4
+    assert shown("7/11", "I_G_BC")[4] == "a**2*m/12"  # and not I_G_OA_yy + 0
+    assert shown("7/12", "I_O")[0] == "I_full_xx - I_hole_xx"  # not I_G_hole_xx, which is equal
     used = " ".join(shown("7/9", "I_wall"))
     assert "d_wall_y" in used
     assert "d_base" not in used

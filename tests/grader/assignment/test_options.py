@@ -1,14 +1,15 @@
 """Tolerance and help level of a sheet, from its file to receipt, grade, feedback and practice."""
 
 import json
+from pathlib import Path
 
 import pytest
 
+import grader
 from exercises.catalogue import problem
 from grader.assignment.options import OPTIONS, read_option
 from grader.assignment.spec import read_spec
 from grader.assignment.written import spec_of_course
-from grader.commands.example import EXAM_EXAMPLE, EXAMPLE
 from grader.course import Course
 from grader.demo import sample_students as sample
 from newton_euler.answers.kinds import KINDS
@@ -20,7 +21,9 @@ from tests.grader.submissions import work
 
 def test_the_examples_of_the_help_are_files_that_are_read(tmp_path):
     out = " ".join(command("build", "--help")[1].split())
-    for text in (EXAMPLE, EXAM_EXAMPLE):
+    templates = Path(grader.__file__).parent / "commands" / "templates"
+    for name in ("hw3", "midterm"):
+        text = (templates / f"{name}.yaml").read_text(encoding="utf-8")
         path = tmp_path / "hw3.yaml"
         path.write_text(text)
         spec = read_spec(path)

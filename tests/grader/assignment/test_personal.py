@@ -2,6 +2,7 @@
 
 import os
 import pwd
+import re
 import stat
 
 import pytest
@@ -35,6 +36,12 @@ def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, st
         }
         assert other == student or not own & others - symbolic
     assert not any(c.get("outputs") for c in read(course.personal_path("ch04", student))["cells"])
+
+
+def test_the_released_notebook_and_the_source_hold_no_key(course):
+    for path in (course.source("ch04"), course.released_path("ch04")):
+        text = re.sub("### (BEGIN|END) SOLUTION", "", path.read_text())
+        assert secrets_in(text, course, "nobody") == []
 
 
 def test_figures_follow_the_numbers(course):

@@ -7,6 +7,8 @@ from functools import cache
 import pytest
 
 from exercises.catalogue import problem, select
+from exercises.catalogue.book_equations import own_number
+from exercises.catalogue.steps import steps
 from exercises.catalogue.variants import draw, flat
 from grader.assignment.derivations import component, derivations
 from grader.assignment.lines import TOO_LONG, lines
@@ -16,8 +18,15 @@ from grader.assignment.spelled import typeset_formulas
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import unit
 from newton_euler.answers.notation import number_symbol
+from tests.book import sections
 
 ALL = select(["all"])
+SECTION_OF = {
+    f"{section.partition('.')[0]}.{n}": section
+    for section, _, numbered, _ in sections()
+    for n in numbered
+}
+NAMED_GIVENS = {"A/20", "A/22", "2/16", "3/5"}  # that a quantity is a given is found out there
 FUNCTIONS_OF_MATH = {name: getattr(math, name) for name in dir(math) if name[0] != "_"}
 
 
@@ -63,6 +72,38 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
 
 
 DOT, PRIME = r"\b[A-Z] \. [A-Z§]", r"\b[a-z]'+(?![a-z])"
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_cited_equation_stands_in_the_cited_section(p):
+    for s in steps(p, numbers(p, b"one")):
+        if s.section and s.equation and own_number(s.equation, p):
+            assert SECTION_OF[s.equation] == s.section, s.key
+
+
+@pytest.mark.parametrize("p", [p for p in ALL if any(a.of for a in p.answers)], ids=lambda p: p.id)
+def test_a_worked_solution_says_what_tells_a_word(p):
+    text = worked_solution(p, numbers(p, b"one"))
+    for a in p.answers:
+        if a.of:
+            assert a.because, a.key
+            assert f"$. {a.because[:2]}" in text
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_the_sum_of_the_terms_that_are_shown_is_shown_too(p):
+    shown = {line.step.key for line in as_python(p, b"one")}
+    assert {line.step.of for line in as_python(p, b"one")} <= {"", *shown}
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_step_is_no_given_under_another_name(p):
+    """As the mass of a part that the text gives."""
+    found = derivations(p, numbers(p, b"one"))
+    for s in steps(p, numbers(p, b"one")):
+        formula = str(*found[s.key].formulas[:1]) if s.key in found else ""
+        same = not s.term and not s.is_vector and p.units.get(formula) == s.unit
+        assert not same or p.id in NAMED_GIVENS, s.key
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)

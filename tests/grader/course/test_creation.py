@@ -3,15 +3,13 @@
 import os
 import signal
 import stat
-import subprocess
 import sys
-import time
 
 import pytest
 
 from grader.course import Course, CourseError
 from grader.course.creation import MADE, UNFINISHED, new_course
-from tests.grader.courses import REPOSITORY, command, environment, ran, run
+from tests.grader.courses import command, ran, run
 
 
 def test_build_says_how_many_it_enrolled_and_how_the_roster_was_read(tmp_path):
@@ -125,27 +123,6 @@ def test_files_of_somebody_else_in_an_unfinished_course_are_not_removed(tmp_path
     with pytest.raises(CourseError, match="exists and is not empty"), new_course(tmp_path):
         pass
     assert (tmp_path / "thesis.tex").exists()
-
-
-@pytest.mark.slow
-def test_a_build_killed_at_any_time_can_be_run_again(tmp_path):
-    roster = tmp_path / "roster.csv"
-    roster.write_text("id\nada\nben\n")
-    arguments = ("build", "ch04", "--students", str(roster), "--problem", "4/1", "--course")
-    for n in range(12):
-        place = tmp_path / f"c{n}"
-        process = subprocess.Popen(
-            [sys.executable, "-m", "grader", *arguments, str(place)],
-            env=environment(), cwd=REPOSITORY, stdout=subprocess.DEVNULL,
-        )  # fmt: skip
-        time.sleep(1.5 + 0.4 * n)
-        process.kill()
-        process.wait()
-        code, out = command(*arguments, place)
-        if code:  # it had ended in time
-            code, out = command(*arguments, place, "--update")
-        assert code == 0, out
-        assert Course(place).roster() == ["ada", "ben"]
 
 
 def test_a_course_in_a_language_that_is_not_there_is_refused(tmp_path):

@@ -2,8 +2,6 @@
 penalties for late submissions.
 """
 
-import pytest
-
 from grader.grading import grade
 from tests.grader.courses import points, submit, total
 from tests.grader.submissions import work
@@ -24,36 +22,6 @@ def test_what_a_human_grader_gave_and_wrote_survives_grading_again(fresh):
         assert (given.auto_score, given.manual_score, given.score) == (3, 2.5, 2.5)
         comment = book.find_comment("answer-4-16", "ch04", "ch04", "ben")
         assert comment.manual_comment == "a good attempt"
-
-
-def test_an_interrupted_run_leaves_the_gradebook_and_the_next_one_fills_it(fresh, monkeypatch):
-    from grader.grading import run as grading
-
-    before = points(fresh)
-    submit(fresh, "dan", work(fresh, "dan"))
-    submit(fresh, "ben", work(fresh, "ben"))
-
-    class Broken(RuntimeError):
-        pass
-
-    def breaks():
-        raise Broken
-
-    save = grading.save
-
-    def interrupted(course, book, *args):
-        book.db.commit = breaks
-        save(course, book, *args)
-
-    monkeypatch.setattr(grading, "save", interrupted)
-    with pytest.raises(Broken):
-        grade(fresh, "ch04")
-    assert points(fresh) == before
-    monkeypatch.setattr(grading, "save", save)
-    results = grade(fresh, "ch04")
-    assert all(r.unchanged for r in results)  # nothing ran twice
-    now = points(fresh)
-    assert (total(now["dan"]), total(now["ben"])) == (11, 11)
 
 
 def test_scores_that_another_grader_overwrote_are_put_right(fresh):

@@ -1,7 +1,6 @@
 """The feedback page: what it shows, that all can read it, and that no student writes HTML on it."""
 
 import re
-from html.parser import HTMLParser
 
 import pytest
 from nbformat import from_dict
@@ -12,32 +11,7 @@ from grader.nbgrader_hooks.feedback_page import Sections, sanitized
 from tests.grader.courses import nbgrader, ran, read, submit
 from tests.grader.submissions import work
 from tests.jupyterlab import chromium
-
-VOID = {"meta", "img", "br", "hr", "link", "input"}
-
-
-class Page(HTMLParser):
-    """The elements of a page: [(tag, attributes)], and whether they are nested as they should."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.elements, self.open, self.text = [], [], ""
-        self.feed(text)
-        assert self.open == [], self.open
-
-    def handle_starttag(self, tag, attributes):
-        self.elements.append((tag, dict(attributes)))
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        assert tag in VOID or self.open.pop() == tag, tag
-
-    def handle_data(self, data):
-        self.text += data
-
-    def all(self, tag):
-        return [attributes for t, attributes in self.elements if t == tag]
+from tests.markup import Page
 
 
 @pytest.fixture(scope="module")

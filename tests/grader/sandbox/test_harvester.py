@@ -9,6 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+from grader.assignment.notebook import SETUP
 from grader.sandbox import Harvester, HarvestError
 from grader.sandbox import harvester as harvester_module
 from grader.sandbox.worker import Worker
@@ -18,6 +19,7 @@ from tests.grader.sandbox.jobs import (
     descendants,
     job,
     own,
+    problem,
     run_caged,
     still_serves,
     wait_until,
@@ -78,6 +80,21 @@ def test_a_worker_that_is_busy_delays_no_other():
         two._all[0].process.kill()
         with pytest.raises(HarvestError):
             long.result()
+
+
+def test_no_submission_imports_what_the_worker_could_have_imported_for_all(harvester):
+    known = "import sys\nknown = set(sys.modules)"
+    new = "assert not set(sys.modules) - known, sorted(set(sys.modules) - known)"
+    formula = {"role": "harvest", "problem": "0/2", "forms": {"f": "expression, m"}}
+    cells = [
+        own(known),
+        own(SETUP, "setup"),
+        *problem("0/1", "x = sqrt(2.0)", 'given("0/1", y=2)'),
+        {"role": "answer", "problem": "0/2", "text": 'a = symbols("a", real=True)\nf = 2 * a'},
+        {**formula, "symbols": {"a": "m"}},
+        own(new, "new"),
+    ]
+    assert run_caged(harvester, cells)["errors"] == {}
 
 
 def test_a_notebook_with_millions_of_characters_is_not_run(harvester):

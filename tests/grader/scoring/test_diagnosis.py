@@ -195,7 +195,7 @@ def test_nonsense_is_not_explained():
         size = math.hypot(*map(float, flat(p.solve(given)[a.key])))
         for _ in range(5):
             numbers = tuple(map(float, size * rng.uniform(-1, 1, 3)))
-            assert told(p, a, given, numbers).diagnosis is None
+            assert all(c.is_observation for c in told(p, a, given, numbers).causes)
 
 
 def test_terms_are_named_in_the_words_of_the_problem():
@@ -252,18 +252,6 @@ def test_a_slip_in_one_part_is_told_beside_parts_that_are_right(key, change, wor
     answers = {**trees(p, right), key: [float(x) for x in change(right[key])]}
     parts = {x.key: x for x in score_receipt(p, given, {"answers": answers}).parts}
     assert words in parts[key].diagnosis
-
-
-def test_of_equal_causes_the_one_that_explains_the_other_parts_is_told():
-    """Alone, an alpha of 4/17 that is reversed fits two listed mistakes; with the velocity one."""
-    p = problem("4/17")
-    given = values(p, "variant")
-    wrong = p.in_units(p.code.mistakes(p.base(given))["CD_outward"])
-    answers = trees(p, wrong)
-    alone = part_of(p, given, "alpha_CD", answers["alpha_CD"])
-    assert [c.group for c in alone.causes].count("listed") == 2
-    parts = score_receipt(p, given, {"answers": answers}).parts
-    assert {part.diagnosis for part in parts} == {p.mistakes["CD_outward"] + " (see section 4.10)"}
 
 
 def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():

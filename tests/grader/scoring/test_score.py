@@ -79,35 +79,26 @@ def nested(n, tree="omega"):
 JUNK = {
     "nan": float("nan"),
     "inf": float("inf"),
-    "minus inf": -float("inf"),
     "huge": 1e308,
     "a long integer": 10**4000,
-    "tower": ["^", 9, ["^", 9, 9]],
     "tall tower": ["^", 9, ["^", 9, ["^", 9, 9]]],
     "tower of a symbol": ["^", "omega", ["^", 9.0, ["^", 9.0, 9.0]]],
     "deep": nested(150),
-    "too deep": nested(300),
     "much too deep": nested(900),
     "100000 nodes": ["+", *(["*", "omega", 1e-9] for _ in range(33_000))],
     "no arguments": ["+"],
-    "no arguments of a power": ["^"],
     "empty": [],
-    "empty in empty": [[]],
     "text": "anything",
-    "key": "speed",
     "dict": {"a": 1},
     "true": True,
     "nothing in a list": [None],
     "an unknown function": ["exec", 1],
     "attribute": ["__class__", 1],
     "too many": ["^", 1, 2, 3],
-    "sin of two": ["sin", 1, 2],
     "0/0": ["/", 0, 0],
-    "1/0": ["/", 1, 0],
     "0^-1": ["^", 0, -1],
     "log 0": ["log", 0],
     "root of -1": ["sqrt", -1],
-    "acos 2": ["acos", 2.0],
     "complex power": ["^", -8.0, ["/", 1, 3]],
     "operator as a number": [1, 2],
     "nested in a nest": [["+", 1, 2]],
@@ -117,8 +108,6 @@ JUNK = {
     "list of lists": [[1, 2], [3, 4]],
     "the angle of a complex number": ["atan2", ["^", -1, 0.5], "omega"],
     "two numbers compared that are complex": ["<", ["^", -1, 0.5], "omega"],
-    "the larger of complex numbers": ["Max", ["^", -1, 0.5], "omega"],
-    "a remainder of complex numbers": ["Mod", ["^", -1, 0.5], "omega"],
     "components in no frame": {},
     "components in many frames": {str(n): [1, 2, 3] for n in range(1000)},
     "two vectors in two frames": {"arm": [1, 2, 3], "ground": [3, 2, 2]},
@@ -141,7 +130,7 @@ def test_junk_earns_nothing_and_every_part_is_judged(name):
             )
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=150, suppress_health_check=list(HealthCheck))
 @given(st.lists(st.floats() | st.integers(), min_size=3, max_size=3))
 def test_numbers_earn_points_only_within_the_tolerance(numbers):
     p = problem("4/16")

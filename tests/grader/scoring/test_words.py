@@ -1,7 +1,5 @@
 """Words and counts: scored, and diagnosed by the listed mistakes."""
 
-from dataclasses import replace
-
 import pytest
 
 from exercises.catalogue import variants
@@ -9,14 +7,8 @@ from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
 from tests.exercises.kinds.thrown import (
     DOF,
-    SENSE,
     SLIPS,
-    SPEED,
-    THROWN,
     ball,
-    mistakes,
-    sense,
-    solve,
 )
 from tests.making import made as made
 
@@ -63,18 +55,3 @@ def test_a_listed_wrong_count_is_named_with_all_mistakes_that_give_it(made):
 def test_every_listed_mistake_in_a_word_is_named_in_the_report(made):
     p = ball(made)
     assert diagnosis_shares([p], 1)[p.id] == {"named": 4}
-
-
-def test_a_word_that_follows_from_a_wrong_number_earns_its_share(made):
-    """Who has the speed wrong has the sense right that goes with it."""
-    answers = (replace(SPEED, weight=1.0), replace(SENSE, follow_through=0.5))
-
-    def ordered(g):
-        found = solve(g)
-        return {"v": found["v"], "sense": found["sense"]}
-
-    p = made(ordered, wrong=mistakes, answers=answers, givens=THROWN, mistakes=SLIPS)
-    p.code.follows = {"sense": lambda g, v: sense(v)}
-    v, word = score_receipt(p, p.book_values, {"answers": {"v": -2.0, "sense": "falls"}}).parts
-    assert (v.verdict, word.verdict, word.points) == ("wrong", "wrong", 0.5)
-    assert "follows from your v" in word.message

@@ -244,15 +244,6 @@ def test_a_silently_wrong_answer_has_a_ring_and_only_that(liar):
         assert [len(line.get_xdata()) for line in rings] == [1]
 
 
-def test_runs_stand_in_their_row_from_coarse_to_fine_in_one_colour_for_each_tolerance(liar):
-    cost = drawn(liar)[0]
-    (points,) = (c for c in cost.collections if len(c.get_offsets()))
-    # auto first: 1e-3, 1e-6, 1e-9
-    heights = [y for _, y in points.get_offsets()][:3]
-    assert heights == sorted(heights)
-    assert len({tuple(c) for c in points.get_facecolors()}) == 3
-
-
 def test_counts_stand_beside_the_rows():
     answers = [
         answer("good"),

@@ -12,8 +12,6 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from newton_euler import (
     Dimension,
@@ -101,13 +99,6 @@ def with_backends(*names):
 
 
 # -- the same numbers
-
-
-@settings(max_examples=20, deadline=None)
-@given(st.sampled_from(sorted(FORMULAS)), st.floats(0.05, 1.4), st.floats(0.05, 1.4))
-def test_compiled_is_direct_on_floats(name, x, y):
-    f = FORMULAS[name]
-    assert compiled(f)(x, y) == pytest.approx(f(x, y), rel=1e-13, abs=1e-13)
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -5,12 +5,11 @@ causes inside the engine is raised in words.
 import numpy as np
 import pytest
 
-from newton_euler import Model, integral, root, solve_linear, solve_rates
+from newton_euler import integral, root, solve_linear, solve_rates
 from newton_euler.algebra import NewtonEulerError, compiled
 from newton_euler.algebra.errors import ArgumentError, checked, checked_methods
 from newton_euler.algebra.scalars import DivisionError, RangeError, Scalar, ScalarError
 from newton_euler.dynamics import audit, work_along, work_integral
-from newton_euler.motion import ModelError
 
 # texts of Python and NumPy for arguments that do not fit
 ERRORS = [
@@ -48,28 +47,6 @@ def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, e
         CALLS[name](own)
     assert caught.value is error
     assert "own" in [entry.name for entry in caught.traceback]
-
-
-def test_an_error_of_a_right_hand_side_arrives_as_raised_and_one_of_the_engine_names_the_model():
-    def own(s, p, t):
-        return s.x + (1, 2, 3)[5]
-
-    def misspelt(s, p, t):
-        return s.y
-
-    with pytest.raises(IndexError, match="tuple index out of range") as caught:
-        Model("mine", {}, ("x",), own)
-    assert not isinstance(caught.value, NewtonEulerError)
-    with pytest.raises(ModelError, match=r"right-hand side of 'mine' fails .*no state 'y'"):
-        Model("mine", {}, ("x",), misspelt)
-
-
-def test_an_error_in_a_library_that_the_users_function_calls_arrives_as_raised():
-    import numpy as np
-
-    with pytest.raises(ValueError, match="could not be broadcast") as caught:
-        integral(lambda x: np.ones(2) + np.ones(3), 0.0, 1.0)
-    assert not isinstance(caught.value, NewtonEulerError)
 
 
 @pytest.mark.parametrize("name", CALLS)

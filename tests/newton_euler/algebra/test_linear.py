@@ -58,7 +58,7 @@ def test_regular_systems_give_the_solution_they_were_made_from(kind, count):
     assert s.report() == "The equations determine every unknown, and each of them is needed"
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(2, 5), st.integers(0, 3), st.integers(0, 10**6))
 @example(2, 2, 39)  # the first two equations are 10^-10 of the others
 def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, seed):
@@ -75,7 +75,7 @@ def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, se
     assert len(s.redundant) == surplus - trivial
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(2, 5), st.integers(1, 2), st.integers(0, 10**6))
 def test_what_numbers_leave_open_is_what_the_rank_says(count, missing, seed):
     """An unknown is determined if its unit vector lies in the row space, by singular values."""

@@ -7,10 +7,13 @@ import pytest
 from newton_euler.answers.causes import (
     BOOK,
     BOUNDS,
+    CORIOLIS_HALVED,
+    DIAGONAL_ONLY,
     FIRST_DIGITS,
     INVERTED,
     NEAR,
     NEAR_IN_FEW_DIGITS,
+    NUMBERS,
     OFF_DIAGONAL,
     ROOT,
     ROUNDED,
@@ -22,10 +25,12 @@ from newton_euler.answers.causes import (
     computed,
     entry_left_out,
     entry_reversed,
-    exchanged_diagonal,
+    exchanged_entries,
     left_out_components,
     listed,
+    multiplied,
     other_axes,
+    right_but,
     sentence,
     sum_on_diagonal,
     term_left_out,
@@ -135,8 +140,22 @@ TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
         ("matrix", ((4.0, 1.0, -0.5, 1.0, 5.0, -2.0, -0.5, -2.0, 6.0),), INERTIA, OFF_DIAGONAL),
         ("matrix", ((4, -1, 0, -1, 5, 2, 0, 2, 6),), INERTIA, entry_left_out(0, 2)),
         ("matrix", ((4, -1, 0.5, -1, 5, -2, 0.5, -2, 6),), INERTIA, entry_reversed(1, 2)),
-        ("matrix", ((4, -1, 0.5, -1, 6, 2, 0.5, 2, 5),), INERTIA, exchanged_diagonal(1, 2)),
+        (
+            "matrix",
+            ((4, -1, 0.5, -1, 6, 2, 0.5, 2, 5),),
+            INERTIA,
+            exchanged_entries((1, 1), (2, 2)),
+        ),
+        (
+            "matrix",
+            ((4, 0.5, -1, 0.5, 5, 2, -1, 2, 6),),
+            INERTIA,
+            exchanged_entries((1, 0), (2, 0)),
+        ),
+        ("matrix", ((4, 0, 0, 0, 5, 0, 0, 0, 6),), INERTIA, DIAGONAL_ONLY),
+        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 0),), INERTIA, entry_left_out(2, 2)),
         ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 9),), INERTIA, sum_on_diagonal(2)),
+        ("number", ((79.13,),), ((7.913,),), multiplied("one decimal place", 10.0, True)),
         ("interval", ((3.0, 1.0),), ((1.0, 3.0),), BOUNDS),
         ("number", ((62.41,),), ((7.9,),), SQUARED),
         ("number", ((2.811,),), ((7.9,),), ROOT),
@@ -254,3 +273,27 @@ def test_a_formula_fits_as_loosely_as_at_its_worst_point():
     loose = ((3.0 * (1 + 2e-5),), (5.0,))
     for points, level in ((given, EXACT), (loose, LOOSE), (loose[::-1], 0)):
         assert Fit(given, key, FORMULA_RTOL)(points) == level
+
+
+def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
+    size = Answered(False, KINDS["number"], ((7.0,),), ((5.0,),), [(TURNS, ((7.0,),))])
+    models = [(TURNS, MODEL), (CORIOLIS_HALVED, MODEL)]
+    assert CORIOLIS_HALVED in diagnose(MODEL, KEY, models, elsewhere=Elsewhere(lambda: [size]))
+
+
+@pytest.mark.parametrize(
+    ("kind", "given", "key", "remark"),
+    [
+        ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), right_but([2], 3)),
+        ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
+        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, right_but([8], 9)),
+        ("vector_expression", ((1.0, 2.0, 3.0), (2.0, 5.0, 7.0)),
+         ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), right_but([2], 3)),
+        ("expression", ((1.1,), (2.2,), (3.3,)), ((1.0,), (2.0,), (3.0,)), NUMBERS),
+        ("expression", ((1.1,), (2.2,), (3.4,)), ((1.0,), (2.0,), (3.0,)), None),
+        ("expression", ((0.0,), (0.0,)), ((1.0,), (2.0,)), None),
+        ("vector_expression", ((0.0, 2.0, 1.0),), ((1.0, 0.0, 0.0),), None),
+    ],
+)  # fmt: skip
+def test_what_is_right_in_a_wrong_answer_is_told(kind, given, key, remark):
+    assert KINDS[kind].observed(given, key) == remark

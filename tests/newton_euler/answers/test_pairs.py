@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from newton_euler.algebra.language import Words
 from newton_euler.answers.causes import INVERTED, OPPOSITE_NUMBER, both, computed, listed
 from newton_euler.answers.fit import Fit
 from newton_euler.answers.kinds import KINDS
@@ -34,8 +35,8 @@ ROOT_OF = lambda x, y: np.sqrt(x**2 + y**2)
     ("given", "key", "own", "slip"),
     [
         (A, A + A * B + B**2, A + A * B, A + B**2),  # two terms of a sum left out
-        (A / 2, A * B, A, A * B / 2),  # two factors
-        (ROOT_OF(0, B / 2), ROOT_OF(A, B), B, ROOT_OF(A, B / 2)),  # two terms under a root
+        (A / 3, A * B, A, A * B / 3),  # two factors
+        (ROOT_OF(0, B / 3), ROOT_OF(A, B), B, ROOT_OF(A, B / 3)),  # two terms under a root
     ],
 )
 def test_a_listed_mistake_and_a_slip_are_named_together(given, key, own, slip):
@@ -55,7 +56,7 @@ def test_two_slips_and_two_numbers_as_factors_are_no_pair():
 
 
 def test_factors_of_one_component_are_not_added_and_nothing_is_added_to_nothing():
-    assert in_symbols(-2 * A * B, A * B, 0 * A, slip=-A * B) == ()
+    assert in_symbols(-3 * A * B, A * B, 0 * A, slip=-2 * A * B) == ()
     assert in_symbols(A * B + B, A * B, B, slip=2 * A * B) == ()
 
 
@@ -73,10 +74,12 @@ def of_numbers(given, own, slips):
 def test_numbers_are_named_where_two_components_are_wrong_with_the_digits_that_were_written():
     own, slip = (5.418, -4.216, 1.871), (3.127, -2.204, 1.871)
     assert of_numbers((5.418, -2.204, 1.871), own, [slip]) == (both(LISTED, SLIP),)
-    assert of_numbers((5.4, -2.2, 1.9), own, [slip]) == ()
+    assert of_numbers((5.0, -2.0, 2.0), own, [slip]) == ()
     assert of_numbers((5.43, -2.204, 1.871), own, [slip]) == ()
-    one = (4.018, -4.216, 1.871)  # in one component alone
-    assert of_numbers((6.309, -4.216, 1.871), own, [one]) == ()
+    one = (4.018, -4.216, 1.871)  # in one component alone, which is met by one of many
+    many = [(3.1 + n / 99, -4.216, 1.871) for n in range(99)]
+    assert of_numbers((6.309, -4.216, 1.871), own, [one]) == (both(LISTED, SLIP),)
+    assert of_numbers((6.309, -4.216, 1.871), own, [one, *many]) == ()
 
 
 def test_random_vectors_are_hardly_ever_two_mistakes():
@@ -90,3 +93,52 @@ def test_random_vectors_are_hardly_ever_two_mistakes():
 def test_a_mistake_that_the_other_undoes_is_none():
     own, slip = (5.418, -2.108, 1.871), (3.127, -6.324, 1.871)  # their sum in y is the right one
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
+
+
+def of_number(given, key, own, slips):
+    fit = Fit(((given,),), ((key,),), KINDS["number"].rtol)
+    singles = Singles([(1, SLIP)] * len(slips), lambda n: slips)
+    own = [(LISTED, ((x,),)) for x in own]
+    return of_two(fit, KINDS["number"], own, lambda: singles, lambda cause: False)
+
+
+def test_a_single_number_is_two_mistakes_where_few_are_as_simple_and_near():
+    own, slip = 7.3128, 2.0411
+    added = own + slip - 4.8175
+    many = [(4.8175 * (0.5 + n / 999),) for n in range(999)]
+    assert of_number(round(added, 4), 4.8175, [own], [(slip,)]) == (both(LISTED, SLIP),)
+    assert of_number(round(added, 4), 4.8175, [own], [(slip,), *many]) == ()
+    assert of_number(round(added, 1), 4.8175, [own], [(slip,)]) == ()
+    assert of_number(-own, 4.8175, [own], []) == (both(LISTED, OPPOSITE_NUMBER),)
+
+
+def test_random_numbers_are_hardly_ever_two_mistakes():
+    rng = np.random.default_rng(7)
+    draw = lambda: float(f"{4.8175 * 3 ** rng.uniform(-1, 1):.5g}")
+    cases = [
+        (draw(), [draw() for _ in range(6)], [(draw(),) for _ in range(40)]) for _ in range(400)
+    ]
+    assert sum(bool(of_number(x, 4.8175, own, slips)) for x, own, slips in cases) <= 3
+
+
+def test_changes_that_are_powers_of_each_other_are_no_pair():
+    root = 1.7394
+    assert of_number(4.8175 * root, 4.8175, [4.8175 * root**3], [(4.8175 / root**2,)]) == ()
+
+
+TERM = computed("term", Words("leaves out {term}: it is not zero here", term="the term b"))
+
+
+def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_whole():
+    def multiple(given, key, without, kind="expression"):
+        singles = Singles([(3, TERM)], lambda n: [without[n]], of_symbols=True)
+        fit = Fit(given, key, KINDS[kind].rtol)
+        return [c.what for c in of_two(fit, KINDS[kind], [], lambda: singles, lambda c: False)]
+
+    told = ["all but the factor of the term b is right"]
+    assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == told
+    assert multiple(points(A + 0.3 * B * A), points(A + B), points(A)) == []
+    assert multiple(points(0.3 * B), points(B), points(0 * A)) == []  # the whole
+    key, without = ((3.12714, -4.21638, 1.87102),), ((2.12714, -2.21638, 1.87102),)
+    assert multiple(((3.32714, -4.61638, 1.87102),), key, without, "vector") == told
+    assert multiple(((3.32714, -4.61738, 1.87102),), key, without, "vector") == []

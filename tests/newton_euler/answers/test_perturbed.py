@@ -173,6 +173,12 @@ def test_random_numbers_in_one_component_are_hardly_ever_named():
         (lambda a, c, k: k * (a / (a + c)) ** 2, K * ((A + C) / A) ** 2, "inverts the ratio of a"),
         (lambda a, c, k: k * (a / (a + c)) ** 2, K * A / (A + C), "does not square the ratio of a"),
         (lambda a, c, k: sqrt(a * a + c * k), A + math.sqrt(C * K), "the root of each term"),
+        (
+            lambda a, c, k: k * sqrt((2 * a) ** 2 + c * c),
+            K * math.sqrt(2 * A * A + C * C),
+            "does not square the numbers in 4*a^2 + c^2",
+        ),
+        (lambda a, c, k: a * c / (5 * k), A * C / (4 * K), "takes the factor 1/4 for 1/5"),
         (lambda a, c, k: a * c / k, A * C / K - A, "takes a off x"),
         (lambda a, c, k: a * c / k, C - A * C / K, "the difference between c and x"),
     ],

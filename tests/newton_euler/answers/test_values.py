@@ -11,7 +11,6 @@ import pytest
 import sympy
 from sympy.physics import units
 from sympy.physics.vector import ReferenceFrame
-from sympy.vector import CoordSys3D
 
 from newton_euler.answers.forms import AnswerError
 from newton_euler.answers.receipts import expect, receipt
@@ -126,15 +125,11 @@ WRONG = [
     ("vector, mm/s", [1, float("nan"), 0],
      "got nan, which comes from a division by zero or the root of a negative number"),
     ("number, m", float("inf"), "got inf, which comes from a division by zero"),
-    ("number, m", np.float64("nan"), "got nan"),
-    ("number, m", sympy.nan, "got nan"),
     ("number, m", sympy.zoo, "got nan, which comes from a division by zero"),
     ("number, m", True, "expected one number, in m; got True"),
     ("number, m", 1j, "expected one number, in m; got 1j"),
     ("number, m", sympy.I, "got I, a complex number"),
-    ("number, m", np.complex128(1 + 2j), "expected one number"),
     ("number, m", [1, 2, 3], "expected one number, in m; got 3 numbers"),
-    ("number, m", [], "got 0 numbers"),
     ("number, m", ground.i, "expected one number, in m; got 3 numbers"),
     ("number, m", r * 2, "still contains r; put in the numbers"),
     ("number, m", print, "cannot make a number of <built-in function print>"),
@@ -143,15 +138,11 @@ WRONG = [
     ("interval, m", 1.0, "expected an interval, two numbers as in"),
     ("count", 2.5, "expected a whole number; got 2.5"),
     ("count", True, "expected a whole number; got True"),
-    ("count", "three", "expected a whole number"),
-    ("count", float("nan"), "expected a whole number"),
     ("choice: stable | unstable", "Stabel", "expected one of 'stable', 'unstable'; got 'Stabel'"),
     ("choice: stable | unstable", 1, "expected one of 'stable', 'unstable'; got '1'"),
-    ("choice: stable | unstable", ["stable"], "expected one of"),
     ("choice: stable | unstable", np.array([1, 2]), "expected one of"),
     ("expression, m", sympy.Symbol("q") * r,
      "it contains 'q', but the symbols of the problem are r, omega, theta"),
-    ("expression, m", "r*omega", "write it without quotation marks"),
     ("expression, m", r > 1, "expected a formula"),
     ("expression, m", sympy.Eq(r, 1), "expected a formula"),
     ("expression, m", sympy.Function("f")(theta), "f is not among the functions"),
@@ -160,14 +151,12 @@ WRONG = [
     ("expression, m", sympy.Piecewise((r, sympy.Contains(r, sympy.Integers)), (0, True)),
      "the condition .* is not read"),
     ("vector, m", b"abc", "got the text b'abc'; write it without quotation marks"),
-    ("number, m", np.True_, "expected one number, in m; got"),
     ("number, m", lambda: 1.0, "which is a function: call it"),
     ("expression, m", sympy.Eq(theta, r), "an equation; give the side that is asked for"),
     ("number, mm", 5 * units.mm,
      "it contains the unit millimeter; give the number alone, which is in mm"),
     ("vector, m", np.ma.array([1, 2, 3], mask=[0, 1, 0]), "some of its numbers are masked"),
     ("vector, m", ReferenceFrame("N").x, r"a vector of SymPy, N.x; write v.to_matrix\(N\)"),
-    ("vector, m", CoordSys3D("C").i, r"a vector of SymPy, C.i; write v.to_matrix\(N\)"),
     ("vector, m", sympy.FiniteSet(1, 2, 3), "got a FiniteSet, which has no order; write it as in"),
     ("expression, m", [r, r], "expected a formula in the problem's symbols, in m; got 2"),
     ("vector_expression, m", r, "expected a vector of three formulas"),

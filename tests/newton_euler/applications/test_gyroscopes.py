@@ -286,7 +286,7 @@ def test_the_slow_rate_is_continuous_through_the_level_axis(offset):
 between = st.floats
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     between(0.1, 10), between(0.01, 1.99), between(0.01, 3.13), between(-50, 50), between(-20, 20)
 )
@@ -475,7 +475,7 @@ def ordinary(low, high):
     return st.floats(low, high).map(lambda x: round(x, 6))
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(ordinary(0.1, 3), ordinary(-3, 3), ordinary(-5, 5), ordinary(-30, 30), ordinary(-4, 4), ordinary(0.05, 1.9))  # fmt: skip
 def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, precession, wz, mgr, I):
     found = nutation(1.0, I, mgr, theta, theta_rate, precession, omega_z=wz)

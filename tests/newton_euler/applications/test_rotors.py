@@ -134,7 +134,7 @@ mass_points = st.lists(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(mass_points, st.floats(-2, 0.4), st.floats(0.6, 2), st.floats(0.05, 1), st.floats(-3, 3))
 def test_balanced_rotors_have_no_dynamic_reactions(points, z1, z2, radius, alpha):
     ground = Frame("ground")

@@ -34,7 +34,7 @@ from newton_euler.kinematics import along
 from newton_euler.kinematics.rotations import apply, product, transpose
 from tests.kinds import KINDS, close, every_kind, number, numbers, within
 
-laws = settings(max_examples=60, deadline=None)
+laws = settings(max_examples=60)
 EPS = 2.0**-52
 small = within(40 * EPS, 26)
 

@@ -16,7 +16,7 @@ from newton_euler.bodies.solids import box, cylinder, disk, sphere
 from newton_euler.kinematics.rotations import determinant, rotation_matrix
 from tests.kinds import close, every_kind, numbers
 
-laws = settings(max_examples=80, deadline=None)
+laws = settings(max_examples=80)
 
 
 def tilted(moments, axis, angle, noise=0.0, seed=0):

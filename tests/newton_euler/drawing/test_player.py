@@ -3,12 +3,12 @@
 import base64
 import io
 import re
-from html.parser import HTMLParser
 
 import pytest
 from PIL import Image
 
 from newton_euler.drawing.animation import Animation, AnimationError
+from tests.markup import Page
 
 
 def picture(grey):
@@ -21,31 +21,13 @@ def film(times=(0.0, 0.5, 1.0), speed=1.0, alt="A disk turns."):
     return Animation(tuple(picture(40 * n) for n in range(len(times))), times, speed, alt, (50, 40))
 
 
-class Tags(HTMLParser):
-    """The tags of a piece of HTML with their attributes, and those left open."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.tags, self.open = {}, []
-        self.feed(text)
-
-    def handle_starttag(self, tag, attributes):
-        self.tags.setdefault(tag, []).append(dict(attributes))
-        if tag not in ("img", "input", "meta"):
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-
 def test_a_page_has_the_picture_in_words_and_controls_with_names():
-    page = Tags(film().html())
-    assert not page.open
-    (img,), (slider,) = page.tags["img"], page.tags["input"]
+    page = Page(film().html())
+    (img,), (slider,) = page.all("img"), page.all("input")
     assert img["alt"] == "A disk turns."
     assert base64.b64decode(img["src"].partition(",")[2]) == picture(0)
     assert slider | {"min": "0", "max": "2", "aria-label": "time"} == slider
-    assert "hidden" in page.tags["div"][1]  # the controls, until the script that they need runs
+    assert "hidden" in page.all("div")[1]  # the controls, until the script that they need runs
 
 
 def test_a_page_waits_for_readers_who_prefer_reduced_motion():
@@ -58,7 +40,7 @@ def test_a_page_needs_nothing_from_elsewhere(tmp_path):
     assert page.startswith("<!DOCTYPE html>")
     assert '<html lang="en">' in page
     assert not re.search(r"https?:|<link|src=\"(?!data:)|\bimport\b", page)
-    assert not Tags(page.partition("\n")[2]).open
+    Page(page.partition("\n")[2])
 
 
 def test_the_alternative_text_of_a_film_cannot_break_the_page():

@@ -122,7 +122,7 @@ def test_eqn_11_7_the_work_of_a_weight(kind):
     assert close(U.value, m * g * (z0 - z1), 10 * small(kind))
 
 
-@settings(deadline=None, max_examples=20)
+@settings(max_examples=20)
 @given(st.lists(st.floats(-3, 3), min_size=6, max_size=6))
 def test_example_11_4_any_path_between_two_places_gives_the_same(c):
     path = lambda q: (

@@ -73,7 +73,7 @@ def test_motion_is_that_written_out_is_the_sum_of_its_terms_and_gives_its_coordi
         assert close(tuple(getattr(x, part) for x in found), given_, 10 * tiny)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(st.lists(moderate, min_size=9, max_size=9))
 def test_magnitudes_are_the_same_in_rectangular_cylindrical_and_spherical_components(x):
     """(3.16), (3.17); and the ways from rectangular to either system and back end where they began."""

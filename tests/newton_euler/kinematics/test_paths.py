@@ -49,7 +49,7 @@ def test_derivatives_of_a_path_up_to_the_third_are_those_of_SymPy(kind):
         assert close(found, known, 100 * small(kind))
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(st.floats(-3, 3), st.floats(0.2, 4))
 def test_the_triad_is_orthonormal_and_right_handed_and_no_parameter_changes_it(q, rate):
     here = frenet_along(knot, q, ground)

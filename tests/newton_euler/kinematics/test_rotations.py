@@ -405,7 +405,7 @@ def test_an_axis_without_direction_is_refused():
 angles = st.floats(-10, 10)
 triples = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: sum(x * x for x in v) > 1e-6)
 matrices = st.builds(rotation_matrix, triples, angles)
-laws = settings(max_examples=100, deadline=None)
+laws = settings(max_examples=100)
 
 
 @laws

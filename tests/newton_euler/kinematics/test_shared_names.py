@@ -60,17 +60,6 @@ def test_seen_from_a_branch_the_frames_of_both_branches_count(turns, angle):
     )
 
 
-def test_two_frames_called_arm_turn_together():
-    ground = Frame("ground")
-    omega = ground.rotate("arm", "z", rate=1).rotate("arm", "x", rate=2).angular_velocity(ground)
-    assert str(omega.explain()).split("\n")[1:] == [
-        "  arm 1  [0, 0, 1]",
-        "  arm 2  [2, 0, 0]",
-        "  sum    [2, 0, 1]",
-    ]
-    assert omega.without("arm").components() == (0, 0, 0)
-
-
 def test_coordinates_of_one_name_keep_all_their_terms():
     q = moving(1.0, 2.0, 3.0), moving(0.5, -1.0, 0.25), moving(0.0, 1.0, 1.0)
     parabolic = lambda u, v, w: ((u**2 - v**2) / 2, u * v, w)

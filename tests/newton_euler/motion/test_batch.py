@@ -347,32 +347,6 @@ def by_batches(monkeypatch, ends, off, vouching=None, starts=None, times=(0.0, 5
     return runs, _taylor(many, Run(PreparedModel(PENDULUM), 0.0, times[-1], None, 1e-9))
 
 
-def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypatch):
-    asked = []
-
-    def clock_errors(system, t0, t1, ends, p, sizes, enough):
-        asked.append((t0, t1, ends[0].tolist(), p[0].tolist(), sizes[0].tolist(), enough / 1e-9))
-        return 2e-10 * p[0]
-
-    monkeypatch.setattr(batch, "_clock_errors", clock_errors)
-    ends = [[1.0, 2.0, 4.0]] * 2
-    _, (_, errors, _) = by_batches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
-    assert asked == [
-        (0.0, 5.0, [1.0, 2.0], [1.0, 2.0], [1.0, 4.0], pytest.approx(0.01)),
-        (0.0, 5.0, [4.0], [3.0], [4.0], pytest.approx(0.01)),
-    ]
-    assert errors == pytest.approx([6e-10, 1e-9, 1e-9], rel=1e-3)
-
-
-def test_a_batch_that_may_have_passed_over_a_pulse_is_not_compared(monkeypatch):
-    asked = []
-    monkeypatch.setattr(batch, "knots", lambda system, *t: asked.append(t) or (1.0,))
-    runs, (_, errors, calls) = by_batches(monkeypatch, np.ones((2, 3)), 0.0)
-    assert asked == [(0.0, 5.0)]
-    assert np.isinf(errors).all()  # each is made by itself
-    assert (len(runs.asked), calls) == (1, 100)
-
-
 @needs_heyoka
 @pytest.mark.parametrize("names", ["", "p", "pq"])
 def test_a_batch_takes_any_number_of_parameters(names):
@@ -518,11 +492,3 @@ def test_a_prepared_model_is_not_changed_by_its_batch():
     before = prepared_model(PENDULUM).p
     integrate(PENDULUM.changed(n=np.array([1.0, 2.0])), 1.0, (1.0, 0.0), method="dop853")
     assert prepared_model(PENDULUM).p == before
-
-
-def test_many_motions_end_like_each_of_them():
-    motions = integrate(SPRING, (1.0, 4.0), (amplitudes(3), np.zeros(3)))
-    each = [integrate(SPRING, (1.0, 4.0), (x, 0.0)) for x in amplitudes(3)]
-    assert motions.t_end == 4.0
-    for name, x in motions.end.items():
-        assert np.allclose(x, [one.end[name] for one in each], rtol=1e-9, atol=1e-9)

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from newton_euler import Model, cos, integrate, sin
-from newton_euler.motion import error_estimates, second_order
+from newton_euler.motion import second_order
 from newton_euler.motion.error_estimates import (
     IRREGULAR,
     MIN_STEPS,
@@ -195,24 +195,6 @@ def test_steps_that_end_at_kinks_are_in_the_regime_however_many_they_are(hazards
 def test_round_off_grows_with_the_steps_of_the_fine_run():
     found = error_by_comparison(made([1000], 1e-17), made([200, 100], 1e-20), METHODS["dop853"])
     assert found == pytest.approx(2 * ROUND_OFF, rel=1e-6, abs=0.0)
-
-
-def test_the_round_off_of_the_clock_is_that_of_the_last_segment(monkeypatch):
-    asked = []
-
-    def recorded(system, t, x, sizes, span):
-        asked.append((t, x, sizes, span))
-        return 0.25
-
-    monkeypatch.setattr(error_estimates, "time_round_off", recorded)
-    fine = made([9, 9])
-    stepper = SimpleNamespace(step_times=range(10), scales=(2.0,))
-    fine.segments[1] = Segment(Still(), stepper, 3.0, 10.0, (5.0,))
-    assert error_by_comparison(made([9, 9]), fine, METHODS["dop853"]) == pytest.approx(0.25)
-    # a segment that has no length has a span too
-    fine.segments[1] = Segment(Still(), stepper, 3.0, 3.0, (5.0,))
-    error_by_comparison(made([9, 9]), fine, METHODS["dop853"])
-    assert asked == [(10.0, (5.0,), (2.0,), 7.0), (3.0, (5.0,), (2.0,), 1.0)]
 
 
 def test_where_a_series_may_not_see_all_of_the_rates_its_worst_residual_counts():

@@ -78,7 +78,7 @@ def test_a_zero_is_found_before_the_function_loses_its_value(closed):
 PARTS = st.tuples(st.floats(0.1, 60.0), st.floats(0.0, 6.3), st.floats(0.2, 1.0))
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.lists(PARTS, min_size=1, max_size=4))
 def test_sums_of_oscillations_change_sign_as_often_as_a_fine_grid_shows(parts):
     def g(s, p, t):

@@ -1,22 +1,16 @@
 """Integration of models: orders of convergence, dense output, prepared runs, and refusals."""
 
-import gc
 import math
 import subprocess
 import sys
-import weakref
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from newton_euler import Model, exp, sqrt
 from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.model import KEPT
-from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
 from tests.models import FALL, TAYLOR, forced, free_body, needs_heyoka, oscillator
 
@@ -65,19 +59,6 @@ def test_where_heyoka_fails_because_rates_are_not_analytic_auto_goes_on():
     motion = integrate(model, 2.0, (0.0, 0.0))
     assert motion.method.name == "dop853"
     assert motion.end["dy"] == pytest.approx(-10 * math.tanh(2.0), abs=1e-7)
-
-
-def test_progress_is_reported():
-    parts = []
-    integrate(free_body(), 50.0, (0.01, 1.0, 0.01), method="dop853", progress=parts.append)
-    assert parts[-1] == 1.0
-    assert len(parts) > 3
-
-
-def test_an_array_in_the_start_is_many_motions():
-    x = np.linspace(-1.0, 1.0, 7)
-    found = integrate(oscillator(), 2.0, (x, 0.0), samples=[0.0, 1.0, 2.0]).states["x"]
-    assert found == pytest.approx(np.outer(x, np.cos([0.0, 2.0, 4.0])), abs=1e-14)
 
 
 # -- refusals
@@ -195,22 +176,6 @@ def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start,
     with pytest.raises(ModelError, match=words):
         run(t, start)
     assert run(3.0, (1.0, 0.0))[0] == pytest.approx(math.cos(6.0), abs=3e-7)
-
-
-def test_functions_made_at_each_call_do_not_pile_up():
-    """An event and an invariant that are new each time, as lambdas are: those used last are kept."""
-    model, first = oscillator(), []
-    for n in range(3 * KEPT):
-        event, energy = (lambda s, p, t, n=n: s.x - n), (lambda s, p, t: s.dx**2 + p.k * s.x**2)
-        first = first or [weakref.ref(event), weakref.ref(energy)]
-        found = integrate(
-            replace(model, invariants={"energy": energy}), 0.1, (0.3, 0.0), events=Event(event)
-        )
-        assert found.drift["energy"] < 1e-12
-        del found
-    gc.collect()
-    assert len(prepared_model(model).traced.functions) <= KEPT
-    assert [seen() for seen in first] == [None, None]
 
 
 def test_only_one_model_is_prepared_at_a_time():

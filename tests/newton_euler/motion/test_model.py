@@ -27,7 +27,6 @@ from newton_euler.motion.model import (
     second_order,
 )
 from tests.kinds import KINDS, close, numbers
-from tests.models import needs_heyoka
 
 
 def oscillator(m=2.0, k=8.0, **more):
@@ -67,17 +66,6 @@ def test_compiled_with_parameters_fixed_or_free():
     assert close(free(0.0, np.array([0.5, 1.0]), 1.0, 16.0)[1], np.array([-4.0, -8.0]), 0)
     third = free(mp.mpf(0), mp.mpf(1) / 3, mp.mpf(1), mp.mpf(16))
     assert close(third, (1, mp.mpf(-8) / 3), mp.mpf(10) ** -29)
-
-
-@needs_heyoka
-def test_the_right_hand_side_runs_on_heyoka_expressions():
-    import heyoka as hy
-
-    x, v = hy.make_vars("x", "v")
-    rates = oscillator().derivative((x, v))
-    run = hy.taylor_adaptive(sys=list(zip((x, v), rates, strict=True)), state=[1.0, 0.0])
-    run.propagate_until(math.pi / 2)
-    assert close(tuple(run.state), (-1, 0), 1e-14)
 
 
 def test_laws_see_states_parameters_and_time():

@@ -248,17 +248,6 @@ def test_heyoka_takes_over_where_the_first_run_shows_that_the_second_would_be_sl
     assert run(fresh()).by_name("auto").method.name == method
 
 
-def test_where_heyoka_fails_the_second_run_is_made(clock, monkeypatch):
-    def fails(self, method):
-        raise MotionError("no series", None)
-
-    clock(9.0)
-    monkeypatch.setattr(Run, "by", fails)
-    motion = run(fresh()).calibrated(METHODS["dop853"], True)
-    assert motion.method.name == "dop853"
-    assert motion.error <= 1e-9
-
-
 def test_the_seconds_of_all_runs_are_kept_for_the_next(clock):
     clock(0.125)
     one = run(fresh())
@@ -367,24 +356,6 @@ def test_after_an_inaccurate_closed_form_a_long_motion_is_refused_after_few_step
     one = run(swing, 1e6, max_steps=FEW_STEPS)
     with pytest.raises(MotionError, match=r"steps would be needed .*; 1e\+05 are possible"):
         one.by_name("dop853")
-
-
-@pytest.mark.parametrize(
-    ("method", "hazards", "way"),
-    [
-        ("exact", (), "closed"),
-        ("taylor", (), "series"),
-        ("taylor", ("sqrt",), "calibrated"),
-        ("dop853", (), "calibrated"),
-    ],
-)
-def test_only_a_series_that_sees_all_of_the_rates_is_not_calibrated(
-    monkeypatch, method, hazards, way
-):
-    one = Run(SimpleNamespace(traced=SimpleNamespace(hazards=hazards)), 0.0, 1.0, START, 1e-9)
-    for name in ("closed", "series", "calibrated"):
-        monkeypatch.setattr(one, name, lambda method, name=name: (name, method.name))
-    assert one.by(METHODS[method]) == (way, method)
 
 
 def candidates(rtol=1e-9, hazards=(), kinks=(), integrators=(), seconds=0.0):

@@ -5,12 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from newton_euler import Model, integrate, sqrt
+from newton_euler import Model, sqrt
 from newton_euler.motion import second_order
 from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
 from newton_euler.motion.methods.scipy import scipy_method
 from newton_euler.motion.prepared import prepared_model
-from newton_euler.motion.solution import MotionError
 from tests.models import begun
 
 SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
@@ -102,13 +101,6 @@ def test_where_the_rates_have_no_value_no_run_begins(name, step, rate):
     model = Model("any", {}, ("x",), lambda s, p, t: (rate(s, p, t),))
     with pytest.raises((ArithmeticError, ValueError)):
         run(name, start=(-1.0,), model=model, step=step)
-
-
-@pytest.mark.parametrize("method", ["scipy RK45", "scipy DOP853", "scipy LSODA", "scipy Radau"])
-def test_a_motion_that_cannot_begin_is_refused_in_words(method):
-    model = Model("root", {}, ("x",), lambda s, p, t: (sqrt(s.x),))
-    with pytest.raises(MotionError, match="root could not be followed beyond t = 0, at x = -1"):
-        integrate(model, 1.0, (-1.0,), 1e-6, method)
 
 
 def test_after_many_steps_it_is_looked_at_whether_they_get_on():

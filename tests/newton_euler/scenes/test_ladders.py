@@ -93,26 +93,15 @@ def test_the_choice_is_the_cheapest_rung_that_holds_and_bounds_are_bounds(name, 
     assert faults(name, count, seed) == []
 
 
-@pytest.mark.parametrize("name", ["projectile", "physical pendulum"])
-def test_no_rung_is_further_off_than_its_bound(name):
-    """And bounds are no wild guesses: half of them are within a factor of ten."""
-    r, near = random.Random(f"{name} bounds"), []
+def test_bounds_of_a_physical_pendulum_are_no_wild_guesses():
+    """Half of them are within a factor of ten."""
+    r, near = random.Random("physical pendulum bounds"), []
     for _ in range(30):
-        asked, _ = DRAWS[name](r)
-        if name == "projectile" and not above_ground(asked):
-            continue
+        asked, _ = DRAWS["physical pendulum"](r)
         known = [rung for rung in asked.rungs[:-1] if rung.bound(asked.t) < math.inf]
-        for rung, error in zip(known, true_errors(asked, known).values(), strict=True):
-            bound = rung.bound(asked.t)
-            assert error <= bound * (1 + 1e-9) + 1e-11 * max(map(abs, rung.start)), (rung, asked)
-            near.append(bound < 10 * error)
+        errors = true_errors(asked, known).values()
+        near += [rung.bound(asked.t) < 10 * e for rung, e in zip(known, errors, strict=True)]
     assert sum(near) > len(near) / 2
-
-
-def above_ground(asked):
-    x, y, z = predicted(asked.fullest, asked.t)
-    radius = asked.fullest.model.parameters["radius"]
-    return (x * x + y * y + z * (z + 2 * radius) >= 0).all()
 
 
 @each_ladder

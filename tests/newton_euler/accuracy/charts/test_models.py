@@ -101,23 +101,9 @@ def test_costs_are_counted_and_so_the_same_at_each_measurement(shots):
     ]
 
 
-def test_the_coarsest_model_is_not_ringed_where_it_is_beyond_the_tolerance_though_it_is_cheapest():
-    points = models(bare=(1e-9, 1.0), full=(1.0, 0.0))
-    assert choice(points, 0.1) is points[1]
-    assert choice(points, 2.0) is points[0]
-
-
 def test_the_usual_tolerance_lies_between_the_errors():
     points = models(bare=(1e-6, 100.0), odd=(1e-6, 21.0), same=(2e-6, 1e-13), full=(1e-3, 0.0))
     assert 21.0 < usual_tolerance(points) < 100.0
-
-
-def test_a_ladder_with_errors_of_kilometres_is_drawn():
-    rungs, figure = ladder("satellite", t=600.0), Figure()
-    points = measured_models(rungs)
-    assert max(p.error for p in points) > 1e3
-    draw_models(points, rungs, figure)
-    figure.canvas.draw()
 
 
 def test_the_legend_names_all_that_a_model_drops():

@@ -14,7 +14,6 @@ from newton_euler.accuracy.charts.maps import draw_choices
 from newton_euler.accuracy.measurements import regime_maps as maps
 from newton_euler.accuracy.measurements.regime_maps import MAPS
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes.spatial import top
 
 matplotlib.use("Agg")
 
@@ -171,24 +170,6 @@ def test_steady_precession_ends_at_the_double_root(omega_z):
     chart = MAPS["steady precession"]
     edge = float(maps._limit_angle(np.array(omega_z)))
     assert list(chart.column(omega_z, [edge - 0.01, edge + 0.01])) == [maps.NONE, maps.BOTH]
-
-
-def test_where_the_map_says_that_it_precesses_steadily_a_run_stays_at_its_angle():
-    """Theta of the reduced top after a second, from rest at the rate found."""
-    from newton_euler.applications.gyroscopes import steady_precession
-
-    for omega_z, degrees in ((19.0, 40.0), (40.0, 60.0), (30.0, 140.0)):
-        theta = math.radians(degrees)
-        assert next(iter(MAPS["steady precession"].column(omega_z, [degrees]))) != maps.NONE
-        rate = steady_precession(maps.I0, maps.I, theta, omega_z=omega_z, mgr=maps.MGR).slow
-        model = top.nutation(
-            maps.I0,
-            maps.I,
-            maps.MGR,
-            omega_z,
-            top.momentum_difference(maps.I0, maps.I, theta, rate, omega_z),
-        )
-        assert integrate(model, 1.0, (theta, 0.0)).end["theta"] == pytest.approx(theta, abs=1e-9)
 
 
 @pytest.mark.parametrize("name", ["steady precession", "projectile", "sleeping top"])

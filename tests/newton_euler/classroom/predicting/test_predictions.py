@@ -1,7 +1,6 @@
 """Predictions: judged by a computed answer, kept beside the notebook, asked again."""
 
 import json
-from html.parser import HTMLParser
 
 import pytest
 
@@ -9,6 +8,7 @@ from newton_euler.algebra.errors import ArgumentError
 from newton_euler.classroom import predict, predict_again, tally
 from newton_euler.classroom.predicting import asking, kept
 from newton_euler.classroom.predicting.page import folded, inline
+from tests.markup import Page
 
 
 @pytest.fixture(autouse=True)
@@ -72,7 +72,7 @@ def test_a_question_without_a_right_choice_or_a_meaning_is_refused(choices, answ
 def test_a_typed_prediction_is_a_number_or_words_and_never_an_error(typed, right, words):
     judged = speed().judge(typed)
     assert (judged.right, judged.words) == (right, words)
-    assert typed in folded_text(speed().choose(typed).html())
+    assert typed in Page(speed().choose(typed).html()).text
 
 
 def test_a_mistake_that_is_as_near_as_the_answer_is_refused():
@@ -138,34 +138,9 @@ def test_the_tally_counts_and_what_was_wrong_is_asked_again():
     assert [p.question.text for p in predict_again(right).predictions] == ["How fast?"]
 
 
-class Tags(HTMLParser):
-    """The texts of a page and the balance of its tags."""
-
-    def __init__(self, html):
-        super().__init__()
-        self.open, self.texts = [], []
-        self.feed(html)
-
-    def handle_starttag(self, tag, attributes):
-        if tag not in ("input", "br"):
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        self.texts.append(data)
-
-
-def folded_text(html):
-    tags = Tags(html)
-    assert not tags.open
-    return "".join(tags.texts)
-
-
 @pytest.mark.parametrize("make", [bounce, speed, lambda: predict("What if x < 1 & y > 2?")])
 def test_without_a_kernel_all_is_folded_and_well_formed(make):
-    text = folded_text(folded(make().question))
+    text = Page(folded(make().question)).text
     assert text.startswith("Predict. ")
     assert "$" not in text
 

@@ -81,7 +81,7 @@ def simpler(*earth):
     return [make(*earth) for make in (shots.flat, shots.coriolis, shots.plumb)]
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     st.floats(-1.5, 1.5), st.floats(-math.pi, math.pi), st.floats(0.1, 1.5), st.floats(10, 2000), st.floats(0.01, 1.0), st.sampled_from([1, 40])
 )  # fmt: skip

@@ -1,0 +1,170 @@
+"""What is known of earlier quantities, and how the formula of a later one is shortened by it."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from exercises.catalogue import Givens
+
+from .names import unsigned
+from .tidy import is_atom, is_forced, is_itself_shorter, readable
+
+SHORT = 1  # operations of what is read as easily as the name of a component of another vector
+
+
+@dataclass
+class Known:
+    """Formulas of the quantities that are shown already.
+
+    givens : their names
+    units : of the givens and symbols
+    drawn : sheets of numbers by which it is seen what is positive for everybody
+    shorter : pairs of a formula and the name that stands for it
+    short : {component of a vector: formula as short as its name}
+    products : {name: formula} of products of givens
+    constants : {number: name} of those that are the same for all givens
+    opposite : {component: component of another vector that has the other sign}
+    entries : {entry of a matrix: its formula}
+    """
+
+    givens: Collection[str]
+    units: Mapping[str, str]
+    drawn: Sequence[Givens]
+    shorter: list[tuple[Any, Any]] = field(default_factory=list)
+    short: dict[Any, Any] = field(default_factory=dict)
+    products: dict[Any, Any] = field(default_factory=dict)
+    constants: dict[float, Any] = field(default_factory=dict)
+    opposite: dict[Any, Any] = field(default_factory=dict)
+    entries: dict[Any, Any] = field(default_factory=dict)
+    _placed: dict[tuple[int, int, int], Any] = field(default_factory=dict)
+
+    def add(self, parts: Sequence[Any], symbols: Sequence[Any], formulas: Sequence[Any]) -> None:
+        """Adds a quantity: its traced components, their names and formulas, None where it has no
+        formula.
+        """
+        import sympy
+
+        for n, (part, symbol) in enumerate(zip(parts, symbols, strict=True)):
+            x, sign = unsigned(part)
+            if number := getattr(x, "number", None):
+                self._placed[number, n, sign] = symbol
+                if (other := self._placed.get((number, n, -sign))) is not None:
+                    self.opposite |= {symbol: other, other: symbol}
+        named = [(f, x) for f, x in zip(formulas, symbols, strict=True) if f is not None]
+        self.entries |= {x: f for f, x in named if len(parts) == 9}
+        self.constants |= {float(f): x for f, x in named if f.is_Float}
+        self.products |= {
+            x: f for f, x in named if f.is_Mul and self.is_of_givens(f)
+            and not f.has(sympy.Add, sympy.Function)
+        }  # fmt: skip
+        if len(parts) == 1 or any(f.count_ops() > SHORT for f, _ in named):
+            # a vector's w/2 is of several bodies that lie side by side
+            shared = {f for f, _ in named if len(parts) > 1 and f.as_coeff_Mul()[1].is_Symbol}
+            longer = [(f, x) for f, x in named if f not in shared]
+            self.shorter += [(f, x) for f, x in longer if not is_atom(f) and not f.is_number]
+        else:
+            self.short |= {x: f for f, x in named}
+
+    def is_of_givens(self, formula: Any) -> bool:
+        """True if a formula has no name of an earlier quantity."""
+        return {x.name for x in formula.free_symbols} <= {*self.givens}
+
+    def of_one_body(self, formulas: Sequence[Any]) -> Sequence[Any]:
+        """The formulas of the entries of a matrix: where it is a sum of matrices, by the entries of
+        the latest of each body; where it is none, entries of another are equal by chance, and
+        written out.
+        """
+        if len(formulas) != 9 or None in formulas:
+            return formulas
+        sums = [f for f in formulas if f.is_Add and f.free_symbols & self.entries.keys()]
+        if sums:
+            moved = {f: x for x, f in self.entries.items() if f.is_Symbol and f in self.entries}
+            return tuple(f.xreplace(moved) for f in formulas)
+        return tuple(f.xreplace(self.entries) if is_atom(f) else f for f in formulas)
+
+    def shortened(self, formula: Any, met: Collection[str] = ()) -> Any:
+        """The formula by the names of earlier quantities; those of ``met`` stand in the computation
+        itself.
+        """
+        formula = self._without_ones(self.named(self._without_bars(readable(formula))))
+        if is_atom(formula):
+            formula = formula.xreplace(self.short)
+        formula = self._without_multiples(formula, met)
+        return self._without_doubles(self._written_out(formula))
+
+    def named(self, formula: Any) -> Any:
+        """The formula with earlier quantities in the place of theirs."""
+        for other, name in reversed(self.shorter):
+            shorter = formula.subs(other, name)
+            if shorter == formula and not other.is_Add:
+                shorter = formula.subs(1 / other, 1 / name)
+            if shorter.count_ops() < formula.count_ops() and not is_forced(name, other, shorter):
+                formula = shorter
+        return formula
+
+    def _written_out(self, formula):
+        """The formula with short components written out where most of it then cancels."""
+        if not formula.free_symbols & self.short.keys():
+            return formula
+        plain = readable(formula.xreplace(self.short).expand())
+        return plain if is_itself_shorter(plain, formula) else formula
+
+    def _without_doubles(self, formula):
+        """The formula with both names where two components add up that are opposite, as v_B and
+        -v_A: twice one of them says less.
+        """
+        import sympy
+
+        def both(c, x):
+            other = self.opposite.get(x)
+            apart = abs(c) == 2 and other is not None and not formula.has(other)
+            return c / 2 * (x - other) if apart else c * x
+
+        terms = [x.as_coeff_Mul() for x in sympy.Add.make_args(formula)]
+        return sympy.Add(*(both(c, x) for c, x in terms)) if len(terms) > 1 else formula
+
+    def _without_bars(self, formula):
+        """The formula without the bars around what is positive for all numbers that are drawn."""
+        import sympy
+
+        for bars in formula.atoms(sympy.Abs):
+            inside = bars.args[0]
+            if self.drawn and self.is_of_givens(inside):
+                draws = ({x: getattr(g, x.name) for x in inside.free_symbols} for g in self.drawn)
+                signs = {inside.subs(values).is_positive for values in draws}
+                if signs in ({True}, {False}):
+                    formula = formula.xreplace({bars: inside if True in signs else -inside})
+        return formula
+
+    def _without_multiples(self, formula, met):
+        """The formula with products of givens written out that are equal by chance: where a number
+        times one stands alone, as 4*I_1/3, and beside one that differs by a given of the same unit,
+        as m_1*d^2 and m_2*d^2.
+        """
+        import sympy
+
+        terms = [x.as_coeff_Mul() for x in sympy.Add.make_args(formula)]
+        own = self.products.keys() - met
+        products = [x for _, x in terms if {s.name for s in x.free_symbols} <= {*self.units}]
+
+        def written_out(c, x):
+            whole = self.products.get(x, x)
+            alike = any(self._differ_by_one(whole, y) for y in products)
+            return c * (whole if alike or (abs(c) != 1 and x in own) else x)
+
+        return sympy.Add(*(written_out(c, x) for c, x in terms))
+
+    def _differ_by_one(self, one, other):
+        """Whether two products differ by a given in the place of another of the same unit."""
+        ratio = [str(x) for x in (one / other).as_numer_denom()]
+        return ratio[0] != ratio[1] and len({self.units.get(x, x) for x in ratio}) == 1
+
+    def _without_ones(self, formula):
+        """The formula without squares of components of a unit vector that add up to one."""
+        import sympy
+
+        squared = {self.short.get(x.base) for x in formula.atoms(sympy.Pow) if x.exp == 2} - {None}
+        if len([x for x in squared if x.has(sympy.sin, sympy.cos)]) < 2:
+            return formula
+        shorter = sympy.trigsimp(formula.xreplace(self.short))
+        return shorter if shorter.count_ops() < formula.count_ops() else formula

@@ -1,0 +1,164 @@
+"""Slips in whole quantities, and in bodies, angles and ratios: each is found by its numbers, and
+random numbers are hardly ever.
+"""
+
+import math
+import random
+
+import pytest
+
+from newton_euler import asin, cos, sin
+from newton_euler.algebra.trace import Trace
+from newton_euler.algebra.units import SI
+from newton_euler.answers.diagnosis import diagnose
+from newton_euler.answers.formulas import Formulas, Stage, Traced
+from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.perturbed import Computation, Perturbed
+
+UNITS = {
+    "m": "kg", "m1": "kg", "m2": "kg", "m3": "kg", "rho": "kg/m", "L": "m", "d": "m",
+    "theta": "rad", "omega": "rad/s", "n": "rev/min", "N": "rev/min", "F": "N",
+}  # fmt: skip
+GIVEN = {
+    "m": 2.3, "m1": 1.7, "m2": 0.9, "m3": 3.1, "rho": 0.83, "L": 1.37, "d": 0.31, "theta": 0.61,
+    "omega": 3.7, "n": 12.7, "N": 5.3, "F": 71.0,
+}  # fmt: skip
+m, m1, m2, m3, rho, L, d, theta, omega, n, N, F = GIVEN.values()
+RPM, SIN, COS = math.pi / 30, math.sin(theta), math.cos(theta)
+
+
+def _axes(a, b, s, c):
+    return a * s**2 + b * c**2 + a * c
+
+
+CASES = {  # the right formula, its unit, and the quantities on the way, {words: formula}
+    "lever": (lambda F, L, d, **_: F * (L + d), "J", {}),
+    "rods": (lambda rho, L, d, **_: (rho * L) * d * d + (rho * d) * L * L, "kg*m^2", {}),
+    "masses": (lambda m1, m2, m3, L, d, **_: m1 * L + 2 * m2 * d + 3 * m3 * d, "kg*m", {}),
+    "disk": (lambda m, d, **_: m * d**2 / 8, "kg*m^2", {}),
+    "energy": (lambda m, L, omega, **_: m * L**2 * omega**2 / 2, "J", {}),
+    "cone": (lambda F, L, **_: F * (L * 3 / 4), "J", {}),
+    "rates": (lambda n, N, L, d, **_: n * n * L + N * N * d, "m/s^2", {}),
+    "spring": (
+        lambda L, d, F, **_: F * (L * L / d - L),
+        "J",
+        {"the stretch": lambda L, d, **_: L * L / d - L, "the depth": lambda L, d, **_: L + d},
+    ),
+    "cord": (lambda F, theta, **_: F / cos(theta), "N", {}),
+    "double": (lambda F, theta, **_: F * cos(theta) ** 2, "N", {}),
+    "plain": (lambda F, L, theta, **_: F * L * sin(2 * theta) / sin(2 * theta), "J", {}),
+    "axes": (lambda L, d, theta, **_: _axes(L, d, sin(theta), cos(theta)), "m", {}),
+    "root": (lambda L, d, theta, **_: theta + asin(d / L), "rad", {}),
+    "legs": (lambda F, L, d, **_: F * ((L + d) / (2 * L - d)), "N", {}),
+}
+
+
+def slips_of(key):
+    formula, unit, ways = CASES[key]
+    trace = Trace()
+    given = {name: trace.new("argument", name) for name in UNITS}
+    stages = [Stage(words, "", [way(**given)], words) for words, way in ways.items()]
+    answers = {"x": Traced([formula(**given)], unit)}
+    return Perturbed(Computation(Formulas(answers, UNITS, SI, stages, given=given)), GIVEN)
+
+
+def named(key, wrong, slips=None):
+    formula, *_ = CASES[key]
+    given = {**GIVEN, "n": n * RPM, "N": N * RPM}
+    slips = slips or slips_of(key)
+    causes = diagnose(
+        ((float(f"{wrong:.7g}"),),), ((float(formula(**given)),),), [], KINDS["number"],
+        slips=lambda fit, kind: slips.near("x", fit, kind),
+    )  # fmt: skip
+    return " | ".join(c.text for c in causes)
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong", "words"),
+    [
+        ("lever", F * L / 2, "takes L/2 for L + d"),
+        ("rods", rho * d * d + rho * L * L, "takes rho for a mass"),
+        ("masses", m1 * L + 2 * m1 * d + 3 * m2 * d, "takes m1 for m2, and so on"),
+        ("masses", m3 * L + 2 * m1 * d + 3 * m2 * d, "takes m1 for m2, and so on"),
+        ("disk", m * d**2 / 4, "takes the factor 1 for 1/2 in a moment of inertia"),
+        ("energy", m * L**2 * omega**2 / 6, "takes the factor 1/3 for 1 in a moment of inertia"),
+        ("cone", F * L * 2 / 3, "that is the centre of a triangle"),
+        ("rates", (n * n * L + N * N * d) / 3600, "leaves out 2*pi in rev/min"),
+        ("rates", RPM * (n * L + N * d), "does not square n and N"),
+        ("spring", F * (L + d), "takes the depth for the stretch"),
+        ("cord", F * math.tan(theta), "takes tan(theta) for 1/cos(theta)"),
+        ("double", F * math.cos(2 * theta), "takes cos(2*theta) for cos(theta)^2"),
+        ("plain", F * L * math.sin(theta), "takes the component F*sin(theta) for F"),
+        ("axes", L * COS**2 + d * SIN**2 + L * COS, "exchanges sin(theta) and cos(theta) in a sum"),
+        ("root", theta + math.pi - math.asin(d / L), "takes the supplement of asin(d/L)"),
+        ("legs", F * (2 * L - d) / (L + d), "inverts the ratio of L + d to 2*L - d"),
+    ],
+)
+def test_a_slip_is_named(key, wrong, words):
+    assert words in named(key, wrong)
+
+
+def test_random_numbers_are_hardly_ever_named():
+    found = 0
+    for key, (formula, *_) in CASES.items():
+        rng, slips = random.Random(key), slips_of(key)
+        right = float(formula(**{**GIVEN, "n": n * RPM, "N": N * RPM}))
+        tries = [float(f"{right * 3 ** rng.uniform(-1, 1):.4g}") for _ in range(200)]
+        found += sum(bool(named(key, x, slips)) for x in tries)
+    assert found <= 0.0075 * 200 * len(CASES)
+
+
+def test_kinetic_energy_is_of_no_body_and_an_acceleration_is_not_g():
+    trace = Trace()
+    mass, v, a = (trace.new("argument", name) for name in ("m", "v", "a"))
+    answers = {"x": Traced([mass * v * v / 2 + mass * a * (v * v / a)], "J")}
+    units = {"m": "kg", "v": "m/s", "a": "m/s^2"}
+    found = [e.cause.what for e in Computation(Formulas(answers, units, SI)).edits]
+    assert not [words for words in found if "moment of inertia" in words or "10 for a" in words]
+
+
+P, Q, K = 1.35172, 2.91346, 0.71238
+VECTOR = {"p": "m", "q": "m", "k": "1/s"}
+
+
+def of_vector(given, parts, unit="m", stages=(), kind="vector"):
+    """The diagnosis of a vector of these parts."""
+    trace = Trace()
+    arguments = {name: trace.new("argument", name) for name in VECTOR}
+    values = dict(zip(VECTOR, (P, Q, K), strict=True))
+    computed = [Stage(words, "", f(**arguments), words) for words, f in stages]
+    answers = {"x": Traced(parts(**arguments), unit)}
+    slips = Perturbed(Computation(Formulas(answers, VECTOR, SI, computed)), values)
+    key = tuple(map(float, parts(**values)))
+    causes = diagnose(
+        (given,), (key,), [], KINDS[kind], slips=lambda fit, kind: slips.near("x", fit, kind)
+    )
+    return " | ".join(c.text for c in causes)
+
+
+def test_components_from_another_origin_and_handed_back():
+    parts = lambda p, q, **_: [p + 2 * q, q * q / p, 0 * p]
+    middle = [("the middle", lambda p, q, **_: (p / 2, q / 2, 0))]
+    right = [float(x) for x in parts(P, Q)]
+    less = (right[0] - P / 2, right[1] - Q / 2, 0.0)
+    assert "takes the middle off x" in of_vector(less, parts, stages=middle)
+    assert "gives q/2 unchanged" in of_vector((right[0], Q / 2, 0.0), parts)
+
+
+def test_a_quantity_is_turned_doubled_and_left_out_also_where_the_trace_moved_its_sign():
+    rate = [("the second rate", lambda p, q, k: [-(k * p / q)])]
+    parts = lambda p, q, k: [k * p - (k * p / q) * p, k * q - (k * p / q) * q, k * p]
+    p, q, k = P, Q, K
+    for factor, words in ((-1, "the opposite sign"), (2, "doubles"), (0, "leaves out")):
+        given = (k * p - factor * k * p / q * p, k * q - factor * k * p / q * q, k * p)
+        found = of_vector(given, parts, "m/s", rate)
+        assert words in found
+        assert "the second rate" in found
+
+
+def test_a_term_of_another_entry_on_the_diagonal_is_one_too_many():
+    parts = lambda p, q, **_: [p + 2 * q, 0, 0, 0, q * q / p, 0, 0, 0, p]
+    more = [float(x) for x in parts(P, Q)]
+    more[4] += 2 * Q
+    found = of_vector(tuple(more), parts, kind="matrix")
+    assert "adds the term 2*q to entry 2 on the diagonal of x" in found
