@@ -135,7 +135,7 @@ def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_
         fit = Fit(given, key, KINDS[kind].rtol)
         return [c.what for c in of_two(fit, KINDS[kind], [], lambda: singles, lambda c: False)]
 
-    told = ["has another factor with the term b"]
+    told = ["all but the factor of the term b is right"]
     assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == told
     assert multiple(points(A + 0.3 * B * A), points(A + B), points(A)) == []
     assert multiple(points(0.3 * B), points(B), points(0 * A)) == []  # the whole
