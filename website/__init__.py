@@ -20,6 +20,7 @@ Imports go down in this list only, and everything below it may import the grader
     pictures        pictures within a page as files beside it
     execution       notebooks run in clean kernels, their outputs kept
     notebooks       which chapters there are, in the order of the book
+    rendering       the pages by their templates/, in the language that is spoken
     kept            the folder in which results are kept, and what they depend on
 
 ``theme/`` is Sphinx's configuration with its style sheet, script and template.

@@ -10,50 +10,16 @@ from pathlib import Path
 from exercises.catalogue import problem
 from exercises.catalogue.variants import draw, practice_seed
 from grader.practice import write_practice
-from newton_euler.algebra.language import Words, _, spoken
+from newton_euler.algebra.language import _
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
 from newton_euler.classroom.widgets.stage import Stage
 
+from .rendering import rendered
+
 ANGLES = range(40, 149, 9)  # the page is to stay under 300 kB
-TERMS = {
-    "relative": Words("relative, a<sub>r</sub>"),
-    "coriolis": Words("Coriolis, 2 ω × v<sub>r</sub>"),
-    "centripetal": Words("centripetal, ω × (ω × r)"),
-}
-ALT = Words(
-    "A rod is hinged to an arm that turns about the vertical; the angle beta between them is "
-    "{angle} degrees."
-)
-MOVING = """\
-<div class="landing">
-<div class="figure">{frames}</div>
-<p><label for="turn">{turn} <output for="turn">{first}°</output></label>
-<input id="turn" type="range" min="0" max="{last}" value="{middle}" step="1"></p>
-<p class="terms">{by_terms}</p>
-<dl>{rows}</dl>
-<script type="application/json">{data}</script>
-</div>
-"""
-ASK = """\
-<form class="taste">
-<p>{asked} <label for="taste">{question}</label></p>
-<p><input id="taste" inputmode="text" autocomplete="off"> mm/s² <button>{check}</button></p>
-<p role="status" class="verdict"></p>
-<p>{more}</p>
-<script type="application/json">{data}</script>
-</form>
-"""
-ASKED = Words(
-    "<strong>Try it.</strong> The arm turns at ω = {omega} rad/s, counterclockwise seen from "
-    "above, and β grows at {b_dot} rad/s; BC is b = {b} mm, CD is L = {L} mm. At β = {beta_1}° the "
-    "acceleration of D is a<sub>D</sub> = (?, {y}, {z}) mm/s² along X, Y, Z."
-)
-MORE = Words(
-    "A wrong sign? Give it the other one, a half or zero, too: the answer says which mistake it "
-    'is. <a href="problems/4-16.html">Work the whole problem</a>, with its steps and hints.'
-)
+TERMS = "relative", "coriolis", "centripetal"
 WRONG = 1, -1, 0, 0.5, -0.5, 2, -2
 
 
@@ -62,23 +28,20 @@ def moving() -> str:
     p, values = _asked()
     stage = Stage(lambda ax, beta_1: p.code.draw(_base(p, values, beta_1), ax), (5.2, 3.6), (1, 1))
     stage.rehearse([{"beta_1": angle} for angle in ANGLES])
-    frames = [
-        stage.picture({"beta_1": angle}, alt=_(ALT, angle=angle)).decode() for angle in ANGLES
-    ]
+    frames = [stage.picture({"beta_1": x}, alt=_alt(x)).decode() for x in ANGLES]
     sizes = [_terms(p, {**values, "beta_1": angle}) for angle in ANGLES]
     most, middle = max(max(x.values()) for x in sizes), len(ANGLES) // 2
-    shown = "".join(
-        f"<div{'' if n == middle else ' hidden'}>{x}</div>" for n, x in enumerate(frames)
-    )
-    rows = "".join(
-        f"<dt>{spoken(words)}</dt><dd><span></span><b></b></dd>" for words in TERMS.values()
-    )
     data = {"angles": list(ANGLES), "most": most, "sizes": [list(x.values()) for x in sizes]}
-    return MOVING.format(
-        frames=shown, first=ANGLES[middle], last=len(ANGLES) - 1, middle=middle,
-        rows=rows, data=json.dumps(data), turn=_("Turn the rod: angle β ="),
-        by_terms=_("The acceleration of its end, by its terms:"),
-    )  # fmt: skip
+    given = {"frames": frames, "angles": ANGLES, "middle": middle, "data": json.dumps(data)}
+    return rendered("landing.html", **given)
+
+
+def _alt(angle):
+    return _(
+        "A rod is hinged to an arm that turns about the vertical; the angle beta between them is "
+        "{angle} degrees.",
+        angle=angle,
+    )
 
 
 def _asked():
@@ -114,7 +77,5 @@ def question() -> str:
         judged.append([factor * x, checked.verdicts["a_D"], checked.said["a_D"]])
         p.forget()
     numbers = {name: f"{value:g}" for name, value in p.givens.items()}
-    return ASK.format(
-        asked=_(ASKED, **numbers, y=f"{y:.4g}", z=f"{z:.4g}"), more=_(MORE), check=_("Check"),
-        question=_("What is its first component?"), data=json.dumps(judged),
-    )  # fmt: skip
+    numbers |= {"y": f"{y:.4g}", "z": f"{z:.4g}"}
+    return rendered("taste.html", numbers=numbers, data=json.dumps(judged))

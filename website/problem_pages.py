@@ -13,76 +13,22 @@ from exercises.catalogue.places import files_of
 from exercises.catalogue.sections import section_anchor
 from grader.assignment.figures import figure_for_page
 from grader.assignment.notebook import definitions, slug, statement, typeset
-from newton_euler.algebra.language import Words, _, language
+from newton_euler.algebra.language import _, language
 
 from .kept import fingerprint, kept_name, store
 from .notebooks import place
+from .rendering import rendered
 
-NUMBERS = """\
-<details>
-<summary>{title}</summary>
-
-```python
-{lines}
-```
-
-</details>
-"""
 IMAGE = re.compile(r"!\[(?:[^\\\]]|\\.)*\]\(attachment:figure\.png\)")
 # within the page, where it follows the page's theme; it says itself what it shows
 FIGURE = """```{{raw}} html
 :file: figures/{name}.svg
 ```"""
-OWN = """\
----
-orphan: true
-nosearch: true
----
-# {title}
-
-`````{{container}} statement
-{text}
-`````
-
-{data}
-
-```{{raw}} html
-<div class="practice" data-problem="{id}" data-file="{chapter}" data-engine hidden></div>
-<script defer src="../_static/practice.js"></script>
-```
-
-[{all}]({chapter}.md) · [{choose}](index.md)
-"""
-
-TAKEN = """\
----
-orphan: true
----
-# {title}
-
-{words}
-
-```{{raw}} html
-<div class="statement"></div>
-<div class="practice" data-engine hidden></div>
-<script defer src="../_static/practice.js"></script>
-```
-
-[{choose}](index.md)
-"""
-
-
-OWN_FILE = Words(
-    "Your instructor may have given you a practice file, as `ch04.practice`. Open it here, or in a "
-    'notebook by `practice("ch04.practice")`. It is read in this page: nothing is sent, and '
-    "nothing in it is run."
-)
 
 
 def taken() -> str:
     """The page on which a reader opens a practice file."""
-    title = _("Your own practice file")
-    return TAKEN.format(title=title, words=_(OWN_FILE), choose=_("Choose a problem"))
+    return rendered("taken.md")
 
 
 def names(wanted: Collection[str] = ()) -> list[str]:
@@ -132,11 +78,7 @@ def _statement(p):
 
 def _data(p):
     lines = "\n".join(definitions(p, p.book_values)[1:])
-    return (
-        NUMBERS.format(lines=lines, title=_("The numbers, to copy into a cell"))
-        if p.givens or p.symbols
-        else ""
-    )
+    return rendered("numbers.md", lines=lines) if p.givens or p.symbols else ""
 
 
 def own_pages(name: str) -> dict[str, str]:
@@ -144,15 +86,10 @@ def own_pages(name: str) -> dict[str, str]:
     found = {}
     for p in problems(name):
         head, _newline, text = _statement(p).partition("\n")
-        found[f"{slug(p.id)}.md"] = OWN.format(
-            title=head.lstrip("# "),
-            text=text.strip(),
-            data=_data(p),
-            id=p.id,
+        found[f"{slug(p.id)}.md"] = rendered(
+            "own.md", title=head.lstrip("# "), text=text.strip(), data=_data(p), id=p.id,
             chapter=name,
-            all=_("All problems of this chapter"),
-            choose=_("Choose a problem"),
-        )
+        )  # fmt: skip
     return found
 
 
