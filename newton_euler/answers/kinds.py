@@ -470,11 +470,11 @@ class _Word(Kind):
 
     def observed(self, given, key):
         """None: of a word nothing is nearly right."""
-        return None
+        return
 
     def unfit(self, points):
         """None: each is a good one."""
-        return None
+        return
 
     def change(self, moved, points):
         """inf where it changes."""
