@@ -161,8 +161,7 @@ def _graded(client, shared, roster, students, ahead, progress):
         for future in _finished(client, list(started)):
             student = started.pop(future)
             found[student] = _outcome(future, student)
-            if progress:
-                progress(found[student][0])
+            progress(found[student][0])
     return found
 
 

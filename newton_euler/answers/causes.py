@@ -379,9 +379,9 @@ def left_out(cause: Cause) -> str:
 
 
 def multiple_of(term: str) -> Cause:
-    """A term has another factor."""
-    words = Words("has another factor with {term}: the rest is right", term=term)
-    return computed(f"multiple of {term}", words)
+    """A remark: a term has another factor."""
+    words = Words("all but the factor of {term} is right", term=term)
+    return Cause("seen", f"multiple of {term}", words)
 
 
 CORIOLIS_HALVED = Cause(

@@ -30,7 +30,7 @@ from .edits_of_quantities import (
     of_components,
     of_densities,
     of_distances,
-    of_other_components,
+    of_other_entries,
     of_quantities,
     of_squares,
     of_uncancelled,
@@ -100,7 +100,7 @@ def _edits(formulas):
     own = US if any(u.is_of_feet for u in read.values()) else SI
     number = partial(_number, dimensions, system, own)
     yield from of_angles(steps)
-    yield from of_constants(steps)
+    yield from of_constants(steps, dimensions.get)
     yield from of_one_unit(given, read, system)
     yield from of_exchanged(given, read)
     yield from of_shifted(anything, read, steps)
@@ -128,7 +128,7 @@ def _edits(formulas):
     yield from of_uncancelled(anything, products, given, dimensions.get)
     yield from of_densities(given, steps, dimensions.get)
     yield from of_squares(products, number, dimensions.get)
-    yield from of_other_components(answers, dimensions.get)
+    yield from of_other_entries(answers)
     yield from of_terms(steps, formulas.units)
     yield from of_factors(products, number)
     for s, users in users_in.items():

@@ -1,5 +1,5 @@
 """Slips in linear equations that are solved together: an unknown or a right side with the opposite
-sign, left out, twice or half of it, in one of them.
+sign, or left out, in one of them.
 """
 
 import re
@@ -11,17 +11,12 @@ from ..algebra.language import Words
 from ..algebra.linear import Solved
 from ..algebra.trace import Step
 from .causes import computed
-from .formulas import LESS, SIMPLE, Edit, needed
+from .formulas import SIMPLE, Edit, needed
 from .typed import described
 
 SLIPS = {
-    -1.0: (
-        SIMPLE,
-        Words("has {term} with the opposite sign in one equation: check which way it points"),
-    ),
-    0.0: (SIMPLE, Words("leaves out {term} in one equation: it acts there, too")),
-    2.0: (LESS, Words("doubles {term} in one equation: it counts once")),
-    0.5: (LESS, Words("halves {term} in one equation: it counts in full")),
+    -1.0: Words("has {term} with the opposite sign in one equation: check which way it points"),
+    0.0: Words("leaves out {term} in one equation: it acts there, too"),
 }
 NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
 
@@ -68,7 +63,7 @@ def of_equations(systems: Sequence[Solved]) -> Iterator[Edit]:
             name = _name(place % width, x, system.names)
             if not name or (not isinstance(x, Step) and x == 0):
                 continue
-            for factor, (rank, words) in SLIPS.items():
+            for factor, words in SLIPS.items():
                 instead = {
                     s.number: ("equations", float(width), float(k), float(place), factor, *inside)
                     for k, s in unknowns
@@ -76,7 +71,7 @@ def of_equations(systems: Sequence[Solved]) -> Iterator[Edit]:
                 }
                 words = Words(words.template, term=name)
                 cause = computed(f"equations {[*instead]} {place} {factor}", words)
-                yield Edit(rank, cause, instead)
+                yield Edit(SIMPLE, cause, instead)
 
 
 def _name(column, x, names):

@@ -86,7 +86,7 @@ def of_given(
         else:
             more = Words("multiplies {name} by g: it is a mass already", name=name)
             less = Words("divides {name} by g: it is a mass, not a weight", name=name)
-        yield RARER, "g", more, ("*", s, g)
+        yield LESS, "g", more, ("*", s, g)
         yield LESS, "g", less, ("/", s, g)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..algebra.language import Words
 from ..algebra.trace import Step
+from ..algebra.units import Dimension
 from .causes import computed
 from .formulas import LEAST, LESS, Edit, users_of
 from .typed import Product, described, typed
@@ -15,6 +16,7 @@ from .typed import Product, described, typed
 PRODUCT, SUM = ("*", "/"), ("+", "-")
 LIKE_IT = Words("the other terms like it")
 ALIKE = 8  # terms of one shape, of which more are no single slip
+INERTIAS = Dimension(1, 2), Dimension(0, 2)  # of a body, and over a mass
 LARGE = 7  # numbers from which on no next one is taken for them
 FRACTIONS = {Fraction(1, n) for n in (2, 3, 4, 12)}  # one is taken for another
 
@@ -38,10 +40,10 @@ def of_terms(steps: Sequence[Step], units: Mapping[str, str]) -> Iterator[Edit]:
             yield from _of_terms(terms, words)
 
 
-def _of_exchanged(places):
+def _of_exchanged(places, inertias):
     """1/2 and 1/4 exchanged, as in the moments of inertia of a disk."""
     halves, quarters = (places.get(("/", float(n)), {}) for n in (2, 4))
-    if halves and quarters:
+    if inertias & {*halves} and inertias & {*quarters}:
         instead = {n: ("/", s, 2.0) for n, s in halves.items()}
         instead |= {n: ("*", s, 2.0) for n, s in quarters.items()}
         words = Words("exchanges the factors 1/2 and 1/4: each belongs to its own axis")
@@ -98,7 +100,9 @@ def neighbours(c: Fraction) -> list[Fraction]:
     return above + ([Fraction(n, d + k) for k in (1, -1) if d != 1 < d + k] if d < LARGE else [])
 
 
-def of_constants(steps: Sequence[Step]) -> Iterator[Edit]:
+def of_constants(
+    steps: Sequence[Step], dimension: Callable[[Step], Dimension | None]
+) -> Iterator[Edit]:
     """One constant left out, or taken for another, wherever it is a factor, as both halves of
     (x/2, y/2).
     """
@@ -106,7 +110,8 @@ def of_constants(steps: Sequence[Step]) -> Iterator[Edit]:
     for s in steps:
         if s.op in PRODUCT and isinstance(s.args[0], Step) and not isinstance(s.args[1], Step):
             found.setdefault((s.op, abs(float(s.args[1]))), {})[s.number] = s
-    yield from _of_exchanged(found)
+    inertias = {s.number for s in steps if dimension(s) in INERTIAS}
+    yield from _of_exchanged(found, inertias)
     for (op, x), places in found.items():
         c = Fraction(x).limit_denominator(999) if x else Fraction(1)
         if len(places) < 2 or c == 1 or abs(c - Fraction(x)) > 1e-12 * c:

@@ -214,8 +214,6 @@ def _of_factor(s, x, power, factor, of, why):
         yield SIMPLE, "square", words, ("/", s, factor)
         words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
         yield LEAST, "half", words, ("*", s, 0.25)
-        words = Words("takes twice {factor}{of}: the formula has it once", factor=named, of=of)
-        yield LEAST, "twice", words, ("*", s, 4.0)
     elif power == -2:
         words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
         yield SIMPLE, "square", words, ("*", s, factor)
@@ -223,8 +221,6 @@ def _of_factor(s, x, power, factor, of, why):
         words = Words(LEAVES_OUT, factor=the_factor, of=of, why=why)
         cause = computed(f"factor {s.number} {x.number}", words, f"without {x.number}")
         yield LESS, "factor", cause, ("/", s, factor)
-        words = Words("squares {factor}{of}: {why}", factor=named, of=of, why=why)
-        yield LEAST, "squared", words, ("*", s, factor)
         words = Words("divides by {factor} instead of multiplying: {why}", factor=named, why=why)
         if power > 2:
             words = Words(

@@ -8,7 +8,7 @@ from typing import Any
 
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
-from ..algebra.units import Dimension, unit
+from ..algebra.units import Dimension
 from .causes import computed
 from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS
 from .edits_of_operations import parts_of
@@ -141,19 +141,17 @@ def of_squares(
             yield Edit(LESS, computed(f"no squares {[*lost]} {len(group)}", words), lost)
 
 
-def of_other_components(answers: Mapping[str, Traced], of: DimensionOf) -> Iterator[Edit]:
-    """A term of one component in another one, where it does not stand."""
+def of_other_entries(answers: Mapping[str, Traced]) -> Iterator[Edit]:
+    """A term of one entry on the diagonal of a matrix in another one, where it does not stand."""
     for key, a in answers.items():
-        own = unit(a.unit).dimension
-        places = {3: (0, 1, 2), 9: (0, 4, 8)}.get(len(a.parts), ())
-        terms = [{x for _, x in terms_of(a.parts[n]) if isinstance(x, Step)} for n in places]
-        for n, there in zip(places, terms, strict=True):
-            x, others = a.parts[n], dict.fromkeys(y for other in terms for y in other)
+        entries = a.parts[::4] if len(a.parts) == 9 else ()
+        terms = [{x for _, x in terms_of(entry) if isinstance(x, Step)} for entry in entries]
+        for n, (x, own) in enumerate(zip(entries, terms, strict=True)):
+            others = dict.fromkeys(y for other in terms for y in other - own if described(y))
             for y in others if isinstance(x, Step) else ():
-                if y not in there and of(y) == own and described(y):
-                    words = Words(
-                        "adds {term} to component {n} of {key}: it belongs to another one",
-                        term=described(y, "the term"), n=places.index(n) + 1, key=key,
-                    )  # fmt: skip
-                    cause = computed(f"more {y.number} in {x.number}", words)
-                    yield Edit(LEAST, cause, {x.number: ("+", x, y)})
+                words = Words(
+                    "adds {term} to entry {n} on the diagonal of {key}: it belongs to another one",
+                    term=described(y, "the term"), n=n + 1, key=key,
+                )  # fmt: skip
+                cause = computed(f"more {y.number} in {x.number}", words)
+                yield Edit(LEAST, cause, {x.number: ("+", x, y)})

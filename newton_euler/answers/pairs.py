@@ -79,8 +79,9 @@ class _Pairs:
         import numpy as np
 
         key = np.array(self.fit.key[point], float)
-        rows = [*(x[point] for _, x in self.models), 2 * key, key / 2, *self.slips.at(point), -key]
-        return key, np.array(rows, float)
+        parts = [x[point] for _, x in self.models], self.slips.at(point)
+        own, slips = (np.array(x, float).reshape(-1, len(key)) for x in parts)
+        return key, np.concatenate((own, (2 * key, key / 2), slips, (-key,)))
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
         """(how simple, the two causes) of each pair that is met."""
@@ -123,11 +124,14 @@ class _Pairs:
             there = sums[(gaps <= AROUND * size).all(axis=2)]
             for i, j in np.argwhere((gaps <= near).all(axis=2)):
                 one, two = sorted((int(places[i]), int(seconds[j])))
-                is_slip, by_factor = self.own <= two < last, self.own - 2 <= one < self.own
+                is_slip = self.own <= two < last
+                by_factor = any(self.own - 2 <= n < self.own for n in (one, two))
                 of_numbers = self.kind.is_formula and not self.of_symbols
                 by_sign = two == last
-                is_mere = by_factor and not (by_sign and self.of_symbols)
-                if is_mere or (is_slip and of_numbers):
+                twice = abs(abs(np.log2(abs(rows[one] / key))) - 1).max() < NOISE
+                is_mere = by_factor and not self.of_symbols
+                is_mere |= bool(by_sign and self.kind.is_met_by_chance and twice)
+                if is_mere or (is_slip and (by_factor or of_numbers)):
                     continue
                 shares = share ** (1 if alike and not by_sign else wrong)
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
@@ -202,13 +206,14 @@ class _Pairs:
             with np.errstate(all="ignore"):
                 gaps = _off_line(off, changed)
                 shown = (abs(changed) > NOISE * size).sum(axis=1)
-                chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
-                is_met = (gaps <= near) & (shown > 1) & (chance <= CHANCE)
+                is_met = (gaps <= near) & (shown > 1)
                 is_met &= _off_line(key, changed) > NOISE * size  # what is the whole is no term
             if not is_met.any():
                 return ()
+        chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
+        is_met &= chance <= CHANCE
         largest = np.where(is_met, abs(changed).max(axis=1), 0).argmax()
-        return (multiple_of(terms[largest][-1]),)
+        return (multiple_of(terms[largest][-1]),) if is_met.any() else ()
 
     def _upside_down(self):
         import numpy as np

@@ -182,12 +182,14 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
         why = sentence(causes)
         also = _("; it also fits a solution that {cause}", cause=why) if why else ""
         return Explained(message, (follows(earlier), *causes), earlier, also)
+    key = asked.kind.like(numbers.key[asked.key], given)
+    if not causes and (seen := asked.kind.observed(given, key)):
+        causes = (seen,)
+    if causes and causes[0].is_observation:
+        return Explained(_("not right; {remark}", remark=causes[0].text), causes)
     message, why = _("not right"), sentence(causes)
     if why:
         message = _("not right; it fits a solution that {cause}", cause=why)
-    key = asked.kind.like(numbers.key[asked.key], given)
-    if not causes and (seen := asked.kind.observed(given, key)):
-        return Explained(_("not right; {remark}", remark=seen.text), (seen,))
     return Explained(message, causes)
 
 
@@ -218,7 +220,7 @@ def _slips(asked, found, numbers):
 
 def _singles(asked, numbers):
     """Finds the slips of which one may be made beside another mistake."""
-    most = LESS if asked.kind.is_formula else RARER
+    most = LESS if asked.kind.is_formula or asked.kind.length > 3 else RARER
     return lambda: numbers.slips.singles(asked.key, most)
 
 

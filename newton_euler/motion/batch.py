@@ -233,7 +233,8 @@ def _taylor(many, run):
         span = run.t0, float(times[-1])
         errors[n] += _clock_errors(system, *span, ends[:, n], p[:, n], sizes[:, n], rtol / 100)
         if system.traced.narrow:
-            errors[n] += [_unseen(many, run, k, tolerance) for k in np.asarray(n).tolist()]
+            pairs = zip(np.asarray(n).tolist(), errors[n].tolist(), strict=True)
+            errors[n] += [_unseen(many, run, k, tolerance, error) for k, error in pairs]
         return more
 
     calls += compare(chosen)
@@ -248,13 +249,13 @@ def _taylor(many, run):
     return Sweep(states, reported, calls)
 
 
-def _unseen(many, run, n, tolerance):
-    """What the series of the motion of this number do not see of the rates, relative to the
-    scales of the states.
+def _unseen(many, run, n, tolerance, error):
+    """What the series of the motion of this number, which has this error, do not see of the rates,
+    relative to the scales of the states.
     """
     one, x0 = many.alone(n)
     alone = replace(run, system=one, state=x0, samples=None, progress=None)
-    return alone.trajectory(METHODS["taylor"], tolerance).unseen()
+    return alone.trajectory(METHODS["taylor"], tolerance).unseen(error)
 
 
 def _constants(many, system):

@@ -139,7 +139,7 @@ class EventLocator:
         """
         arguments = self.stepper.system.narrow_of(self.event.function)
         if arguments:
-            times, knots = narrow_times(self.stepper, arguments, first)
+            times, knots, _ = narrow_times(self.stepper, arguments, first)
             self.cuts = sorted([*times.tolist(), *knots.tolist()])
 
     @property

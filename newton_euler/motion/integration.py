@@ -72,9 +72,11 @@ def integrate(
     of the rates and repeated (a series is refused). So a place is found from 1e-7 of the way on; an
     expanded square, as x*x + y*y < R*R, or the top of a curve that rises by w above a level is
     found if w is 1e-14 of the largest value of the argument or more. Below, the motion may be
-    refused. Not seen is what has no such argument, as the sine of a fast variable, an argument that
-    turns twice within a step whose ends do not show it, and a peak of a table that the argument
-    touches by less than two of its places without turning.
+    refused. A spot in the plane, which an error of the way may hit or miss, is met or refused down
+    to 1e-9 of the way: what lies within the error is counted. Not seen is what has no such
+    argument, as the sine of a fast variable, an argument that turns twice within a step whose ends
+    do not show it, and a peak of a table that the argument touches by less than two of its places
+    without turning.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))

@@ -9,7 +9,7 @@ the rates are integrated along the trajectory, in pieces that become shorter by 
 compared with the change of the states.
 """
 
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from math import ulp
 from typing import NamedTuple
@@ -30,6 +30,9 @@ SAMPLES, NEWTON_STEPS = 32, 3  # of a step, for the times at which it passes the
 ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
 HALVINGS = 44  # of a step towards it
 LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
+SHORT = 0.1  # time between two jumps, over the longest step, that may be passed over
+UNEQUAL = 2  # distances at which what turns may have two signs
+SLIGHT, HIT = 0.01, 40.0  # changes of an argument that matter, and of exp up to which it does
 NUDGE = 2.0**-51  # of states and constants, relative: what rates change by is round-off
 
 
@@ -47,11 +50,15 @@ class Passage(NamedTuple):
 
 
 def passage(stepper, first):
-    """The first :class:`Passage` in the steps from number ``first`` on, or None."""
+    """The first :class:`Passage` in the steps from number ``first`` on, or None; ``stepper.near``
+    are the times, with the numbers of the arguments, at which one turns back.
+    """
+    stepper.near = [pair for pair in stepper.near if pair[0] < stepper.step_times[first]]
     # the same steps again, as of the same call
     clear = vars(stepper.system).setdefault("_clear", {})
     key, steps = stepper.tolerance, (first, stepper.start, stepper.t, stepper.x)
-    if clear.get(key) == steps:
+    if key in clear and clear[key][0] == steps:
+        stepper.near = clear[key][1]
         return None
     arguments = stepper.system.traced.narrow
     few = FEW <= len(stepper.steps) - first < MANY and not (stepper.repeated or arguments.tables)
@@ -60,10 +67,11 @@ def passage(stepper, first):
     import numpy as np
 
     with np.errstate(all="ignore"):
-        times, knots = narrow_times(stepper, arguments, first)
+        times, knots, near = narrow_times(stepper, arguments, first)
+        stepper.near += near
         if not len(times) and not len(knots):
             if not first:
-                clear[key] = steps
+                clear[key] = steps, stepper.near
             return None
         stepper = stepper.dense
         ends = np.array(stepper.step_times)
@@ -106,7 +114,8 @@ def _calm(stepper, arguments, first):
         crossed += kind == "jump" and min(row) <= 0 <= max(row)
         for x, y, k, change, m in zip(row, row[1:], before, d, after, strict=False):
             much = not abs(k) + abs(change) + abs(m) <= (limit or 2 * min(abs(x), abs(y)))
-            if much and (kind != "jump" or k * m <= 0 or crossed > 1):
+            turns = k * m <= 0 or (k * change < 0 and k * x < 0) or (m * change < 0 and m * y > 0)
+            if much and (kind != "jump" or turns or crossed > 1):
                 return False
     return True
 
@@ -114,17 +123,21 @@ def _calm(stepper, arguments, first):
 def narrow_times(stepper, arguments, first):
     """The times at which one of the :class:`~.narrow_arguments.Arguments` passes its narrow place
     within a step, from number ``first`` on, and those at which it passes several places of a table
-    in one step: two arrays.
+    in one step: two arrays; and a list of pairs (time, number of an argument) where one is least
+    without a change of its sign.
     """
     import numpy as np
 
     with np.errstate(all="ignore"):
         path = _Path(np, stepper, arguments, first)
         suspects = path.suspects()
-        brackets = _brackets(np, path, suspects) if suspects.any() else []
-        times = _located(np, stepper.dense, arguments, brackets) if brackets else np.array([])
+        brackets, near = _brackets(np, path, suspects) if suspects.any() else ([], [])
+        times, more = np.array([]), []
+        if brackets:
+            times, more = _located(np, stepper.dense, arguments, brackets)
         knots = [_knots(np, path, j, table.places) for j, table in arguments.tables.items()]
-        return times, np.concatenate([*knots, times[:0]])
+        near += [*more, *_inside(np, path)]
+        return times, np.concatenate([*knots, times[:0]]), near
 
 
 def _knots(np, path, j, places):
@@ -153,6 +166,18 @@ def _knots(np, path, j, places):
     for _ in range(NEWTON_STEPS):
         t = t - (path.arguments(t)[j] - place) / slope
     return t
+
+
+def _inside(np, path):
+    """Pairs (time, number of an argument) between two jumps that are close to each other."""
+    near, ends = [], path.ends
+    for j in np.flatnonzero(path.of.jumps[:, 0]).tolist():
+        edges = np.flatnonzero(np.diff(np.sign(path.rows[j])))
+        first, last = edges[:-1] + 1, edges[1:] + 1
+        close = ends[last - 1] - ends[first] < SHORT * path.lengths.max()
+        for a, b in zip(first[close].tolist(), last[close].tolist(), strict=True):
+            near.append((float(ends[a + abs(path.rows[j, a:b]).argmax()]), j))
+    return near
 
 
 class _Path:
@@ -198,7 +223,9 @@ class _Path:
         if not self.closely and much.any():
             # where the rates jump once in a step, its end shows it
             crossed = of.jumps & (a * b <= 0)
-            turns = k * m <= 0
+            # towards zero at one end, or away from it, and on the whole the other way
+            turns = (k * m <= 0) | ((k * change < 0) & (k * a < 0))
+            turns |= (m * change < 0) & (m * b > 0)
             turns[:, [0, -1]] |= (a * b > 0)[:, [0, -1]]  # for all that is known
             much &= ~of.jumps | (crossed.sum(axis=0) > 1) | turns
             much |= crossed & much.any(axis=0)
@@ -212,11 +239,14 @@ class _Path:
 
 
 def _brackets(np, path, suspects):
-    """Triples (number of an argument, times between which it is at its narrow place)."""
+    """Triples (number of an argument, times between which it is at its narrow place); and pairs
+    (time, number of an argument) where it turns back before that.
+    """
+    near = []
     points, transform = sampling()
     n = np.flatnonzero(suspects.any(axis=0))
     if len(n) > max(FOLLOWED, len(path.lengths) / 2):
-        return []  # it sticks, and turns to and fro in each step
+        return [], []  # it sticks, and turns to and fro in each step
     n = np.sort(n[np.argsort(path.lengths[n])[-FOLLOWED:]])
     suspects, low, width, found = suspects[:, n], np.zeros(len(n)), 1.0, []
     noise = NOISE * np.nan_to_num(abs(path.rows)).max(axis=1)
@@ -232,7 +262,7 @@ def _brackets(np, path, suspects):
         off += noise[j]
         closely, kinds = depth > 0 or path.closely, path.of.names[j]
         u, v = _turns(np, fits[:, : DEGREE + 1])
-        narrow, rough = _judged(np, kinds, u, v, off, n[c], closely)
+        narrow, rough, turned = _judged(np, kinds, u, v, off, n[c], closely)
         rough &= np.ptp(v, axis=1) > CLEAR * noise[j]
         last = depth == DEPTH or DIVIDED * rough.sum() > MOST
         for row in np.flatnonzero(
@@ -241,6 +271,14 @@ def _brackets(np, path, suspects):
             for edges in [(0.0, 1.0)] if rough[row] else _about(np, kinds[row], u[row], v[row]):
                 times = begin[c[row]] + length[c[row]] * np.array(edges)
                 found.append((int(j[row]), *times.tolist()))
+        level = np.where((kinds == "largest")[:, None], -v, abs(v))[:, 1:-1]
+        for row in np.flatnonzero(narrow & ~rough & (kinds == "jump")).tolist():
+            for before, after in pairwise(_about(np, "jump", u[row], v[row])):
+                place = (before[1] + after[0]) / 2
+                near.append((float(begin[c[row]] + length[c[row]] * place), int(j[row])))
+        for row in np.flatnonzero(~(narrow | rough) & turned & (kinds != "phase")).tolist():
+            place = u[row, 1 + level[row].argmin()]
+            near.append((float(begin[c[row]] + length[c[row]] * place), int(j[row])))
         if last or not rough.any():
             break
         again = np.zeros(suspects.shape, bool)
@@ -249,7 +287,7 @@ def _brackets(np, path, suspects):
         chosen, width = np.flatnonzero(again.any(axis=0)), width / DIVIDED
         low = (low[chosen] + width * np.arange(DIVIDED)[:, None]).reshape(-1)
         n, suspects = np.tile(n[chosen], DIVIDED), np.tile(again[:, chosen], DIVIDED)
-    return found
+    return found, near
 
 
 def _turns(np, fits):
@@ -266,8 +304,8 @@ def _turns(np, fits):
 
 
 def _judged(np, kinds, u, values, off, steps, divided):
-    """For each of these arguments: whether it changes fast in its part, and whether its polynomial
-    cannot tell.
+    """For each of these arguments: whether it changes fast in its part, whether its polynomial
+    cannot tell, and whether it turns back inside.
 
     u, values : where it turns, as of :func:`_turns`
     divided : True for parts of steps, whose ends no stage of the method has seen: less counts
@@ -288,7 +326,8 @@ def _judged(np, kinds, u, values, off, steps, divided):
     narrow = [False, (jumps > 1 - divided) & (crossed > 0), inside & (least < ratio * beside)]
     rough = [size > RESOLVED, touched, off > ROUGH * lower]
     found = np.select(of_kind, narrow, inside & (beside - least > change))
-    return found, np.select(of_kind, rough, off > ROUGH * np.maximum(lower - least, change))
+    rough = np.select(of_kind, rough, off > ROUGH * np.maximum(lower - least, change))
+    return found, rough, (crossed == 0) & (turns < lower)
 
 
 def _about(np, kind, u, values):
@@ -326,17 +365,24 @@ def _rates(np, stepper, times, x, nudge=0.0):
 
 
 def _located(np, stepper, arguments, brackets):
-    """The time in each of the brackets at which its argument is least."""
+    """The time in each of the brackets at which its argument is least; and a list of pairs (time,
+    number of the argument) of those that do not change their sign there.
+    """
     j, low, high = map(np.array, zip(*brackets, strict=True))
-    rows, largest = np.arange(len(j)), (arguments.names[j] == "largest")[:, None]
+    ends, rows, largest = (low, high), np.arange(len(j)), (arguments.names[j] == "largest")[:, None]
+    signs = []
     for _ in range(ROUNDS):
         times = np.linspace(low, high, PARTS + 1, axis=1)
         flat = times.reshape(-1)
         values = _values(np, stepper, arguments, flat, stepper.states(flat))
         values = values.reshape(-1, *times.shape)[j, rows]
         k = np.where(largest, -values, abs(values)).argmin(axis=1)
+        signs.append(np.sign(values[:, [0, -1]]).T)
         low, high = times[rows, np.maximum(k - 1, 0)], times[rows, np.minimum(k + 1, PARTS)]
-    return times[rows, k]
+    times = times[rows, k]
+    turns = largest[:, 0] | (np.ptp(np.concatenate(signs), axis=0) == 0)
+    turns &= (ends[0] < times) & (times < ends[1])
+    return times, list(zip(times[turns].tolist(), j[turns].tolist(), strict=True))
 
 
 def _difference(stepper, n, centres, knots):
@@ -347,28 +393,15 @@ def _difference(stepper, n, centres, knots):
     """
     import numpy as np
 
-    a, b = stepper.step_times[n], stepper.step_end(n)
-    reach = (b - a) * 0.5 ** np.arange(1, HALVINGS)
-    edges = np.concatenate([[a, b], knots, *([t, *(t - reach), *(t + reach)] for t in centres)])
-    edges = np.unique(edges[(edges >= a) & (edges <= b)])
-    nodes, weights = _gauss()
-    widths = np.diff(edges)[:, None]
-    times = (edges[:-1, None] + widths * nodes).reshape(-1)
-    x = stepper.interpolate(n, times)
-
-    def integrals(nudge):
-        rates = _rates(np, stepper, times, x, nudge).reshape(len(x), len(widths), -1)
-        return (rates * weights).sum(axis=2) * widths[:, 0], np.ptp(
-            rates.reshape(len(x), -1), axis=1
-        )
-
-    made, jumps = integrals(0.0)
+    ends, states = (stepper.step_times[n], stepper.step_end(n)), partial(stepper.interpolate, n)
+    edges, integrals = _along(np, stepper, ends, states, centres, knots)
+    made, jumps = integrals()
     apart = np.nan_to_num(made - np.diff(stepper.interpolate(n, edges), axis=1))
     scales = np.array([s or 1.0 for s in stepper.scales])
     factor = LIMIT * (1.0 if len(centres) else LIMIT) if stepper.resumable else 1.0
     limits = (stepper.tolerance * factor + ROUND_OFF) * scales
     # the round-off of the time too
-    limits += stepper.around * ulp(b) * jumps + stepper.noise
+    limits += stepper.around * ulp(float(edges[-1])) * jumps + stepper.noise
     sizes = abs(apart.cumsum(axis=1)).max(axis=1)
     if not (sizes > limits).any():
         return None
@@ -380,6 +413,96 @@ def _difference(stepper, n, centres, knots):
     stops = [*knots.tolist(), float(edges[worst : worst + 2].mean())]
     noise = tuple(np.maximum(stepper.noise, off).tolist())
     return Passage(n, tuple(stops), tuple(sizes.tolist()), noise, float((sizes / scales).max()))
+
+
+def _along(np, stepper, ends, states, centres, knots=()):
+    """The ends of the pieces between two times, see :func:`_difference`, and a function of a nudge,
+    see :func:`_rates`, and of a shift of each state: the integrals of the rates over each piece,
+    and the largest difference of each rate.
+    """
+    a, b = ends
+    reach = (b - a) * 0.5 ** np.arange(1, HALVINGS)
+    edges = np.concatenate([[a, b], knots, *([t, *(t - reach), *(t + reach)] for t in centres)])
+    edges = np.unique(edges[(edges >= a) & (edges <= b)])
+    nodes, weights = _gauss()
+    widths = np.diff(edges)[:, None]
+    times = (edges[:-1, None] + widths * nodes).reshape(-1)
+    x = states(times)
+
+    def integrals(nudge=0.0, shift=0.0):
+        rates = _rates(np, stepper, times, x + shift, nudge).reshape(len(x), len(widths), -1)
+        sums = (rates * weights).sum(axis=2) * widths[:, 0]
+        return sums, np.ptp(rates.reshape(len(x), -1), axis=1)
+
+    return edges, integrals
+
+
+def within_reach(stepper, error):
+    """By how much the steps of a run may be off, relative to the scales, since it passes beside
+    something narrow at a distance that is less than this error: a spot in the plane.
+
+    Each state is moved in turn by up to its error so that the argument comes closest to its place,
+    as a parabola in it; and all of them by as much across the way, so that it is farther. The rates
+    along the way that is moved so are integrated about that time.
+    """
+    import numpy as np
+
+    if not stepper.near:
+        return 0.0
+    arguments, total = stepper.system.traced.narrow, 0.0
+    times, j = map(np.array, zip(*stepper.near, strict=True))
+    j, dense = j.astype(int), stepper.dense
+    scales = np.array([s or 1.0 for s in stepper.scales])[:, None]
+    begin, end, longest = dense.start[0], dense.t, np.diff(dense.step_times).max()
+    with np.errstate(all="ignore"):
+        beside = longest * 0.5 ** np.arange(HALVINGS)[:, None]
+        beside = np.clip([times - beside, times + beside], begin, end).reshape(-1)
+        values = _values(np, stepper, arguments, beside, dense.states(beside))
+        values = np.sign(values.reshape(len(values), 2, -1, len(j))[j, :, :, np.arange(len(j))])
+        kinds = arguments.names[j]
+        # with other signs on the left than on the right it only seems to turn, by round-off
+        turns = np.isin(kinds, ("largest", "ratio"))
+        turns |= (values[:, 0] != values[:, 1]).sum(axis=1) <= UNEQUAL
+        inside = (np.ptp(values, axis=(1, 2)) > 0) & (kinds == "jump")
+        times, j, kinds, inside = times[turns], j[turns], kinds[turns], inside[turns]
+        x, signs = dense.states(times), 1.0
+
+        def levels(shift):
+            values = _values(np, stepper, arguments, times, x + shift)
+            return signs * values[j, np.arange(len(j))]
+
+        nothing = np.zeros_like(x)
+        signs = np.where(kinds == "largest", -1.0, np.sign(levels(nothing)) * (1 - 2 * inside))
+        first, least, closer, needed = levels(nothing), levels(nothing), nothing.copy(), []
+        ways = error * scales * np.eye(len(x))[:, :, None]
+        for way in ways:
+            below, above = levels(closer - way), levels(closer + way)
+            top = np.nan_to_num((below - above) / (2 * (below - 2 * least + above)))
+            tried = [closer, closer - way, closer + way, closer + np.clip(top, -1, 1) * way]
+            found = [least, below, above, levels(tried[3])]
+            best = np.argmin(found, axis=0)
+            needed.append(abs(below - least) + abs(above - least) > 0)
+            closer, least = np.choose(best, tried), np.choose(best, found)
+        along = needed * _rates(np, dense, times, x) / scales
+        along /= np.sqrt((along**2).sum(axis=0)) + 1e-300
+        across = [way - error * scales * along * along[i] for i, way in enumerate(ways)]
+        most = np.array([levels(way * needed[i]) for i, way in enumerate(across)])
+        farther = np.take_along_axis(np.array(across), most.argmax(axis=0)[None, None], axis=0)[0]
+        of_kind, limit = [kinds == "jump", kinds == "ratio"], SLIGHT * abs(first)
+        hit = (first < HIT) & (kinds == "largest")
+        much = [
+            np.select(
+                of_kind, [(least < 0) & ~inside, first - least > limit], first - least > SLIGHT
+            ),
+            np.select(of_kind, [inside, True], hit) & (most.max(axis=0) > first + limit),
+        ]
+        for way, k in zip(*np.nonzero(much), strict=True):
+            ends = max(begin, times[k] - longest), min(end, times[k] + longest)
+            _, integrals = _along(np, dense, ends, dense.states, times[k : k + 1])
+            apart = integrals(shift=(closer, farther)[way][:, k : k + 1])[0] - integrals()[0]
+            off = float((abs(np.nan_to_num(apart).cumsum(axis=1)) / scales).max())
+            total += off if off > LIMIT * error else 0.0
+    return total
 
 
 @cache

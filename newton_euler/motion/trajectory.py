@@ -13,7 +13,7 @@ from .knots import knots
 from .methods.base import SMALLEST_SCALE, Stepper
 from .methods.table import METHODS
 from .model import ModelError
-from .narrow import passage
+from .narrow import passage, within_reach
 from .prepared import prepared_model
 from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 
@@ -208,15 +208,23 @@ class Trajectory:
             if not tries:
                 break
             first, last, self.repeated = passed.number, passed.size, True
-            # the sizes that states will have that are zero so far
-            made = [KINKED_PART * x for x in passed.changes]
-            stepper.floors, stepper.noise = tuple(map(max, stepper.floors, made)), passed.noise
-            stepper.back_to(first, passed.stops)
-            step(limit)
+            floors, changes, stepper.noise = stepper.floors, passed.changes, passed.noise
+            for _ in range(2):
+                # the sizes that states will have that are zero so far
+                made = [KINKED_PART * x for x in changes]
+                stepper.floors = tuple(map(max, floors, made))
+                stepper.back_to(first, passed.stops)
+                step(limit)
+                ends = stepper.x, *(s[-len(stepper.x) :] for s in stepper.steps[first:])
+                changes = [max(map(abs, column)) for column in zip(*ends, strict=True)]
+                if all(m <= max(f, x) for m, f, x in zip(made, floors, changes, strict=True)):
+                    break  # else the way that missed it has made them too large
         self.missed += passed.size
 
-    def unseen(self):
-        """How much the steps did not see of the rates, relative to the scales of the states."""
+    def unseen(self, error):
+        """How much the steps did not see of the rates, relative to the scales of the states, which
+        have this error.
+        """
         total = self.missed
         for part in self.segments if self.repeated else ():
             rows = zip(part.stepper.noise, part.stepper.scales, strict=True)
@@ -230,6 +238,8 @@ class Trajectory:
             while passed:
                 total, first = total + passed.size, passed.number + 1
                 passed = first < len(stepper.dense.step_times) - 1 and passage(stepper.dense, first)
+            if system.traced.narrow and error < inf:
+                total += within_reach(stepper, error)
         return total
 
     def _after(self, ending, events):

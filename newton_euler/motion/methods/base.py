@@ -47,6 +47,7 @@ class Stepper:
     scales : for each state what its error is relative to: its largest absolute value so far, but
         not less than its ``floors``; ``noise`` : the round-off in each state
     stops : times after the start, up to the goal, that no step may pass over
+    near : see :func:`~newton_euler.motion.narrow.passage`
     steps : for each step a tuple whose last elements are the state before it; empty for a method
         that does not keep its steps
     most_steps : the most steps of one motion
@@ -74,6 +75,7 @@ class Stepper:
         self.tolerance, self.start = trajectory.tolerance, (t, self.x)
         self.max_steps = min(trajectory.max_steps, self.most_steps)
         self.step_times, self.steps, self.calls, self.checked, self.longest = [t], [], 0, 0, 0.0
+        self.near = []
         self.floors, self.noise, self.stops = trajectory.limits(system, t, self.x)
         self.scales = tuple(map(max, map(abs, x), self.floors))
         self.begin(trajectory)

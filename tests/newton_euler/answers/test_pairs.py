@@ -90,7 +90,7 @@ def test_random_vectors_are_hardly_ever_two_mistakes():
     assert sum(map(bool, found)) <= 3
 
 
-def test_a_mistake_that_the_other_undoes_is_none():
+def test_a_mistake_that_the_other_undoes_does_not_count():
     own, slip = (5.418, -2.108, 1.871), (3.127, -6.324, 1.871)  # their sum in y is the right one
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
 
@@ -135,7 +135,7 @@ def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_
         fit = Fit(given, key, KINDS[kind].rtol)
         return [c.what for c in of_two(fit, KINDS[kind], [], lambda: singles, lambda c: False)]
 
-    told = ["has another factor with the term b"]
+    told = ["all but the factor of the term b is right"]
     assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == told
     assert multiple(points(A + 0.3 * B * A), points(A + B), points(A)) == []
     assert multiple(points(0.3 * B), points(B), points(0 * A)) == []  # the whole
