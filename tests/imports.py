@@ -1,6 +1,8 @@
 """What modules import, read from their text: for tests of who may import whom."""
 
 import ast
+import re
+from collections.abc import Callable
 from pathlib import Path
 
 
@@ -27,6 +29,17 @@ def imports(
             named = [(f"{target}.{a.name}", target, a.name) for a in node.names]
             found += [(full, None) if full in files else (of, name) for full, of, name in named]
     return [(target, name) for target, name in found if target.split(".")[0] in tops]
+
+
+def taken_privately(
+    module: str, files: dict[str, Path], room_of: Callable[[str], str], source: str | None = None
+) -> list[str]:
+    """The private names that a module takes from another room."""
+    return [
+        f"{target}.{name}"
+        for target, name in imports(module, files, source)
+        if name and re.match("_[^_]", name) and room_of(target) != room_of(module)
+    ]
 
 
 def circle(graph: dict[str, set[str]]) -> list[str] | None:

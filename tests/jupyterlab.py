@@ -144,7 +144,7 @@ class Page:
             self.driver.save_screenshot(f"{folder}/{name}.png")
 
     def all(self, css, n=None):
-        """The elements of a selector, of the cell ``n`` where one is said."""
+        """The elements of a selector, of the cell ``n`` where one is given."""
         inside = self.driver if n is None else self.cell(n)
         return inside.find_elements("css selector", css)
 
@@ -155,11 +155,11 @@ class Page:
     def says(self, n, *words):
         """Wait until all words stand in a cell; returns its text."""
 
-        def said():
+        def answered():
             text = self.cell(n).text
             return text if all(w in text for w in words) else None
 
-        return self.wait(said, f"{words} in cell {n}")
+        return self.wait(answered, f"{words} in cell {n}")
 
     def press(self, *keys, shift=False):
         """Press keys, wherever the focus is."""

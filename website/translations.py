@@ -1,5 +1,5 @@
-"""What of the course is said in another language, what is missing, and what is stale: translated
-from a source that has changed since.
+"""What of the course is translated to another language, what is missing, and what is stale:
+translated from a source that has changed since.
 
 Sentences are in a catalogue of gettext (``newton_euler/algebra/languages/de.po``), where a changed
 sentence is a missing one; those of a chapter's predictions in ``chapters/de/ch09_rotors.po``, since
@@ -44,7 +44,7 @@ class Part:
 
 
 def sentences(suffixes: Collection[str] = (".py", ".j2", ".js")) -> dict[str, tuple[str, ...]]:
-    """{English sentence: (itself, its plural where it has one)} of all that a reader is told, in
+    """{English sentence: (itself, its plural where it has one)} of all that a reader sees, in
     the order of the files.
 
     suffixes : of the files that are read

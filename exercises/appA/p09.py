@@ -1,4 +1,4 @@
-"""A/9: the derivative of a vector function; numbers that vary beside the symbol t, no figure."""
+"""A/9: the derivative of a vector function; numbers that vary besides the symbol t, no figure."""
 
 from exercises.tools import rate
 from newton_euler import Frame, moving

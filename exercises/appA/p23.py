@@ -1,4 +1,4 @@
-"""A/23: the derivatives of a dot and a cross product, with numbers that vary beside the symbol."""
+"""A/23: the derivatives of a dot and a cross product, with numbers that vary besides the symbol."""
 
 from exercises.tools import mp, rate
 from newton_euler import Frame, moving

@@ -1,4 +1,4 @@
-"""A/24: the integral of a cross product; numbers that vary beside a symbol; no figure."""
+"""A/24: the integral of a cross product; numbers that vary besides a symbol; no figure."""
 
 from exercises.tools import proofs
 from newton_euler import Frame, integral

@@ -5,17 +5,18 @@ import math
 import re
 import traceback
 from collections.abc import Iterable
-from difflib import get_close_matches
 from pathlib import Path
+
+from newton_euler.algebra.names import nearest
 
 from .model import Givens
 from .places import EXERCISES, home, homes, place
 
 
-def meant(name: str, known: Iterable[str], form: str = "{}") -> str:
+def meant(name: object, known: Iterable[str], form: str = "{}") -> str:
     """ "; did you mean omega?", or "" where nothing that is known is like this name."""
-    close = get_close_matches(str(name), list(known), 1)
-    return f"; did you mean {form.format(close[0])}?" if close else ""
+    found = nearest(name, known)
+    return f"; did you mean {form.format(found)}?" if found else ""
 
 
 def explained(problem_id: str, error: Exception) -> str:

@@ -171,8 +171,8 @@ class Problem:
     ``steps`` has unit, means, section and equation of the steps that its code computes by key.
     ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a
     text, or list of them}. ``same_in_book`` names the mistakes that give the right answer for the
-    numbers of the book. ``figure`` is empty where there is none. ``said`` is what steps of its
-    code mean in another language.
+    numbers of the book. ``figure`` is empty where there is none. ``step_texts`` is what steps of
+    its code mean in another language.
     """
 
     id: str
@@ -189,7 +189,7 @@ class Problem:
     steps: dict[str, dict[str, str]] = field(default_factory=dict)
     checked: dict[str, Any] = field(default_factory=dict)
     same_in_book: frozenset[str] = frozenset()
-    said: dict[str, str] = field(default_factory=dict)
+    step_texts: dict[str, str] = field(default_factory=dict)
 
     @property
     def chapter(self) -> str:

@@ -21,7 +21,7 @@ ROOM = 3.0  # beyond what these give; rounded outward to powers of ten, which te
 @cache
 def sane_answers(p: Problem) -> dict[str, Sane]:
     """{answer: (low, high) of its size, "kinetic energy", "magnitude", or "magnitude of" a vector
-    that is asked for beside it, also behind its size} of problem ``p``; an answer of which nothing
+    that is asked for with it, also behind its size} of problem ``p``; an answer of which nothing
     is known is left out.
     """
     # not the change of one, which may be negative
@@ -45,7 +45,7 @@ def sane_answers(p: Problem) -> dict[str, Sane]:
 
 
 def _magnitude(p, a, right):
-    """ "magnitude", with the vector beside it whose size it is; "" where it may be negative."""
+    """ "magnitude", with the vector whose size it is; "" where it may be negative."""
     sizes = [x for (x,) in right[a.key]]
     if min(sizes) < 0:
         return ""

@@ -134,7 +134,8 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
     for s in (s if isinstance(s, Step) else _with_text(p, *s) for s in computed):
         # the terms of a sum come before it
         listed.insert(next((n for n, x in enumerate(listed) if x.key == s.of), len(listed)), s)
-    return [replace(s, means=p.said.get(s.key, s.means)) for s in listed] if p.said else listed
+    texts = p.step_texts
+    return [replace(s, means=texts.get(s.key, s.means)) for s in listed] if texts else listed
 
 
 @cache

@@ -1,6 +1,6 @@
 """What problems are chosen by: section, kinds of answers, equations, steps, how hard and how long.
 
-None of it tells an answer. Difficulty and time are estimates from what is computed, on a scale that
+It gives no answer away. Difficulty and time are estimates from what is computed, on a scale that
 spreads the problems of this catalogue; what students of a course found hard is measured apart
 (:mod:`grader.reports.measured`).
 """

@@ -65,7 +65,7 @@ def _translated(p, name):
         ),
         steps={n: {**s, "means": means("steps", n, s["means"])} for n, s in p.steps.items()},
         mistakes={n: means("mistakes", n, text) for n, text in p.mistakes.items()},
-        said=own.get("steps", {}),
+        step_texts=own.get("steps", {}),
     )
 
 

@@ -51,7 +51,7 @@ follows = {"F_B": lambda g, F_A: g.m * g.g - F_A}
 
 
 def prove(g):
-    """What the mass points of rotor and rest need beside their weight, about each support."""
+    """What the mass points of rotor and rest need besides their weight, about each support."""
     turned = [(share, [z, x, y]) for share, (x, y, z) in proofs.ring(g.k)]
 
     def rotor(t):

@@ -51,7 +51,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time along a line; beside the weight acts the chute, by the friction law."""
+    """The motion in time along a line; besides the weight acts the chute, by the friction law."""
     down = [mp.cos(g.theta), -mp.sin(g.theta)]
     across = [mp.sin(g.theta), mp.cos(g.theta)]
     place = lambda a: lambda t: scaled(g.v_A * t + a * t**2 / 2, down)

@@ -24,7 +24,7 @@ def circle(r):
 
 
 def proved_contact(m, g, r, phi, v):
-    """Proof: what is needed toward the centre beside the weight, whatever the speed's rate."""
+    """Proof: what is needed toward the centre besides the weight, whatever the speed's rate."""
     needed = force_needed(m, lambda t: [(1, circle(r)(phi + v / r * t))])
     track = plus(needed, [0, 0, m * g])
     return track[2] * mp.cos(phi) - track[0] * mp.sin(phi)

@@ -1,10 +1,10 @@
 """What an assignment may say of a problem, in its file or in the metadata of the answer cell."""
 
-import difflib
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from exercises.catalogue import Problem
+from exercises.catalogue.errors import meant
 from newton_euler.classroom.practising.files import HELP as PRACTICE_HELP
 
 # what a student is shown at the most: points, right or wrong, after grading; also which mistake
@@ -22,8 +22,7 @@ def read_option(name: str, value: Any, p: Problem | None = None) -> Any:
 def unknown(word: object, known: Iterable[str], what: str = "is not one of") -> str:
     """That a word is not among those that are known, and which of them may be meant."""
     names = sorted(known)
-    close = difflib.get_close_matches(str(word), names, 1)
-    return f"{word!r} {what} {', '.join(names)}{f'; did you mean {close[0]}?' if close else ''}"
+    return f"{word!r} {what} {', '.join(names)}{meant(word, names)}"
 
 
 def _number(value, least, most, words):

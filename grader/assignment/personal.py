@@ -21,7 +21,7 @@ def make_personal_copies(
     course: Course,
     assignment: str,
     students: Iterable[str] | None = None,
-    progress: Callable[[float], object] | None = None,
+    progress: Callable[[float], object] = lambda share: None,
     workers: int | None = None,
     right_or_wrong: bool = False,
 ) -> dict[str, Path]:
@@ -51,8 +51,7 @@ def make_personal_copies(
     with process_pool(workers) as pool:
         for figure, png in zip(drawn, pool.map(_draw, drawn, chunksize=8), strict=True):
             drawn[figure] = png
-            if progress:
-                progress(1 / len(drawn))
+            progress(1 / len(drawn))
     paths = {}
     for s in students:
         figures = {i: drawn[i, _hashable(values[s][i])] for i in asked}

@@ -4,7 +4,6 @@ An instructor writes it as a file; ``python -m grader build --help`` prints one 
 hold.
 """
 
-import difflib
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
@@ -15,6 +14,7 @@ from typing import Any
 import yaml
 
 from exercises.catalogue import CatalogueError, Problem, chapter, chapters, problem, problems
+from exercises.catalogue.errors import meant
 from exercises.catalogue.variants import sheets
 from newton_euler.answers.tolerance import SEPARATION
 
@@ -290,10 +290,9 @@ def _found(path, name, line):
         return in_range(str(name))
     except (CatalogueError, CourseError) as error:
         numbers = re.fullmatch(r"(?:ch0?)?(\w+)[.,:_-](\d+)", str(name))
-        meant = f"{numbers[1]}/{numbers[2]}" if numbers else str(name)
+        likely = f"{numbers[1]}/{numbers[2]}" if numbers else str(name)
         known = [*chapters(), *(p.id for c in chapters() for p in problems(c))]
-        close = difflib.get_close_matches(meant, known, 1) if meant not in known else [meant]
-        hint = f"; did you mean {close[0]}?" if close and close != [name] else ""
+        hint = "" if name in known else meant(likely, known)
         raise _error(path, line, f"{name!r}: {error}{hint}") from error
 
 

@@ -3,25 +3,12 @@
 from .bank import bank
 from .catalogue import preview, problems
 from .ci import ci
-from .courses import (
-    build,
-    demo,
-    due,
-    enrol,
-    grade,
-    hub,
-    late,
-    next_year,
-    personal,
-    retry,
-    share,
-    spec,
-    take_in,
-)
+from .courses import build, due, enrol, hub, late, next_year, share, spec
 from .exercises import diagnose, figure, new, prove, solution, solve
 from .paper import paper
 from .practice import practice, sets
 from .results import export, stats
+from .work import demo, grade, personal, retry, take_in
 
 COMMANDS = (
     problems, preview, solve, solution, prove, figure, diagnose, new, ci, practice, sets, paper,

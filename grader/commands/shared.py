@@ -42,6 +42,9 @@ POINTS = click.option(
 PROBLEMS = click.option(
     "--problem", "only", multiple=True, metavar="4/16", help="Only these problems; may be repeated."
 )
+STUDENTS = click.option(
+    "--student", "students", multiple=True, help="Only this student; may be repeated."
+)
 SEED = click.option("--seed", type=int, help="Draw a variant of the numbers, not the book's.")
 
 # in the context of a command: chapters of own problems, and their folders

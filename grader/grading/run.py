@@ -22,7 +22,7 @@ def grade(
     force: bool = False,
     workers: int | None = None,
     sandbox: bool = True,
-    progress: Callable[[Result], object] | None = None,
+    progress: Callable[[Result], object] = lambda result: None,
     scheduler: str | None = None,
     report: Callable[[str], object] | None = None,
 ) -> list[Result]:
@@ -83,8 +83,7 @@ def _on_threads(run, harvester, students, progress):
             for done in as_completed(list(started)):
                 student = started.pop(done)
                 found[student] = done.result()
-                if progress:
-                    progress(found[student][0])
+                progress(found[student][0])
         except BaseException:  # an interrupt does not wait for the others
             pool.shutdown(wait=False, cancel_futures=True)
             harvester.abandon()

@@ -46,7 +46,7 @@ def write_bank(
     seed: str,
     graded: Mapping[str, Sequence[Values]] | None = None,
     workers: int | None = None,
-    done: Callable[[], object] | None = None,
+    done: Callable[[], object] = lambda: None,
 ) -> Bank:
     """Write ``variants`` sets of numbers of each problem of an assignment, drawn by ``seed``, as
     ``form``, one of :data:`FORMATS`. The file holds the right answers: it is readable by its owner
@@ -70,8 +70,7 @@ def write_bank(
             questions += found
             notes += left_out
             problems += bool(found)
-            if done:
-                done()
+            done()
     if not questions:
         raise CourseError("no question is left: " + "; ".join(notes))
     if form == "canvas":

@@ -38,7 +38,7 @@ def write_papers(
     course: Course | None = None,
     key_for: Iterable[str] = (),
     workers: int | None = None,
-    done: Callable[[], object] | None = None,
+    done: Callable[[], object] = lambda: None,
 ) -> Written:
     """Write ``folder``/sheets/LOGIN.pdf and ``folder``/keys/LOGIN.pdf for each of the students, and
     keys/overview.pdf; with ``key_for`` the keys of these logins only. All are the instructor's
@@ -61,8 +61,7 @@ def write_papers(
         (folder / part).chmod(0o700)
     jobs = [(folder, spec.title, entries, s, not wanted) for s in class_]
     for _ in _all(_write, jobs, workers or os.cpu_count() or 1):
-        if done:
-            done()
+        done()
     if not wanted:
         write_bytes(folder / "keys" / "overview.pdf", pdf(overview(spec.title, entries, class_)))
     logins = sorted(s.login for s in class_)

@@ -70,7 +70,7 @@ def write_practice(
     help: str = "solution",
     graded: Mapping[str, Sequence[Values]] | None = None,
     workers: int | None = None,
-    done: Callable[[], object] | None = None,
+    done: Callable[[], object] = lambda: None,
     rules: Mapping[str, Mapping[str, Any]] | None = None,
     draw: Callable[[Problem, Values], tuple[str, bytes] | None] = png,
 ) -> list[LeftOut]:
@@ -99,8 +99,7 @@ def write_practice(
                 left.append(found)
             else:
                 pages.append(found)
-            if done:
-                done()
+            done()
     if not pages:
         raise PracticeError("no problem is left to practise: " + "; ".join(
             f"{x.problem} {x.why}" for x in left) if left else "no problem was chosen")  # fmt: skip

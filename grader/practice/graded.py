@@ -20,7 +20,7 @@ FAR = 2  # tolerances: practised answers are as far from graded ones at least
 
 
 def graded_numbers(
-    path: str | Path, done: Callable[[int, int], object] | None = None
+    path: str | Path, done: Callable[[int, int], object] = lambda n, of: None
 ) -> dict[str, list[Values]]:
     """{problem id: [{name: number} of each student's sheet]} of all assignments of the course in a
     folder: what is kept, and what is drawn for those on the roster who fetched nothing yet.
@@ -40,8 +40,7 @@ def graded_numbers(
         problems = [p for p in asked[assignment] if p]
         for name, values in course.values(assignment, student, problems).items():
             found[name].append(values)
-        if done:
-            done(n, len(sheets))
+        done(n, len(sheets))
     for file in sorted((course.path / "numbers").glob("*/*.json")):
         for name, kept in json.loads(file.read_text(encoding="utf-8")).items():
             found.setdefault(name, []).append({n: x for n, (x, _) in kept.items()})

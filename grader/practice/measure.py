@@ -35,7 +35,7 @@ RANDOMS = 5  # answers for each quantity
 
 
 def practice_shares(
-    problems: Iterable[Problem], variants: int, progress: Callable[..., object] | None = None
+    problems: Iterable[Problem], variants: int, progress: Callable[[], object] = lambda: None
 ) -> tuple[dict[str, Counter], float]:
     """{what was given: Counter of named, misnamed, unnamed, passed}, over this many sets of numbers
     of each problem, and the middle of the times that a check took, in seconds.
@@ -50,8 +50,7 @@ def practice_shares(
             for name, counts in shares.items():
                 found[name].update(counts)
             times += took
-            if progress:
-                progress()
+            progress()
     return found, statistics.median(times) if times else 0.0
 
 

@@ -20,7 +20,7 @@ def write_public(
     folder: Path = SETS,
     names: Collection[str] = (),
     course: Path | None = None,
-    done: Callable[[], object] | None = None,
+    done: Callable[[], object] = lambda: None,
 ) -> list[LeftOut]:
     """Write ``ch04.practice`` … into a folder, by default where ``try_problem`` finds them; returns
     the problems that are left out.

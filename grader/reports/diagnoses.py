@@ -17,7 +17,7 @@ OUTCOMES = ("named", "misnamed", "unnamed", "passed")
 
 
 def diagnosis_shares(
-    problems: Iterable[Problem], draws: int, progress: Callable[[], object] | None = None
+    problems: Iterable[Problem], draws: int, progress: Callable[[], object] = lambda: None
 ) -> dict[str, Counter[str]]:
     """{problem id: Counter of :data:`OUTCOMES`} over the book's numbers and ``draws`` - 1 drawn
     sets: each listed mistake is made, written as a student would, and scored.
@@ -31,8 +31,7 @@ def diagnosis_shares(
         for n in range(draws if p.givens else 1):
             values = p.book_values if n == 0 else draw(p, f"diagnose {n}".encode())
             found[p.id].update(_outcomes(p, values))
-        if progress:
-            progress()
+        progress()
     return found
 
 

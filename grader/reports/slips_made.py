@@ -10,10 +10,9 @@ from typing import Any, NamedTuple
 
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import POINTS, as_points, draw, flat, symbol_points
-from newton_euler.algebra.integrals import integrals, over_cube
-from newton_euler.algebra.roots import root
 from newton_euler.algebra.scalars import ZERO, pi, where
 from newton_euler.algebra.scalars import function as function_of
+from newton_euler.algebra.source import runtime_names
 from newton_euler.algebra.trace import Inner, Step, Trace
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
@@ -144,18 +143,11 @@ class _Evaluation:
 
 
 def _within(op, inner, *args):
-    def run(*numbers):
-        named = dict(zip(inner.parameters, (*numbers, *outer), strict=True))
-        value = _Evaluation(named).value
+    def formula(*numbers):
+        value = _Evaluation(dict(zip(inner.parameters, numbers, strict=True))).value
         return tuple(value(x) for x in inner.leaves)
 
-    count = {"integral": 2, "over_cube": 1, "root": 2}[op]
-    limits, outer = args[:count], args[count:]
-    if op == "integral":
-        return integrals(run, *limits)
-    if op == "over_cube":
-        return over_cube(run, *limits)
-    return (root(lambda x: run(x)[0], *limits),)
+    return runtime_names(math)[op](formula, *args)
 
 
 # -- the kinds of slips

@@ -1,4 +1,4 @@
-"""What a redraw costs while a slider is dragged, beside the same picture saved by matplotlib."""
+"""What a redraw costs while a slider is dragged, compared with the same picture saved by matplotlib."""
 
 import io
 import time

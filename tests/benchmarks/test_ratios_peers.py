@@ -1,4 +1,4 @@
-"""What a motion costs beside the peers, at equal true error, measured side by side in one run: the
+"""What a motion costs compared with the peers, at equal true error, measured side by side in one run: the
 ratios that issue 4 asks for.
 
 ``pytest -m benchmark -s tests/benchmarks/test_ratios_peers.py`` prints the tables. A peer gets the
@@ -163,7 +163,7 @@ def table(title, rows):
         )
 
 
-def beside(title, us, own_error, them, error):
+def print_row(title, us, own_error, them, error):
     print(
         f"\n{title}: ours {1e6 * us:.1f} us (error {own_error:.0e}), heyoka alone "
         f"{1e6 * them:.1f} us ({error:.0e}); ours costs {us / them:.2f} of it"
@@ -221,7 +221,7 @@ def compared(title, call, own_error, rival, exactly):
     """Ours over heyoka alone at the loosest setting with twice our true error or less."""
     setting, error = peers.loosest(rival, exactly, 2 * own_error) or (rival.settings[-1], own_error)
     us, them = timed(call, _theirs(rival, setting), runs=25)
-    beside(title, us, own_error, them, error)
+    print_row(title, us, own_error, them, error)
     return us / them
 
 
@@ -278,7 +278,7 @@ def test_samples_for_an_animation_cost_little_more_than_heyokas_own_grid(wanted)
     own_error = _off(peers.axis(list(sampled().values())), fine)
     ta, error = as_accurate(make, lambda ta: _off(peers.axis(own_grid(ta).T), fine), own_error)
     us, them = timed(sampled, lambda: own_grid(ta), runs=25)
-    beside(f"1001 samples, {wanted:g}", us, own_error, them, error)
+    print_row(f"1001 samples, {wanted:g}", us, own_error, them, error)
     assert own_error <= wanted
     assert us / them <= SAMPLES
 
@@ -314,7 +314,7 @@ def swept(wanted):
     scipy = [row[0] for name, row in competitors("top", wanted).items() if name.startswith("SciPy")]
     us, them, *slow = timed(ours, lambda: batches(ta), *scipy, runs=5)
     slow = 1000 * min(slow)
-    beside(f"1000 tops, {wanted:g}", us, error, them, their_error)
+    print_row(f"1000 tops, {wanted:g}", us, error, them, their_error)
     print(f"  SciPy one by one: {slow:.0f} s, {slow / us:.0f} times ours")
     assert error <= wanted
     return us, them, slow

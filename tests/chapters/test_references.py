@@ -55,7 +55,7 @@ def sections():
 
 
 @each_chapter
-def test_what_is_said_to_stand_in_a_section_stands_there(path, sections):
+def test_what_is_reported_to_stand_in_a_section_stands_there(path, sections):
     assert list(unfound(prose(read(path)), sections)) == []
 
 

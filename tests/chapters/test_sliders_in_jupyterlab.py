@@ -4,6 +4,7 @@ the time from the event to the changed picture, as a reader sees it. ``-s`` prin
 
 import statistics
 import time
+from pathlib import Path
 
 import pytest
 
@@ -21,28 +22,7 @@ CELLS = [
 # measured on two busy cores: 40 to 120 ms
 SOON_MS = 1000
 
-# notes the time of each event and of each frame in which the picture is another; and the frames
-# without a picture, which a reader would see as flicker
-WATCH = """
-const cell = arguments[0], seen = window.seen = {events: [], changes: [], blank: 0};
-const picture = () => cell.querySelector('.jp-OutputArea-output img');
-let last = picture().src;
-window.stopWatching && window.stopWatching();
-const note = () => seen.events.push(performance.now());
-for (const kind of ['keydown', 'pointermove']) cell.addEventListener(kind, note, true);
-let on = true;
-window.stopWatching = () => {
-  on = false;
-  for (const kind of ['keydown', 'pointermove']) cell.removeEventListener(kind, note, true);
-};
-function frame() {
-  const img = picture();
-  if (!img || !img.complete || !img.naturalWidth) seen.blank += 1;
-  else if (img.src !== last) { last = img.src; seen.changes.push(performance.now()); }
-  if (on) requestAnimationFrame(frame);
-}
-requestAnimationFrame(frame);
-"""
+WATCH = Path(__file__).with_name("watch_a_slider.js").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
@@ -82,19 +62,19 @@ def quiet(page):
 def test_a_screen_reader_hears_the_name_and_the_value_of_every_slider(page):
     from selenium.webdriver import Keys
 
-    said = """return [...document.querySelectorAll('[role=slider]')].map(h => [
+    labels = """return [...document.querySelectorAll('[role=slider]')].map(h => [
         h.getAttribute('aria-label'), h.getAttribute('aria-valuetext'),
         h.closest('.newton-euler-slider').querySelector('.newton-euler-value').textContent])"""
 
     def announced():
-        found = page.driver.execute_script(said)
+        found = page.driver.execute_script(labels)
         return found and all(f"{name} = {value}" == shown for name, value, shown in found)
 
     page.wait(announced, "names and values")
-    before = page.driver.execute_script(said)
+    before = page.driver.execute_script(labels)
     page.all(".noUi-handle", 0)[0].send_keys(Keys.ARROW_RIGHT)
     page.wait(
-        lambda: page.driver.execute_script(said)[0] != before[0] and announced(), "the next one"
+        lambda: page.driver.execute_script(labels)[0] != before[0] and announced(), "the next one"
     )
 
 

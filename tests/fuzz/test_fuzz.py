@@ -196,7 +196,7 @@ def test_what_a_function_of_the_caller_raises_arrives_as_raised(public, error):
     assert changed == {}
 
 
-def test_an_error_from_inside_is_told_from_one_in_words():
+def test_an_error_from_inside_is_distinguished_from_one_in_words():
     def bug(x):
         return {}[x]
 

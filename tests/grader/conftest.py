@@ -34,16 +34,16 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(scope="session")
 def demo_course(tmp_path_factory):
-    """The demo on five problems, graded; {"course", "said", "code"}."""
+    """The demo on five problems, graded; {"course", "output", "code"}."""
     only = [x for p in PROBLEMS for x in ("--problem", p)]
-    folder, (code, said) = once(
+    folder, (code, output) = once(
         tmp_path_factory, "demo", lambda f: grader("demo", "--course", f / "mechanics", *only)
     )
     from grader.course import Course
 
     with contextlib.suppress(Exception):
-        return {"course": Course(folder / "mechanics"), "code": code, "said": said}
-    pytest.fail(said)
+        return {"course": Course(folder / "mechanics"), "code": code, "output": output}
+    pytest.fail(output)
 
 
 @pytest.fixture(scope="session")

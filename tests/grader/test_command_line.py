@@ -1,4 +1,4 @@
-"""``python -m grader``: teaches, answers, and tells errors in one sentence with exit code 2."""
+"""``python -m grader``: teaches, answers, and reports errors in one sentence with exit code 2."""
 
 import json
 import shutil

@@ -12,7 +12,7 @@ import pytest
 
 import grader
 import website
-from tests.imports import circle, imports, modules
+from tests.imports import circle, imports, modules, taken_privately
 
 ROOT = Path(grader.__file__).parents[1]
 FILES = {
@@ -46,15 +46,6 @@ def climbing(module, source=None):
     return [t for t in found if place(t) and ORDER.index(place(t)) > ORDER.index(place(module))]
 
 
-def private(module, source=None):
-    """The private names that a module takes from another folder."""
-    return [
-        f"{target}.{name}"
-        for target, name in imports(module, FILES, source)
-        if name and re.match("_[^_]", name) and place(target) != place(module)
-    ]
-
-
 def by_text(source):
     """The modules of ours that a text imports by a name in a string, where nobody looks for it."""
     calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
@@ -73,7 +64,7 @@ def test_the_docstrings_name_every_folder_and_file():
 @pytest.mark.parametrize("module", [m for m in OURS if place(m) in ORDER])
 def test_imports_go_down_only_and_take_no_private_name(module):
     assert climbing(module) == []
-    assert private(module) == []
+    assert taken_privately(module, FILES, place) == []
     assert by_text(FILES[module].read_text(encoding="utf-8")) == []
 
 
@@ -98,7 +89,9 @@ def test_the_checks_see_what_they_forbid():
     assert climbing("grader.course.due", source) == [
         "grader.scoring.score", "grader.assignment.notebook",
     ]  # fmt: skip
-    assert private("grader.course.due", source) == ["grader.scoring.score._score_part"]
+    assert taken_privately("grader.course.due", FILES, place, source) == [
+        "grader.scoring.score._score_part"
+    ]
     assert by_text(source) == [".run"]
 
 

@@ -1,32 +1,5 @@
-"""``python -m tests.honesty``: how often is a result as accurate as asked, on random models?"""
+"""python -m tests.honesty: how often is a result as accurate as asked, on random models?
 
-import time
-from functools import partial
-from itertools import product
-from pathlib import Path
-
-import click
-from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-)
-
-import tests.honesty.families
-import tests.honesty.holdout  # noqa: F401
-from tests.honesty import printing, report
-from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT
-from tests.honesty.engine import METHOD_NAMES
-from tests.honesty.judge import SECONDS, TOLERANCES
-from tests.honesty.references import SECONDS as REFERENCE_SECONDS
-from tests.honesty.references import cache_folder
-from tests.honesty.workers import Plan, results
-
-HELP = """\
 Draws random models of many families, computes reference solutions with more digits than a float
 has, by two independent methods that must agree, integrates each model in every way that the engine
 offers, and counts how often the result is as accurate as asked.
@@ -60,6 +33,32 @@ examples:
   python -m tests.honesty --holdout                        families that nobody mends it by
   python -m tests.honesty --list                           the families
 """
+
+import time
+from functools import partial
+from itertools import product
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+import tests.honesty.families
+import tests.honesty.holdout  # noqa: F401
+from tests.honesty import printing, report
+from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT
+from tests.honesty.engine import METHOD_NAMES
+from tests.honesty.judge import SECONDS, TOLERANCES
+from tests.honesty.references import SECONDS as REFERENCE_SECONDS
+from tests.honesty.references import cache_folder
+from tests.honesty.workers import Plan, results
 
 
 def _several(allowed):
@@ -102,7 +101,7 @@ METHODS = "auto", *METHOD_NAMES
 USUAL = ",".join(f"{x:g}" for x in TOLERANCES)
 
 
-@click.command(help=HELP, context_settings={"max_content_width": 100})
+@click.command(help=__doc__, context_settings={"max_content_width": 100})
 @option("--families", callback=_several(ALL), metavar="A,B", help="only these families")
 @option("--holdout", is_flag=True, help="the families of the holdout in place of the others")
 @option("--seeds", default=1, type=COUNT, help="how many seeds")

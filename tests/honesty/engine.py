@@ -1,4 +1,4 @@
-"""What the harness takes from the engine beside its public names, in one place, so that it is
+"""What the harness takes from the engine besides its public names, in one place, so that it is
 easily pointed elsewhere.
 """
 

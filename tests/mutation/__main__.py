@@ -1,17 +1,5 @@
-"""``python -m tests.mutation``: would the tests notice if a module were a little different?"""
+"""python -m tests.mutation: would the tests notice if a module were a little different?
 
-import random
-from pathlib import Path
-
-import click
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-from rich.table import Table
-
-from tests.mutation.mutants import mutants
-from tests.mutation.runs import Target, TestsFailError, warm_up
-
-HELP = """\
 Makes one small change at a time in each FILE, such as a mistake would be: a comparison or an
 operator swapped, a constant doubled, a condition always true, a statement dropped, min for max. With
 each change ("mutant") it runs the tests. Where one fails the mutant is killed; where all pass it
@@ -39,6 +27,17 @@ examples:
 Exit code 1 if not all were killed.
 """
 
+import random
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from tests.mutation.mutants import mutants
+from tests.mutation.runs import Target, TestsFailError, warm_up
+
 NO_TEST = "  (no test runs it)"
 LATE = "  (its tests take longer than --seconds)"
 
@@ -63,7 +62,7 @@ def own_tests(path: Path) -> list[str]:
     return [str(found)]
 
 
-@click.command(help=HELP, context_settings={"max_content_width": 100})
+@click.command(help=__doc__, context_settings={"max_content_width": 100})
 @click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, path_type=Path))
 @click.option(
     "--tests",

@@ -29,13 +29,10 @@ REFUSED = [
     (lambda: a - v, "cannot add the velocity of P .*, in m/s, to the acceleration of P"),
     (lambda: -v + a.expressed_in(ground), "cannot add the acceleration"),
     (lambda: Q.velocity(ground) - Q.acceleration(ground), "cannot add the acceleration, in m/s"),
-    (lambda: -Q.velocity(ground) + a, "cannot add the acceleration of P"),
-    (lambda: F - a, "cannot add the acceleration"),
     # no number
     (lambda: moving(1.0, rate=None), "the rate is None, which is no number.* leave rate= out"),
     (lambda: ground.rotate("b", "z", rate=None), "the rate is None"),
     (lambda: ground.rotate("b", "z", 0.1, 0.2, None), "the acceleration is None"),
-    (lambda: ground.rotate("b", "z", rate=nan), "the rate is nan"),
     (lambda: moving(np.float64("nan")), "the value is nan"),
     (lambda: ground.point("A", nan, 0, 0), "the value is nan"),
     (lambda: ground.vector(0, None, 0), "the value is None"),
@@ -43,7 +40,6 @@ REFUSED = [
     (lambda: np.sin(m), r"np.sin .*: write sin\(...\), from newton_euler import sin"),
     (lambda: np.arccos(m), r"np.arccos .*: write acos\("),
     (lambda: np.arctan2(m, 1.0), r"np.arctan2 .*: write atan2\("),
-    (lambda: np.radians(m), r"np.radians .*: write radians\("),
     (lambda: math.sqrt(m), r"for math.sin\(x\) write sin\(x\)"),
     (lambda: at(lambda t: np.exp(-t), 1.0), r"np.exp .*: write exp\("),
     # names
@@ -54,7 +50,6 @@ REFUSED = [
     (lambda: unit("KG"), "Did you mean 'kg'"),
     (lambda: newton_euler.disk, "write from newton_euler.bodies import disk"),
     (lambda: newton_euler.bodies.dsk, "Did you mean 'disk'. Write: from newton_euler.bodies imp"),
-    (lambda: newton_euler.bodies.Disk, "Did you mean 'disk'. Write: from newton_euler.bodies imp"),
     (lambda: newton_euler.kinematics.moving, "write from newton_euler import moving"),
     (lambda: newton_euler.scenes.Frame, "write from newton_euler import Frame"),
     # calls

@@ -1,4 +1,4 @@
-"""What a right-hand side reads beside its arguments counts as it is when the model is integrated:
+"""What a right-hand side reads besides its arguments counts as it is when the model is integrated:
 no motion depends on what ran before.
 """
 

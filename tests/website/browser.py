@@ -7,10 +7,17 @@ import time
 from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 
 import pytest
 
+SCRIPTS = Path(__file__).with_name("scripts")
 LONG = 180  # seconds: for a busy machine
+
+
+def script(name):
+    """A script of JavaScript for the browser's page."""
+    return (SCRIPTS / f"{name}.js").read_text(encoding="utf-8")
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -72,7 +79,7 @@ def emulated(driver, theme="", media="", reduced=""):
 
 
 def complaints(driver):
-    """What the console has said since it was asked before."""
+    """What the console has printed since it was asked before."""
     return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]
 
 

@@ -29,9 +29,9 @@ def catalogue(path, sentences):
     quoted = lambda text: json.dumps(text, ensure_ascii=False)
     blocks = ['msgid ""\nmsgstr ""\n"Plural-Forms: nplurals=2; plural=(n != 1);\\n"']
     for text, forms in sentences.items():
-        said = [f"msgstr[{n}] {quoted(wide(form))}" for n, form in enumerate(forms)]
-        said = said if len(forms) > 1 else [f"msgstr {quoted(wide(text))}"]
-        blocks.append("\n".join([f"msgid {quoted(text)}", *said]))
+        lines = [f"msgstr[{n}] {quoted(wide(form))}" for n, form in enumerate(forms)]
+        lines = lines if len(forms) > 1 else [f"msgstr {quoted(wide(text))}"]
+        blocks.append("\n".join([f"msgid {quoted(text)}", *lines]))
     path.write_text("\n\n".join(blocks) + "\n", "utf-8")
 
 

@@ -11,7 +11,7 @@ import zipfile
 import pytest
 
 from newton_euler import __version__
-from tests.website.browser import LONG, Quiet, complaints, served, wait
+from tests.website.browser import LONG, Quiet, complaints, script, served, wait
 from tests.website.test_practice import practise, typed
 from website.notebooks import FOLDER
 
@@ -26,30 +26,8 @@ STORE = """(caches.open("newton-euler").then((store) => store.keys())
 # whether the new first page is
 KEPT = """(window.looked ??= caches.match(location.href).then((r) => r?.text())
   .then((text) => (window.looked = /has changed/.test(text) || undefined))) === true"""
-# move the first slider of a figure
-DRAG = """
-const holder = document.querySelectorAll("[data-moving]")[arguments[0]], input = holder.querySelector("input");
-input.value = arguments[1] === "end" ? input.max : +input.value + +input.step * (+input.value < +input.max ? 1 : -1);
-for (const kind of ["input", "change"]) input.dispatchEvent(new Event(kind, {bubbles: true}));
-return [JSON.parse(holder.dataset.moving).sliders[0].name, +input.value];
-"""
-# run cells by their buttons: [number, text built before, text now, error] of those that print
-RUN = """
-const [skipped, done] = arguments, left = new RegExp(skipped), found = [];
-const textOf = (cell) => [...cell.querySelectorAll(".cell_output .stream pre")].map((e) => e.textContent).join("");
-(async () => {
-  for (const input of document.querySelectorAll(".cell_input")) {
-    const cell = input.closest(".cell"), code = input.querySelector("pre").textContent;
-    if (left.test(code)) continue;
-    const before = textOf(cell), button = input.querySelector(".run button");
-    button.click();
-    while (button.textContent !== "Run") await new Promise((resolve) => setTimeout(resolve, 5));
-    const error = cell.querySelector(".output.error");
-    found.push([moving.numberOf(input), before, textOf(cell), error ? error.textContent : ""]);
-  }
-  done(found);
-})();
-"""
+DRAG = script("move_a_slider")
+RUN = script("run_cells")
 # the first cell with this code; the button below it; what it shows
 FIRST = """
 const cell = document.querySelector(".cell_input").closest(".cell");
@@ -242,7 +220,7 @@ def test_every_cell_of_a_chapter_prints_what_was_built_or_says_what_it_needs(
 def words(text):
     """A text without its numbers and its lines: round-off and blank lines between outputs differ,
     and what Python 3.11 calls "float division by zero". Why a motion stops where its coordinates
-    end is said by the method, which not every install has.
+    end is explained by the method, which not every install has.
     """
     text = re.sub(r"(could not be followed).*?(see \.reached)", r"\1, \2", " ".join(text.split()))
     return re.sub(r"[-+\d.e]+", "#", text).replace("float division", "division")

@@ -81,7 +81,7 @@ def assert_nothing_is_english(found, names):
             pytest.fail(f"{word!r} in {text[max(at - 60, 0) : at + 60]!r}", pytrace=False)
 
 
-def said(f, *args, **named):
+def output_of(f, *args, **named):
     """What a call says, or the error that it raises."""
     try:
         return str(f(*args, **named))
@@ -110,8 +110,12 @@ def test_practice_of_a_problem(file, number):
     book = Practice([PracticeFile(file)], Progress(None))
     p = book[number]
     found = [repr(p), p._repr_markdown_(), *p.meanings.values()]
-    found += [said(p.check), said(p.check, q_9=1), said(p.check, **{next(iter(p.answers)): "x"})]
-    found += [said(p.check_step, **{next(iter(p.answers)): 1}), said(p.check_step, q_9=1)]
+    found += [
+        output_of(p.check),
+        output_of(p.check, q_9=1),
+        output_of(p.check, **{next(iter(p.answers)): "x"}),
+    ]
+    found += [output_of(p.check_step, **{next(iter(p.answers)): 1}), output_of(p.check_step, q_9=1)]
     for label, x in _wrong(p):
         found.append(str(_checked(p, label[0], x)))
     found += [str(_checked(p, key, x)) for key, x in p.solved.items()]
@@ -163,10 +167,10 @@ def test_a_page_of_practice(file):
     found += [page.hint("9/4")["text"], page.solution("9/4")["text"]]
     found += [page.advice({"9/4": ["", "9.3"]}, "9/4")["sentence"], page.advice({}, "")["sentence"]]
     found += [
-        said(page.take_in, "x"),
-        said(page.load, "x", b64encode(b"x").decode(), "", "xx").partition(": ")[0],
+        output_of(page.take_in, "x"),
+        output_of(page.load, "x", b64encode(b"x").decode(), "", "xx").partition(": ")[0],
     ]
-    found += [said(page.show, "9/9"), said(page.read, "9/4", "no", [])]
+    found += [output_of(page.show, "9/9"), output_of(page.read, "9/4", "no", [])]
     keys = {
         "verdict",
         "unreadable",
@@ -187,12 +191,12 @@ def test_receipts_of_every_kind_with_what_they_cannot_read():
     forms = {name: f"{name}, m" for name in KINDS if name != "choice"}
     forms |= {"choice": "choice: lit | dark", "count": "count"}
     expect("0/1", {"r": "m", "omega": "rad/s"}, **forms)
-    found = [said(receipt, "0/1"), said(receipt, "0/2"), said(receipt, "0/1", q_9=1)]
+    found = [output_of(receipt, "0/1"), output_of(receipt, "0/2"), output_of(receipt, "0/1", q_9=1)]
     given = "x", 3, [1, 2], [1, 2, 3], [[1, 0, 0], [0, 1, 0], [0, 0, 1]], 1j, float("nan"), object
     for name in forms:
-        found += [said(receipt, "0/1", **{name: x}) for x in given]
+        found += [output_of(receipt, "0/1", **{name: x}) for x in given]
     expect("0/3", sane={"t": "positive"}, t="number, s")
-    found += [said(receipt, "0/3", t=-1), said(did_you_mean, "Coriolis", ["coriolis"])]
+    found += [output_of(receipt, "0/3", t=-1), output_of(did_you_mean, "Coriolis", ["coriolis"])]
     names = {*NAMES, *forms, "lit", "dark", "coriolis", "nan", "class", "object"}
     assert_nothing_is_english(found, names)
 

@@ -6,42 +6,14 @@ import time
 
 import pytest
 
-from tests.website.browser import complaints, emulated, requests, wait
+from tests.website.browser import complaints, emulated, requests, script, wait
 
 pytestmark = pytest.mark.integration
 
 PHONE = {"width": 360, "height": 740, "deviceScaleFactor": 1, "mobile": True}
 
-# what is wrong on a page, once its formulas are set
-LOOK = r"""
-const wrong = [], done = arguments[0];
-const typeset = window.MathJax && MathJax.startup ? MathJax.startup.promise : Promise.resolve();
-typeset.then(() => {
-  for (const f of document.querySelectorAll(".math"))
-    if (!f.querySelector("mjx-container")) wrong.push("not typeset: " + f.textContent.slice(0, 80));
-  for (const e of document.querySelectorAll("mjx-merror, [data-mjx-error], [data-mml-node=merror]"))
-    wrong.push("error in a formula: " + e.closest(".math").textContent.slice(0, 200));
-  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  for (let t = texts.nextNode(); t; t = texts.nextNode()) {
-    if (t.parentElement.closest("pre, code, script, style, mjx-container")) continue;
-    if (/\$\s*$/.test(t.data) && t.nextSibling?.matches?.(".math")) wrong.push("dollars about a formula: " + t.data.slice(-80));
-    if (/\$[^$]+\$|\\tag|\\\(|\\\[|\\frac|\\boldsymbol/.test(t.data)) wrong.push("raw: " + t.data.slice(0, 80));
-  }
-  for (const i of document.images) {
-    if (!i.alt.trim()) wrong.push("no alternative text: " + i.src.slice(0, 80));
-    if (i.loading != "lazy" && !(i.complete && i.naturalWidth)) wrong.push("not shown: " + i.src.slice(0, 80));
-  }
-  done(wrong);
-}).catch(e => done(["MathJax: " + e]));
-"""
-WIDER = r"""
-const wide = document.documentElement.clientWidth, found = [];
-for (const e of document.querySelectorAll("article :is(p, li, dl, div, details, form, fieldset, h1, h2, h3, img, svg)"))
-  if (e.getBoundingClientRect().right > wide + 1 && !e.closest(".math, pre, table, .output, mjx-container"))
-    found.push(e.tagName + "." + e.className + ": " + e.textContent.slice(0, 60));
-if (document.documentElement.scrollWidth > wide) found.push("the page: " + document.documentElement.scrollWidth);
-return found.slice(0, 5);
-"""
+LOOK = script("faults_of_a_page")
+WIDER = script("wider_than_the_page")
 
 
 def every_page(site, address):

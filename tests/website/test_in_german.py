@@ -76,8 +76,8 @@ def test_a_chapter_a_problem_and_feedback_are_german_and_axe_finds_nothing(germa
         m, b, h = 3.0, 0.24, 0.16
         along = m * (b**2 * 0.5 + h**2) / 12 * 62.8318531
         across = m * b**2 * 0.5 / 12 * 62.8318531
-        said = typed(driver, "H_O", [f"{along:.6g}", f"{across:.6g}", "0"])
-        assert "Deviationsmoment das falsche Vorzeichen" in said
+        verdict = typed(driver, "H_O", [f"{along:.6g}", f"{across:.6g}", "0"])
+        assert "Deviationsmoment das falsche Vorzeichen" in verdict
         hint = (
             "[...document.querySelectorAll('.help button')].find(b => b.textContent === 'Hinweis')"
         )

@@ -12,7 +12,7 @@ import pytest
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
-from tests.website.browser import LONG, complaints, emulated, requests, wait
+from tests.website.browser import LONG, complaints, emulated, requests, script, wait
 from website.build import CACHE
 from website.npm import Package
 
@@ -25,15 +25,7 @@ AXE = Package(
     "4.14.1",
     "sha512-FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ==",
 )
-FAULTS = """
-const [only, done] = arguments;
-// after a change of theme, in which colours are neither
-Promise.all(document.getAnimations().map((one) => one.finished.catch(() => 0)))
-  .then(() => axe.run(document, {resultTypes: ["violations"], ...(only && {runOnly: [only]})}))
-  .then(({violations}) => done(violations
-    .filter((v) => ["serious", "critical"].includes(v.impact))
-    .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => n.target).join(" ")}`)));
-"""
+FAULTS = script("faults_for_axe")
 # a page of each kind
 KINDS = (
     "index.html", "problems/4-16.html", "problems/own.html", "problems/index.html",
@@ -195,9 +187,9 @@ def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_s
     if not phone.execute_script("return localStorage['newton-euler.practises']"):
         go(".practice button", Keys.ENTER, "true")
     wait(phone, TOUCHED, "the form")
-    said = "document.querySelectorAll('.practice .said')[{}].textContent"
-    go(".help button:nth-of-type(1)", Keys.ENTER, said.format(0))
-    go(".help button:nth-of-type(2)", Keys.ENTER, said.format(1))
+    output = "document.querySelectorAll('.practice .said')[{}].textContent"
+    go(".help button:nth-of-type(1)", Keys.ENTER, output.format(0))
+    go(".help button:nth-of-type(2)", Keys.ENTER, output.format(1))
     go("details.steps > summary", Keys.ENTER, "document.querySelector('details.steps').open")
     assert complaints(phone) == []
 
@@ -307,8 +299,8 @@ def test_a_practice_file_of_ones_own_opens_and_what_is_none_is_refused_in_words(
     words = "document.querySelector('.practice .verdict.wrong')?.textContent"
     for path, reason in refused(sound, tmp_path).items():
         chosen.send_keys(str(path))
-        said = wait(phone, f"({words} || '').startsWith('{path.name}') && {words}", path.name)
-        assert reason in said
+        output = wait(phone, f"({words} || '').startsWith('{path.name}') && {words}", path.name)
+        assert reason in output
         assert not phone.execute_script("return document.querySelector('progress, fieldset')")
     chosen.send_keys(str(shutil.copy(sound, tmp_path / "mine.practice")))
     wait(phone, "document.querySelector('.practice select option[value=\"4/1\"]')", "its problems")

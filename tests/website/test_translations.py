@@ -1,4 +1,4 @@
-"""Every sentence is in the catalogue, every changed source is told."""
+"""Every sentence is in the catalogue, every changed source is reported."""
 
 import ast
 import re
@@ -27,7 +27,7 @@ def sentences():
     return translations.sentences()
 
 
-NEW = 0.05  # of the sentences may be newer than their translation: they are said in English
+NEW = 0.05  # of the sentences may be newer than their translation: they are in English
 
 
 def test_the_catalogue_has_the_sentences_of_the_code_and_no_others(sentences, german):
@@ -133,7 +133,7 @@ def test_a_translated_chapter_has_the_same_code_and_the_same_equations(rotors):
             assert re.findall(found, translated) == re.findall(found, text)
 
 
-def test_its_predictions_are_said_in_its_language_by_the_same_code(rotors):
+def test_its_predictions_are_reported_in_its_language_by_the_same_code(rotors):
     source, own = rotors
     wanted = translations.predictions(source)
     known = translations.catalogue("de", translations.file_of(source, "de"))

@@ -39,7 +39,7 @@ def test_a_term_can_have_the_number_of_its_equation_in_the_chapter():
     assert found["a_B_euler"].means == "the term alpha x r, in a_B"
 
 
-def test_the_terms_of_polar_components_are_said_in_words():
+def test_the_terms_of_polar_components_are_reported_in_words():
     p = problem("2/20")
     assert shown(p, p.book_values)["a_euler"].means == "the Euler term r theta'' e_theta, in a"
 
@@ -162,11 +162,11 @@ def test_steps_are_checked_with_the_problem(monkeypatch):
 
 def test_a_problem_without_sums_has_no_steps_of_its_own():
     p = SimpleNamespace(id="0/1", code=SimpleNamespace(solve=lambda g: {"x": 2.0}), units={},
-                        answers=(), said={}, base=lambda values, one: None)  # fmt: skip
+                        answers=(), step_texts={}, base=lambda values, one: None)  # fmt: skip
     assert steps(p, {}) == []
 
 
-def test_the_terms_of_two_coordinates_are_said_in_words():
+def test_the_terms_of_two_coordinates_are_reported_in_words():
     p = problem("3/26")
-    said = [s.means for s in steps(p, p.book_values)]
-    assert any(text.startswith("the Coriolis term of theta and phi, -2 R theta'") for text in said)
+    texts = [s.means for s in steps(p, p.book_values)]
+    assert any(text.startswith("the Coriolis term of theta and phi, -2 R theta'") for text in texts)

@@ -88,7 +88,7 @@ def test_objection_to_a_component_that_could_be_left_out_unseen():
     assert re.match(r"gives v_A with a component of 2.3e-03", objection(p, values))
 
 
-def test_a_range_without_good_numbers_is_told(monkeypatch):
+def test_a_range_without_good_numbers_is_reported(monkeypatch):
     monkeypatch.setattr(variants, "objection", lambda p, values: "gives v = (nan,)")
     monkeypatch.setattr(variants, "DRAWS", 3)
     message = "for problem 4/16 in 3 draws: narrow its vary ranges; the last draw gives v"

@@ -1,6 +1,7 @@
 """A chapter's spec becomes the files of its problems."""
 
 import ast
+from pathlib import Path
 
 import pytest
 import yaml
@@ -13,35 +14,7 @@ from exercises.catalogue.specs import mistake_names, problem_yaml, write_chapter
 
 PROBLEMS = select(["all"])
 
-SPEC = """\
-# Chapter 2: planar kinematics. Problems 2/1 .. 2/2.
-
-# 2/1: a digit is unreadable in the scan; 2 is chosen.
-- id: "2/1"
-  title: Collar, sliding
-  section: "2.3"
-  text: >
-    A collar moves with {v}. Which way does it go: "up"?
-  figure: >
-    A rod "AB" and a collar.
-  givens:
-    v: {value: 5, unit: ft/s, means: "speed", vary: [2, 10], figure: true}
-  answers:
-    - {key: sense, kind: choice, of: ["yes", "no"], unit: "1", means: whether it rises}
-    - {key: a, kind: number, unit: 1/s, means: rate, positive upward}
-  mistakes:
-    - "leaves out the rate of v, so that a = 0"
-    - leaves out the rate of v
-- id: "2/2"
-  title: Gradient
-  section: "2.1"
-  text: Find it.
-  figure: None needed.
-  givens: {}
-  symbols: {x: "1", omega: rad/s}
-  answers: [{key: g, kind: expression, unit: rad/s, means: gradient}]
-  mistakes: []
-"""
+SPEC = Path(__file__).with_name("spec.yaml").read_text(encoding="utf-8")
 
 
 @pytest.fixture
@@ -103,7 +76,7 @@ def test_what_is_not_in_the_spec_is_refused(spec, chapter, only, message):
         write_chapter(chapter, spec, only, spec.parent)
 
 
-def test_a_problem_that_does_not_fit_the_format_is_told_and_nothing_is_written(spec):
+def test_a_problem_that_does_not_fit_the_format_is_reported_and_nothing_is_written(spec):
     spec.write_text(SPEC.replace("kind: number", "kind: nmber"))
     with pytest.raises(CatalogueError, match=r"problem 2/1: a: kind 'nmber' is none of"):
         written(spec)

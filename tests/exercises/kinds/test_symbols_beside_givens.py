@@ -92,7 +92,7 @@ def replace_mistakes(p):
     return q
 
 
-def test_a_key_that_is_nowhere_real_is_told(falling):
+def test_a_key_that_is_nowhere_real_is_reported(falling):
     p = replace_mistakes(falling(lambda g: {"h": g.a * g.t * sqrt(-(g.t**2))}, lambda g: {}))
     (fault,) = check(p)
     assert fault.startswith("solve and prove are both real at no point: tried a = 2, t = ")

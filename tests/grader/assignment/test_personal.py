@@ -97,12 +97,12 @@ def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monke
     open_to_others = copy_to_exchange(course, "ch04", outbound, paths)
     assert open_to_others == ["no such user"]
     assert "of 1 students (no such user)" in warning(open_to_others)
-    said = (tmp_path / "said").read_text()
+    output = (tmp_path / "said").read_text()
     own = personal_name(course.name, "ch04", "nobody")
     user = pwd.getpwnam("nobody").pw_uid
-    assert said.startswith(f"--modify user:{user}:rX,group::---,other::---")
-    assert said.count(own) == 2
-    assert len(said.splitlines()) == 1
+    assert output.startswith(f"--modify user:{user}:rX,group::---,other::---")
+    assert output.count(own) == 2
+    assert len(output.splitlines()) == 1
     folder = outbound.parent / ".personal/ch04"
     assert stat.S_IMODE(folder.stat().st_mode) == 0o711
     (tmp_path / "setfacl").write_text("#!/bin/sh\nexit 1\n")  # a file system without access lists

@@ -33,7 +33,7 @@ def run(notebook, answers):
     return output
 
 
-def test_right_answers_are_said_to_be_right_and_others_not(copy):
+def test_right_answers_are_reported_to_be_right_and_others_not(copy):
     notebook, values = copy
     right = {name: right_answers(problem(name), values[name]) for name in ASKED}
     output = run(notebook, {n: cell_text(problem(n), x) for n, x in right.items()})

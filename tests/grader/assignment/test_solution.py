@@ -108,7 +108,7 @@ def test_a_step_is_no_given_under_another_name(p):
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_no_two_numbers_have_one_name(p):
-    """As a given v_x along i beside the component v_x of a vector v in other axes."""
+    """As a given v_x along i and the component v_x of a vector v in other axes."""
     values = numbers(p, b"one")
     known = {name: to_plain(values[name]) for name in p.givens}
     for line in as_python(p, b"one"):
@@ -222,7 +222,7 @@ def test_the_terms_of_an_answer_stand_in_its_table_and_not_among_the_steps_too()
     text = worked_solution(p, p.book_values)
     assert text.count("the Coriolis term") == 1
     assert r"| the Coriolis term $2\boldsymbol{\omega}\times\mathbf{v}_r$ | $" in text
-    # a term that is zero is said to be so, of a frame that adds nothing nothing is said
+    # a term that is zero is shown as zero; a frame that adds nothing has no line
     assert "| the term $\\boldsymbol{\\alpha} \\times \\mathbf{r}$ | $\\left[0,\\ 0,\\ 0" in text
     assert "| the turning of" not in text
 

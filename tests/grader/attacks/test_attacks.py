@@ -123,7 +123,7 @@ def test_nothing_is_changed_but_what_grading_writes(arena):
     assert {p.name for p in (arena.course.path / "autograded").glob("*")} <= students
 
 
-def test_what_is_said_has_no_terminal_codes_and_no_secret(arena):
+def test_what_is_reported_has_no_terminal_codes_and_no_secret(arena):
     assert not CONTROL.search(arena.said), CONTROL.search(arena.said)
     for secret in (a.SECRET, a.TOKEN, "hidden words"):
         assert secret not in arena.said

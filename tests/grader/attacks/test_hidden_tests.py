@@ -1,4 +1,4 @@
-"""An instructor's hidden tests beside hostile code: what stands, and what a test that runs in the
+"""An instructor's hidden tests against hostile code: what stands, and what a test that runs in the
 student's own process cannot promise.
 """
 

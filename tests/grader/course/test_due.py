@@ -88,7 +88,7 @@ def test_an_extension_that_the_formgrader_gave_stays(two_days_late):
     (("due", "ch04", "2027-01-31 23:59 UTC", "--student", "zoe"), "zoe: not on the roster"),
     (("due", "ch04", "2027-01-31 23:59 UTC", "--student", "ada"), "no due date for everybody"),
 ])  # fmt: skip
-def test_what_cannot_be_set_is_said_and_changes_nothing(fresh, arguments, words):
+def test_what_cannot_be_set_is_reported_and_changes_nothing(fresh, arguments, words):
     name, *others = arguments
     code, out = command(name, "--course", fresh.path, *others)
     assert code == 2

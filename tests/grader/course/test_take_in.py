@@ -112,7 +112,7 @@ def test_one_damaged_notebook_loses_none_of_the_others(named, tmp_path, packed):
 
 
 @pytest.mark.parametrize(("length", "hidden"), [(55, 1), (127, 2)])
-def test_what_a_damaged_list_of_contents_hides_is_said(named, tmp_path, length, hidden):
+def test_what_a_damaged_list_of_contents_hides_is_reported(named, tmp_path, length, hidden):
     path = archive(tmp_path / "w.zip", {f"{s}.ipynb": '"x"' for s in ("ada", "ben", "dan")})
     raw = bytearray(path.read_bytes())
     raw[raw.index(b"PK\x01\x02") + 32] = length  # of the comment on the first entry

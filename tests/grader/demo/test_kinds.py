@@ -13,9 +13,9 @@ from grader.grading import grade
 from tests.grader.courses import nbgrader, ran, submit
 
 KINDS = {
-    "without numbers, a word, symbols beside givens, no figure": ("A/7", "A/9", "A/15"),
+    "without numbers, a word, symbols with givens, no figure": ("A/7", "A/9", "A/15"),
     "integrals, of which one has symbols": ("A/24", "A/25"),
-    "intervals, and a word beside a number": ("2/4", "2/5", "2/18"),
+    "intervals, and a word with a number": ("2/4", "2/5", "2/18"),
     "matrices": ("3/27",),
     "counts, and a word": ("5/16", "5/20", "5/26"),
 }

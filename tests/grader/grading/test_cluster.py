@@ -105,13 +105,13 @@ def test_no_scheduler_and_no_workers_are_reported(fresh, cluster, monkeypatch):
 
 
 def test_a_cluster_gives_the_same_scores_and_leaves_nothing_running(fresh, two_workers, course):
-    said = []
-    results = grade(fresh, "ch04", scheduler=two_workers.address, report=said.append)
+    output = []
+    results = grade(fresh, "ch04", scheduler=two_workers.address, report=output.append)
     assert not [r.problem for r in results if r.problem]
     assert {r.sandbox for r in results} == {"namespaces"}
     assert gradebook_rows(fresh) == gradebook_rows(course)
     assert notebooks(fresh) == notebooks(course)
-    assert [line.split(": ")[1] for line in said] == ["1 at a time, namespaces"] * 2
+    assert [line.split(": ")[1] for line in output] == ["1 at a time, namespaces"] * 2
     two_workers.wait(lambda: not two_workers.below())
     assert not list(fresh.path.glob("scores/.plan*"))
     again = grade(fresh, "ch04", scheduler=two_workers.address)
@@ -192,7 +192,7 @@ def test_others_do_the_work_of_a_worker_that_dies_until_all_have_died(
     fresh, cluster, course, monkeypatch
 ):
     """Killed at its work, in its first check, and as the last one."""
-    address, started, said = cluster.at_least(3).address, [], []
+    address, started, output = cluster.at_least(3).address, [], []
     first, *others = cluster.living()
 
     def kill_first(_):
@@ -207,11 +207,11 @@ def test_others_do_the_work_of_a_worker_that_dies_until_all_have_died(
     cluster.wait(lambda: not [p for p in started if p.is_running()])
 
     dying(others[:1], monkeypatch)
-    results = grade(fresh, "ch04", scheduler=address, force=True, report=said.append)
+    results = grade(fresh, "ch04", scheduler=address, force=True, report=output.append)
     assert not [r.problem for r in results if r.problem]
     assert gradebook_rows(fresh) == gradebook_rows(course)
     died = "it died in its first check, and the others do its work"
-    assert sorted(line.split(": ")[1] for line in said) == ["1 at a time, namespaces", died]
+    assert sorted(line.split(": ")[1] for line in output) == ["1 at a time, namespaces", died]
 
     dying(others, monkeypatch)
     with pytest.raises(CourseError, match="every worker of the cluster died in its first che"):

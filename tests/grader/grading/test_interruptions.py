@@ -87,11 +87,11 @@ def test_ctrl_c_says_how_far_the_grading_came_and_the_next_run_goes_on(fresh, co
     before = gradebook_rows(fresh)
     process = started(fresh, *ROUTES["grade"], "--workers", "1", output=subprocess.PIPE)
     wait_for(fresh, "scores/ch04/*.json", 2)
-    said = stopped(process)
+    output = stopped(process)
     far = re.search(
-        r"Stopped by Ctrl-C. grading: (\d) of 6. These are kept; the next run goes", said
+        r"Stopped by Ctrl-C. grading: (\d) of 6. These are kept; the next run goes", output
     )
-    assert far, said
+    assert far, output
     assert gradebook_rows(fresh) == before
     assert not list(fresh.path.rglob("*.partial"))
     results = grade(fresh, "ch04")
@@ -112,8 +112,10 @@ def test_ctrl_c_in_a_build_leaves_nothing_and_in_feedback_what_is_done(fresh, tm
     route = ("nbgrader", "generate_feedback", "ch04")
     process = started(fresh, *route, output=subprocess.PIPE)
     wait_for(fresh, "feedback/*/ch04/*.html", 2)
-    said = stopped(process)
-    far = int(re.search(r"Stopped by Ctrl-C: (\d) of 6 are done and kept; the same comm", said)[1])
+    output = stopped(process)
+    far = int(
+        re.search(r"Stopped by Ctrl-C: (\d) of 6 are done and kept; the same comm", output)[1]
+    )
     done = list(fresh.path.glob("feedback/*/ch04/*.html"))
     assert 1 <= far <= len(done) < 6
     times = {path: path.stat().st_mtime_ns for path in done}

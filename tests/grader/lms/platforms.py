@@ -1,6 +1,6 @@
 """How platforms judge what they import, by the rules of the formats: readers that share no code with
-the writers. Each gives {question: judge}, and a judge of responses gives (share of the points, what
-is said). A response is a list of the numbers or words of each part.
+the writers. Each gives {question: judge}, and a judge of responses gives (share of the points, the
+feedback). A response is a list of the numbers or words of each part.
 """
 
 import html

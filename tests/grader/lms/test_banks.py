@@ -23,7 +23,7 @@ from grader.scoring.margins import margins
 from tests.grader.courses import command, ran
 from tests.grader.lms.platforms import PLATFORMS
 
-# mistakes too near to each other, vectors, a direction beside a vector, a choice beside a count, formulas, matrices, bounds,
+# mistakes too near to each other, vectors, a direction with a vector, a choice with a count, formulas, matrices, bounds,
 # one number alone, one choice alone
 FEW = "4/1", "4/16", "A/19", "5/26", "7/1", "3/27", "2/4", "2/8"
 SEED = "tests"
@@ -129,7 +129,7 @@ def test_margins_are_where_an_answer_stops_being_right():
     assert margins(problem("A/19").answer("n"), (1.0, 0.0, 0.0)) is None
 
 
-def test_what_is_left_out_is_said(tmp_path):
+def test_what_is_left_out_is_reported(tmp_path):
     made = write_bank(
         tmp_path / "b", spec_of("hw", ["A/19", "5/26", "7/1"]), "qti", 3, SEED, workers=1
     )

@@ -44,7 +44,7 @@ def test_an_engine_without_any_says_how_they_are_written(tmp_path, monkeypatch):
         practice()
 
 
-def test_a_broken_practice_file_is_told_apart_from_none(tmp_path):
+def test_a_broken_practice_file_is_distinguished_from_a_missing_one(tmp_path):
     (tmp_path / "ch04.practice").write_text("nothing")
     with pytest.raises(PracticeFileError, match="not a practice file"):
         try_problem("4/12", tmp_path)

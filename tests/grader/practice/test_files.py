@@ -37,8 +37,8 @@ def everything(path):
     assert repr(problems)
     p = problems["4/16"]
     for _ in range(2):
-        for said in (p, p.next_step(), p.next_step(), p.next_step(), p.solution(), p.figure):
-            assert said is None or repr(said)
+        for part in (p, p.next_step(), p.next_step(), p.next_step(), p.solution(), p.figure):
+            assert part is None or repr(part)
         for check, names in ((p.check_step, p.steps), (p.check, p.answers)):
             for value in ([1.0, 2.0, 3.0], 1.0):
                 repr(check(**dict.fromkeys(names, value)))

@@ -96,7 +96,7 @@ def test_help_begins_anew_with_each_problem_and_the_table_keeps_that_there_was_s
     assert len(heads) == 7
 
 
-def test_a_step_that_there_is_not_is_said_with_those_that_there_are(form, capsys):
+def test_a_step_that_there_is_not_is_reported_with_those_that_there_are(form, capsys):
     _, form = form
     field(form, "step").value = "omega"
     field(form, "its value").value = "1"

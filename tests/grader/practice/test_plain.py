@@ -1,4 +1,4 @@
-"""What is said in a terminal has no LaTeX, in any problem."""
+"""What a terminal shows has no LaTeX, in any problem."""
 
 import re
 
@@ -20,7 +20,7 @@ def test_no_text_has_latex(name):
         assert [x for x in texts if LATEX.search(x)] == [], p.id
 
 
-def test_axes_are_said_and_a_pure_number_has_no_unit():
+def test_axes_are_reported_and_a_pure_number_has_no_unit():
     p = twin(problem("A/24"))
     output = _plain(p, p.book_values)
     assert "c_1 = 6, c_2 = 4" in output

@@ -57,7 +57,7 @@ def test_answers_by_the_engine_are_right_for_other_numbers(practice_file):
     ("fast", "expected a vector"),
     (3.0, "expected a vector"),
 ])  # fmt: skip
-def test_a_wrong_answer_is_told_what_is_wrong_with_it(elbow, given, words):
+def test_what_is_wrong_with_an_answer_is_reported(elbow, given, words):
     checked = elbow.check(alpha_CD=given)
     assert checked.verdicts["alpha_CD"] in ("wrong", "unreadable")
     assert words in checked.text
@@ -71,7 +71,7 @@ def test_an_answer_that_was_rounded_on_the_way_is_right_and_told_so(elbow):
     assert elbow.check(v_D=[-9.6, 6.24, -3.6]).text == "v_D: right"
 
 
-def test_the_answer_for_the_books_numbers_is_told(elbow):
+def test_the_answer_for_the_books_numbers_is_reported(elbow):
     assert "the book's numbers" in elbow.new().check(v_D=BOOK["v_D"]).text
 
 
@@ -81,7 +81,7 @@ def test_steps_are_checked_in_any_order(elbow):
     assert "the turning of CD with the opposite sign" in output.text
 
 
-def test_a_step_that_follows_rightly_from_a_wrong_one_is_told_so(elbow):
+def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow):
     """v_r = omega_rel x r with the wrong way of turning, and 2 omega x v_r with that."""
     elbow.check_step(v_r=[0, -6.235383, 3.6])
     output = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
@@ -169,6 +169,6 @@ def test_first_goes_and_help_are_counted_and_found_again(practice_file, tmp_path
     assert row.split()[-4:] == ["2", "2", "1", "1"]
 
 
-def test_a_problem_that_is_not_there_is_told_with_those_that_are(practice_file):
+def test_a_problem_that_is_not_there_is_reported_with_those_that_are(practice_file):
     with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
         practice(practice_file, progress=None)["9/9"]

@@ -11,8 +11,8 @@ sys.modules["ipywidgets"] = sys.modules["IPython"] = None
 from newton_euler.classroom import practice
 for name in practice(sys.argv[1], progress=None):
     p = practice(sys.argv[1], progress=None)[name]
-    for said in (p, p.next_step(), p.next_step(), p.next_step(), p.solution()):
-        print(said)
+    for part in (p, p.next_step(), p.next_step(), p.next_step(), p.solution()):
+        print(part)
     print(p.new())
 p = practice(sys.argv[1], progress=None)["4/16"]
 print(p.check(a_D=[0, -7.38, -2.80592]))

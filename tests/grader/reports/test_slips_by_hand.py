@@ -41,7 +41,7 @@ def as_written(x):
 
 
 def handed_in(entry):
-    """(answer, what was done, words that may be said, the part as it is scored) of each row."""
+    """(answer, what was done, words of the diagnosis, the part as it is scored) of each row."""
     p = problem(entry["problem"])
     values = draw(p, b"by hand") if p.givens else {}
     names = evaluated(p, values, entry.get("let", {}))

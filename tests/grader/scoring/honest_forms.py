@@ -80,17 +80,9 @@ NUMBERS = {
     "list": lambda x: [x],
     "tuple": lambda x: (x,),
     "iterator": lambda x: iter([x]),
-    "numpy mean": lambda x: np.mean([x, x]),
-    "numpy sum of an array": lambda x: np.sum(np.array([x / 2, x / 2])),
-    "norm of an array": lambda x: np.linalg.norm([0.6 * x, 0.8 * x]) * np.sign(x),
     "moving": lambda x: moving(x, rate=3.0),
     "moving with acceleration": lambda x: moving(x, rate=3.0, acceleration=-1.0),
-    "component of a Vector": lambda x: GROUND.vector(x, 1, 2).x,
-    "norm of a Vector": lambda x: GROUND.vector(0.6 * x, 0, 0.8 * x).norm(),
-    "dot product": lambda x: GROUND.vector(x, 1, 2).dot(GROUND.i),
     "three figures": significant(3),
-    "four figures": significant(4),
-    "six figures": significant(6),
 }  # fmt: skip
 
 
@@ -133,7 +125,6 @@ CONTAINERS = {
     "Vector": lambda v: GROUND.vector(*v),
     "Vector of a lone frame": lambda v: LONE.vector(*v),
     "sum of unit Vectors": lambda v: v[0] * GROUND.i + v[1] * GROUND.j + v[2] * GROUND.k,
-    "components of a Vector": lambda v: GROUND.vector(*v).components(),
     "position of a Point": lambda v: GROUND.point("P", *v).position(GROUND),
 }  # fmt: skip
 
@@ -152,13 +143,9 @@ VECTORS = {
     "sparse array": lambda v: scipy.sparse.coo_array(np.array([v])),
     "mpmath matrix": mpmath.matrix,
     "mpmath row": lambda v: mpmath.matrix([list(v)]),
-    "cross product": lambda v: np.cross(np.cross(v, [0, 0, 1.0]), [0, 0, -1.0]) + [0, 0, v[2]],
-    "rotation of an array": lambda v: np.eye(3) @ np.array(v),
-    "array of one column of several": lambda v: np.column_stack([v, v])[:, 0],
     "turned Vector": _vector_in(ARM),
     "twice turned Vector": _vector_in(ROD),
     "Vector of mixed frames": lambda v: _vector_in(ARM)(v) / 2 + _vector_in(ROD)(v) / 2,
-    "minus a Vector": lambda v: -GROUND.vector(*(-x for x in v)),
     "moving Vector": lambda v: GROUND.vector(*(moving(x, rate=1.0) for x in v)),
     "turned moving Vector": lambda v: GROUND.vector(*(moving(x, rate=1.0) for x in v)).expressed_in(
         ARM
@@ -167,8 +154,6 @@ VECTORS = {
     "arrays of one": lambda v: [np.array([x]) for x in v],
     "a nested tuple": lambda v: ((v[0],), (v[1], v[2])),
     "three figures": lambda v: [significant(3)(x) for x in v],
-    "four figures": lambda v: [significant(4)(x) for x in v],
-    "array of three figures": lambda v: np.array([significant(3)(x) for x in v]),
     **{
         f"{container} of {name}": (lambda c, n: lambda v: c([n(x) for x in v]))(
             CONTAINERS[container], NUMBERS[name]
@@ -235,18 +220,9 @@ FORMULAS = {
         {x: sympy.Symbol(x.name, positive=True) for x in e.free_symbols}
     ),
     "sine and cosine squared": lambda e, s: e * (sympy.sin(s) ** 2 + sympy.cos(s) ** 2),
-    "secant squared minus tangent squared": lambda e, s: e
-    * (sympy.sec(s) ** 2 - sympy.tan(s) ** 2),
-    "cosecant squared minus cotangent squared": lambda e, s: e
-    * (sympy.csc(s) ** 2 - sympy.cot(s) ** 2),
-    "hyperbolic": lambda e, s: e * (sympy.cosh(s) ** 2 - sympy.sinh(s) ** 2),
-    "sec cos": lambda e, s: e * sympy.sec(s) * sympy.cos(s),
-    "csc sin": lambda e, s: e * sympy.csc(s) * sympy.sin(s),
-    "tan cot": lambda e, s: e * sympy.tan(s) * sympy.cot(s),
     "sech cosh": lambda e, s: e * sympy.sech(s) * sympy.cosh(s),
     "csch sinh": lambda e, s: e * sympy.csch(s) * sympy.sinh(s),
     "coth tanh": lambda e, s: e * sympy.coth(s) * sympy.tanh(s),
-    "sinc": lambda e, s: e * sympy.sinc(s) * s / sympy.sin(s),
     "acot": lambda e, s: e * sympy.acot(1 / s) / sympy.atan(s),
     "acot of a cotangent": lambda e, s: e * sympy.acot(sympy.cot(s / 2)) / (s / 2),
     "asec": lambda e, s: e * sympy.asec(1 / sympy.cos(s)) / s,
@@ -275,11 +251,9 @@ FORMULAS = {
     "Piecewise with Eq": lambda e, s: sympy.Piecewise((0, sympy.Eq(s, 0)), (e, True)),
     "Piecewise without a last case": lambda e, s: sympy.Piecewise((e, s > 0)),
     "unevaluated derivative": lambda e, s: sympy.Derivative(e * t, t),
-    "second derivative": lambda e, s: sympy.Derivative(e * t**2 / 2, t, t),
     "derivative by a symbol": lambda e, s: e * sympy.Derivative(s**2, s) / (2 * s),
     "derivative substituted": lambda e, s: sympy.Subs(sympy.Derivative(e * t**2 / 2, t), t, 1),
     "unevaluated integral": lambda e, s: sympy.Integral(e, (t, 0, 1)),
-    "integral of a power": lambda e, s: sympy.Integral(3 * e * t**2, (t, 0, 1)),
     "integral in a factor": lambda e, s: e * sympy.Integral(2 * t, (t, 0, s)) / s**2,
     "unevaluated sum": lambda e, s: sympy.Sum(e * k / 10, (k, 1, 4)),
     "unevaluated product": lambda e, s: e * sympy.Product(k, (k, 1, 4)) / 24,
@@ -312,7 +286,6 @@ FORMULAS = {
     "object array of one": lambda e, s: np.array([e]),
     "object array of no axis": lambda e, s: np.array(e),
     "moving": lambda e, s: moving(e, rate=s),
-    "component of a Vector": lambda e, s: GROUND.vector(e, s, 0).x,
 }  # fmt: skip
 if symengine:
     FORMULAS["SymEngine"] = lambda e, s: symengine.sympify(e)

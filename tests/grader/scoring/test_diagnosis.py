@@ -109,7 +109,7 @@ def told(p, a, given, value):
 
 
 @pytest.mark.parametrize(("p", "a"), vectors(), ids=[f"{p.id} {a.key}" for p, a in vectors()])
-def test_a_term_left_out_or_turned_is_told_from_the_ledger_or_a_listed_mistake(p, a):
+def test_a_term_left_out_or_turned_is_named_from_the_ledger_or_a_listed_mistake(p, a):
     given = values(p, "variant")
     right = p.solve(given)[a.key]
     if not isinstance(right, Vector) or not right.terms:
@@ -143,7 +143,7 @@ def test_a_term_left_out_or_turned_is_told_from_the_ledger_or_a_listed_mistake(p
     ("4/16", "a_D", lambda a: a * 2, "factor of 2"),
     ("4/3", "a", lambda a: a.without("centripetal"), "centripetal"),
 ])  # fmt: skip
-def test_the_common_slips_are_told_in_words(number, key, change, words):
+def test_the_common_slips_are_named_in_words(number, key, change, words):
     p = problem(number)
     given = values(p, "variant")
     part = told(p, p.answer(key), given, tuple(map(float, flat(change(p.solve(given)[key])))))
@@ -152,7 +152,7 @@ def test_the_common_slips_are_told_in_words(number, key, change, words):
 
 
 @pytest.mark.parametrize("number", ["4/3", "4/4", "4/6", "4/9", "4/15", "4/16", "4/20"])
-def test_angles_and_rates_used_in_degrees_are_told(number):
+def test_angles_and_rates_used_in_degrees_are_reported(number):
     p = problem(number)
     given = values(p, "variant")
     found = 0
@@ -170,7 +170,7 @@ def test_angles_and_rates_used_in_degrees_are_told(number):
         assert found
 
 
-def test_the_components_in_another_frame_and_a_transposed_rotation_are_told():
+def test_the_components_in_another_frame_and_a_transposed_rotation_are_reported():
     found = Counter()
     for p, a in vectors():
         given = values(p, "variant")
@@ -245,7 +245,7 @@ PANEL = lambda v: v.components(v.frame.tree[2])
     ("a_A", lambda a: flat(a.without("relative")), "leaves out the acceleration relative to the m"),
     ("v_A", PANEL, "axes of the panel"),
 ])  # fmt: skip
-def test_a_slip_in_one_part_is_told_beside_parts_that_are_right(key, change, words):
+def test_a_slip_in_one_part_is_named_where_the_others_are_right(key, change, words):
     p = problem("4/28")
     given = values(p, "variant")
     right = p.solve(given)

@@ -36,7 +36,7 @@ def robot(size, **sheet):
 SIZE = float(np.linalg.norm(wrong_acceleration()))
 
 
-def test_without_a_share_it_earns_nothing_and_is_told():
+def test_without_a_share_it_earns_nothing_and_is_reported():
     part = robot(SIZE)
     assert (part.points, part.verdict) == (0, "wrong")
     assert part.message == "not right; it follows from your a"

@@ -42,7 +42,7 @@ def in_form(kind, name, p, a):
 
 
 def verdict(kind, name, p, a):
-    """ "right", or what is said."""
+    """ "right", or the message."""
     units = {n: s.unit for n, s in p.symbols.items()}
     answers, faults = record({a.key: a.form}, units, {a.key: in_form(kind, name, p, a)})
     receipt = {"answers": answers, "faults": faults}

@@ -53,7 +53,7 @@ def test_a_fault_makes_its_part_unreadable_and_leaves_the_others():
     assert result.points == 2
 
 
-def test_an_error_in_the_cell_is_told_once_for_the_problem():
+def test_an_error_in_the_cell_is_reported_once_for_the_problem():
     error = "ZeroDivisionError, line 3: float division by zero"
     result = score_receipt(
         problem("4/1"), VALUES["4/1"], {"error": error}, note="a copy was graded"

@@ -55,7 +55,7 @@ def test_a_part_may_weigh_nothing():
     assert earned(key(), points=4, weights=dict.fromkeys(key(), 0))[:2] == (0, 0)
 
 
-@pytest.mark.parametrize(("sheet", "said"), [
+@pytest.mark.parametrize(("sheet", "message"), [
     ({"points": -1}, "the points of 4/16 must be a number, 0 or more, and is -1"),
     ({"points": float("nan")}, "the points of 4/16 must be a number"),
     ({"points": True}, "the points of 4/16 must be a number"),
@@ -66,8 +66,8 @@ def test_a_part_may_weigh_nothing():
     ({"asked": {"v_D": "number, mm/s"}}, "as number, mm/s, today's 4/16 asks for v_D as vec"),
     ({"asked": {"v_D": "vector, mm"}}, "in mm, today's 4/16 asks .* no multiple of the other"),
 ])  # fmt: skip
-def test_what_does_not_fit_the_exercise_is_said_with_what_to_do(sheet, said):
-    with pytest.raises(ScoreError, match=said):
+def test_what_does_not_fit_the_exercise_is_reported_with_what_to_do(sheet, message):
+    with pytest.raises(ScoreError, match=message):
         score_receipt(ELBOW, VALUES, {"answers": key()}, **sheet)
 
 

@@ -97,7 +97,7 @@ def judged(p, numbers, a, words, slip, others):
 
 
 def counted(p, alone, draws):
-    """Counter of (slip, outcome) over the draws, each part alone or beside right ones."""
+    """Counter of (slip, outcome) over the draws, each part alone or with right ones."""
     found, examples = Counter(), []
     for n in range(draws):
         numbers = numbers_of(p, draw(p, f"slips {n}".encode()))
@@ -116,7 +116,7 @@ def counted(p, alone, draws):
 @pytest.mark.parametrize(
     ("alone", "draws"),
     [(True, 1), *(pytest.param(x, DRAWS, marks=pytest.mark.slow) for x in (True, False))],
-    ids=["alone, one draw", "alone", "beside right parts"],
+    ids=["alone, one draw", "alone", "with right parts"],
 )
 def test_slips_that_nobody_listed_are_named_and_never_misnamed(alone, draws):
     found = Counter()
@@ -220,7 +220,7 @@ def test_two_listed_mistakes_at_once_are_both_named():
     assert found["named"] >= 0.8 * sum(found.values())
 
 
-def test_rates_added_as_numbers_are_told():
+def test_rates_added_as_numbers_are_reported():
     p = problem("4/28")
     values = draw(p, b"rates")
     (omega,) = numbers_of(p, values).key["omega_panel"]

@@ -81,7 +81,7 @@ def test_no_perturbed_formula_passes(p):
 
 
 @pytest.mark.parametrize("p", NUMERIC, ids=lambda p: p.id)
-def test_the_books_answers_are_told_and_earn_nothing(p):
+def test_the_books_answers_are_reported_and_earn_nothing(p):
     book = numbers_of(p, p.book_values).key
     for n in range(DRAWS):
         values = draw(p, f"wrong answers {n}".encode())

@@ -32,7 +32,7 @@ def test_words_are_english_texts_until_they_are_spoken():
     assert spoken(text) == text
 
 
-def test_a_cause_made_before_the_language_was_chosen_is_said_in_it():
+def test_a_cause_made_before_the_language_was_chosen_is_reported_in_it():
     cause = term_left_out("coriolis", Words("the Coriolis term")).at(
         Words("section {number}", number="4.10")
     )

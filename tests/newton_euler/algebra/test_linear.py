@@ -266,7 +266,7 @@ def test_rounding_is_neither_a_pivot_nor_a_contradiction():
 
 
 def test_small_units_are_no_rounding():
-    """A watch wheel in SI: moments of inertia of 1e-12 beside forces and lengths of order 1e-3."""
+    """A watch wheel in SI: moments of inertia of 1e-12 with forces and lengths of order 1e-3."""
     s = solve_linear(
         lambda F, alpha: {"moment": 1e-12 * alpha - 1e-3 * F, "rolling": 1e-3 * alpha - 5.0}
     )

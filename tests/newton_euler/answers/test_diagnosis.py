@@ -189,6 +189,7 @@ def test_a_factor_and_a_formula_of_the_book_do_not_hide_a_slip(kind, key, models
         ("mm/s", "m against mm", "weight against mass (g = 9.81)"),
         ("rad/s", "revolutions against radians", "m against mm"),
         ("N", "weight against mass (g = 9.81)", None),
+        ("lb", "N against lb", None),
     ],
 )
 def test_factors_are_those_of_the_unit_of_the_answer(unit, there, absent):
@@ -208,30 +209,30 @@ def part(right, given, wrong):
 def test_a_cause_that_a_right_part_contradicts_is_named_last_and_in_this_part():
     """It would show there; a term can be left out of one part alone."""
     reworded = listed("turns", "turns y, as they say here")
-    beside = Elsewhere(lambda: [part(True, KEY, [(reworded, MODEL)])])
-    found = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=beside)
+    other = Elsewhere(lambda: [part(True, KEY, [(reworded, MODEL)])])
+    found = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other)
     assert found == (MIRRORS, TURNS)
     assert sentence(found) == f"{MIRRORS.text}; or one that in this part {TURNS.text}"
     twice, nearly = ((6.5123, 9.0, 0.0),), ((6.5123, 9.0151, 0.0),)
-    beside = Elsewhere(lambda: [part(True, KEY, [(TURNS, twice)])])
-    assert diagnose(twice, KEY, [(TURNS, twice)], elsewhere=beside) == (TURNS,)
+    other = Elsewhere(lambda: [part(True, KEY, [(TURNS, twice)])])
+    assert diagnose(twice, KEY, [(TURNS, twice)], elsewhere=other) == (TURNS,)
     assert diagnose(nearly, KEY, [(TURNS, twice)]) == (TURNS,)
-    assert diagnose(nearly, KEY, [(TURNS, twice)], elsewhere=beside) == ()
+    assert diagnose(nearly, KEY, [(TURNS, twice)], elsewhere=other) == ()
     term = term_reversed("y", "the term y")
-    beside = Elsewhere(lambda: [part(True, KEY, [(term, MODEL)])])
-    assert diagnose(MODEL, KEY, [(term, MODEL)], elsewhere=beside) == (term,)
+    other = Elsewhere(lambda: [part(True, KEY, [(term, MODEL)])])
+    assert diagnose(MODEL, KEY, [(term, MODEL)], elsewhere=other) == (term,)
 
 
 def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
     near = ((3.0, 4.01, 0.0),)
-    beside = Elsewhere(lambda: [part(True, KEY, [(TURNS, near)])])
-    assert diagnose(MODEL, KEY, [(TURNS, MODEL)], elsewhere=beside) == (TURNS,)
+    other = Elsewhere(lambda: [part(True, KEY, [(TURNS, near)])])
+    assert diagnose(MODEL, KEY, [(TURNS, MODEL)], elsewhere=other) == (TURNS,)
 
 
 def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
-    beside = Elsewhere(lambda: [part(False, MODEL, [(listed("mirrors", "reworded"), MODEL)])])
+    other = Elsewhere(lambda: [part(False, MODEL, [(listed("mirrors", "reworded"), MODEL)])])
     models = [(TURNS, MODEL), (MIRRORS, MODEL)]
-    assert diagnose(MODEL, KEY, models, elsewhere=beside) == (MIRRORS,)
+    assert diagnose(MODEL, KEY, models, elsewhere=other) == (MIRRORS,)
 
 
 def test_the_distance_that_is_called_near_is_the_one_of_the_rule():

@@ -90,7 +90,7 @@ def test_random_vectors_are_hardly_ever_two_mistakes():
     assert sum(map(bool, found)) <= 3
 
 
-def test_a_mistake_that_the_other_undoes_is_none():
+def test_a_mistake_that_the_other_undoes_does_not_count():
     own, slip = (5.418, -2.108, 1.871), (3.127, -6.324, 1.871)  # their sum in y is the right one
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
 

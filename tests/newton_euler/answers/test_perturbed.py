@@ -275,7 +275,7 @@ def test_a_symbol_stands_for_any_other_and_for_the_sum_with_one_of_its_unit():
 
 @pytest.mark.parametrize("name", ["v", "u_1"])
 def test_of_equations_that_are_solved_the_entries_are_perturbed_and_not_the_elimination(name):
-    """Of an unknown without a name of its own nothing can be said."""
+    """Of an unknown without a name of its own nothing can be named."""
     trace = Trace()
     a, b, c = (trace.new("argument", n) for n in "abc")
     with solved_equations() as found:

@@ -1,4 +1,4 @@
-"""Receipts: what is read and shown, what is open, what is said under Validate."""
+"""Receipts: what is read and shown, what is open, what Validate shows."""
 
 import json
 

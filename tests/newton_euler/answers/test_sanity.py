@@ -77,10 +77,10 @@ def test_a_magnitude_is_not_negative_and_is_that_of_the_vector_beside_it(speed, 
 
 def test_a_formula_of_a_magnitude_is_that_of_the_vector_beside_it():
     symbols, x = {"u": "m/s"}, ["*", 3, "u"]
-    beside = {"v": (Form("vector_expression", "m/s"), ["u", ["*", 2, "u"], ["*", 2, "u"]])}
+    others = {"v": (Form("vector_expression", "m/s"), ["u", ["*", 2, "u"], ["*", 2, "u"]])}
     form = Form("expression", "m/s")
-    assert doubts(form, x, symbols, "magnitude of v", beside) == []
-    found = doubts(form, ["*", 5, "u"], symbols, "magnitude of v", beside)
+    assert doubts(form, x, symbols, "magnitude of v", others) == []
+    found = doubts(form, ["*", 5, "u"], symbols, "magnitude of v", others)
     assert found == ["it is not the magnitude of v"]
 
 

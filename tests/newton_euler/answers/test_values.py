@@ -83,7 +83,7 @@ def test_a_word_is_read_with_capitals_and_blanks(written):
     assert one("choice: neither | both ends", written) == "both ends"
 
 
-def test_words_that_differ_in_a_capital_alone_are_told_apart():
+def test_words_that_differ_in_a_capital_alone_are_distinguished():
     assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "g"]
 
 
@@ -164,10 +164,10 @@ WRONG = [
 
 
 @pytest.mark.parametrize(
-    ("form", "value", "said"), WRONG, ids=[f"{f} from {type(v).__name__}" for f, v, _ in WRONG]
+    ("form", "value", "message"), WRONG, ids=[f"{f} from {type(v).__name__}" for f, v, _ in WRONG]
 )
-def test_what_cannot_be_read_is_reported_with_what_was_expected_and_what_came(form, value, said):
-    with pytest.raises(AnswerError, match=said):
+def test_what_cannot_be_read_is_reported_with_what_was_expected_and_what_came(form, value, message):
+    with pytest.raises(AnswerError, match=message):
         one(form, value, SYMBOLS)
 
 
@@ -227,8 +227,8 @@ def test_frames_of_one_name_are_distinguished():
 def test_a_receipt_shows_both_frames():
     expect("0/10", v="vector, m")
     arm = ground.rotate("arm", "z", angle=math.pi, rate=1.0)
-    said = repr(receipt("0/10", v=arm.vector(1.0, 0, 2.5)))
-    assert re.search(r"v = \[1, 0, 2.5\] in arm, \[-1, .*, 2.5\] in ground, in m", said)
+    message = repr(receipt("0/10", v=arm.vector(1.0, 0, 2.5)))
+    assert re.search(r"v = \[1, 0, 2.5\] in arm, \[-1, .*, 2.5\] in ground, in m", message)
 
 
 def test_what_can_be_read_in_one_frame_only_is_read_in_that():

@@ -1,4 +1,4 @@
-"""Verdicts on a made-up problem: what is right, what follows from earlier answers, what is said."""
+"""Verdicts on a made-up problem: what is right, what follows from earlier answers, in which words."""
 
 import types
 

@@ -54,7 +54,7 @@ def test_what_a_cell_shows(page, case):
         ("y", "NameError: name 'y' is not defined (line 1)"),
     ],
 )
-def test_an_error_is_said_with_its_line_after_what_was_shown_before(page, source, words):
+def test_an_error_is_reported_with_its_line_after_what_was_shown_before(page, source, words):
     assert cells.run(page, [source], 0)["error"] == words
 
 

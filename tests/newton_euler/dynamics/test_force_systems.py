@@ -157,6 +157,11 @@ def test_a_different_moment_is_not_equivalent(a, p, c):
     assert not ForceSystem([(F, A)]).equivalent(ForceSystem([(F * 1.1, A)]))
 
 
+def test_a_system_without_forces_has_a_frame_and_a_text():
+    nothing = ForceSystem([], frame=ground)
+    assert (nothing.wrench().kind, str(nothing)) == ("nothing", "no forces")
+
+
 def test_forces_may_hold_unknowns():
     """Three legs of a table carry its weight: forces as unknowns in the conditions of balance."""
     legs = [ground.point("leg", *x, 0) for x in ((0, 0), (2.0, 0), (0, 3.0))]

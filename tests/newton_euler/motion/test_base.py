@@ -14,7 +14,6 @@ from newton_euler.motion.methods.base import (
     LengthError,
     StepError,
     Stepper,
-    sample_times,
 )
 from tests.models import begun
 
@@ -36,23 +35,10 @@ def stepper(*times, goal=10.0, x=(7.0, 8.0), **options):
     return one
 
 
-def test_samples_are_a_number_of_times_or_those_from_begin_to_end():
-    assert sample_times(3, 1.0, 2.0).tolist() == [1.0, 1.5, 2.0]
-    assert sample_times([0.5, 1.0, 1.2, 2.0, 2.5], 1.0, 2.0).tolist() == [1.0, 1.2, 2.0]
-
-
 def test_a_step_ends_at_the_next_stop_at_the_latest():
     stops = 2.0, 5.0
     ends = [stepper(t, stops=stops).next_stop() for t in (0.0, 1.9, 2.0, 5.0, 6.0)]
     assert ends == [2.0, 2.0, 5.0, 10.0, 10.0]
-
-
-def test_scales_are_the_largest_sizes_so_far_or_what_a_state_is_judged_by():
-    one = stepper(0.0, x=(-3.0, 0.1), floors=(0.5, 0.5))
-    assert one.scales == (3.0, 0.5)
-    one.x = 2.0, -4.0
-    one.update_scales()
-    assert one.scales == (3.0, 4.0)
 
 
 @pytest.mark.parametrize(("count", "numbers"), [(0, []), (4, []), (5, [3, 4]), (10, [6, 8])])
@@ -68,10 +54,6 @@ def test_a_time_between_two_steps_is_in_the_later_one_and_those_outside_in_the_n
     assert [one.step_index(t) for t in times] == numbers
     assert one.states(times).tolist() == [list(times), numbers]
     assert [one.state_at(t) for t in times] == [*zip(times, numbers, strict=True)]
-
-
-def test_before_the_first_step_every_state_is_the_start():
-    assert stepper(3.0).states([3.0, 3.0]).tolist() == [[7.0, 7.0], [8.0, 8.0]]
 
 
 # -- runs that do not get on

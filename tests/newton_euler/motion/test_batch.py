@@ -347,6 +347,23 @@ def by_batches(monkeypatch, ends, off, vouching=None, starts=None, times=(0.0, 5
     return runs, _taylor(many, Run(PreparedModel(PENDULUM), 0.0, times[-1], None, 1e-9))
 
 
+def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypatch):
+    asked = []
+
+    def clock_errors(system, t0, t1, ends, p, sizes, enough):
+        asked.append((t0, t1, ends[0].tolist(), p[0].tolist(), sizes[0].tolist(), enough / 1e-9))
+        return 2e-10 * p[0]
+
+    monkeypatch.setattr(batch, "_clock_errors", clock_errors)
+    ends = [[1.0, 2.0, 4.0]] * 2
+    _, (_, errors, _) = by_batches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
+    assert asked == [
+        (0.0, 5.0, [1.0, 2.0], [1.0, 2.0], [1.0, 4.0], pytest.approx(0.01)),
+        (0.0, 5.0, [4.0], [3.0], [4.0], pytest.approx(0.01)),
+    ]
+    assert errors == pytest.approx([6e-10, 1e-9, 1e-9], rel=1e-3)
+
+
 @needs_heyoka
 @pytest.mark.parametrize("names", ["", "p", "pq"])
 def test_a_batch_takes_any_number_of_parameters(names):

@@ -171,7 +171,7 @@ def test_a_prepared_run_into_a_singular_place_says_so(method):
     [(1.0, (1.0,), "has the 2 states x, dx; got 1 values"), (1.0, (1.0, "fast"), "needs a number for dx"), ("soon", (1.0, 0.0), "t is the time"),
      (math.nan, (1.0, 0.0), "time runs forward"), (1.0, (math.nan, 0.0), "needs finite numbers")],
 )  # fmt: skip
-def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start, words):
+def test_what_a_prepared_run_cannot_do_is_reported_as_by_integrate(method, t, start, words):
     run = prepare(oscillator(), 1e-7, method)
     with pytest.raises(ModelError, match=words):
         run(t, start)
@@ -182,3 +182,9 @@ def test_only_one_model_is_prepared_at_a_time():
     words = "prepare takes a model with numbers, but parameters of 'oscillator' are arrays"
     with pytest.raises(ModelError, match=words):
         prepare(oscillator().changed(k=np.ones(3)))
+
+
+def test_an_array_in_the_start_is_many_motions():
+    x = np.linspace(-1.0, 1.0, 7)
+    found = integrate(oscillator(), 2.0, (x, 0.0), samples=[0.0, 1.0, 2.0]).states["x"]
+    assert found == pytest.approx(np.outer(x, np.cos([0.0, 2.0, 4.0])), abs=1e-14)

@@ -109,7 +109,7 @@ def test_a_pulse_that_lasts_to_the_end_has_no_end_and_one_from_the_start_no_begi
 
 
 @pytest.mark.parametrize(("gap", "count"), [(3, 2), (4, 4)])
-def test_a_quiet_of_few_intervals_is_none(gap, count):
+def test_a_quiet_of_few_intervals_does_not_count(gap, count):
     """Two pulses of one interval each, with this many quiet ones between them."""
     first, second = (5000.5 * WIDTH, (5000.5 + 1 + gap) * WIDTH)
 

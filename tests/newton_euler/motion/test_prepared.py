@@ -67,7 +67,7 @@ def test_rates_in_which_the_time_does_not_occur_are_autonomous(rate, found):
     assert prepared_model(model).autonomous is found
 
 
-def test_parameters_that_give_no_numbers_have_constants_that_are_none():
+def test_parameters_that_give_no_numbers_have_no_constants():
     model = Model("any", {"a": 1.0, "b": 1.0}, ("x",), lambda s, p, t: (s.x / (p.a - p.b),))
     constants = prepared_model(model).constants
     assert constants

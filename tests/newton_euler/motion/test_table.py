@@ -45,7 +45,7 @@ def why(name, model, *t0):
     return METHODS[name].unusable_because(prepared_model(model), *t0)
 
 
-def test_what_a_splitting_method_cannot_split_is_said():
+def test_what_a_splitting_method_cannot_split_is_reported():
     assert why("verlet", SPRING) is why("lie-poisson4", free_body()) is None
     assert "'floor' have kinks, at which it loses its order" in why("verlet", FLOOR)
     assert "'free body' are not two groups" in why("verlet", free_body())

@@ -217,7 +217,7 @@ def test_samples_all_over_the_motion_count_for_the_scales(samples):
 
 
 @pytest.mark.parametrize("options", [{}, {"samples": 5}])
-def test_where_a_series_ends_is_said_and_what_came_before_is_kept(options):
+def test_where_a_series_ends_is_reported_and_what_came_before_is_kept(options):
     one = series(1.0, model=FALL, start=(1.0,), **options)
     with pytest.raises(StepError):
         one.step()

@@ -42,5 +42,5 @@ def test_anything_else_is_refused_and_never_run(text):
         ("[b, -b^2]", ("b", ["*", -1.0, ["^", "b", 2.0]])), ("[sin(b)]", (["sin", "b"],)),
     ],
 )  # fmt: skip
-def test_it_is_a_formula_tree_and_lists_are_told_from_operators(text, tree):
+def test_it_is_a_formula_tree_and_lists_are_distinguished_from_operators(text, tree):
     assert typed_tree(text, {"b": 8.0}) == tree

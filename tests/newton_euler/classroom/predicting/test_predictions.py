@@ -100,7 +100,7 @@ def test_only_the_first_prediction_is_kept_and_opens_again_with_the_notebook(mon
     assert "You predicted: up" in repr(bounce())
 
 
-def test_questions_of_the_same_words_are_told_apart_by_their_choices():
+def test_questions_of_the_same_words_are_distinguished_by_their_choices():
     first, other = predict("v?", {1: "x", 2: "y"}, 2), predict("v?", {3: "x", 4: "y"}, 4)
     first.choose("b")
     assert (first.given, other.given) == ("2", None)

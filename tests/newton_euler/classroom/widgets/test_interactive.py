@@ -86,7 +86,7 @@ def test_an_error_in_draw_at_a_sample_says_for_which_values(shown):
     assert error.value.__notes__ == ["This came up while the picture for a = 2, b = 0 was drawn."]
 
 
-@pytest.mark.parametrize(("sliders", "options", "said"), [
+@pytest.mark.parametrize(("sliders", "options", "message"), [
     ((A, A), {}, "different names"),
     ((), {}, "different names"),
     ((A, B), {"alt": "too short"}, "8 words"),
@@ -95,8 +95,8 @@ def test_an_error_in_draw_at_a_sample_says_for_which_values(shown):
     ((A, B), {"size": 3}, "size is a pair"),
     ((3,), {}, "Slider"),
 ])  # fmt: skip
-def test_a_figure_that_cannot_be_is_refused_in_words(shown, sliders, options, said):
-    with pytest.raises(NewtonEulerError, match=said):
+def test_a_figure_that_cannot_be_is_refused_in_words(shown, sliders, options, message):
+    with pytest.raises(NewtonEulerError, match=message):
         interactive_figure(plot, *sliders, **{"alt": ALT, **options})
 
 

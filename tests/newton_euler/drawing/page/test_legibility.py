@@ -26,7 +26,7 @@ def test_axes_on_one_line_are_a_fault(view, pair):
     assert fault.startswith(f"the axes {pair} are seen on one line within")
 
 
-def test_an_axis_that_points_at_the_eye_is_none():
+def test_an_axis_that_points_at_the_eye_does_not_count():
     s = sketch(plane="xz")
     s.axes(O, ground)
     assert faults(s.ax) == []
