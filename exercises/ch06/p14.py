@@ -28,7 +28,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"T_AB": before(g).T_AB, "eta": -after(g).eta}
+    return {"T_AB": before(g).T_AB}
 
 
 def prove(g):
@@ -41,7 +41,6 @@ def prove(g):
     return {
         "T_before": -g.W * height / rate(lambda u: size(minus(with_AB(u), C))),
         "T_after": g.W * size(minus(a, [0, 0, -mpf(1)])),
-        "eta": size(a),
     }
 
 

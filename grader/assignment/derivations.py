@@ -158,8 +158,9 @@ class _Deriver:
         self.writer = Writer(traced, cases, self.names, self.known, self.called, taken, positive)
         ones = {x.number: constant(1) for x in traced.trace.steps
                 if x.op == "argument" and x.args[0] == "one"}  # fmt: skip
-        named = {n: self.writer.symbol(name) for n, name in self.given_by.items()}
-        self.names.fixed |= ones | named
+        self.names.fixed |= ones
+        for name, x in traced.givens.items():
+            self.names.give(x, self.writer.symbol(name))
 
     def _names(self, key):
         """The names of the components of a quantity."""

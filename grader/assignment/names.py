@@ -31,6 +31,7 @@ class Names:
     whole : the traced numbers of this quantity
     indices : the indices of its name, as AB of I_AB
     scalars : the quantities that are one number, on the sheets
+    givens : {numbers on the sheets: given}
     """
 
     fixed: dict[int, Any]
@@ -44,7 +45,14 @@ class Names:
     whole: set[int] = field(default_factory=set)
     indices: set[str] = field(default_factory=set)
     scalars: list[tuple[Any, Sequence[float]]] = field(default_factory=list)
+    givens: dict[tuple[str, ...], Any] = field(default_factory=dict)
     by_value: dict[tuple[str, ...], dict[Any, int | None]] = field(default_factory=dict)
+
+    def give(self, x: Step, symbol: Any) -> None:
+        """Gives its name to a given."""
+        self.fixed[x.number] = symbol
+        if numbers := self._numbers(x):
+            self.givens[_rounded(numbers)] = symbol
 
     def add(self, key: str, parts: Sequence[Any], symbols: Sequence[Any]) -> None:
         """Gives names to the components of a quantity."""
@@ -98,13 +106,19 @@ class Names:
         return self._at_place(candidates[key], self.sizes[key])
 
     def equal(self, x: Step) -> Any:
-        """The name of the one earlier quantity that a sum has the same value as on all sheets, by
-        whatever way the code came to it, None if there is none. Products, sums of what has a name,
-        and whole quantities are equal by chance.
+        """The name of the given, or for a sum of the one earlier quantity, that has the same value
+        on all sheets, by whatever way the code came to it; None if there is none. Products, sums of
+        what has a name, and whole quantities are equal to others by chance.
         """
-        if x.op not in "+-" or x.number in self.whole or all(map(self._is_known, x.args)):
-            return None
         numbers, here = self._numbers(x), self.place if self.size == 9 else None
+        is_whole = x.number in self.whole
+        given = self.givens.get(_rounded(numbers))
+        parts = [a for a in x.args if isinstance(a, Step)]
+        is_multiple = len(parts) == 1 and self.of(parts[0]) is not None
+        if given is not None and not is_multiple and not (is_whole and self.size == 1):
+            return given
+        if x.op not in "+-" or is_whole or all(map(self._is_known, x.args)):
+            return None
         for sign in (1, -1):
             names = self.by_value.get(_rounded(numbers, sign), {})
             if len(names) == 1 and here in names.values():

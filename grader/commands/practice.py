@@ -64,6 +64,8 @@ def practice(
         f"{path}: {len(problems) - len(left)} problems, {variants} sets of numbers each at the "
         f"most, {path.stat().st_size / 1000:.0f} kB"
     )
+    if not course:
+        click.echo("Some of its answers may be graded ones; with --course COURSE none is near one.")
     click.echo(
         f'Students: from newton_euler.classroom import practice; practice("{path.name}")'
         f'["{next(p.id for p in problems if p.id not in {x.problem for x in left})}"]'

@@ -3,8 +3,9 @@
 The workers reach the course folder under the same path as the grader, on a shared file system, and
 have the same version of the checkout installed. Whatever else a run needs is in that folder while
 it lasts, readable by its owner alone; no key, secret or notebook passes the scheduler, but what a
-submission came to does: points, values read, error texts. A worker does everything for a submission
-but write the gradebook, which the grader does. When a worker dies, Dask reassigns its submissions.
+submission came to does: the student's id, points, values read, error texts. A worker does
+everything for a submission but write the gradebook, which the grader does. When a worker dies,
+Dask reassigns its submissions.
 """
 
 import atexit

@@ -7,10 +7,14 @@ from pathlib import Path
 from ..course import Course
 from .records import entries, lines, questions
 
-_SIGNS = "=+-@−＝＋－＠﹦﹢﹣﹫"  # a spreadsheet may run a text that begins so,
-# or that goes on so behind what another language's spreadsheet takes for the end of a cell, and
-# characters that are not seen
-_NEXT_CELL = re.compile(rf"(?<=[;\t\r\n])(?=[^\w\s!-/:-@\[-`{{-~]*[{re.escape(_SIGNS)}])")
+# a spreadsheet may run a text that begins so, or that goes on so behind what another language's
+# spreadsheet takes for the end of a cell, after quotes and characters that are not seen
+_SIGNS = re.escape("=+-@−＝＋－＠﹦﹢﹣﹫⁼⁺⁻₌₊₋")
+_UNSEEN = r"(?:[^\w\s!#-/:-@\[-`{-~]|[\u115f\u1160\u3164\uffa0])"
+_RUNS = re.compile(
+    rf"^(?=[\t\r\n]|(?:\s|{_UNSEEN})*[{_SIGNS}])"
+    rf"|(?<=[;\t\r\n\v\f\x85\u2028\u2029])(?={_UNSEEN}*[{_SIGNS}])"
+)
 
 
 def export(
@@ -83,9 +87,7 @@ def cell(x: str | float | None) -> str:
     """
     if not isinstance(x, str):
         return "" if x is None else f"{x:.10g}"
-    first = next((c for c in x if c.isprintable() and not c.isspace()), " ")
-    runs = first in _SIGNS or x[:1] in {"\t", "\r", "\n"}
-    return "'" * runs + _NEXT_CELL.sub("'", x)
+    return _RUNS.sub("'", x)
 
 
 FORMATS = {"parts": _parts, "canvas": _canvas, "moodle": _moodle, "gradescope": _gradescope}

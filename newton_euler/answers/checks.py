@@ -6,6 +6,7 @@ where the grader reads them. This is for those who guess by hand: a program of o
 receipt to try a seal, and files can be deleted.
 """
 
+import contextlib
 import hashlib
 import json
 import math
@@ -28,6 +29,9 @@ FOUND = {
 }  # fmt: skip
 FILE = Path(".answers_checked.json")  # beside the notebook, so that a restarted kernel goes on
 
+_DAMAGED = (
+    ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError,
+)  # fmt: skip
 _kept: dict[str, Any] = {}  # {salt of a seal: {"wrong": [hashes of answers], "next": time}}
 
 
@@ -83,15 +87,16 @@ def _digest(salt: str, x: Any) -> str:
 
 
 def _read():
-    """What is kept, and what another kernel has kept meanwhile, of each seal the longer."""
-    try:
+    """What is kept, and what another kernel has kept meanwhile, of each seal the longer; what is
+    damaged counts nothing.
+    """
+    with contextlib.suppress(*_DAMAGED):
         found = json.loads(FILE.read_bytes()) if in_notebook() else {}
         for salt, entry in found.items():
             own = _kept.get(salt, {"wrong": [], "next": 0.0})
-            wrong = list(dict.fromkeys([*own["wrong"], *map(str, entry["wrong"])]))
-            _kept[salt] = {"wrong": wrong, "next": max(own["next"], float(entry["next"]))}
-    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
-        pass  # there is none, or it is damaged
+            with contextlib.suppress(*_DAMAGED):
+                wrong = list(dict.fromkeys([*own["wrong"], *map(str, entry["wrong"])]))
+                _kept[salt] = {"wrong": wrong, "next": max(own["next"], float(entry["next"]))}
     return _kept
 
 

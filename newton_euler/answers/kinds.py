@@ -144,7 +144,12 @@ class Kind:
         return iter(())
 
     def observed(self, given: Points, key: Points) -> Cause | None:
-        """A remark on a wrong answer that no mistake explains, or None."""
+        """A remark on a wrong answer that no mistake explains, as a :class:`~.causes.Cause` of the
+        group "seen", or None. Both are points in the unit of the key.
+
+        >>> KINDS["number"].observed(((1.02,),), ((1.0,),)).name
+        'near'
+        """
         size = math.hypot(*key[0])
         if slips.is_rounded(given, key):
             return FIRST_DIGITS
@@ -209,6 +214,7 @@ class VectorKind(Kind):
     is_vector = True
 
     def read(self, value, form, symbols, budget):
+        """As for a kind; a vector that lies in a frame is read in several, {frame: tree}."""
         if isinstance(value, Vector) and value.frame.parent is not None:
             return self._in_frames(value, form, symbols, budget)
         return super().read(value, form, symbols, budget)
@@ -234,6 +240,7 @@ class VectorKind(Kind):
         return found if any(tree != first for tree in others) else first
 
     def readings(self, tree, form, symbols, budget):
+        """As for a kind: of {frame: tree} the components in each, if they are one vector."""
         if not isinstance(tree, dict) or not 0 < len(tree) <= FRAMES:
             return super().readings(tree, form, symbols, budget)
         found = [
@@ -246,9 +253,11 @@ class VectorKind(Kind):
         return found
 
     def slips(self, fit):
+        """Components turned, left out or exchanged."""
         return slips.of_vector(fit)
 
     def observed(self, given, key):
+        """As for a kind, or that the size alone, or some components, are right."""
         if seen := super().observed(given, key):
             return seen
         fit, size = Fit(given, key, self.rtol), math.hypot(*key[0])
@@ -294,24 +303,30 @@ class Direction(VectorKind):
         return points
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+        """True up to the length and the sense."""
         return is_near(self.like(given, key)[0], key[0], 0.0, rtol)
 
     def like(self, points, others):
+        """The same line, with the length and on the side of the other."""
         return tuple(map(_along, points, others))
 
     def sealed(self, point):
+        """The unit vector along it, and its opposite."""
         unit = _along(point, (1.0, 0.0, 0.0))
         return [unit, tuple(-x for x in unit)]
 
     def factors(self, unit):
+        """None: its length says nothing."""
         return {}  # its length says nothing
 
     def slips(self, fit):
+        """As for a vector, of either sense."""
         yield from slips.of_vector(fit)
         other_sense = tuple(tuple(-x for x in point) for point in fit.key)
         yield from slips.exchanged(Fit(fit.given, other_sense, fit.rtol))
 
     def observed(self, given, key):
+        """As for a kind: its size says nothing."""
         return Kind.observed(self, given, key)
 
 
@@ -332,15 +347,19 @@ class Matrix(Kind):
     length = 9
 
     def slips(self, fit):
+        """Transposed, entries left out, reversed or exchanged."""
         return slips.of_matrix(fit)
 
     def observed(self, given, key):
+        """As for a kind, or that some entries are right."""
         return super().observed(given, key) or self._in_part(given, key)
 
     def nested(self, parts):
+        """Three rows."""
         return [list(parts[n : n + 3]) for n in (0, 3, 6)]
 
     def typeset(self, parts):
+        """The rows in brackets."""
         return matrix_symbol(self.nested(parts))
 
 
@@ -354,9 +373,11 @@ class Interval(Kind):
     length = 2
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+        """True if each bound is near by itself."""
         return all(is_near((x,), (k,), atol, rtol) for x, k in zip(given[0], key[0], strict=True))
 
     def slips(self, fit):
+        """The bounds exchanged."""
         return slips.of_interval(fit)
 
 
@@ -374,13 +395,16 @@ class _Formula(Kind):
         return formulas(trees, symbols, budget)
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+        """True at every point where the key has a value."""
         return formula_is_near(given, key, atol)
 
     def factors(self, unit):
+        """The pure ones, and those of an angle: a formula is in no other unit."""
         of_angle = unit_of(unit).is_of_angle  # a formula is in no other unit
         return slips.PURE | slips.ANGLES if of_angle else slips.PURE
 
     def observed(self, given, key):
+        """That its symbols are right and a number is not, or that some components are right."""
         pairs = zip(chain(*given), chain(*key), strict=True)
         ratios = [x / k if k else math.inf for x, k in pairs if k or x]
         first = next((x for x in ratios if math.isfinite(x)), 0.0)
@@ -388,6 +412,7 @@ class _Formula(Kind):
         return NUMBERS if alike else self._in_part(given, key)
 
     def unfit(self, points):
+        """Why it is a bad key: no number at most points."""
         real = sum(math.isfinite(math.hypot(*x)) for x in points)
         return (
             None
@@ -396,6 +421,7 @@ class _Formula(Kind):
         )
 
     def change(self, moved, points):
+        """0: it is the same for all."""
         return 0.0
 
 
@@ -431,21 +457,27 @@ class _Word(Kind):
     python_type: ClassVar[type]
 
     def readings(self, tree, form, symbols, budget):
+        """The word itself, if it is of this type."""
         return [((tree,),)] if type(tree) is self.python_type else []
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+        """True of the same word."""
         return given == key
 
     def is_zero(self, points, atol):
+        """False."""
         return False
 
     def observed(self, given, key):
-        return None
+        """None: of a word nothing is nearly right."""
+        return
 
     def unfit(self, points):
-        return None
+        """None: each is a good one."""
+        return
 
     def change(self, moved, points):
+        """inf where it changes."""
         return 0.0 if moved == points else math.inf
 
 
@@ -457,6 +489,7 @@ class Count(_Word):
     python_type = int
 
     def read(self, value, form, symbols, budget):
+        """A whole number, also as 3.0; raises :class:`~.messages.AnswerError` of another one."""
         with contextlib.suppress(ArithmeticError, TypeError, ValueError):
             if not isinstance(value, (bool, str)) and int(value) == value:
                 return int(value)

@@ -124,14 +124,14 @@ class _Pairs:
             there = sums[(gaps <= AROUND * size).all(axis=2)]
             for i, j in np.argwhere((gaps <= near).all(axis=2)):
                 one, two = sorted((int(places[i]), int(seconds[j])))
-                is_slip, by_factor = self.own <= two < last, self.own - 2 <= one < self.own
+                is_slip = self.own <= two < last
+                by_factor = any(self.own - 2 <= n < self.own for n in (one, two))
                 of_numbers = self.kind.is_formula and not self.of_symbols
                 by_sign = two == last
                 twice = abs(abs(np.log2(abs(rows[one] / key))) - 1).max() < NOISE
-                is_number = self.kind.is_met_by_chance
-                is_mere = by_factor and not (by_sign and self.of_symbols)
-                is_mere |= bool(by_sign and is_number and twice)
-                if is_mere or (is_slip and of_numbers):
+                is_mere = by_factor and not self.of_symbols
+                is_mere |= bool(by_sign and self.kind.is_met_by_chance and twice)
+                if is_mere or (is_slip and (by_factor or of_numbers)):
                     continue
                 shares = share ** (1 if alike and not by_sign else wrong)
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE

@@ -36,6 +36,7 @@ LENGTHS: dict[str, float] = {
 }  # fmt: skip
 WEIGHTS: dict[str, float] = {
     Words("weight against mass (g = 9.81)"): 9.81, Words("weight against mass (g = 32.2)"): 32.2,
+    Words("N against lb"): 4.4482216,
 }  # fmt: skip
 
 

@@ -10,6 +10,11 @@ from .solution import LongError, MotionError, NoValueError, StickingError
 
 TINY, NEAR = 1e-9, 1e-3  # parts of the whole time: of a trial, and until a place is reached
 
+TOO_LARGE = (
+    "a power or an exponential is too large for a float; if the rates are not infinite, write them "
+    "otherwise, as (1 - tanh(x/2))/2 in place of 1/(1 + exp(x))"
+)
+
 
 def why(error, system, t, x, span):
     """What is known about the ``error`` of a method at the time t and the state x: the class of the
@@ -31,6 +36,8 @@ def why(error, system, t, x, span):
             )
     if isinstance(error, ValueError) and not isinstance(error, ArithmeticError):
         return NoValueError, ""  # as of a table, which says so itself
+    if isinstance(error, OverflowError):
+        return MotionError, f": {TOO_LARGE}"
     return MotionError, "; the coordinates are singular there"
 
 
@@ -45,6 +52,8 @@ def _without_value(system, t, x, span):
         system.rates(later, moved)
     except ValueError as error:
         return f": beyond it the rates have no value: {error}"
+    except OverflowError:
+        return f": beyond it {TOO_LARGE}"
     return ""
 
 

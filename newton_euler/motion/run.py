@@ -27,7 +27,6 @@ from .sizes import (
     as_natural,
     far_states,
     forced_error,
-    natural_sizes,
     reproduced,
     round_off_over,
     settled,
@@ -53,7 +52,6 @@ FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate en
 MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
-TIGHT = 1e-10  # rtol at which the round-off of a state matters that starts from zero
 UNLUCKY = 10.0  # times its estimate by which a run across kinks may be off
 
 
@@ -377,27 +375,13 @@ class Run:
         shift = 0.0 if self.events else relative_shift(fine / tolerance)
         if known and small(*known[:2]):  # of which round-off is the larger part of the error
             shift *= min(round_off_over(self.last) / ROUND_OFF_OF_RATES, 1.0)
-        rows = enumerate(zip(self.state, self.sizes_of_zeros(known), strict=True))
-        state = [x + (x or size) * (-shift if n % 2 else shift) for n, (x, size) in rows]
+        state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         shifted = replace(self, state=tuple(state))
         samples = SIZE_SAMPLES if method.series else None
         more = known, scaled, samples, self.narrow, stopping
         trajectory = Trajectory(shifted, method, tolerance, *more)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         return trajectory
-
-    def sizes_of_zeros(self, known):
-        """The sizes that states will have that start from zero, as far as their round-off matters;
-        0 for others.
-        """
-        if all(self.state) or self.rtol > TIGHT:
-            return (0.0,) * len(self.state)
-        sizes = tuple(map(abs, self.state))
-        for _ in range(2):  # the second time with what the first states make of others
-            start = [(self.t0, self.state)]
-            natural = natural_sizes(self.system, start, sizes, self.t1 - self.t0)[0]
-            sizes = tuple(map(max, sizes, natural))
-        return known[0] if known else sizes
 
     @staticmethod
     def error(before, trajectory):

@@ -89,6 +89,8 @@ REASONS = {kind.__name__ for kind in (StickingError, FarError)}  # of a refusal
 # the draw of a family that was off once, or the one within what floats can reach: in other draws of
 # the heads the round-off of a place is 1e-12 of the width of a mark
 TAKEN = {"lorry_in_a_bed_of_gravel": 1, "heads_over_narrow_marks": 1}
+# off by 1.3 times 1e-12: a distance of 7 cm is read off coordinates of 44 m
+TAKEN["car_through_a_cloud_of_dust"] = 1
 # within the contact it is refused at 1e-12 without need: the estimate is too large there
 TAKEN["ball_on_a_hertz_contact"] = 1
 WITHIN = pytest.param("ball_on_a_hertz_contact", 5, marks=pytest.mark.xfail(strict=True))

@@ -98,6 +98,8 @@ def shown(name, key):
     ("10/4", "psi_fast", ["B/A"]),  # a ratio of earlier ones, by whatever way it was computed
     ("10/12", "ratio", ["sqrt(axial - flat)/sqrt(tall)"]),  # nothing is given
     ("11/26", "v_b", ["sqrt(2)*sqrt(g)*sqrt((b - c)/(1 - ratio))"]),  # m cancels
+    ("2/16", "a_P1", ["sqrt(a_n1**2 + a_t1**2)"]),  # a given that was used to find the speed
+    ("8/1", "M_C", ["-W*d"]),  # and not g times the mass W/g
     ("9/6", "I_xx", ["I_1*a**2/(a**2 + b**2) + I_2*b**2/(a**2 + b**2)"]),
     ("2/30", "v_rel", ["0", "-v_A_y + v_B_y - v_rotation_y", "0"]),  # not -2 v_A, as v_B = -v_A
     ("4/4", "a_P_coriolis", ["0", "2*n*v_r_x", "0"]),  # not v_P_x, which is equal

@@ -134,6 +134,8 @@ def test_the_command_writes_a_file_and_says_how_it_is_opened(tmp_path, course):
     assert "2 problems, 2 sets of numbers each" in output
     assert "4/2 left out: it is graded as a formula" in " ".join(output.split())
     assert 'practice("ch04.practice")["4/16"]' in output
+    assert "may be graded ones" not in output
+    assert "may be graded ones" in ran(command("practice", "4/16", "-o", path, "--variants", 2))
 
 
 def test_the_measured_shares_are_printed_by_one_command():

@@ -243,9 +243,9 @@ def quotient_of_two_amounts(rng):
     parameters = {"a": a, "b": b, "r": ratio, "w": w, "A": rng.uniform(0.2, 1.0) / w}
 
     def rates(s, p, t):
-        opened = 1 / (1 + exp(-(s.x / s.y / p.r - 1 + p.w) / (0.1 * p.w)))
-        closed = 1 / (1 + exp(-(s.x / s.y / p.r - 1 - p.w) / (0.1 * p.w)))
-        return -p.a * s.x, p.b, p.A * (opened - closed) * (1 - s.z)
+        opened = tanh((s.x / s.y / p.r - 1 + p.w) / (0.2 * p.w))
+        closed = tanh((s.x / s.y / p.r - 1 - p.w) / (0.2 * p.w))
+        return -p.a * s.x, p.b, p.A * (opened - closed) / 2 * (1 - s.z)
 
     model = Model("valve", parameters, ("x", "y", "z"), rates)
     wide = w / (a + b / y(met))

@@ -1,6 +1,7 @@
 """Answers that a receipt checks against a seal: the first are free, guessing takes time."""
 
 import json
+import math
 
 import pytest
 
@@ -69,6 +70,18 @@ def test_a_count_goes_on_in_this_kernel_and_the_next(clock, monkeypatch, between
     monkeypatch.setattr(checks, "_kept", {})
     assert check(sealed, NUMBER, 2.5).right is None
     assert check(seal(NUMBER, [2.5]), NUMBER, 2.5).right  # of another answer
+
+
+@pytest.mark.parametrize("entry", [
+    None, [], {}, {"wrong": 5, "next": 0}, {"wrong": [], "next": 10**400},
+    {"wrong": [], "next": math.nan}, {"wrong": [[]], "next": "x"},
+])  # fmt: skip
+def test_a_damaged_entry_loses_no_count_of_the_others(clock, monkeypatch, entry):
+    sealed = seal(NUMBER, [2.5])
+    guessed(sealed, NUMBER, range(100, 100 + FREE))
+    checks.FILE.write_text(json.dumps({"damaged": entry, **json.loads(checks.FILE.read_text())}))
+    monkeypatch.setattr(checks, "_kept", {})
+    assert check(sealed, NUMBER, 2.5).right is None
 
 
 def test_a_clock_set_back_does_not_lock_a_student_out(clock):

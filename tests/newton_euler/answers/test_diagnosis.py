@@ -189,6 +189,7 @@ def test_a_factor_and_a_formula_of_the_book_do_not_hide_a_slip(kind, key, models
         ("mm/s", "m against mm", "weight against mass (g = 9.81)"),
         ("rad/s", "revolutions against radians", "m against mm"),
         ("N", "weight against mass (g = 9.81)", None),
+        ("lb", "N against lb", None),
     ],
 )
 def test_factors_are_those_of_the_unit_of_the_answer(unit, there, absent):

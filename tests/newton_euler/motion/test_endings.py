@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from newton_euler import Event, Model, cos, exp, integrate, sin, sqrt, table, where
+from newton_euler import Event, Model, cos, exp, integrate, sin, sqrt, table, tanh, where
 from newton_euler.motion import (
     LongError,
     MotionError,
@@ -53,6 +53,17 @@ def test_a_motion_that_sticks_is_refused_with_the_event_to_write(event, rtol):
     written = re.escape(f"Event(lambda s, p, t: {event}, then=...)")
     with pytest.raises(StickingError, match=f"it sticks at .* lead back: write {written}"):
         integrate(model, t, start, rtol=rtol)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_an_exponential_that_is_too_large_is_named(sign):
+    """A valve that opens over a millimetre: exp(3000) on one of its sides."""
+    rates = lambda s, p, t: (1.0, 1 / (1 + exp(sign * (s.x - 3.0) / 1e-3)))
+    with pytest.raises(MotionError, match=r"too large for a float.* 1/\(1 \+ exp\(x\)\)"):
+        integrate(Model("valve", {}, ("x", "q"), rates), 10.0, (0.0, 0.0))
+    rates = lambda s, p, t: (1.0, (1 - tanh(sign * (s.x - 3.0) / 2e-3)) / 2)
+    found = integrate(Model("valve", {}, ("x", "q"), rates), 10.0, (0.0, 0.0)).end["q"]
+    assert found == pytest.approx(3.0 if sign > 0 else 7.0, rel=1e-9)
 
 
 def test_with_that_event_it_is_followed():
