@@ -5,7 +5,7 @@ hundred times that; steps up to it and from it on are as accurate as any.
 
 from bisect import bisect_right
 from itertools import pairwise
-from math import inf, ulp
+from math import copysign, inf, nextafter, ulp
 
 from ..algebra.compile import Compiled
 from ..algebra.trace import COMPARISONS, Step
@@ -19,6 +19,8 @@ WAYS = 1, 4, 16  # rooms to go past a crossing
 SLIDING = 3  # steps in which a motion that slides passes over a place again
 SHORTEST = 1e3  # units in the last place of the time: no step could be much shorter
 LIMIT = 10.0  # tolerances by which a step may differ from its halves
+JUMP = 1e-6  # of the rates, between neighbouring states
+FROM_ZERO = 1e-100  # part of its rate by which a state that is zero is moved off a border
 NEAR = 4  # rooms about a stop: what is as close to the end of a step needs none
 
 
@@ -50,6 +52,22 @@ def compiled_choices(traced):
     """The function of all arguments that returns the numbers of these pairs, in order."""
     rhs, leaves = traced.rhs, [x for pair in traced.choices for x in pair]
     return Compiled("choices", rhs.parameters, rhs.trace, leaves).on_floats
+
+
+def off_a_border(system, t, x):
+    """The state ``x``, or the one beside it into which its rates lead where others hold there: at
+    rest on a rough floor the friction is that of neither direction.
+    """
+    if not system.traced.choices:
+        return x
+    rates = system.rates(t, x)
+    beside = tuple([
+        nextafter(v, copysign(inf, r)) if v and r else v or r * FROM_ZERO
+        for v, r in zip(x, rates, strict=True)
+    ])  # fmt: skip
+    others = system.rates(t, beside)
+    jumps = any(abs(a - b) > JUMP * (abs(a) + abs(b)) for a, b in zip(rates, others, strict=True))
+    return beside if jumps else x
 
 
 def distances(system):

@@ -23,7 +23,10 @@ def why(error, system, t, x, span):
     span : the whole time of the motion
     """
     if isinstance(error, LengthError):
-        return LongError, ""
+        words = ""
+        with suppress(ArithmeticError):
+            words = _sticking(system, t, x, span)
+        return (StickingError, words) if words else (LongError, "")
     if isinstance(error, StepError):
         with suppress(ArithmeticError):
             for kind, found in (NoValueError, _without_value), (StickingError, _sticking):
@@ -57,26 +60,34 @@ def _without_value(system, t, x, span):
     return ""
 
 
-def _sticking(system, t, x, span):
-    """Where the motion sticks, and what to write."""
-    for a, b in system.traced.choices:
-        rhs = system.traced.rhs
-        both = Compiled("switch", rhs.parameters, rhs.trace, [a, b]).on_floats
+def stuck_at(system, t, x, span):
+    """The choice (a, b) to whose border the rates on both sides lead back, or None."""
+    rhs = system.traced.rhs
+    for pair in system.traced.choices:
+        both = Compiled("switch", rhs.parameters, rhs.trace, pair).on_floats
 
         def distance(t, *x, both=both):
             one, other = both(t, *x, *system.p)
             return one - other
 
         if _leads_back(system, distance, t, x, span):
-            one, other = _spelled(a, system), _spelled(b, system)
-            place = f"{one} = {other}" if one and other else "the border of a choice"
-            event = (one if other == "0" else f"{one} - {other}") if one and other else "..."
-            return (
-                f"; it sticks at {place}, to which the rates on both sides lead back: write "
-                f"Event(lambda s, p, t: {event}, then=...), which goes on with the model and the "
-                "start of what sticks"
-            )
-    return ""
+            return pair
+    return None
+
+
+def _sticking(system, t, x, span):
+    """Where the motion sticks, and what to write."""
+    pair = stuck_at(system, t, x, span)
+    if not pair:
+        return ""
+    one, other = [_spelled(side, system) for side in pair]
+    place = f"{one} = {other}" if one and other else "the border of a choice"
+    event = (one if other == "0" else f"{one} - {other}") if one and other else "..."
+    return (
+        f"; it sticks at {place}, to which the rates on both sides lead back: write "
+        f"Event(lambda s, p, t: {event}, then=...), which goes on with the model and the "
+        "start of what sticks"
+    )
 
 
 def _leads_back(system, distance, t, x, span):

@@ -175,6 +175,9 @@ def _inside(np, path):
         edges = np.flatnonzero(np.diff(np.sign(path.rows[j])))
         first, last = edges[:-1] + 1, edges[1:] + 1
         close = ends[last - 1] - ends[first] < SHORT * path.lengths.max()
+        rows = (~close).cumsum()
+        # many in a row: it slides along a jump, to and fro
+        close &= np.bincount(rows[close], minlength=rows.max(initial=0) + 1)[rows] <= MANY
         for a, b in zip(first[close].tolist(), last[close].tolist(), strict=True):
             near.append((float(ends[a + abs(path.rows[j, a:b]).argmax()]), j))
     return near

@@ -6,11 +6,11 @@ from math import inf
 from typing import NamedTuple
 
 from .arguments import start_state
-from .crossings import Crossings, unsettled
-from .endings import why
+from .crossings import Crossings, off_a_border, unsettled
+from .endings import stuck_at, why
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
-from .methods.base import SMALLEST_SCALE, Stepper
+from .methods.base import SMALLEST_SCALE, StepError, Stepper
 from .methods.table import METHODS
 from .model import ModelError
 from .narrow import passage, within_reach
@@ -40,6 +40,9 @@ LONGEST_PARTS = 0.4, 0.13
 INNER_PART = 0.05
 # fraction of its natural size at the start below which a state is nearly zero
 SMALL_PART = 1e-2
+# steps that a motion which sticks makes in this fraction of the whole time
+STICKING, STICKING_PART = 100, 1e-2
+CRAWLING = 100_000  # steps between two looks whether it sticks
 ACCUMULATION = "events follow each other without end"
 
 
@@ -152,6 +155,8 @@ class Trajectory:
             method = METHODS["dop853"]  # which integrates every model
         stepper = stopped = None
         try:
+            if not method.closed:
+                x = off_a_border(system, t, x)
             stepper = method.stepper(system, t, x, self)
             stopped = self._follow(stepper, events, initial)
         except ModelError:
@@ -174,11 +179,15 @@ class Trajectory:
         """
         watched = self.watched and stepper.resumable and stepper.system.traced.narrow
         locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
-        limit, done = FIRST_STEPS if events or self.progress else inf, 0
+        patience = CRAWLING if stepper.system.traced.choices else inf
+        limit, done = FIRST_STEPS if events or self.progress else patience, 0
         stopping = self.stopping and stepper.system.traced.choices
         step = Crossings(stepper).step if stopping else stepper.step
         while stepper.t < self.goal:
             step(limit)
+            if len(stepper.step_times) > patience:
+                patience += CRAWLING
+                self._check_crawling(stepper)
             if watched:
                 self._see(stepper, step, done, min(limit, MAX_STEPS))
             for locator in locators:
@@ -192,13 +201,17 @@ class Trajectory:
                         self.occurrences.append(Occurrence(name, t, state))
                     if ending:
                         return t, [events[k] for k in ending], x
-            done, limit = len(stepper.step_times) - 1, min(2 * limit, MAX_STEPS)
+            done = len(stepper.step_times) - 1
+            if limit < CRAWLING:
+                limit = min(2 * limit, MAX_STEPS)
             if self.progress:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
 
     def _see(self, stepper, step, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""
+        if self._sticks(stepper, first):
+            return  # it turns to and fro in each step
         last, tries = 0.0, TRIES
         for _ in range(MAX_REPEATS):
             passed = passage(stepper, first)
@@ -220,6 +233,21 @@ class Trajectory:
                 if all(m <= max(f, x) for m, f, x in zip(made, floors, changes, strict=True)):
                     break  # else the way that missed it has made them too large
         self.missed += passed.size
+
+    def _check_crawling(self, stepper):
+        """Raise :class:`StepError` where a motion that sticks takes steps without end."""
+        if self._sticks(stepper, len(stepper.step_times) - 1 - STICKING):
+            steps = len(stepper.step_times) - 1
+            raise StepError(f"{steps} steps led there, and the next ones turn to and fro")
+
+    def _sticks(self, stepper, first):
+        """True if the steps from number ``first`` on are many in little time, at a border to which
+        the rates on both sides lead back.
+        """
+        span, count = self.goal - self.origin, len(stepper.step_times) - 1 - first
+        if count < STICKING or stepper.t - stepper.step_times[first] > STICKING_PART * span:
+            return False
+        return bool(stuck_at(stepper.system, stepper.t, stepper.x, span))
 
     def unseen(self, error):
         """How much the steps did not see of the rates, relative to the scales of the states, which

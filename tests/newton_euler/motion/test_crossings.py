@@ -6,7 +6,7 @@ import mpmath
 import pytest
 
 from newton_euler import Model, exp, integrate, sqrt, table, where
-from newton_euler.motion import StickingError
+from newton_euler.motion import StickingError, trajectory
 from newton_euler.motion.crossings import distances
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
@@ -115,3 +115,51 @@ def test_a_run_that_steps_over_a_resistance_does_not_contradict_one_that_has_see
     with mpmath.workdps(30):
         late = mpmath.quad(slowness, places) - 4
     assert abs(late) * g < 1e-12 * motion.end["v"]
+
+
+def floor(friction):
+    """A block on a spring and a rough floor."""
+    return Model("floor", {}, ("x", "v"), lambda s, p, t: (s.v, -s.x - friction(s.v)))
+
+
+FRICTIONS = {
+    "of two directions": lambda v: 0.5 * where(v > 0, 1.0, -1.0),
+    "none at rest": lambda v: 0.5 * where(v > 0, 1.0, where(v < 0, -1.0, 0.0)),
+}
+
+
+@pytest.mark.parametrize("friction", FRICTIONS.values(), ids=FRICTIONS)
+@pytest.mark.parametrize("x", [2.0, -2.0])
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9, 1e-12])
+def test_what_begins_at_a_border_begins_with_the_rates_beside_it(friction, x, rtol):
+    motion = integrate(floor(friction), 2.0, (x, 0.0), rtol=rtol)
+    centre = math.copysign(0.5, x)
+    exact = centre + (x - centre) * math.cos(2.0), -(x - centre) * math.sin(2.0)
+    for state, wanted in zip(motion.end.values(), exact, strict=True):
+        assert abs(state - wanted) <= rtol * 2.0
+
+
+@pytest.mark.parametrize("friction", FRICTIONS.values(), ids=FRICTIONS)
+def test_where_it_sticks_nothing_is_looked_for_beside_each_step(friction, monkeypatch):
+    near = []
+    within = trajectory.within_reach
+    monkeypatch.setattr(
+        trajectory, "within_reach", lambda s, e: near.append(len(s.near)) or within(s, e)
+    )
+    passed, passage = [], trajectory.passage
+    monkeypatch.setattr(trajectory, "passage", lambda *a: passed.append(a) or passage(*a))
+    motion = integrate(floor(friction), 10.0, (2.0, 0.0), rtol=1e-3)
+    assert motion.end["v"] == pytest.approx(0.0, abs=2e-3)
+    assert max(near) < 100  # of some 20 000 steps
+    assert len(passed) < 10
+
+
+@pytest.mark.parametrize(
+    ("x", "t", "rtol"),
+    [(1.2, 7.0, 1e-3), (3.3, 20.0, 1e-5), pytest.param(0.3, 10.0, 1e-3, id="from the beginning")],
+)
+def test_what_sticks_for_long_is_refused_with_what_to_write(x, t, rtol):
+    words = r"sticks at s\.v = 0, .*write Event\(lambda s, p, t: s\.v"
+    with pytest.raises(StickingError, match=words) as refused:
+        integrate(floor(FRICTIONS["of two directions"]), t, (x, 0.0), rtol=rtol)
+    assert refused.value.reached.cost.calls < 5e6
