@@ -15,7 +15,7 @@ from .places import EXERCISES, home, homes, place
 
 def meant(name: object, known: Iterable[str], form: str = "{}") -> str:
     """ "; did you mean omega?", or "" where nothing that is known is like this name."""
-    found = nearest(name, known)
+    found = nearest(name, known, 0.6)  # of names of three letters, as a_C for a_G
     return f"; did you mean {form.format(found)}?" if found else ""
 
 

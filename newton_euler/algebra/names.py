@@ -28,9 +28,10 @@ class ArgumentError(NewtonEulerError, TypeError):
     """An argument is not of the kind that is expected: a number where a function belongs."""
 
 
-def nearest(name: object, names: Iterable[str]) -> str:
+def nearest(name: object, names: Iterable[str], likeness: float = 0.7) -> str:
     """The one of ``names`` that was meant by ``name``: the same but for capitals and blanks, one
-    that begins so, or one that is spelt nearly so; "" where there is none.
+    that begins so, or one that is spelt nearly so, with at least this ``likeness`` (of 1); "" where
+    there is none.
 
     >>> nearest("Coriolis", ["origin", "coriolis"]), nearest("accel", ["rate", "acceleration"])
     ('coriolis', 'acceleration')
@@ -40,7 +41,7 @@ def nearest(name: object, names: Iterable[str]) -> str:
     wrong, known = _plain(str(name)), {_plain(n): n for n in names}
     begun = [p for p in known if len(wrong) > 2 and p.startswith(wrong)]
     likely = [wrong, *_ALSO.get(wrong, "").lower().split(), *begun]
-    found = [p for p in likely if p in known] or get_close_matches(wrong, known, 1, 0.7)
+    found = [p for p in likely if p in known] or get_close_matches(wrong, known, 1, likeness)
     return known[found[0]] if found else ""
 
 
