@@ -67,6 +67,16 @@ def test_4_31_shows_the_end_face_on_which_P_is(seed):
     assert sketch.drawn.depth(face.normal) / np.linalg.norm(face.normal) > 1 / 3
 
 
+def drawn_texts(problem_id):
+    """All texts in the figure of a problem, with the numbers of a variant."""
+    ax = Figure(figsize=(5.2, 4)).add_subplot()
+    p = problem(problem_id)
+    p.code.draw(p.base(values(p, 1)), ax)
+    (sketch,) = sketches_on(ax)
+    sketch.finish()
+    return {t.get_text() for t in ax.texts}
+
+
 @pytest.mark.parametrize(("problem_id", "rates"), [
     ("2/15", {"v", r"$\dot v$"}),
     ("2/32", {"v", "$c_A$", "$c_B$"}),
@@ -84,14 +94,8 @@ def test_4_31_shows_the_end_face_on_which_P_is(seed):
     ("11/20", {"f"}),
 ])  # fmt: skip
 def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
-    ax = Figure(figsize=(5.2, 4)).add_subplot()
-    p = problem(problem_id)
-    p.code.draw(p.base(values(p, 1)), ax)
-    (sketch,) = sketches_on(ax)
-    sketch.finish()
-    assert rates <= {t.get_text().strip() for t in ax.texts} | {
-        t.get_text().strip("$") for t in ax.texts
-    }
+    texts = drawn_texts(problem_id)
+    assert rates <= {t.strip() for t in texts} | {t.strip("$") for t in texts}
 
 
 @pytest.mark.parametrize(("problem_id", "points"), [
@@ -99,10 +103,4 @@ def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
 ])  # fmt: skip
 def test_problems_with_one_machine_show_their_own_points(problem_id, points):
     """A point that the text does not name leads nowhere."""
-    ax = Figure(figsize=(5.2, 4)).add_subplot()
-    p = problem(problem_id)
-    p.code.draw(p.base(values(p, 1)), ax)
-    (sketch,) = sketches_on(ax)
-    sketch.finish()
-    shown = {t.get_text() for t in ax.texts} & set("ABCD")
-    assert shown == set(points)
+    assert drawn_texts(problem_id) & set("ABCD") == set(points)
