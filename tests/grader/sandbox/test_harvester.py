@@ -170,7 +170,7 @@ def test_ipython_is_imported_for_notebooks_that_may_need_it(monkeypatch, harvest
     asked = []
 
     def run(worker, cells, texts, limits):
-        asked.append(limits["ipython"])
+        asked.append("IPython" in limits["libraries"])
         return {"sandbox": "namespaces", "ended": "done"}, b"", []
 
     monkeypatch.setattr(Worker, "run", run)
