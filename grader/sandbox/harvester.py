@@ -174,12 +174,12 @@ class Harvester:
         return state, data, outcomes
 
     def _settled(self, worker):
-        """The worker, or a new one if it cannot end the processes of its last job."""
-        try:
+        """The worker, or a new one if it has died or cannot end the processes of its last job."""
+        with contextlib.suppress(HarvestError):
             worker.settle()
-        except HarvestError:
-            return self._replaced(worker)
-        return worker
+            if worker.process.poll() is None:
+                return worker
+        return self._replaced(worker)
 
     def _replaced(self, worker):
         worker.kill()

@@ -54,7 +54,10 @@ class Part:
 
     def as_dict(self) -> dict[str, Any]:
         """The part as a dict that JSON can hold."""
-        return {**vars(self), "causes": [[c.group, c.name, c.text, c.where, c.subject] for c in self.causes]}
+        return {
+            **vars(self),
+            "causes": [[c.group, c.name, c.text, c.where, c.subject] for c in self.causes],
+        }
 
 
 @dataclass(frozen=True)

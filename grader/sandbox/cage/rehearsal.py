@@ -1,6 +1,5 @@
-"""Runs a small sheet before any submission, so that what the first formula of a process makes is made
-once: the first sum imports sympy.tensor, and symbols and powers fill the caches of SymPy. Without
-it a submission takes half as long again.
+"""Runs a small sheet before any submission, so that what the first formula of a process needs is
+made once: the first sum imports sympy.tensor, and symbols and powers fill the caches of SymPy.
 
 The formulas are of no problem: student code finds them in its memory.
 """
