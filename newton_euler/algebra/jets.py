@@ -78,10 +78,7 @@ class Moving(_Own):
         self.value, self.rate, self.acceleration = value, rate, acceleration
 
     def __float__(self):
-        raise ScalarError(
-            f"{self!r} is not one float: its value alone is x.value, and for math.sin(x) write "
-            "sin(x), from newton_euler import sin"
-        )
+        raise ScalarError(f"{self!r} is not one float: write x.value, or sin(x) from newton_euler")
 
     def __repr__(self):
         return (
@@ -127,8 +124,7 @@ class Moving(_Own):
             return self * (value / abs(value))
         if min_abs(value) == 0:
             raise DivisionError(
-                f"the rate of abs(x) does not exist where x = 0, as in {self!r}: take the sign "
-                "that x has before or after"
+                f"abs(x) has no rate where x = 0, as in {self!r}: take the sign before or after"
             )
         return self * where(value < 0, -1, 1)
 
@@ -207,8 +203,7 @@ class _Refusal:
 
     def __call__(self, *_):
         raise ScalarError(
-            f"np.{self.numpys} does not take a moving number: write {self.ours}(...), "
-            f"from newton_euler import {self.ours}"
+            f"write {self.ours}(...) of newton_euler, not np.{self.numpys}, for a moving number"
         )
 
 
@@ -300,9 +295,7 @@ def _derived(x):
         return ZERO
     times = [s for s in x.free_symbols if str(s) == "t"]
     if len(times) > 1:
-        raise ScalarError(
-            f"{x} holds {len(times)} different symbols named t; use one t = Symbol('t') throughout"
-        )
+        raise ScalarError(f"{x} holds {len(times)} different symbols named t; use one")
     derivative = x.diff(times[0]) if times else ZERO
     return ZERO if derivative == 0 else derivative
 
