@@ -182,7 +182,9 @@ def by_formula(f, start, end):
             f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}"
         ) from None
     if any(x.has(sympy.Integral) for x in found):
-        raise WorkError("SymPy finds no formula for this integral; put numbers in")
+        raise WorkError(
+            "SymPy finds no formula for this integral; put numbers in, without exact=True"
+        )
     return tuple(found)
 
 

@@ -78,7 +78,9 @@ class Moving(_Own):
         self.value, self.rate, self.acceleration = value, rate, acceleration
 
     def __float__(self):
-        raise ScalarError(f"{self!r} is not one float: write x.value, or sin(x) from newton_euler")
+        raise ScalarError(
+            f"{self!r} is not one float: for math.sin(x) write sin(x), from newton_euler"
+        )
 
     def __repr__(self):
         return (
@@ -203,7 +205,7 @@ class _Refusal:
 
     def __call__(self, *_):
         raise ScalarError(
-            f"write {self.ours}(...) of newton_euler, not np.{self.numpys}, for a moving number"
+            f"np.{self.numpys} takes no moving number: write {self.ours}(...) of newton_euler"
         )
 
 

@@ -142,7 +142,7 @@ def _check_moments(I0, I):
     # a disk has I = 2 I0, up to round-off
     if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
         raise GyroError(
-            f"I = {to_plain(I)!r} must be between 0 and 2 I0, I0 = {to_plain(I0)!r}: exchanged?"
+            f"no body of revolution has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0"
         )
 
 
@@ -403,7 +403,9 @@ def fast_spin(
     """
     a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
     if is_numeric(h) and min_abs(h) == 0:
-        raise GyroError("the spin or I is zero, not fast; use steady_precession")
+        raise GyroError(
+            "approximations for a fast spin, but spin or I is zero: use steady_precession"
+        )
     eps = c / h * (a / h)
     # the errors by 1 + s: 1 - s would cancel for a fast spin, where s is nearly 1
     once = 1 + sqrt(_discriminant(a, h, c, I, "spin")) / sqrt(h * h)

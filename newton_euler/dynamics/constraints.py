@@ -114,7 +114,7 @@ class _System:
             unknown = [n for n in names if n not in self.places]
             if unknown or not names:
                 raise ConstraintError(
-                    f"the constraint {name!r} takes {names or 'nothing'}, not {', '.join(self.places)}"
+                    f"the constraint {name!r} takes {names or '[]'}, not {', '.join(self.places)}"
                 )
             self.constraints.append((name, names, f))
 
@@ -178,7 +178,7 @@ class _System:
         for (name, _), a, b in zip(self.values(q), before, after, strict=True):
             if b < 1e-5 * a:  # at a double zero it falls as the square root of the residual, 1e-13
                 raise ConstraintError(
-                    f"the gradient of the constraint {name!r} vanishes: split it, as x**2 + y**2"
+                    f"the gradient of the constraint {name!r} vanishes: split it in two"
                 )
 
     def given(self, at):

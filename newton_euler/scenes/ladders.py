@@ -90,9 +90,7 @@ class Ladder:
     def __post_init__(self):
         names = [rung.name for rung in self.rungs]
         if len(set(names)) < len(names) or not names:
-            raise ModelError(
-                f"the rungs of {self.name!r} need names of their own, got {', '.join(names)}"
-            )
+            raise ModelError(f"the rungs of {self.name!r} need names of their own, got {names}")
         other = [n.of for rung in self.rungs for n in rung.model.neglects if n.of != self.of]
         if other:
             raise ModelError(
