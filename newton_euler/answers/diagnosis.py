@@ -92,9 +92,9 @@ def diagnose(
     singles : finds the slips of which two may have been made at once
     """
     elsewhere = elsewhere or Elsewhere()
-    if kind.is_word:  # of few words one is soon met by chance: listed mistakes only
-        models = (Hit(EXACT, *m) for m in wrong if m[0].group == "listed")
-        return _best([[hit for hit in models if hit.points == given]], elsewhere, ())
+    if kind.is_word:  # of few words one is soon met by chance: listed mistakes, and of counts
+        models = [m for m in wrong if m[1] == given and m[0].group in ("listed", "count")]
+        return _best([[Hit(EXACT, *m) for m in models[:MOST]]], elsewhere, ())
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
