@@ -349,7 +349,7 @@ ENERGY = oscillator(neglects=[by(lambda s, p, t: t, "energy")])
     [
         (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' have no values: put numbers in"),
         (lambda: hand_made(ENERGY), "of different quantities: position, m; energy"),
-        (lambda: hand_made(FIRST, FIRST), "the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
+        (lambda: hand_made(FIRST, FIRST), r"the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
         (hand_made, r"got \[\]"),
         (lambda: smallest(hand_made(FIRST), 0), "the tolerance is a positive number, position, m; got 0"),
         (lambda: hand_made(FIRST, LAST).rung("c"), "oscillators has no rung 'c'; it has a, b"),
