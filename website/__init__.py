@@ -22,6 +22,7 @@ Imports go down in this list only, and everything below it may import the grader
     notebooks       which chapters there are, in the order of the book
     rendering       the pages by their templates/, in the language that is spoken
     kept            the folder in which results are kept, and what they depend on
+    browser         what the pages call in a reader's browser; it imports the engine alone
 
 ``theme/`` is Sphinx's configuration with its style sheet, script and template.
 """
