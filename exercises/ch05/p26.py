@@ -11,13 +11,13 @@ def count(bodies=BLOCKS, **constraints):
 
 
 def answers(dof, without):
-    """The count with springs and dampers, and the word for the count without."""
+    """The count with springs and dampers, and the choice for the count without."""
     word = "unchanged" if without == dof else "larger" if without > dof else "smaller"
     return {"dof": dof, "without": word}
 
 
 def solve(g):
-    # springs and dampers are forces, not constraints: the system is the same without them
+    # springs and dampers are forces, not constraints
     return answers(count(), count())
 
 
@@ -26,7 +26,7 @@ def steps(g):
 
 
 def prove(g):
-    """Any distances of the blocks are possible, whatever forces it takes."""
+    """By the positions of the blocks, which are independent."""
     return {"dof": freedom(lambda x, y: [x, y], mpf(1), mpf(2)), "without": "unchanged"}
 
 
