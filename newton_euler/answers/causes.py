@@ -87,13 +87,32 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     if not causes:
         return None
     see = _(" (see {where})", where=causes[0].where) if causes[0].where else ""
-    words, *others = dict.fromkeys(c.what for c in causes)
+    texts = _together(dict.fromkeys(c.text for c in causes))
+    words, *others = dict.fromkeys(spoken(text).partition(": ")[0] for text in texts)
     if not others:
-        words = _within_words(spoken(causes[0].text), see) or words
+        words = _within_words(spoken(texts[0]), see) or words
     for other in others:
         two = _("{first}; or one that {other}", first=words, other=other)
         words = _within_words(two, see) or words
     return words + see
+
+
+def _together(texts):
+    """The texts; of two that differ in one value only, one that has both."""
+    found: list[str] = []
+    for text in texts:
+        for n, other in enumerate(found):
+            mine, others = (getattr(x, "values", {}) for x in (text, other))
+            alike = mine and getattr(other, "template", "") == text.template
+            differ = [k for k in mine if alike and mine[k] != others[k]]
+            if len(differ) == 1 and differ[0] in ("term", "quantity", "name", "factor"):
+                (k,) = differ
+                both = Words("{first} or {second}", first=others[k], second=mine[k])
+                found[n] = Words(text.template, **{**mine, k: both})
+                break
+        else:
+            found.append(text)
+    return found
 
 
 def _within_words(words, see):
@@ -227,6 +246,15 @@ def exchanged_components(places: Sequence[int]) -> Cause:
         "exchanges its {which} components: each belongs to one axis of the text", which=which
     )
     return slip(f"exchanged {which}", text)
+
+
+def moved_component(of: int, to: int) -> Cause:
+    """What belongs to one component is added to another one."""
+    text = Words(
+        "puts its {one} component along the {other} axis: each belongs to its own axis",
+        one=ORDINALS[of], other=ORDINALS[to],
+    )  # fmt: skip
+    return slip(f"moved {of} to {to}", text)
 
 
 def exchanged_axes(places: Sequence[int]) -> Cause:

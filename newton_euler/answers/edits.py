@@ -28,6 +28,7 @@ from .edits_of_groups import of_constants, of_factors, of_terms
 from .edits_of_operations import PRODUCT, of_angles, of_moment, of_operation, of_product
 from .edits_of_quantities import (
     of_components,
+    of_cross_products,
     of_densities,
     of_distances,
     of_other_entries,
@@ -106,7 +107,7 @@ def _edits(formulas):
     yield from of_shifted(anything, read, steps)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
-    yield from of_vectors([a.parts for a in answers.values()])
+    yield from of_vectors({key: a.parts for key, a in answers.items()})
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
     yield from _of_stages(answers, formulas.stages, dimensions)
@@ -122,6 +123,8 @@ def _edits(formulas):
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
     yield from of_equations(formulas.systems)
     yield from of_quantities(answers, formulas.stages, steps, dimensions.get)
+    named = [(s.means, s.parts) for s in formulas.stages if s.means]
+    yield from of_cross_products([*named, *((key, a.parts) for key, a in answers.items())])
     yield from of_distances(given, products, dimensions.get)
     angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
     yield from of_components(given, angles, dimensions.get)

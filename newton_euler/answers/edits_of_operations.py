@@ -26,6 +26,7 @@ TANGENT = Words("takes tan({angle}) for 1/cos({angle}): that is another side of 
 DOUBLED = {("sin", 2): TWICE_ITS_ANGLE, ("cos", 2): TWICE_ITS_ANGLE, ("cos", -1): TANGENT.template}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
 INVERSE = ("asin", "acos", "atan", "atan2")
+SINES = {"asin": Words("sine"), "acos": Words("cosine")}
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RATIOS = {
@@ -85,7 +86,7 @@ def _of_sum(s):
             yield turning, "sign", words, turned
         yield rank, "term", Words("leaves out {term}: it is not zero here", term=what), left
         doubles = Words("doubles {term}: it counts once", term=what)
-        halves = Words("halves {term}: it counts once", term=what)
+        halves = Words("halves {term}: it counts in full", term=what)
         kinds = (2.0, "doubles", doubles), (0.5, "halves", halves)
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
@@ -149,17 +150,25 @@ def of_product(
         yield LESS, "inverse", words, ("/", 1.0, s)
     c = abs(product.coefficient)
     if product.is_exact and c != 1 and c.denominator < 100:
-        for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
+        for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c), 1 / c)):
             rank = LESS if other in (c / 2, 2 * c) else LEAST
             words = Words(
                 "takes the factor {other} for {own}{of}: the formula has {own}",
                 other=other, own=c, of=of,
             )  # fmt: skip
             yield rank, f"constant for {other}", words, ("*", s, float(other / c))
-        turn = next((x for x, power in product.powers.items() if (x.op, power) == ("pi", 2)), None)
-        if turn is not None and c.numerator % 4 == 0:
+        turn, n = next(((x, n) for x, n in product.powers.items() if x.op == "pi"), (s, 0))
+        if n > 1 and n % 2 == 0 and c.numerator % 4 == 0:
+            rates = [x for x, m in product.powers.items() if m == n and x.op == "argument"]
             words = Words("does not square 2*pi{of}: the formula has its square", of=of)
-            yield LESS, "2 pi", words, ("/", s, ("*", turn, 2.0))
+            yield LESS, "2 pi", words, ("/", s, ("**", ("*", turn, 2.0), n / 2))
+            for x in rates:
+                words = Words(
+                    "has one factor 2*pi*{rate} too few: each differentiation brings in one",
+                    rate=x.args[0],
+                )  # fmt: skip
+                lost = ("**", ("*", ("*", turn, 2.0), number(x)), n / 2)
+                yield LESS, f"one rate {x.number}", words, ("/", s, lost)
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
             words = Words(
                 "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of
@@ -255,15 +264,38 @@ def _of_root(s):
         sums = [roots.get(getattr(y, "number", -1), y) for y in squares]
         yield SIMPLE, "numbers", words, ("sqrt", reduce(lambda a, b: ("+", a, b), sums))
     if len(squares) > 1 and all(Product(a).is_square for a in squares):
-        words = Words("adds components as numbers: they are at right angles")
-        sizes = [("sqrt", a) for a in squares]
-        yield SIMPLE, "components", words, reduce(lambda a, b: ("+", a, b), sizes)
+        yield from _of_components([Product(a) for a in squares])
         return
     sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in ("+", "-")]
     for y in [x] if x.op in ("+", "-") else sums:
         roots: Any = (y.op, *(("sqrt", ("abs", a)) for a in y.args))
         words = Words("takes the root of each term of a sum: it is the root of the whole")
         yield LESS, "roots", words, ("*", s, ("/", roots, ("sqrt", y)))
+
+
+def _of_components(squares):
+    """The size of a vector by its components as numbers, or by no squares, or by squares of sums in
+    which each term is squared by itself.
+    """
+
+    def total(parts):
+        return reduce(lambda a, b: ("+", a, b), parts)
+
+    sides = [
+        reduce(lambda a, b: ("*", a, b), [("**", x, p / 2) for x, p in square.powers.items()])
+        for square in squares
+    ]
+    words = Words("adds components as numbers: they are at right angles")
+    yield SIMPLE, "components", words, total([("abs", side) for side in sides])
+    yield LESS, "signed components", words, ("abs", total(sides))
+    words = Words("does not square the components: the squares are added, and then the root taken")
+    yield LESS, "no squares", words, ("sqrt", ("abs", total(sides)))
+    sums = [next(iter(square.powers)) for square in squares]
+    if all(x.op in ("+", "-") for x in sums):
+        words = Words("squares each term of a sum by itself: twice their product belongs to it")
+        for op in ("+", "-"):
+            each = [(op, *(("*", a, a) for a in x.args)) for x in sums]
+            yield LESS, f"each squared {op}", words, ("sqrt", ("abs", total(each)))
 
 
 def _number_in(x):
@@ -290,6 +322,13 @@ def _of_function(s):
             other=f"{twin}({inside})", own=f"{s.op}({inside})",
         )  # fmt: skip
         yield rank, f"cofunction {twin}", words, (twin, x)
+    if s.op in SINES:
+        words = Words("gives the {f} of the angle: the angle itself is asked for", f=SINES[s.op])
+        yield LESS, "no inverse", words, x
+        yield LESS, "no inverse, degrees", words, ("*", x, pi / 180)
+    if s.op == "cos" and getattr(x.args[0], "op", "") == "pi":  # of an obtuse angle
+        words = Words("takes sine for cosine of {angle}: that is another side", angle=inside)
+        yield LESS, "cofunction, obtuse", words, ("neg", ("sin", x))
     if s.op in _SUPPLEMENT:
         words, turned = _SUPPLEMENT[s.op]
         if x.op == "argument" and s.op == "cos":  # given, as a latitude: no other angle is meant

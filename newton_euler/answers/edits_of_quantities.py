@@ -12,7 +12,7 @@ from ..algebra.units import Dimension
 from .causes import computed
 from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS
 from .edits_of_operations import parts_of
-from .formulas import LEAST, LESS, Edit, Stage, Traced, steps_in, users_of
+from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, terms_of
 
 DimensionOf = Callable[[Step], Dimension | None]
@@ -20,8 +20,8 @@ SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 SCALED = {
     -1.0: Words("takes {quantity} with the opposite sign: its sense is the other one").template,
-    2.0: Words("doubles {quantity}: it counts once").template,
-    0.5: Words("halves {quantity}: it counts in full").template,
+    2.0: Words("doubles {quantity}, or has a 2 too many beside it: it counts once").template,
+    0.5: Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full").template,
     0.0: Words("leaves out {quantity}: it is not zero here").template,
 }
 
@@ -41,15 +41,36 @@ def of_quantities(
             continue
         for factor, text in SCALED.items():
             cause = computed(f"{factor} times {[*own]}", Words(text, quantity=words))
-            yield Edit(LESS, cause, {n: ("*", x, factor) for n, x in own.items()})
+            rank = LESS if factor or words in answers else RARER
+            yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():
             pairs = [*zip(parts, instead, strict=False)]
             if len(instead) != len(parts) or not all(_are_alike(x, y, of) for x, y in pairs):
                 continue
+            if {s.number for s in needed(y for y, _ in instead)} & own.keys():
+                continue  # computed from what it would stand for
             text = Words("takes {other} for {own}: each has its own place", other=other, own=words)
             cause = computed(f"{other} for {[*own]}", text)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
             yield Edit(LESS, cause, signed)
+
+
+def of_cross_products(named: Iterable[tuple[str, Sequence[Any]]]) -> Iterator[Edit]:
+    """Vectors each of whose components is a difference of two products: added, or that of the
+    middle one the other way round.
+    """
+    for words, parts in named:
+        if len(parts) != 3 or not all(isinstance(x, Step) and x.op == "-" for x in parts):
+            continue
+        added = Words("adds the two products in each component of {quantity}: they are subtracted",
+                      quantity=words)  # fmt: skip
+        middle = Words("has the second component of {quantity} with the opposite sign: "
+                       "a determinant alternates", quantity=words)  # fmt: skip
+        name, y = [x.number for x in parts], parts[1]
+        yield Edit(
+            LESS, computed(f"added {name}", added), {x.number: ("+", *x.args) for x in parts}
+        )
+        yield Edit(LESS, computed(f"middle {name}", middle), {y.number: ("neg", y)})
 
 
 def _plain(x):

@@ -47,11 +47,17 @@ def of_two(
     found: dict[int, dict[tuple[Cause, Cause], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
     for level, pair in pairs.fitting():
-        if not any(map(is_contradicted, pair)):
+        if not any(map(is_contradicted, pair)) and not _are_of_one_term(*pair):
             found.setdefault(level, {})[pair] = None
     simplest = [*found[min(found)]] if found else []
     is_one = len(simplest) == 1 or kind.is_formula
     return (both(*simplest[0]),) if simplest and is_one else pairs.multiple()
+
+
+def _are_of_one_term(first, second):
+    """True of two mistakes in the same named term: one of them alone was made."""
+    of_terms = {first.group, second.group} <= {"omitted", "term"}
+    return of_terms and first.name.split()[0] == second.name.split()[0]
 
 
 class _Pairs:
