@@ -88,13 +88,13 @@ def sentence(causes: Iterable[Cause]) -> str | None:
         return None
     see = _(" (see {where})", where=causes[0].where) if causes[0].where else ""
     texts = _together(dict.fromkeys(c.text for c in causes))
-    words, *others = dict.fromkeys(spoken(text).partition(": ")[0] for text in texts)
-    if not others:
-        words = _within_words(spoken(texts[0]), see) or words
+    first, *others = dict.fromkeys(spoken(text).partition(": ")[0] for text in texts)
+    words = first
     for other in others:
         two = _("{first}; or one that {other}", first=words, other=other)
         words = _within_words(two, see) or words
-    return words + see
+    in_full = _within_words(spoken(texts[0]), see) if words == first else None
+    return (in_full or words) + see
 
 
 def _together(texts):

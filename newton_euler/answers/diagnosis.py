@@ -108,11 +108,13 @@ def diagnose(
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
     computed: list[Hit] = []
-    if slips and all(_says_little(h.cause, kind) for h in general):  # what is listed costs less
+    doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
+    if slips and all(doubtful):  # what is listed costs less
         computed = _simplest(fit, slips(fit, kind), elsewhere)
     if general:  # either may have been done: they give the same numbers
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
+        found = tuple(sorted(found, key=elsewhere.contradicts))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
     found = found or _of_components(fit) or (_in_the_whole(fit, kind) if slips else ())

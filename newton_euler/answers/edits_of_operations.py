@@ -263,7 +263,7 @@ def _of_root(s):
         words = Words("does not square the numbers in {sum}: the whole term is squared", sum=inside)
         sums = [roots.get(getattr(y, "number", -1), y) for y in squares]
         yield SIMPLE, "numbers", words, ("sqrt", reduce(lambda a, b: ("+", a, b), sums))
-    if len(squares) > 1 and all(Product(a).is_square for a in squares):
+    if len(squares) > 1 and all(Product(a).is_square and Product(a).powers for a in squares):
         yield from _of_components([Product(a) for a in squares])
         return
     sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in ("+", "-")]

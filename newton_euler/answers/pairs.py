@@ -47,17 +47,11 @@ def of_two(
     found: dict[int, dict[tuple[Cause, Cause], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
     for level, pair in pairs.fitting():
-        if not any(map(is_contradicted, pair)) and not _are_of_one_term(*pair):
+        if not any(map(is_contradicted, pair)):
             found.setdefault(level, {})[pair] = None
     simplest = [*found[min(found)]] if found else []
     is_one = len(simplest) == 1 or kind.is_formula
     return (both(*simplest[0]),) if simplest and is_one else pairs.multiple()
-
-
-def _are_of_one_term(first, second):
-    """True of two mistakes in the same named term: one of them alone was made."""
-    of_terms = {first.group, second.group} <= {"omitted", "term"}
-    return of_terms and first.name.split()[0] == second.name.split()[0]
 
 
 class _Pairs:
@@ -143,8 +137,19 @@ class _Pairs:
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
                 met = self.of_symbols or not by_chance
                 differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
-                if met and differ and self._is_named(one, two, op):
+                one = self._of_one_term(one, two, rows - key) if op is _added else one
+                if met and differ and one is not None and self._is_named(one, two, op):
                     yield one, two
+
+    def _of_one_term(self, one, two, changes):
+        """The first of two mistakes; of one that leaves out the term of which the other is a half,
+        the one that reverses it; None if there is none.
+        """
+        near = NOISE * abs(changes[one]).max()
+        if (abs(changes[one] - 2 * changes[two]) > near).any():
+            return one
+        reverses = (abs(changes[: self.own] - 2 * changes[one]) <= near).all(axis=1)
+        return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
         """False where no pair gives the largest component of the key, as of most answers."""
