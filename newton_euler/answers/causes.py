@@ -344,6 +344,9 @@ def both(first: Cause, second: Cause) -> Cause:
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
+    if second == OPPOSITE_NUMBER and " with the opposite sign" in one:
+        what = one.removeprefix("has ").removesuffix(" with the opposite sign")
+        return Cause("both", name, Words("has all but {term} with the opposite sign", term=what))
     if len(f"{one} {other}".split()) > BRIEF:
         short = min(one, other, key=lambda x: len(x.split())).partition(", ")[0]
         words, more = short.split()[: BRIEF - 3], short.split()[BRIEF - 3 :]
@@ -370,10 +373,11 @@ def in_components(cause: Cause, places: Sequence[int]) -> Cause:
     return replace(cause, name=f"{cause.name} in {places}", text=text)
 
 
-def answer_to(key: str) -> Cause:
-    """Answers exchanged: this is the right one to another part."""
-    text = Words("answers {key} here: the two parts may be exchanged", key=key)
-    return Cause("exchanged", key, text)
+def answer_to(key: str, factor: float = 1) -> Cause:
+    """Answers exchanged: this is the right one to another part, twice it or half of it."""
+    part = {2: Words("twice {key}", key=key), 0.5: Words("half of {key}", key=key)}.get(factor, key)
+    text = Words("answers {key} here: the two parts may be exchanged", key=part)
+    return Cause("exchanged" if factor == 1 else "multiple", str(part), text)
 
 
 def follows(names: Sequence[str]) -> Cause:

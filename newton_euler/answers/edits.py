@@ -18,6 +18,7 @@ from .edits_of_givens import (
     of_exchanged,
     of_given,
     of_integrand,
+    of_lengths,
     of_one_unit,
     of_shifted,
     of_symbol,
@@ -33,6 +34,7 @@ from .edits_of_quantities import (
     of_distances,
     of_other_entries,
     of_quantities,
+    of_ratios,
     of_squares,
     of_uncancelled,
 )
@@ -105,6 +107,7 @@ def _edits(formulas):
     yield from of_one_unit(given, read, system)
     yield from of_exchanged(given, read)
     yield from of_shifted(anything, read, steps)
+    yield from of_lengths(given, read)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from of_vectors({key: a.parts for key, a in answers.items()})
@@ -124,7 +127,9 @@ def _edits(formulas):
     yield from of_equations(formulas.systems)
     yield from of_quantities(answers, formulas.stages, steps, dimensions.get)
     named = [(s.means, s.parts) for s in formulas.stages if s.means]
-    yield from of_cross_products([*named, *((key, a.parts) for key, a in answers.items())])
+    named += [(key, a.parts) for key, a in answers.items()]
+    yield from of_cross_products(named)
+    yield from of_ratios(named, answers, given, dimensions.get)
     yield from of_distances(given, products, dimensions.get)
     angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
     yield from of_components(given, angles, dimensions.get)

@@ -4,14 +4,14 @@ mass.
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, permutations
 from math import pi
 from typing import Any
 
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import computed, unconverted
+from .causes import Cause, computed, unconverted
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
@@ -91,18 +91,24 @@ def of_given(
 
 
 def of_symbol(s: Step, given: Mapping[str, Step], units: Mapping[str, str]) -> Iterator[Slip]:
-    """A symbol for one in another unit, and the sum of two for one of them."""
+    """A symbol for one in another unit."""
     name = s.args[0]
     for other, step in given.items():
         if units[other] != units[name]:
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
             yield LEAST, f"symbol {other}", words, step
-        elif other != name:
-            words = Words(
-                "takes {name} + {other} for {name}: {name} counts alone there",
-                name=name, other=other,
-            )  # fmt: skip
-            yield LEAST, f"sum {other}", words, ("+", s, step)
+
+
+def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """A length to another point: more or less by another one, or by half of it."""
+    lengths = [n for n in given if read[n].dimension == LENGTH]
+    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
+        for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
+            for op in ("+", "-"):
+                words = Words("takes {name} {op} {part} for {name}: it leads to another point",
+                              name=name, op=op, part=part)  # fmt: skip
+                cause = computed(f"{name} {op} {part}", words)
+                yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
 def of_integrand(s: Step) -> Iterator[Slip]:
@@ -124,7 +130,7 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             "converts {name} from {unit} the wrong way: its factor is inverted",
             name=name, unit=own.text,
         )  # fmt: skip
-        yield LESS, "wrong way", words, ("*", s, ratio * ratio)
+        yield LESS, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:

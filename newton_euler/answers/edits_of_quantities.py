@@ -16,6 +16,7 @@ from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in,
 from .typed import Product, described, terms_of
 
 DimensionOf = Callable[[Step], Dimension | None]
+Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 SCALED = {
@@ -55,7 +56,41 @@ def of_quantities(
             yield Edit(LESS, cause, signed)
 
 
-def of_cross_products(named: Iterable[tuple[str, Sequence[Any]]]) -> Iterator[Edit]:
+def of_ratios(
+    named: Sequence[Named],
+    answers: Mapping[str, Traced],
+    given: Mapping[str, Step],
+    of: DimensionOf,
+) -> Iterator[Edit]:
+    """Answers that are one quantity times another, or over it, where the dimension allows it."""
+    own = [(n, [s]) for n, s in given.items()]
+    known = [(words, parts) for words, parts in (*named, *own) if all(map(_has(of), parts))]
+    scalars = [(words, parts[0]) for words, parts in known if len(parts) == 1]
+    for key, a in answers.items():
+        pairs = (
+            (x, y) for x in known for y in scalars if len(x[1]) == len(a.parts) and x[0] != y[0]
+        )
+        for ((first, parts), (second, factor)), (op, sign) in product(pairs, (("*", 1), ("/", -1))):
+            moved = [(x, y) for x, y in zip(a.parts, parts, strict=True) if isinstance(x, Step)]
+            by = of(factor)
+            if by == Dimension() or (op == "*" and len(parts) == 1 and str(second) < str(first)):
+                continue
+            if all(x is not y and of(x) == _times(of(y), by, sign) for x, y in moved):
+                words = Words("gives {a} {op} {b} here: {key} is asked for",
+                              a=first, op=op, b=second, key=key)  # fmt: skip
+                instead = {x.number: (op, y, factor) for x, y in moved}
+                yield Edit(LEAST + 1, computed(f"{first} {op} {second} for {key}", words), instead)
+
+
+def _has(of):
+    return lambda x: isinstance(x, Step) and of(x) is not None
+
+
+def _times(a, b, sign):
+    return a * b if sign > 0 else a / b
+
+
+def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
     """Vectors each of whose components is a difference of two products: added, or that of the
     middle one the other way round.
     """
