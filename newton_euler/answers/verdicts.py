@@ -234,14 +234,17 @@ def _like(given, asked, numbers):
 
 
 def _exchanged(asked, given, found, numbers):
-    """The models that are the right answers to other parts of the same kind and unit."""
+    """The models that are the right answers to other parts of the same kind and unit; twice or half
+    of a formula, which is not met by chance.
+    """
+    factors = (1, 2, 0.5) if asked.kind.is_formula and asked.kind.length == 1 else (1,)
     return [
         (
             answer_to(other.key, factor),
             asked.kind.like(_times(factor, numbers.key[other.key]), given),
         )
         for other in numbers.answers
-        for factor in ((1, 2, 0.5) if asked.kind.is_formula else (1,))
+        for factor in factors
         if other.key != asked.key and other.key in found
         if other.kind == asked.kind and not other.kind.is_word
         if other.unit == asked.unit or not other.kind.is_met_by_chance
