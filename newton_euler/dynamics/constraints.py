@@ -35,6 +35,7 @@ class Freedom:
 
     redundant : names of constraints that follow from those before, and how many of their equations
     configuration : the coordinates by body at which the rank was computed
+    bodies : name -> kind, as they were given
     singular : True if at the configuration passed as ``at`` the rank is lower than in its
         neighbourhood, as for a linkage at its dead point
     """
@@ -44,6 +45,7 @@ class Freedom:
     rank: int
     redundant: dict
     configuration: dict
+    bodies: dict
     singular: bool = False
 
     def __index__(self):
@@ -87,7 +89,8 @@ def degrees_of_freedom(
     q = system.settled() if at is None else system.given(at)
     rank, redundant = system.rank(q, tolerance)
     singular = at is not None and rank < system.rank(system.settled(q, 0.05), tolerance)[0]
-    return Freedom(system.size - rank, system.size, rank, redundant, system.by_name(q), singular)
+    found = system.size - rank, system.size, rank, redundant, system.by_name(q)
+    return Freedom(*found, bodies, singular)
 
 
 class _System:
