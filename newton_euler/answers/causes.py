@@ -365,11 +365,10 @@ def in_components(cause: Cause, places: Sequence[int]) -> Cause:
     return replace(cause, name=f"{cause.name} in {places}", text=text)
 
 
-def answer_to(key: str, factor: float = 1) -> Cause:
-    """Answers exchanged: this is the right one to another part, twice it or half of it."""
-    part = {2: Words("twice {key}", key=key), 0.5: Words("half of {key}", key=key)}.get(factor, key)
-    text = Words("answers {key} here: the two parts may be exchanged", key=part)
-    return Cause("exchanged" if factor == 1 else "multiple", str(part), text)
+def answer_to(key: str) -> Cause:
+    """Answers exchanged: this is the right one to another part."""
+    text = Words("answers {key} here: the two parts may be exchanged", key=key)
+    return Cause("exchanged", key, text)
 
 
 def follows(names: Sequence[str]) -> Cause:

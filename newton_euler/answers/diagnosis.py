@@ -237,7 +237,7 @@ def _stages(
     ]
     rates = [x for _, x in group("rate", wrong)]
     yield of([*kind.slips(fit), *rates_as_scalars(fit, rates)])
-    yield of([*group("exchanged"), *group("multiple")], single)
+    yield of(group("exchanged"), single)
 
 
 def _first(models, fit, least):

@@ -226,26 +226,15 @@ def _like(given, asked, numbers):
 
 
 def _exchanged(asked, given, found, numbers):
-    """The models that are the right answers to other parts of the same kind and unit; twice or half
-    of a formula, which is not met by chance.
-    """
-    factors = (1, 2, 0.5) if asked.kind.is_formula and asked.kind.length == 1 else (1,)
+    """The models that are the right answers to other parts of the same kind and unit."""
     return [
-        (
-            answer_to(other.key, factor),
-            asked.kind.like(_times(factor, numbers.key[other.key]), given),
-        )
+        (answer_to(other.key), asked.kind.like(numbers.key[other.key], given))
         for other in numbers.answers
-        for factor in factors
         if other.key != asked.key and other.key in found
         if other.kind == asked.kind and not other.kind.is_word
         if other.unit == asked.unit or not other.kind.is_met_by_chance
         if not other.kind.is_zero(numbers.key[other.key], other.atol)
     ]
-
-
-def _times(factor, points):
-    return points if factor == 1 else tuple(tuple(factor * x for x in p) for p in points)
 
 
 def _elsewhere(asked, found, numbers):
