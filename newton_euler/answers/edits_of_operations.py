@@ -150,25 +150,17 @@ def of_product(
         yield LESS, "inverse", words, ("/", 1.0, s)
     c = abs(product.coefficient)
     if product.is_exact and c != 1 and c.denominator < 100:
-        for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c), 1 / c)):
+        for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
             rank = LESS if other in (c / 2, 2 * c) else LEAST
             words = Words(
                 "takes the factor {other} for {own}{of}: the formula has {own}",
                 other=other, own=c, of=of,
             )  # fmt: skip
             yield rank, f"constant for {other}", words, ("*", s, float(other / c))
-        turn, n = next(((x, n) for x, n in product.powers.items() if x.op == "pi"), (s, 0))
-        if n > 1 and n % 2 == 0 and c.numerator % 4 == 0:
-            rates = [x for x, m in product.powers.items() if m == n and x.op == "argument"]
+        turn = next((x for x, power in product.powers.items() if (x.op, power) == ("pi", 2)), None)
+        if turn is not None and c.numerator % 4 == 0:
             words = Words("does not square 2*pi{of}: the formula has its square", of=of)
-            yield LESS, "2 pi", words, ("/", s, ("**", ("*", turn, 2.0), n / 2))
-            for x in rates:
-                words = Words(
-                    "has one factor 2*pi*{rate} too few: each differentiation brings in one",
-                    rate=x.args[0],
-                )  # fmt: skip
-                lost = ("**", ("*", ("*", turn, 2.0), number(x)), n / 2)
-                yield LESS, f"one rate {x.number}", words, ("/", s, lost)
+            yield LESS, "2 pi", words, ("/", s, ("*", turn, 2.0))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
             words = Words(
                 "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of
@@ -326,9 +318,6 @@ def _of_function(s):
         words = Words("gives the {f} of the angle: the angle itself is asked for", f=SINES[s.op])
         yield LESS, "no inverse", words, x
         yield LESS, "no inverse, degrees", words, ("*", x, pi / 180)
-    if s.op == "cos" and getattr(x.args[0], "op", "") == "pi":  # of an obtuse angle
-        words = Words("takes sine for cosine of {angle}: that is another side", angle=inside)
-        yield LESS, "cofunction, obtuse", words, ("neg", ("sin", x))
     if s.op in _SUPPLEMENT:
         words, turned = _SUPPLEMENT[s.op]
         if x.op == "argument" and s.op == "cos":  # given, as a latitude: no other angle is meant
