@@ -72,5 +72,7 @@ def draw(g, ax):
     s.dot(P)
     s.vector(P, local.j, "$a_t$", kind="acceleration")
     s.vector(P, -local.i, "$a_n$", kind="acceleration")
+    for n, distance in enumerate((0, g.L), 1):
+        s.vector(at(distance), axes(distance).j, f"$v_{n}$", kind="velocity")
     s.dimension(O, at(0), "R", offset=0)
     s.label(O, "O")

@@ -76,6 +76,7 @@ def draw(g, ax):
     s.line(C, P)
     s.vector(P, e_t, "$e_t$", kind="plain")
     s.vector(P, e_n, "$e_n$", kind="plain")
+    s.vector(P, -e_t, "b", kind="acceleration")
     s.axes((0.5 * g.rho, -0.8 * g.rho, 0), ground, length=0.4 * g.rho, labels=["i", "j", ""])
     s.dimension(P, C, r"$\rho$", offset=0.12 * g.rho)
     s.dot(C, "C")

@@ -64,6 +64,7 @@ def draw(g, ax):
     s.hinge(O)
     s.hinge(P)
     s.arc(O, (d, 0, 0), P, label=r"$\theta$")
+    s.swing(O, P, ground.k, label=r"$\dot\theta,\ \ddot\theta$")
     s.dimension(O, P, "d", offset=0.15 * d)
     s.label(O, "O")
     s.label(P, "P", offset=(14, 6))

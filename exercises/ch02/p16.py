@@ -63,6 +63,8 @@ def draw(g, ax):
     s.cable(A, first, second, B, turns=(-1, -1, -1, -1))
     s.dot((0, r, 0), "P1")
     s.dot((apart + q, 0, 0), "P2")
+    s.vector((0, r, 0), -ground.j, r"$a_{n1}$", kind="acceleration")
+    s.vector((apart + q, 0, 0), -ground.j, r"$a_{t2}$", kind="acceleration")
     s.dimension(one, (-r * 3**0.5 / 2, r / 2, 0), label="$r_1$", offset=0)
     s.dimension(two, (apart - q * 3**0.5 / 2, q / 2, 0), label="$r_2$", offset=0)
     s.label((0.1 * apart, -down, 0), "A")

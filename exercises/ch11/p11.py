@@ -93,3 +93,4 @@ def draw(g, ax):
     s.dimension(A, P, label="d", offset=-0.35 * g.R)
     s.arrow(O, (-0.6 * g.R, -0.8 * g.R, 0), label="R")
     s.label(P, "P", offset=(16, 0))
+    s.vector(C, ground.j, "$v_C$", kind="velocity")

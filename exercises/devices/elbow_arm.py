@@ -85,6 +85,7 @@ def draw(g, ax):
     s.axes(B, ground, length=1.4 * g.b, labels="XYZ")
     s.turn(A, ground.k, label=r"$\omega$")
     s.arc(C, B, D, label=r"$\beta$")
+    s.swing(C, D, -ground.i, label=r"$\dot\beta$")
     s.dimension(B, C, label="b", offset=-0.1 * (g.b + g.L))
     s.dimension(C, D, label="L")
     for P in (A, B, C, D):

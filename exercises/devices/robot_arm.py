@@ -38,6 +38,7 @@ def figure(g, ax, ground, base, P):
     s.line(A, level)
     s.arc(O, up, A, label=r"$\beta$")
     s.arc(A, level, P, label=r"$\beta$")
+    s.swing(O, P, ground.j, label=r"$\dot\beta,\ \ddot\beta$")
     s.turn((0, 0, -0.25 * g.l_OA), ground.k, label=r"$\omega$")
     s.dimension(O, A, label=r"$l_{OA}$", offset=0.24 * g.l_OA)
     s.dimension(A, P, label=r"$l_{AP}$", offset=-0.12 * g.l_OA)

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from ..algebra.late import np
 from .causes import Cause, in_components
 from .fit import Fit, rounding, written
 from .kinds import Kind
@@ -231,8 +232,6 @@ def _within(most, rows, given):
     if isinstance(rows, list):
         gaps = [math.dist(row, given) for row in rows]
         return [n for n, gap in enumerate(gaps) if gap <= most], gaps
-    import numpy as np
-
     with np.errstate(all="ignore"):  # a student may write 1e300
         if not (abs(rows[:, 0] - given[0]) <= most).nonzero()[0].size:  # faster than any()
             return [], []

@@ -251,9 +251,5 @@ def is_rounded(given: Points, key: Points) -> bool:
     ]
     if any(k and not x for k, x in components):
         return False  # left out, more likely
-    ways = (
-        lambda k: float(f"{k:.1g}"),
-        lambda k: float(f"{k:.2g}"),
-        lambda k: round(k, -least),
-    )
+    ways = (lambda k: float(f"{k:.1g}"), lambda k: float(f"{k:.2g}"), lambda k: round(k, -least))
     return any(all(math.isclose(way(k), x, rel_tol=NOISE) for k, x in components) for way in ways)

@@ -78,6 +78,13 @@ def drawn_texts(problem_id):
 
 
 @pytest.mark.parametrize(("problem_id", "rates"), [
+    ("2/10", {"$v_1$", "$v_2$"}),
+    ("2/13", {"b"}),
+    ("2/14", {r"$\dot\theta,\ \ddot\theta$"}),
+    ("2/16", {"$a_{n1}$", "$a_{t2}$"}),
+    ("4/3", {r"$\dot\beta,\ \ddot\beta$"}),
+    ("4/16", {r"$\dot\beta$"}),
+    ("11/11", {"$v_C$"}),
     ("2/15", {"v", r"$\dot v$"}),
     ("2/32", {"v", "$c_A$", "$c_B$"}),
     ("2/37", {r"$\omega$", r"$\alpha$", "u"}),
