@@ -81,6 +81,7 @@ def test_a_screen_reader_hears_the_name_and_the_value_of_every_slider(page):
 each_figure = pytest.mark.parametrize("n", range(len(FIGURES)), ids=list(FIGURES))
 
 
+@pytest.mark.benchmark
 @each_figure
 def test_every_key_moves_the_picture_soon_and_without_flicker(page, n):
     from selenium.webdriver import Keys
@@ -98,6 +99,7 @@ def test_every_key_moves_the_picture_soon_and_without_flicker(page, n):
     assert statistics.median(times) < SOON_MS
 
 
+@pytest.mark.benchmark
 @each_figure
 def test_a_fast_drag_moves_the_picture_and_leaves_no_queue(page, n):
     from selenium.webdriver import ActionChains
