@@ -62,7 +62,7 @@ def sentences(suffixes: Collection[str] = (".py", ".j2", ".js")) -> dict[str, tu
 def _of_python(text):
     """The sentences in Python code (Babel does not look into f-strings)."""
     for node in (x for x in ast.walk(ast.parse(text)) if isinstance(x, ast.Call)):
-        count = CALLS.get(getattr(node.func, "id", ""), 0)
+        count = CALLS.get(ast.unparse(node.func).removeprefix("self."), 0)
         texts = [getattr(x, "value", None) for x in node.args[:count]]
         if texts and all(isinstance(x, str) for x in texts):
             yield tuple(texts)
@@ -76,7 +76,10 @@ def _of_template(text):
     return [(json.loads(m),) for m in re.findall(r'\b_\(("(?:[^"\\]|\\.)*")', text)]
 
 
-CALLS = {"_": 1, "Words": 1, "plural": 2}  # {function: number of its arguments that are sentences}
+CALLS = {  # {function: number of its arguments that are sentences}
+    "_": 1, "Words": 1, "plural": 2,
+    "AnswerError": 1, "OpenAnswer": 1, "TreeError": 1, "form.error": 1,
+}  # fmt: skip
 READ: dict[str, Callable[[str], Iterable[tuple[str, ...]]]] = {
     ".py": _of_python, ".js": _of_script, ".j2": _of_template,
 }  # fmt: skip

@@ -5,6 +5,8 @@ arguments, which may branch: they are called with numbers.
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
+from operator import index
 from typing import Any, Protocol
 
 from newton_euler.algebra.scalars import Scalar, is_numeric
@@ -24,6 +26,8 @@ def word(value: Any) -> Any:
     value = value() if callable(value) else value
     if isinstance(value, str):
         return str(value)
+    with suppress(TypeError):
+        return index(value)  # also of a :class:`~newton_euler.dynamics.constraints.Freedom`
     try:
         return int(value) if int(value) == value else value
     except (TypeError, ValueError):  # reported by the check of the problem

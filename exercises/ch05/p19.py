@@ -12,7 +12,7 @@ def f(x, y, z):
 
 
 def count(bodies, **constraints):
-    return dynamics.degrees_of_freedom(bodies, constraints).count
+    return dynamics.degrees_of_freedom(bodies, constraints)
 
 
 def solve(g):
@@ -20,7 +20,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(TWO), "constraints": 2}
+    return {"coordinates": count(TWO).unknowns, "constraints": 2}
 
 
 def prove(g):

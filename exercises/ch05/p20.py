@@ -12,7 +12,7 @@ def rod(P):
 
 
 def count(kind, **constraints):
-    return dynamics.degrees_of_freedom({"P": kind}, constraints).count
+    return dynamics.degrees_of_freedom({"P": kind}, constraints)
 
 
 def solve(g):
@@ -20,7 +20,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(PLANE), "constraints": 1}
+    return {"coordinates": count(PLANE).unknowns, "constraints": 1}
 
 
 def prove(g):

@@ -10,7 +10,7 @@ def sphere(P):
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom({"P": "particle"}, constraints).count
+    return dynamics.degrees_of_freedom({"P": "particle"}, constraints)
 
 
 def solve(g):
@@ -19,7 +19,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "constraints": 1}
+    return {"coordinates": count().unknowns, "constraints": 1}
 
 
 def prove(g):

@@ -17,7 +17,7 @@ def rod(cart, P):
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom(BODIES, constraints).count
+    return dynamics.degrees_of_freedom(BODIES, constraints)
 
 
 def solve(g):
@@ -25,7 +25,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "track": 2, "rod": 1}
+    return {"coordinates": count().unknowns, "track": 2, "rod": 1}
 
 
 def prove(g):

@@ -17,7 +17,7 @@ def wall(ladder):
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom({"ladder": "body in plane"}, constraints).count
+    return dynamics.degrees_of_freedom({"ladder": "body in plane"}, constraints)
 
 
 def solve(g):
@@ -25,7 +25,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "constraints": 2}
+    return {"coordinates": count().unknowns, "constraints": 2}
 
 
 def prove(g):

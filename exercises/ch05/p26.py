@@ -4,15 +4,17 @@ from exercises.tools import Sketch, freedom, mpf
 from newton_euler import Frame, dynamics
 
 BLOCKS = {"first": 1, "second": 1}  # one coordinate each, along the track
+PAIRS = 3
 
 
 def count(bodies=BLOCKS, **constraints):
-    return dynamics.degrees_of_freedom(bodies, constraints).count
+    return dynamics.degrees_of_freedom(bodies, constraints)
 
 
 def answers(dof, without):
     """The count with springs and dampers, and the choice for the count without."""
-    word = "unchanged" if without == dof else "larger" if without > dof else "smaller"
+    more = without.count - dof.count
+    word = "larger" if more > 0 else "smaller" if more else "unchanged"
     return {"dof": dof, "without": word}
 
 
@@ -22,7 +24,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count()}
+    return {"coordinates": count().unknowns}
 
 
 def prove(g):
@@ -37,6 +39,8 @@ def mistakes(g):
         "outer_pairs_hold": answers(
             count(left=lambda first: first[0] - 1, right=lambda second: second[0] - 2), count()
         ),
+        "each_pair": {"dof": PAIRS},
+        "pairs_move": {"dof": count().count + PAIRS, "without": "smaller"},
         "two_directions": {"dof": count(dict.fromkeys(BLOCKS, "particle in plane"))},
     }
 

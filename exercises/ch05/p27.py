@@ -22,7 +22,7 @@ def in_one_line(P1, P2):
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom(PLANE, constraints).count
+    return dynamics.degrees_of_freedom(PLANE, constraints)
 
 
 def solve(g):
@@ -30,7 +30,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "constraints": 2}
+    return {"coordinates": count().unknowns, "constraints": 2}
 
 
 def prove(g):

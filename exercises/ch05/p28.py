@@ -35,8 +35,8 @@ def fixed_length(P2):
 def answers(**constraints):
     """When P2 may swing, and when it may not."""
     return {
-        "dof_swinging": degrees_of_freedom(TWO, constraints).count,
-        "dof_vertical": degrees_of_freedom(TWO, {**constraints, "vertical": vertical}).count,
+        "dof_swinging": degrees_of_freedom(TWO, constraints),
+        "dof_vertical": degrees_of_freedom(TWO, {**constraints, "vertical": vertical}),
     }
 
 
@@ -45,7 +45,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": degrees_of_freedom(TWO).count, "constraints": 2, "more": 2}
+    return {"coordinates": degrees_of_freedom(TWO).unknowns, "constraints": 2, "more": 2}
 
 
 def prove(g):

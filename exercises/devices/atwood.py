@@ -17,12 +17,12 @@ def rope(pulley, left, right):
 
 def count(names, **ropes):
     """Degrees of freedom of the named parts, which move vertically, with these ropes."""
-    return degrees_of_freedom(dict.fromkeys(names, 1), ropes).count
+    return degrees_of_freedom(dict.fromkeys(names, 1), ropes)
 
 
 def steps_to_count(heights, ropes, phrase):
     """Heights and ropes; ``phrase`` describes the heights."""
-    yield Step("heights", count(heights), "1", phrase, "5.11", kind="count")
+    yield Step("heights", count(heights).unknowns, "1", phrase, "5.11", kind="count")
     yield Step("ropes", len(ropes), "1", "constraints: each rope keeps its length", "5.11", "5.28",
                kind="count")  # fmt: skip
 
@@ -30,7 +30,7 @@ def steps_to_count(heights, ropes, phrase):
 def miscounts(masses, heights, ropes):
     """Wrong counts of degrees of freedom."""
     return {
-        "no_pulleys": {"dof": count(masses) - len(ropes)},
+        "no_pulleys": {"dof": count(masses).count - len(ropes)},
         "masses_only": {"dof": count(masses)},
         "no_ropes": {"dof": count(heights)},
     }

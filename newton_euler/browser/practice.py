@@ -167,14 +167,12 @@ def _value(p, q, texts):
     lists = [t for t, x in zip(texts, found, strict=True) if isinstance(x, list)]
     if lists and (parts is found or q.kind.length == 1):
         raise AnswerError(
-            _(
-                "{text} has a comma: write a decimal point, as -2.5, and nothing between thousands",
-                text=repr(lists[0][:60]),
-            )
+            "{text} has a comma: write a decimal point, as -2.5, and nothing between thousands",
+            text=repr(lists[0][:60]),
         )
     if None in parts:
         missing = _parts(q.kind)[parts.index(None)]
-        raise AnswerError(_("write the {missing}, too; 0 where there is none", missing=missing))
+        raise AnswerError("write the {missing}, too; 0 where there is none", missing=missing)
     parts = _flat(parts)
     return q.kind.nested(parts) if len(parts) == q.kind.length else parts
 

@@ -60,9 +60,9 @@ class Question:
         bare = given.strip().removesuffix(self.unit).replace("\N{MINUS SIGN}", "-")
         try:
             x = typed(bare, {})
-            if not isinstance(x, float) or not math.isfinite(x):
-                raise AnswerError("one number is asked for")
         except AnswerError:
+            x = None
+        if not isinstance(x, float) or not math.isfinite(x):
             return Judged(None, "")
         if abs(x - self.number) <= self.within:
             return Judged(True, "")
@@ -96,8 +96,7 @@ def question(
     right = _right(choices or {}, answer, unit)
     if right not in words or not all(map(str.strip, words.values())):
         raise ArgumentError(
-            f"the answer is one of the choices, and each has its meaning; got {answer!r} of "
-            f"{', '.join(words) or 'none'}"
+            f"the answer is one of the choices, {', '.join(words) or 'none'}; got {answer!r}"
         )
     return Question(text, why, words, right)
 
