@@ -85,7 +85,8 @@ def _edits(formulas):
     yield from givens.of_shifted(anything, read, steps)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
-    yield from givens.of_vectors([a.parts for a in answers.values()])
+    yield from givens.of_lengths(given, read)
+    yield from givens.of_vectors({key: a.parts for key, a in answers.items()})
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
     yield from _of_stages(answers, formulas.stages, dimensions)
@@ -101,6 +102,10 @@ def _edits(formulas):
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
     yield from equations.of_equations(formulas.systems)
     yield from quantities.of_quantities(answers, formulas.stages, steps, dimensions.get)
+    named = [(s.means, s.parts) for s in formulas.stages if s.means]
+    named += [(key, a.parts) for key, a in answers.items()]
+    yield from quantities.of_cross_products(named)
+    yield from quantities.of_ratios(named, answers, given, dimensions.get)
     yield from quantities.of_distances(given, products, dimensions.get)
     angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
     yield from quantities.of_components(given, angles, dimensions.get)

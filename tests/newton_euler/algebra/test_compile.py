@@ -568,25 +568,6 @@ def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
     assert abs(outer(mpmath.mpf(1)) - mpmath.pi) < 1e-28
 
 
-def _complains(x):
-    raise ValueError(f"no such place as {x}")
-
-
-@pytest.mark.parametrize(
-    ("f", "error"),
-    [
-        (lambda x: x + {"a": 1}["Step"], KeyError),  # reads as the name of a class of ours
-        (lambda x: x + int("ufunc"), ValueError),
-        (lambda x: {}.real_part, AttributeError),
-        (_complains, ValueError),
-    ],
-)
-def test_an_error_of_the_function_itself_is_raised_as_it_is(f, error):
-    with pytest.raises(error) as found:
-        compiled(f)
-    assert type(found.value) is error
-
-
 @pytest.mark.parametrize("f", [lambda x: x.real_part, lambda x: {1: 2}[x], lambda x: x @ x])
 def test_what_a_traced_value_has_not_is_refused_with_the_line(f):
     with pytest.raises(ScalarError, match=r"in .*: a formula is traced without values"):
