@@ -27,12 +27,9 @@ CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
 def of_two(
-    fit: Fit,
-    kind: Kind,
-    own: Sequence[tuple[Cause, Points]],
-    slips: Callable[[], Singles],
+    fit: Fit, kind: Kind, own: Sequence[tuple[Cause, Points]], slips: Callable[[], Singles],
     is_contradicted: Callable[[Cause], bool],
-) -> tuple[Cause, ...]:
+) -> tuple[Cause, ...]:  # fmt: skip
     """The two mistakes that give an answer together, as one cause: the simplest two, of numbers
     only if there are no others as simple; () if there are none.
 

@@ -26,12 +26,9 @@ receipts: dict = {}
 
 @checked
 def expect(
-    problem: str,
-    symbols: dict | None = None,
-    notation: dict | None = None,
-    sane: dict | bool | None = None,
-    **forms: str,
-) -> None:
+    problem: str, symbols: dict | None = None, notation: dict | None = None,
+    sane: dict | bool | None = None, **forms: str,
+) -> None:  # fmt: skip
     """Announce what ``problem`` asks for, each answer by its form.
 
     symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where

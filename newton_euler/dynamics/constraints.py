@@ -65,11 +65,9 @@ class Freedom:
 
 @checked
 def degrees_of_freedom(
-    bodies: dict,
-    constraints: dict | None = None,
-    at: dict | None = None,
+    bodies: dict, constraints: dict | None = None, at: dict | None = None,
     tolerance: Tolerance = 1e-9,
-) -> Freedom:
+) -> Freedom:  # fmt: skip
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
     of coordinates less the rank of the Jacobian. Springs and weights are no constraints.
 

@@ -18,13 +18,9 @@ class Vectors(Recorder):
     """The methods of a sketch that draw arrows."""
 
     def axes(
-        self,
-        P: Place,
-        frame: Frame,
-        length: float | None = None,
-        labels: Sequence[str] = "xyz",
+        self, P: Place, frame: Frame, length: float | None = None, labels: Sequence[str] = "xyz",
         moved: bool | None = None,
-    ) -> None:
+    ) -> None:  # fmt: skip
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
         labels : three, as a string or a list, or "" for none; an axis labelled "" is left out
