@@ -53,9 +53,15 @@ class Outcome:
 
 
 def grade_one(
-    course: Course, assignment: str, student: str, name: str, sources: Sources,
-    harvester: Harvester, force: bool = False, remark: str = "",
-) -> Outcome:  # fmt: skip
+    course: Course,
+    assignment: str,
+    student: str,
+    name: str,
+    sources: Sources,
+    harvester: Harvester,
+    force: bool = False,
+    remark: str = "",
+) -> Outcome:
     """Grade one submitted notebook; writes the record and the annotated notebook, with a ``remark``
     in its note.
     """
