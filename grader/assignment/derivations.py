@@ -136,7 +136,10 @@ class _Deriver:
         self.traced, self.asked, self.units = traced, asked, units
         self.components = traced.components
         self.given_by = {x.number: name for name, x in traced.givens.items()}
-        self.terms = {s.key: s.of for s in traced.steps if s.of in asked}
+        self.sum_of = {s.key: s.of for s in traced.steps if s.of}
+        self.sums = {*self.sum_of.values()}
+        self.of_givens = {s.key for s in traced.steps if s.of_givens}
+        self.terms = {key: of for key, of in self.sum_of.items() if of in asked}
         # {number: (name, sign)} of components, for which others have the name
         self.called = dict[int, tuple[str, int]]()
         first = {}  # {number: the quantity that has its name}
@@ -196,6 +199,7 @@ class _Deriver:
     def _derived(self, key):
         """The derivation of a quantity, which is known from now on."""
         parts, names, writer = self.components[key], self._names(key), self.writer
+        self._keep_apart(key)
         writer.start(key, parts)
         formulas = tuple(map(writer.formula, range(len(parts)), parts, names))
         formulas = self.known.of_one_body(self._explicit(formulas, names))
@@ -208,6 +212,16 @@ class _Deriver:
         varies = any(isinstance(x, Step) for x in parts)
         unknowns = frozenset(writer.wanted)
         return Derivation(formulas, tuple(writer.together), unknowns, solved, varies)
+
+    def _keep_apart(self, key):
+        """Keeps the quantities out of the formula of another that are equal to a part of it by
+        chance: to a term, components of a sum of which the other terms are zero; and all, where the
+        problem says so.
+        """
+        apart = self.sums if key in self.sum_of else set()
+        apart = {*self.components} - {key} if key in self.of_givens else apart
+        self.names.apart = apart
+        self.known.apart = {name for other in apart for name in self._names(other)}
 
     def _explicit(self, formulas, names):
         """The formulas, with the solution of one equation that is linear in its one unknown in the

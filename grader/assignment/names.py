@@ -30,6 +30,7 @@ class Names:
     place, size : index of the component that is written, number of components of its quantity
     whole : the traced numbers of this quantity
     indices : the indices of its name, as AB of I_AB
+    apart : the quantities that are not used now
     scalars : the quantities that are one number, on the sheets
     givens : {numbers on the sheets: given}
     """
@@ -44,6 +45,7 @@ class Names:
     size: int = 1
     whole: set[int] = field(default_factory=set)
     indices: set[str] = field(default_factory=set)
+    apart: set[str] = field(default_factory=set)
     scalars: list[tuple[Any, Sequence[float]]] = field(default_factory=list)
     givens: dict[tuple[str, ...], Any] = field(default_factory=dict)
     by_value: dict[tuple[str, ...], dict[Any, int | None]] = field(default_factory=dict)
@@ -73,7 +75,8 @@ class Names:
         quantities that are partly equal, the one that is used most is meant, or of those that are
         used as often, the one with the same index.
         """
-        self.size, self.uses, self.whole = len(parts), Counter(), numbers_of(parts)
+        self.place, self.size, self.uses = 0, len(parts), Counter()
+        self.whole = numbers_of(parts)
         self.indices = _indices(key)
         seen, waiting = set(), [*parts]
         while waiting:
@@ -94,13 +97,16 @@ class Names:
             return None
         if self.size == 9 and not (candidates := self._in_place(candidates)):
             return None
+        same = [k for k in candidates if self.indices and _indices(k) == self.indices]
+        if len(candidates) > 1 and len(same) != 1 and x.args and all(map(self._is_plain, x.args)):
+            return None  # as b/2, of two bodies that lie side by side
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
-        same = [k for k in (key, *others) if self.indices and _indices(k) == self.indices]
+        same = [k for k in same if k in (key, *others)] or [
+            k for k in (key, *others) if self.size == 3 and "xyz"[self.place] in k.split("_")[-1]
+        ]
         if others and len(same) == 1:
             key, others = same[0], []
-        if others and x.args and all(self._is_plain(a) for a in x.args):
-            return None  # as b/2, of two bodies that lie side by side
         if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
             return None  # of which axis it is does not show
         return self._at_place(candidates[key], self.sizes[key])
@@ -167,7 +173,8 @@ class Names:
         return not isinstance(a, Step) or a.number in self.fixed
 
     def _candidates(self, x):
-        return self.found.get(x.number) or self.opposite.get(x.number, {})
+        found = self.found.get(x.number) or self.opposite.get(x.number, {})
+        return {key: x for key, x in found.items() if key not in self.apart}
 
     def _at_place(self, by_place, size):
         """The component of the same axis; of a matrix that multiplies a vector, that of the row."""
