@@ -138,6 +138,7 @@ class _Deriver:
         self.given_by = {x.number: name for name, x in traced.givens.items()}
         self.sum_of = {s.key: s.of for s in traced.steps if s.of}
         self.sums = {*self.sum_of.values()}
+        self.whole_terms = {}  # {sum: vectors that are one of its terms, and no other one}
         self.of_givens = {s.key for s in traced.steps if s.of_givens}
         self.terms = {key: of for key, of in self.sum_of.items() if of in asked}
         # {number: (name, sign)} of components, for which others have the name
@@ -204,6 +205,12 @@ class _Deriver:
         formulas = tuple(map(writer.formula, range(len(parts)), parts, names))
         formulas = self.known.of_one_body(self._explicit(formulas, names))
         solved = any(getattr(unsigned(x)[0], "number", None) in writer.solved for x in parts)
+        if of := self.sum_of.get(key):
+            shown = {f.name for f in formulas if getattr(f, "is_Symbol", False)}
+            vectors = (k for k, x in self.components.items() if len(x) == 3)
+            self.whole_terms.setdefault(of, set()).update(
+                k for k in vectors if shown and shown <= {*self._names(k)}
+            )
         if key not in self.terms:  # no line has the name of a term of an answer
             self._remember(key, parts, names, formulas)
         formulas = tuple(None if f is None else factored(f) for f in formulas)
@@ -218,10 +225,11 @@ class _Deriver:
         chance: to a term, components of a sum of which the other terms are zero; and all, where the
         problem says so.
         """
-        apart = self.sums if key in self.sum_of else set()
+        of = self.sum_of.get(key)
+        apart = self.sums | self.whole_terms.get(of, set()) if of else set()
         apart = {*self.components} - {key} if key in self.of_givens else apart
-        self.names.apart = apart
         self.known.apart = {name for other in apart for name in self._names(other)}
+        self.names.apart = apart | self.known.apart
 
     def _explicit(self, formulas, names):
         """The formulas, with the solution of one equation that is linear in its one unknown in the

@@ -10,7 +10,7 @@ from typing import Any
 
 from newton_euler.algebra.late import np, sympy
 from newton_euler.algebra.units import unit
-from newton_euler.answers.notation import number_symbol, unit_symbol
+from newton_euler.answers.notation import number_symbol, symbol, unit_symbol
 
 from .layout import laid_out
 
@@ -105,6 +105,7 @@ class _Names:
     names: Mapping[str, str]
     numbers: bool
     degrees = False
+    latex = False
 
     def _as_ordered_terms(self, expr, order=None):
         """Terms without a minus sign first."""
@@ -121,7 +122,7 @@ class _Names:
         return sympy.sign(turns) * sympy.Symbol(f"{float(abs(turns) * 180):.6g}{mark}")
 
     def _print_Symbol(self, expr, style="plain"):
-        return self.names.get(expr.name, expr.name)
+        return self.names.get(expr.name) or (symbol(expr.name) if self.latex else expr.name)
 
     def _print_Add(self, expr, order=None):
         text = super()._print_Add(expr, order)

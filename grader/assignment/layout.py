@@ -48,6 +48,8 @@ def laid_out(formula: Any, names: Iterable[str]) -> tuple[Any, dict[Any, str]]:
         if x.name in places
     }
     formula = _tidy(formula.xreplace(called))
+    if all(x.as_coeff_Mul()[1].is_Symbol for x in sympy.Add.make_args(formula)):
+        formula = _over_one_number(formula)
     return formula, {placed.name: x.name for x, placed in called.items()}
 
 
@@ -67,16 +69,28 @@ def _turned(x, is_term):
     negative = x.as_coeff_Mul()[0].could_extract_minus_sign()
     for a in sympy.Mul.make_args(x):
         base, power = a.as_base_exp()
+        if base.is_Add and power.is_Rational and (power < 0 or sympy.fraction(x)[1] != 1):
+            above, below = _without_fractions(base, power)
+            base, changed = above, changed or below != 1
+            factors.append(below**-power)
         if not base.is_Add or not power.is_Integer:
-            factors.append(a)
+            factors.append(base**power)
             continue
-        part, whole = base.primitive() if power < 0 else _one_fraction(base)
+        divided = power < 0 or sympy.fraction(x)[1].free_symbols
+        part, whole = base.primitive() if divided else _one_fraction(base)
         if _is_other_way_round(whole, negative and power % 2 and not is_term):
             part, whole, negative = -part, -whole, negative != bool(power % 2)
         number *= part**power
         factors.append(whole**power)
         changed = changed or part != 1
     return sympy.Mul(number, *factors) if changed else x
+
+
+def _without_fractions(x, power):
+    """A sum as a fraction without fractions in it, where the root of what is below it is none."""
+    above, below = sympy.fraction(sympy.together(x))
+    is_plain = all(y.exp.is_Integer for y in (below**power).atoms(sympy.Pow))
+    return (above, below) if not below.is_Rational and is_plain else (x, 1)
 
 
 def _is_other_way_round(whole, has_minus):

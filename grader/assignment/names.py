@@ -28,9 +28,9 @@ class Names:
     sizes : numbers of components, by quantity
     uses : how often each occurs in the quantity that is written
     place, size : index of the component that is written, number of components of its quantity
-    whole : the traced numbers of this quantity
+    whole : the numbers of its components on the sheets
     indices : the indices of its name, as AB of I_AB
-    apart : the quantities that are not used now
+    apart : the quantities that are not used now, and the names of their components
     scalars : the quantities that are one number, on the sheets
     givens : {numbers on the sheets: given}
     """
@@ -43,7 +43,7 @@ class Names:
     uses: Counter[str] = field(default_factory=Counter)
     place: int = 0
     size: int = 1
-    whole: set[int] = field(default_factory=set)
+    whole: set[tuple[str, ...]] = field(default_factory=set)
     indices: set[str] = field(default_factory=set)
     apart: set[str] = field(default_factory=set)
     scalars: list[tuple[Any, Sequence[float]]] = field(default_factory=list)
@@ -76,7 +76,7 @@ class Names:
         used as often, the one with the same index.
         """
         self.place, self.size, self.uses = 0, len(parts), Counter()
-        self.whole = numbers_of(parts)
+        self.whole = {_rounded(self._numbers(x)) for x in parts} - {()}
         self.indices = _indices(key)
         seen, waiting = set(), [*parts]
         while waiting:
@@ -117,7 +117,7 @@ class Names:
         what has a name, and whole quantities are equal to others by chance.
         """
         numbers, here = self._numbers(x), self.place if self.size == 9 else None
-        is_whole = x.number in self.whole
+        is_whole = _rounded(numbers) in self.whole
         given = self.givens.get(_rounded(numbers))
         parts = [a for a in x.args if isinstance(a, Step)]
         is_multiple = len(parts) == 1 and self.of(parts[0]) is not None
@@ -126,7 +126,8 @@ class Names:
         if x.op not in "+-" or is_whole or all(map(self._is_known, x.args)):
             return None
         for sign in (1, -1):
-            names = self.by_value.get(_rounded(numbers, sign), {})
+            found = self.by_value.get(_rounded(numbers, sign), {})
+            names = {name: x for name, x in found.items() if name.name not in self.apart}
             if len(names) == 1 and here in names.values():
                 return sign * next(iter(names))
         return None

@@ -182,7 +182,7 @@ def what_a_reader_misses(line, known, named):
     vectors = {x[:-2] for x in known if x[-2:] in ("_x", "_1")}
     texts = [QUANTITY.sub("", x) for x in line.equal[:-1]]
     with_names = [x for x in texts if {*NAME.findall(x)} - functions]
-    variables = {*re.findall(r"\((\w), ", " ".join(with_names))}  # of integrals
+    variables = {*re.findall(r"\((\w+), ", " ".join(with_names))}  # of integrals
     unknowns = {*NAME.findall(" ".join(line.together))} - known
     known |= own_names(line) | unknowns
     return [
