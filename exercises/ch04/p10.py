@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
-from exercises.tools import Sketch, angular_velocity, minus, rate, times, transposed
+from exercises.tools import Sketch, angular_velocity, minus, times, transposed
 
 AXIS = "x"  # the gear of BB is the first, that of CC the second
 follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}

@@ -78,8 +78,8 @@ def block_steps(A, B, laws):
             means = f"part of the weight of {b.name} down its face"
             yield Step(f"W_{b.name}t", b.W_t, "lb", means, "6.1", "6.3")
     F, M = without_tension(A, B)
-    yield Step("F", F, "lb", f"force that is left when T is eliminated from the equations of motion {laws}",
-               "6.1", "6.4")  # fmt: skip
+    means = f"force that is left when T is eliminated from the equations of motion {laws}"
+    yield Step("F", F, "lb", means, "6.1", "6.4")
     yield Step("M", M, "slug", "mass that it accelerates: F = M*a", "6.1", "6.4")
 
 

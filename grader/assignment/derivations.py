@@ -138,7 +138,8 @@ class _Deriver:
         self.given_by = {x.number: name for name, x in traced.givens.items()}
         self.sum_of = {s.key: s.of for s in traced.steps if s.of}
         self.sums = {*self.sum_of.values()}
-        self.whole_terms = {}  # {sum: vectors that are one of its terms, and no other one}
+        # {sum: vectors that are one of its terms, and no other one}
+        self.whole_terms = dict[str, set[str]]()
         self.of_givens = {s.key for s in traced.steps if s.of_givens}
         self.terms = {key: of for key, of in self.sum_of.items() if of in asked}
         # {number: (name, sign)} of components, for which others have the name

@@ -122,7 +122,8 @@ class _Names:
         return sympy.sign(turns) * sympy.Symbol(f"{float(abs(turns) * 180):.6g}{mark}")
 
     def _print_Symbol(self, expr, style="plain"):
-        return self.names.get(expr.name) or (symbol(expr.name) if self.latex else expr.name)
+        is_name = self.latex and expr.name.isidentifier()  # and no number
+        return self.names.get(expr.name) or (symbol(expr.name) if is_name else expr.name)
 
     def _print_Add(self, expr, order=None):
         text = super()._print_Add(expr, order)

@@ -11,8 +11,8 @@ from newton_euler.algebra.units import unit
 
 def in_reading_order(units: Mapping[str, str]) -> list[str]:
     """Names as a book has them in a product, as in k x^2/2, m g h, m r omega^2 and v_0 t: what has
-    no unit, then what has a mass, g, lengths, rates, velocities, accelerations, times, angles; those
-    of a kind as they are in ``units``, {name: its unit}.
+    no unit, then what has a mass, g, lengths, rates, velocities, accelerations, times, angles;
+    those of a kind as they are in ``units``, {name: its unit}.
 
     >>> in_reading_order({"h": "m", "g": "m/s^2", "t": "s", "omega": "rpm", "m": "g", "mu": "1"})
     ['mu', 'm', 'g', 'h', 'omega', 't']
@@ -90,7 +90,7 @@ def _without_fractions(x, power):
     """A sum as a fraction without fractions in it, where the root of what is below it is none."""
     above, below = sympy.fraction(sympy.together(x))
     is_plain = all(y.exp.is_Integer for y in (below**power).atoms(sympy.Pow))
-    return (above, below) if not below.is_Rational and is_plain else (x, 1)
+    return (above, below) if below != 1 and is_plain else (x, sympy.Integer(1))
 
 
 def _is_other_way_round(whole, has_minus):
@@ -100,7 +100,10 @@ def _is_other_way_round(whole, has_minus):
 
 
 def _over_one_number(x):
-    """A sum whose terms are all divided by the same number, as (a + b)/2."""
+    """A sum whose terms are all divided by the same, as (a + b)/2."""
+    below = {sympy.fraction(term)[1].as_coeff_Mul()[1] for term in sympy.Add.make_args(x)}
+    if len(below) == 1 and below != {1}:
+        return sympy.together(x)
     number, whole = _one_fraction(x)
     return x if number == 1 else sympy.Mul(number, whole, evaluate=False)
 

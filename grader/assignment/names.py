@@ -7,7 +7,6 @@ from itertools import permutations
 from operator import mul, truediv
 from typing import Any
 
-from exercises.catalogue.tracing import numbers_of
 from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
