@@ -123,15 +123,9 @@ class _Deriver:
     """
 
     def __init__(
-        self,
-        traced: Traced,
-        cases: Mapping[Any, Any],
-        positive: set[str],
-        asked: Sequence[str],
-        units: Mapping[str, str],
-        drawn: Sequence[Givens],
-        sheets: Sequence[tuple[Givens, dict]],
-    ) -> None:
+        self, traced: Traced, cases: Mapping[Any, Any], positive: set[str], asked: Sequence[str],
+        units: Mapping[str, str], drawn: Sequence[Givens], sheets: Sequence[tuple[Givens, dict]],
+    ) -> None:  # fmt: skip
         self.found = dict[str, Derivation]()
         self.traced, self.asked, self.units = traced, asked, units
         self.components = traced.components

@@ -21,12 +21,9 @@ _BESIDE_WORD = re.compile(rf"(?P<word>{_WORD}) (?=[\\\w])|(?<=[\w}}]) (?=\\text)
 
 
 def written(
-    formula: Any,
-    names: Mapping[str, str],
-    latex: bool,
-    numbers: bool = False,
+    formula: Any, names: Mapping[str, str], latex: bool, numbers: bool = False,
     degrees: bool = False,
-) -> str:
+) -> str:  # fmt: skip
     """A formula in LaTeX or as text, its symbols by ``names`` and in their order, which are
     ``numbers`` or not; with ``degrees``, right angles in a sum are not written as pi/2.
     """

@@ -39,12 +39,9 @@ GOES_ON = (
     "option again.",
 )
 def personal(
-    assignment: str,
-    course: "Course",
-    students: tuple[str, ...],
-    exchange: bool,
+    assignment: str, course: "Course", students: tuple[str, ...], exchange: bool,
     right_or_wrong: bool,
-) -> None:
+) -> None:  # fmt: skip
     """Write each student's own copy of an assignment.
 
     The assignment must be generated for release; each copy has its student's own numbers and
@@ -90,15 +87,9 @@ def personal(
 )
 @click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
 def grade(
-    assignment: str,
-    course: "Course",
-    students: tuple[str, ...],
-    force: bool,
-    workers: int | None,
-    scheduler: str | None,
-    unsandboxed: bool,
-    verbose: bool,
-) -> None:
+    assignment: str, course: "Course", students: tuple[str, ...], force: bool, workers: int | None,
+    scheduler: str | None, unsandboxed: bool, verbose: bool,
+) -> None:  # fmt: skip
     """Grade the submissions of an assignment.
 
     Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes

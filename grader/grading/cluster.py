@@ -52,12 +52,9 @@ class Shared:
 
 @contextlib.contextmanager
 def cluster(
-    address: str,
-    course: Course,
-    run: Run,
-    sandbox: bool,
+    address: str, course: Course, run: Run, sandbox: bool,
     report: Callable[[str], object] | None = None,
-) -> Iterator[GradeStudents]:
+) -> Iterator[GradeStudents]:  # fmt: skip
     """A context with a function that grades on the workers of a scheduler; raises
     :class:`CourseError` if it does not answer or a worker cannot grade. ``report`` gets a line
     about each worker.

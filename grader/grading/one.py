@@ -53,15 +53,9 @@ class Outcome:
 
 
 def grade_one(
-    course: Course,
-    assignment: str,
-    student: str,
-    name: str,
-    sources: Sources,
-    harvester: Harvester,
-    force: bool = False,
-    remark: str = "",
-) -> Outcome:
+    course: Course, assignment: str, student: str, name: str, sources: Sources,
+    harvester: Harvester, force: bool = False, remark: str = "",
+) -> Outcome:  # fmt: skip
     """Grade one submitted notebook; writes the record and the annotated notebook, with a ``remark``
     in its note.
     """

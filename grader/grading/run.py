@@ -16,16 +16,11 @@ from .student import Result, Run
 
 
 def grade(
-    course: Course,
-    assignment: str,
-    students: Iterable[str] | None = None,
-    force: bool = False,
-    workers: int | None = None,
-    sandbox: bool = True,
-    progress: Callable[[Result], object] = lambda result: None,
-    scheduler: str | None = None,
+    course: Course, assignment: str, students: Iterable[str] | None = None, force: bool = False,
+    workers: int | None = None, sandbox: bool = True,
+    progress: Callable[[Result], object] = lambda result: None, scheduler: str | None = None,
     report: Callable[[str], object] | None = None,
-) -> list[Result]:
+) -> list[Result]:  # fmt: skip
     """Grade the submissions of an assignment; writes gradebook and annotated notebooks.
 
     students : ids to grade; default: all who submitted. force : run unchanged submissions, too.

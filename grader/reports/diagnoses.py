@@ -66,11 +66,9 @@ def _outcome(part, mistake):
 
 
 def shares_table(
-    found: Mapping[str, Counter[str]],
-    title: str = "Listed mistakes",
-    of: str = "problem",
+    found: Mapping[str, Counter[str]], title: str = "Listed mistakes", of: str = "problem",
     outcomes: Sequence[str] = OUTCOMES,
-) -> Table:
+) -> Table:  # fmt: skip
     """The shares as a table for the terminal, with their sum."""
     table = plain_table(title, of, ">made", *(f">{name} %" for name in outcomes))
     for name, counts in found.items():

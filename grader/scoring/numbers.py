@@ -16,6 +16,7 @@ from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points,
 from newton_euler.algebra.language import cached_by_language
 from newton_euler.answers.causes import listed
 from newton_euler.answers.near import NO_SLIPS
+from newton_euler.dynamics.constraints import Freedom
 
 from .computation import (
     columns,
@@ -26,6 +27,7 @@ from .computation import (
     section,
     sequel_of,
 )
+from .miscounts import miscounts
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -80,12 +82,18 @@ class Numbers:
         return self._wrong[key]
 
     def _wrong_words(self, answer):
-        """Every listed mistake in a word or count, as for :meth:`wrong`."""
+        """Every listed mistake in a word or count, as for :meth:`wrong`, and what else is wrong in
+        counting degrees of freedom.
+        """
         given = {m: x[answer.key] for m, x in self._wrong_answers.items() if answer.key in x}
-        return [
+        found = [
             (listed(m, self.problem.mistakes[m]), ((_one_word(answer, (x,)),),))
             for m, x in given.items()
         ]
+        right = self.problem.code.solve(self.problem.base(self.sample))[answer.key]
+        if isinstance(right, Freedom):
+            found += [(cause, ((n,),)) for cause, n in miscounts(right)]
+        return found
 
     @cached_property
     def _wrong_answers(self):

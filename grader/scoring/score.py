@@ -102,16 +102,11 @@ def _sum(shares):
 
 
 def score_receipt(
-    problem: Problem,
-    values: Mapping[str, Any],
-    receipt: Any,
-    note: str = "",
-    points: float | None = None,
-    weights: Mapping[str, float] | None = None,
-    asked: Mapping[str, str] | None = None,
-    follow_through: float | None = None,
+    problem: Problem, values: Mapping[str, Any], receipt: Any, note: str = "",
+    points: float | None = None, weights: Mapping[str, float] | None = None,
+    asked: Mapping[str, str] | None = None, follow_through: float | None = None,
     earlier_sheets: Sequence[Mapping[str, Any]] = (),
-) -> Score:
+) -> Score:  # fmt: skip
     """The :class:`Score` of a receipt ({"answers", "faults", "error"}, or None) for ``problem``
     with a student's ``values``.
 

@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import Any
 
 from ..algebra.language import Words
+from ..algebra.late import np
 from ..algebra.linear import Solved
 from ..algebra.trace import Step
 from .causes import computed
@@ -95,8 +96,6 @@ def solution(width: float, unknown: float, place: float, factor: float, *inside:
 @lru_cache(maxsize=16)
 def _solved(width, inside):
     """(solution, inverse matrix), (None, None) of equations without."""
-    import numpy as np
-
     rows = np.array(inside).reshape(-1, width)
     try:
         inverse = np.linalg.inv(rows[:, :-1])

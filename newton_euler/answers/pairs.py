@@ -13,6 +13,7 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
+from ..algebra.late import is_here, np
 from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both, left_out, multiple_of, multiplied
 from .fit import Fit
 from .formulas import FIRST
@@ -26,12 +27,9 @@ CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
 def of_two(
-    fit: Fit,
-    kind: Kind,
-    own: Sequence[tuple[Cause, Points]],
-    slips: Callable[[], Singles],
+    fit: Fit, kind: Kind, own: Sequence[tuple[Cause, Points]], slips: Callable[[], Singles],
     is_contradicted: Callable[[Cause], bool],
-) -> tuple[Cause, ...]:
+) -> tuple[Cause, ...]:  # fmt: skip
     """The two mistakes that give an answer together, as one cause: the simplest two, of numbers
     only if there are no others as simple; () if there are none.
 
@@ -40,9 +38,7 @@ def of_two(
     """
     if fit.index is None or not (kind.has_size or kind.is_formula):
         return ()
-    try:
-        import numpy  # noqa: F401
-    except ImportError:  # on a page of the site
+    if not is_here("numpy"):  # on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, Cause], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
@@ -76,8 +72,6 @@ class _Pairs:
 
     def at(self, point: int) -> tuple[Any, Any]:
         """(key, rows) at a point."""
-        import numpy as np
-
         key = np.array(self.fit.key[point], float)
         parts = [x[point] for _, x in self.models], self.slips.at(point)
         own, slips = (np.array(x, float).reshape(-1, len(key)) for x in parts)
@@ -85,8 +79,6 @@ class _Pairs:
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
         """(how simple, the two causes) of each pair that is met."""
-        import numpy as np
-
         with np.errstate(all="ignore"):
             for i, j in [*self._near()]:
                 (n, first), (m, second) = self.causes[i], self.causes[j]
@@ -95,8 +87,6 @@ class _Pairs:
                 yield 1, (self.causes[i][1], INVERTED)
 
     def _near(self):
-        import numpy as np
-
         given, size = np.array(self.fit.first[0], float), math.hypot(*self.fit.first[0])
         key, rows = self.at(self.fit.index)
         near = max(self.exactly * size, self.fit.rounding)
@@ -137,8 +127,19 @@ class _Pairs:
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
                 met = self.of_symbols or not by_chance
                 differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
-                if met and differ and self._is_named(one, two, op):
+                one = self._of_one_term(one, two, rows - key) if op is _added else one
+                if met and differ and one is not None and self._is_named(one, two, op):
                     yield one, two
+
+    def _of_one_term(self, one, two, changes):
+        """The first of two mistakes; of one that leaves out the term of which the other is a half,
+        the one that reverses it; None if there is none.
+        """
+        near = NOISE * abs(changes[one]).max()
+        if (abs(changes[one] - 2 * changes[two]) > near).any():
+            return one
+        reverses = (abs(changes[: self.own] - 2 * changes[one]) <= near).all(axis=1)
+        return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
         """False where no pair gives the largest component of the key, as of most answers."""
@@ -166,8 +167,6 @@ class _Pairs:
         )
 
     def _is_met_everywhere(self, i, j, op):
-        import numpy as np
-
         ratios = []
         for n, given in enumerate(self.fit.given):
             key, rows = self.at(n)
@@ -187,8 +186,6 @@ class _Pairs:
         """A term of which the answer has another multiple, where the rest is right; the simplest.
         It must show in two components or points, by the digits that were written.
         """
-        import numpy as np
-
         points, size = range(len(self.fit.key)), math.hypot(*self.fit.first[0])
         pairs = zip(chain(*self.fit.given[:2]), chain(*self.fit.key[:2]), strict=True)
         first, *ratios = [x / k for x, k in pairs if k] or [0.0]
@@ -216,8 +213,6 @@ class _Pairs:
         return (multiple_of(terms[largest][-1]),) if is_met.any() else ()
 
     def _upside_down(self):
-        import numpy as np
-
         if self.of_symbols and self.kind.length == 1:
             met = np.ones(self.own, bool)
             for n, (x,) in enumerate(self.fit.given):
@@ -228,8 +223,6 @@ class _Pairs:
 
 def _are_powers(x, y):
     """True of changes of which one is a power of the other: a third power is met by them."""
-    import numpy as np
-
     with np.errstate(all="ignore"):
         power = (np.log(abs(x)) / np.log(abs(y))).ravel()
     whole = 12 * power  # of halves, thirds and fourths
@@ -247,8 +240,6 @@ def _added(x, y, key):
 
 
 def _multiplied(x, y, key):
-    import numpy as np
-
     return np.where(key == 0, x + y, x * y / np.where(key == 0, 1.0, key))
 
 

@@ -64,12 +64,9 @@ def earth_frame(
 
 @checked
 def ground_frame(
-    earth: Frame,
-    latitude: Scalar,
-    longitude: Scalar = 0,
-    radius: Scalar = EARTH_RADIUS,
+    earth: Frame, latitude: Scalar, longitude: Scalar = 0, radius: Scalar = EARTH_RADIUS,
     name: str = "ground",
-) -> Frame:
+) -> Frame:  # fmt: skip
     """The ground axes at a place, with their origin there, in the frame by :func:`earth_frame`;
     longitude positive east. Raises :class:`EarthError` for a latitude beyond the poles (degrees?).
 
@@ -92,8 +89,7 @@ def _check_latitude(latitude):
     # 1.5708 is pi/2 rounded up
     if is_numeric(latitude) and max_abs(latitude) > 1.5708:
         raise EarthError(
-            f"a latitude is in radians, between -pi/2 and pi/2; got {to_plain(latitude)!r}: write "
-            "radians(45) for 45 degrees north"
+            f"a latitude is from -pi/2 to pi/2 rad, as radians(45); got {to_plain(latitude)!r}"
         )
 
 
@@ -334,14 +330,9 @@ def projectile_velocity(
 
 @checked
 def projectile(
-    t: Scalar,
-    speed: Scalar,
-    azimuth: Scalar,
-    elevation: Scalar,
-    latitude: Scalar,
-    g: Scalar,
+    t: Scalar, speed: Scalar, azimuth: Scalar, elevation: Scalar, latitude: Scalar, g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> tuple:
+) -> tuple:  # fmt: skip
     """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25), to
     first order in the rotation.
 
@@ -355,13 +346,9 @@ def projectile(
 
 @checked
 def flight_time(
-    speed: Scalar,
-    azimuth: Scalar,
-    elevation: Scalar,
-    latitude: Scalar,
-    g: Scalar,
+    speed: Scalar, azimuth: Scalar, elevation: Scalar, latitude: Scalar, g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> Scalar:
+) -> Scalar:  # fmt: skip
     """The time until a shot is back at its level (6.26), to first order in the rotation.
 
     >>> flight_time(50.0, 0.0, 1.5707963267948966, 0.0, 10.0, rate=0.0)
@@ -376,13 +363,9 @@ def flight_time(
 
 @checked
 def shot_range(
-    speed: Scalar,
-    azimuth: Scalar,
-    elevation: Scalar,
-    latitude: Scalar,
-    g: Scalar,
+    speed: Scalar, azimuth: Scalar, elevation: Scalar, latitude: Scalar, g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> Scalar:
+) -> Scalar:  # fmt: skip
     """The distance along the ground to the point of impact (6.27).
 
     >>> round(shot_range(100.0, 0.0, 0.7853981633974483, 0.0, 10.0, rate=0.0), 9)
@@ -445,13 +428,9 @@ def wind_acceleration(
 
 @checked
 def buoyancy(
-    m: Scalar,
-    speed: Scalar,
-    azimuth: Scalar,
-    latitude: Scalar,
-    g: Scalar,
+    m: Scalar, speed: Scalar, azimuth: Scalar, latitude: Scalar, g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> Scalar:
+) -> Scalar:  # fmt: skip
     """The vertical force that keeps air of mass ``m`` on its level (6.32): its weight, less the
     vertical Coriolis force of an eastward wind.
 
@@ -491,7 +470,5 @@ def _turning(latitude, rate):
     """|2 omega sin(latitude)|"""
     f = coriolis_parameter(latitude, rate)
     if is_numeric(f) and min_abs(f) == 0:
-        raise EarthError(
-            "on the equator (or on an Earth at rest) nothing turns a horizontal wind aside"
-        )
+        raise EarthError("on the equator, or an Earth at rest, nothing turns a wind aside")
     return sqrt(f * f)

@@ -52,16 +52,9 @@ class Nutation:
 
 
 def nutation(
-    I0: Scalar,
-    I: Scalar,
-    mgr: Scalar,
-    theta: Scalar,
-    theta_rate: Scalar,
-    precession: Scalar,
-    spin: Scalar = None,
-    omega_z: Scalar = None,
-    tolerance: float = 1e-9,
-) -> Nutation:
+    I0: Scalar, I: Scalar, mgr: Scalar, theta: Scalar, theta_rate: Scalar, precession: Scalar,
+    spin: Scalar = None, omega_z: Scalar = None, tolerance: float = 1e-9,
+) -> Nutation:  # fmt: skip
     """The limits of nutation of a top in this state, to round-off; arguments as in
     :mod:`newton_euler.applications.gyroscopes`, either ``spin`` or ``omega_z``.
 
@@ -74,10 +67,7 @@ def nutation(
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
     given = promote(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
     if not all(map(is_numeric, given)):
-        raise GyroError(
-            "the limits of nutation need numbers: the roots of a cubic with expressions have no "
-            "order; put in values first"
-        )
+        raise GyroError("the limits of nutation need numbers: put in values first")
     # below, all momenta and the pull of gravity are divided by I0
     b, pull, theta, q, n = given
     S, C = sin(theta / 2), cos(theta / 2)
@@ -109,14 +99,9 @@ def exchanged(condition: Scalar, x: Scalar, y: Scalar) -> tuple[Scalar, Scalar]:
 
 
 def turning_points(
-    S: Scalar,
-    C: Scalar,
-    rate: Scalar,
-    I0: Scalar,
-    mgr: Scalar,
-    momenta: tuple[Scalar, Scalar],
+    S: Scalar, C: Scalar, rate: Scalar, I0: Scalar, mgr: Scalar, momenta: tuple[Scalar, Scalar],
     transverse: tuple[Scalar, Scalar],
-) -> tuple[tuple, tuple, Scalar]:
+) -> tuple[tuple, tuple, Scalar]:  # fmt: skip
     """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits
     from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0. I0 v'^2/2 = F(v), a cubic with the roots v1, v2,
     -zeta/mgr.

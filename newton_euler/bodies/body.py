@@ -35,14 +35,10 @@ class Body:
     """
 
     def __init__(
-        self,
-        name: str,
-        mass: Scalar,
-        centre: PointLike,
-        inertia: Inertia | Sequence[Scalar] = (0, 0, 0),
-        frame: Frame | None = None,
+        self, name: str, mass: Scalar, centre: PointLike,
+        inertia: Inertia | Sequence[Scalar] = (0, 0, 0), frame: Frame | None = None,
         parts: Sequence["Body"] = (),
-    ):
+    ):  # fmt: skip
         if not isinstance(name, str):
             raise MassError(f"a body has a name, a text; got {clipped(name)}")
         if frame is not None and not isinstance(frame, Frame):
@@ -144,9 +140,7 @@ def centre_of_mass(
     """
     bodies = [p if isinstance(p, Body) else _pair(p) for p in parts]
     if not bodies:
-        raise MassError(
-            "the centre of mass of nothing: give at least one body or pair (mass, Point)"
-        )
+        raise MassError("the centre of mass of nothing: give a body or a pair (mass, Point)")
     return together(bodies, frame or bodies[0].frame, name)[1]
 
 

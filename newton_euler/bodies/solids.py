@@ -54,13 +54,9 @@ def ring(radius: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Ma
 
 @checked
 def arc(
-    radius: Scalar,
-    half_angle: Scalar,
-    middle: PointLike,
-    axis: str = "x",
-    toward: str | None = None,
-    **matter: Unpack[Matter],
-) -> Body:
+    radius: Scalar, half_angle: Scalar, middle: PointLike, axis: str = "x",
+    toward: str | None = None, **matter: Unpack[Matter],
+) -> Body:  # fmt: skip
     """A thin wire along a circular arc of twice ``half_angle`` (rad, up to pi).
 
     middle : the centre of the circle; G lies r sin(a)/a from it
@@ -75,12 +71,9 @@ def arc(
 
 @checked
 def half_ring(
-    radius: Scalar,
-    middle: PointLike,
-    axis: str = "x",
-    toward: str | None = None,
+    radius: Scalar, middle: PointLike, axis: str = "x", toward: str | None = None,
     **matter: Unpack[Matter],
-) -> Body:
+) -> Body:  # fmt: skip
     """A thin wire along half a circle; G lies 2 r/pi from ``middle``. Otherwise as :func:`arc`."""
     matter.setdefault("name", "half ring")
     return arc(radius, pi(radius) / 2, middle, axis, toward, **matter)
@@ -120,13 +113,9 @@ def annulus(
 
 @checked
 def sector(
-    radius: Scalar,
-    half_angle: Scalar,
-    middle: PointLike,
-    axis: str = "x",
-    toward: str | None = None,
-    **matter: Unpack[Matter],
-) -> Body:
+    radius: Scalar, half_angle: Scalar, middle: PointLike, axis: str = "x",
+    toward: str | None = None, **matter: Unpack[Matter],
+) -> Body:  # fmt: skip
     """A thin sector of a disk, of twice ``half_angle`` (rad), with its tip at ``middle``; G lies 2
     r sin(a)/(3 a) from the tip. Directions and small angles as for :func:`arc`.
     """
@@ -139,12 +128,9 @@ def sector(
 
 @checked
 def half_disk(
-    radius: Scalar,
-    middle: PointLike,
-    axis: str = "x",
-    toward: str | None = None,
+    radius: Scalar, middle: PointLike, axis: str = "x", toward: str | None = None,
     **matter: Unpack[Matter],
-) -> Body:
+) -> Body:  # fmt: skip
     """A thin half disk, ``middle`` that of its straight edge; G lies 4 r/(3 pi) from there.
     Directions as for :func:`arc`.
     """
@@ -177,13 +163,9 @@ def cylinder(
 
 @checked
 def tube(
-    inner: Scalar,
-    outer: Scalar,
-    length: Scalar,
-    centre: PointLike,
-    axis: str = "x",
+    inner: Scalar, outer: Scalar, length: Scalar, centre: PointLike, axis: str = "x",
     **matter: Unpack[Matter],
-) -> Body:
+) -> Body:  # fmt: skip
     """A hollow cylinder, open at its ends: m s/2, m (3 s + L^2)/12 twice, with s = r1^2 + r2^2."""
     wall, squares = outer - inner, inner**2 + outer**2
     volume = pi(outer) * (wall * (outer + inner)) * length
@@ -194,14 +176,9 @@ def tube(
 
 @checked
 def wedge(
-    radius: Scalar,
-    half_angle: Scalar,
-    length: Scalar,
-    middle: PointLike,
-    axis: str = "x",
-    toward: str | None = None,
-    **matter: Unpack[Matter],
-) -> Body:
+    radius: Scalar, half_angle: Scalar, length: Scalar, middle: PointLike, axis: str = "x",
+    toward: str | None = None, **matter: Unpack[Matter],
+) -> Body:  # fmt: skip
     """A sector of a solid cylinder, ``middle`` of its edge; directions as for :func:`arc`."""
     volume = half_angle * radius**2 * length
     name, m = _mass("wedge", matter, volume, radius=radius, half_angle=half_angle, length=length)
@@ -329,9 +306,7 @@ def simplex(*corners: Point, **matter: Unpack[Matter]) -> Body:
     """
     n = len(corners) - 1
     if n not in (1, 2, 3) or not all(isinstance(P, Point) for P in corners):
-        raise MassError(
-            f"a simplex has two, three or four corners, all Points; got {len(corners)}: {corners!r}"
-        )
+        raise MassError(f"a simplex has two to four corners, all Points; got {corners!r}")
     frame = corners[0].frame
     first, *others = (P.position(frame).c for P in corners)
     edges = [sub3(c, first) for c in others]
@@ -364,7 +339,7 @@ def _mass(shape, matter, content, **lengths):
     if (mass is None) == (density is None):
         got = "and got none" if mass is None else "not both"
         raise MassError(
-            f"{name} needs either mass=... or density=... (per length, area or volume), {got}"
+            f"{name} needs either mass= or density= (per length, area or volume), {got}"
         )
     m = scalar(density) * content if mass is None else real_scalar(mass)
     positive(m, f"the mass of {name}")
@@ -408,8 +383,7 @@ def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
     t, sign = axis_index(toward or AXES[(n + 1) % 3])
     if t == n:
         raise MassError(
-            f"{name} lies in the plane normal to {axis!r} and cannot be directed toward "
-            f"{toward!r}; give another axis as toward="
+            f"{name}, normal to {axis!r}, cannot be directed toward {toward!r}: take another axis"
         )
     transfer = m * distance**2
     moments = [polar * (1 + flatness) / 2 - transfer] * 3

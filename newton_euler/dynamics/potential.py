@@ -66,11 +66,9 @@ def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
 
 @checked
 def spring_between(
-    stiffness: Scalar,
-    free_length: Scalar,
-    first: Point | Sequence[Scalar],
+    stiffness: Scalar, free_length: Scalar, first: Point | Sequence[Scalar],
     second: Point | Sequence[Scalar],
-) -> Scalar:
+) -> Scalar:  # fmt: skip
     """The potential of a spring between two places (11.35): stretch, distance less free length.
 
     first, second : two Points, and V is that of the instant, without rates; or two triples of
@@ -154,16 +152,13 @@ def _checked(force):
             F = tuple(real_scalar(f) for f in force(*place))
         except (ArithmeticError, NewtonEulerError) as problem:
             raise WorkError(
-                f"the force has no value at {where}: {problem}; keep base, box and loops where it "
-                "exists"
+                f"the force has no value at {where}: {problem}; keep base, box and loops away"
             ) from problem
         if len(F) != 3:
-            raise WorkError(
-                f"a force field returns (F_x, F_y, F_z); got {len(F)} components at {where}"
-            )
+            raise WorkError(f"a force field returns (F_x, F_y, F_z); got {len(F)} components")
         if not all(map(is_finite, F)):
             raise WorkError(
-                f"the force is {F} at {where}, not finite; keep base, box and loops where it exists"
+                f"the force is {F} at {where}, not finite; keep base, box and loops away"
             )
         return F
 
@@ -213,12 +208,10 @@ def _dot(F, line):
 
 @checked
 def find_potential(
-    force: Callable,
-    base: Sequence[Scalar] = (0, 0, 0),
-    box: Sequence[Sequence[Scalar]] = ((-1, 1),) * 3,
-    loops: Sequence[Callable] = (),
+    force: Callable, base: Sequence[Scalar] = (0, 0, 0),
+    box: Sequence[Sequence[Scalar]] = ((-1, 1),) * 3, loops: Sequence[Callable] = (),
     tolerance: Tolerance = 1e-9,
-) -> Potential:
+) -> Potential:  # fmt: skip
     """The potential of a force field (11.16)-(11.18); :class:`NoPotential` if it has none.
 
     force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers
@@ -260,8 +253,7 @@ def _magnitude(x):
     value = probe(scalar(x))
     if value is None:
         raise WorkError(
-            f"the derivative {to_plain(x)!r} of the force cannot be compared with zero; put "
-            "numbers or SymPy symbols in"
+            f"the derivative {to_plain(x)!r} cannot be compared with zero; put numbers in"
         )
     return max_abs(value)
 

@@ -29,13 +29,9 @@ from ..kinematics.paths import along
 
 @checked
 def work_integral(
-    f: Callable,
-    start: Scalar,
-    end: Scalar,
-    rtol: Accuracy = 1e-10,
-    exact: bool = False,
+    f: Callable, start: Scalar, end: Scalar, rtol: Accuracy = 1e-10, exact: bool = False,
     breaks: Sequence[Scalar] = (),
-) -> Amount:
+) -> Amount:  # fmt: skip
     """The integral of ``f`` with its estimated error: (11.2), (11.3), (11.4) or (11.11).
 
     f : function of one number. Floats: by an adaptive quadrature to ``rtol``, relative to the
@@ -53,14 +49,9 @@ def work_integral(
 
 @checked
 def work_along(
-    force: Callable,
-    path: Callable,
-    start: Scalar,
-    end: Scalar,
-    rtol: Accuracy = 1e-10,
-    exact: bool = False,
-    breaks: Sequence[Scalar] = (),
-) -> Amount:
+    force: Callable, path: Callable, start: Scalar, end: Scalar, rtol: Accuracy = 1e-10,
+    exact: bool = False, breaks: Sequence[Scalar] = (),
+) -> Amount:  # fmt: skip
     """The work of a force whose point of application moves along a curve (11.1), with its
     rectangular ``terms`` x, y, z (11.5).
 
@@ -94,14 +85,9 @@ def work_along(
 
 @checked
 def work_in_time(
-    force: Callable,
-    velocity: Callable,
-    start: Scalar,
-    end: Scalar,
-    rtol: Accuracy = 1e-10,
-    exact: bool = False,
-    breaks: Sequence[Scalar] = (),
-) -> Amount:
+    force: Callable, velocity: Callable, start: Scalar, end: Scalar, rtol: Accuracy = 1e-10,
+    exact: bool = False, breaks: Sequence[Scalar] = (),
+) -> Amount:  # fmt: skip
     """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
     force, velocity : functions of time that return Vectors or triples: the force and the velocity
@@ -154,8 +140,7 @@ def power(
         seen = getattr(velocity, "angular_velocity", getattr(velocity, "velocity", None))
         if seen is None:
             raise FrameError(
-                "with an observer, power needs the Point at which the force acts or the Frame on "
-                f"which the couple acts; got {velocity!r}"
+                f"power(F, P, ground) takes a Point, or the Frame of a couple; got {velocity!r}"
             )
         velocity = seen(observer)
     if isinstance(force, Vector) and isinstance(velocity, Vector):
@@ -165,8 +150,7 @@ def power(
             sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO)
         )
     raise FrameError(
-        "power needs two Vectors, two triples along the same axes, or power(F, P, ground); got "
-        f"{force!r} and {velocity!r}"
+        f"power needs two Vectors, two triples, or power(F, P, ground); got {force!r}, {velocity!r}"
     )
 
 

@@ -26,14 +26,9 @@ from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
 @checked
 def curvilinear(
-    ground: Frame,
-    name: str,
-    position: Callable,
-    q1: Scalar,
-    q2: Scalar,
-    q3: Scalar,
+    ground: Frame, name: str, position: Callable, q1: Scalar, q2: Scalar, q3: Scalar,
     names: Sequence[str] = ("u", "v", "w"),
-) -> CoordinatePoint:
+) -> CoordinatePoint:  # fmt: skip
     """The point with the coordinates q1, q2, q3 in the system of ``position``.
 
     position : function of three scalars that returns (x, y, z) in ``ground``

@@ -82,12 +82,10 @@ class Answer(Measured):
 
 
 def honesty(
-    names: Sequence[str],
-    tolerances: Sequence[float] = TOLERANCES[:-1],
-    methods: Sequence[str] = NAMES,
-    longest: float = PATIENCE,
+    names: Sequence[str], tolerances: Sequence[float] = TOLERANCES[:-1],
+    methods: Sequence[str] = NAMES, longest: float = PATIENCE,
     progress: Callable[[float, str], object] = lambda fraction, words: None,
-) -> list[Answer]:
+) -> list[Answer]:  # fmt: skip
     """The :class:`Answer` of every method at every tolerance, on each of these scenes that it can
     use; errors as in :func:`.work_precision.work_precision`.
 

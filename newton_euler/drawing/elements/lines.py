@@ -39,11 +39,9 @@ class Lines(Recorder):
         self._record(lambda canvas: canvas.curve(places, "wire"))
 
     def path(
-        self,
-        points: Sequence[Place],
-        style: str = "solid",
+        self, points: Sequence[Place], style: str = "solid",
         on: Place | tuple[Place, Place] | None = None,
-    ) -> None:
+    ) -> None:  # fmt: skip
         """Draw a curve through many places, ``style`` solid, dashed, dotted or centre.
 
         on : of a curve on the surface of a sphere its centre, on that of a cylinder two places of
@@ -106,9 +104,7 @@ class Lines(Recorder):
         except (TypeError, ValueError, OverflowError):
             angle = math.nan
         if not abs(angle) <= MAX_TURNS * 2 * math.pi:  # nan too
-            raise FrameError(
-                f"an angle is a number of radians, at most {MAX_TURNS} turns; got {x!r}"
-            )
+            raise FrameError(f"an angle is in radians, at most {MAX_TURNS} turns; got {x!r}")
         return angle
 
 

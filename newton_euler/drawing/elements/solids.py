@@ -18,14 +18,9 @@ class Solids(Recorder):
     """The methods of a sketch that draw bodies, which hide each other as they do in space."""
 
     def disk(
-        self,
-        C: Place,
-        normal: Direction,
-        radius: float,
-        spoke: Place | None = None,
-        thickness: float = 0,
-        hole: float = 0,
-    ) -> None:
+        self, C: Place, normal: Direction, radius: float, spoke: Place | None = None,
+        thickness: float = 0, hole: float = 0,
+    ) -> None:  # fmt: skip
         """Draw a disk about C, ``thickness`` metres thick, with a round ``hole`` of this radius.
         ``spoke``: a place on its rim to which a line shows how the disk has turned.
         """
@@ -46,12 +41,9 @@ class Solids(Recorder):
                 canvas.line((front, spoke), "ring", depth=canvas.depth(front) + canvas.pt)
 
     def plate(
-        self,
-        corners: Sequence[Place],
-        holes: Sequence[Sequence[Place]] = (),
-        thickness: float = 0,
+        self, corners: Sequence[Place], holes: Sequence[Sequence[Place]] = (), thickness: float = 0,
         shade: str = "medium",
-    ) -> None:
+    ) -> None:  # fmt: skip
         """Draw a plane plate with these corners, three or more places in order.
 
         holes : their outlines, each a sequence of places as of :meth:`around`
@@ -94,8 +86,7 @@ class Solids(Recorder):
             return [self._several(holes[n], "the places of a hole") for n in range(len(holes))]
         except (TypeError, KeyError, IndexError, FrameError) as error:
             raise FrameError(
-                "holes are a sequence of outlines, each of places, as in holes=[s.around(...)]; "
-                f"got {str(holes)[:60]}"
+                f"holes are outlines of places, as holes=[s.around(...)]; got {str(holes)[:60]}"
             ) from error
 
     def cylinder(self, A: Place, B: Place, radius: float, bore: float = 0) -> None:

@@ -18,13 +18,9 @@ class Vectors(Recorder):
     """The methods of a sketch that draw arrows."""
 
     def axes(
-        self,
-        P: Place,
-        frame: Frame,
-        length: float | None = None,
-        labels: Sequence[str] = "xyz",
+        self, P: Place, frame: Frame, length: float | None = None, labels: Sequence[str] = "xyz",
         moved: bool | None = None,
-    ) -> None:
+    ) -> None:  # fmt: skip
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
         labels : three, as a string or a list, or "" for none; an axis labelled "" is left out
@@ -79,8 +75,7 @@ class Vectors(Recorder):
         _known(kind)
         if not isinstance(amount, Vector) or not amount.terms:
             raise FrameError(
-                "the sum that is drawn is a Vector with terms, as P.acceleration(ground); got "
-                f"{clipped(amount)}"
+                f"a Vector with terms is drawn, as P.acceleration(ground); got {clipped(amount)}"
             )
         P, total = self._place(P), self._triple(amount, "direction")
         terms = [(n, self._triple(term, "direction")) for n, term in amount.terms.items()]
