@@ -41,10 +41,17 @@ class Built:
 
 
 def build_assignment(
-    course_path: str | Path, what: str | Spec, students: str | Path | None = None,
-    only: Collection[str] = (), update: bool = False, bar: Any = None, name: str | None = None,
-    exchange: str | Path | None = None, id_column: str | None = None, chapters: str | None = None,
-) -> Built:  # fmt: skip
+    course_path: str | Path,
+    what: str | Spec,
+    students: str | Path | None = None,
+    only: Collection[str] = (),
+    update: bool = False,
+    bar: Any = None,
+    name: str | None = None,
+    exchange: str | Path | None = None,
+    id_column: str | None = None,
+    chapters: str | None = None,
+) -> Built:
     """Write the source notebook of a chapter, of the problems ``only`` under the name ``what``, or
     of a :class:`~grader.assignment.spec.Spec`, into a new course, or with ``update`` into an
     existing one. A notebook that is there is merged with what has changed

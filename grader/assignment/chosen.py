@@ -14,9 +14,11 @@ from .written import spec_of_course
 
 
 def chosen(
-    assignment: str, only: Iterable[str] = (), points: Iterable[str] = (),
+    assignment: str,
+    only: Iterable[str] = (),
+    points: Iterable[str] = (),
     course: Course | None = None,
-) -> Spec:  # fmt: skip
+) -> Spec:
     """The assignment of this name: as the ``course`` has it, as ``hw3.yaml`` says, of the problems
     ``only``, or of the chapter of that name. An item that is a problem has a text where the
     instructor has changed the problem's: with the book's numbers, and without the figure.

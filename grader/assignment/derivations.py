@@ -123,9 +123,15 @@ class _Deriver:
     """
 
     def __init__(
-        self, traced: Traced, cases: Mapping[Any, Any], positive: set[str], asked: Sequence[str],
-        units: Mapping[str, str], drawn: Sequence[Givens], sheets: Sequence[tuple[Givens, dict]],
-    ) -> None:  # fmt: skip
+        self,
+        traced: Traced,
+        cases: Mapping[Any, Any],
+        positive: set[str],
+        asked: Sequence[str],
+        units: Mapping[str, str],
+        drawn: Sequence[Givens],
+        sheets: Sequence[tuple[Givens, dict]],
+    ) -> None:
         self.found = dict[str, Derivation]()
         self.traced, self.asked, self.units = traced, asked, units
         self.components = traced.components

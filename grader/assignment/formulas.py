@@ -21,9 +21,12 @@ _BESIDE_WORD = re.compile(rf"(?P<word>{_WORD}) (?=[\\\w])|(?<=[\w}}]) (?=\\text)
 
 
 def written(
-    formula: Any, names: Mapping[str, str], latex: bool, numbers: bool = False,
+    formula: Any,
+    names: Mapping[str, str],
+    latex: bool,
+    numbers: bool = False,
     degrees: bool = False,
-) -> str:  # fmt: skip
+) -> str:
     """A formula in LaTeX or as text, its symbols by ``names`` and in their order, which are
     ``numbers`` or not; with ``degrees``, right angles in a sum are not written as pi/2.
     """

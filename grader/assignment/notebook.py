@@ -223,9 +223,14 @@ def answer_id(problem_id: str) -> str:
 
 
 def build_notebook(
-    items: Iterable[Item | Problem], title: str, seconds: float, total: float,
-    figures: Mapping[str, bytes | None] | None = None, chapters: str = "", exam: bool = False,
-) -> Notebook:  # fmt: skip
+    items: Iterable[Item | Problem],
+    title: str,
+    seconds: float,
+    total: float,
+    figures: Mapping[str, bytes | None] | None = None,
+    chapters: str = "",
+    exam: bool = False,
+) -> Notebook:
     """A source notebook of problems and texts with the book's numbers; ``seconds``: per cell,
     ``total``: of all; ``chapters``: where its links lead, see
     :func:`~exercises.catalogue.sections.section_line`; ``exam``: its receipts say nothing of an

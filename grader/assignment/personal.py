@@ -18,10 +18,13 @@ from .seals import with_seals
 
 
 def make_personal_copies(
-    course: Course, assignment: str, students: Iterable[str] | None = None,
-    progress: Callable[[float], object] = lambda share: None, workers: int | None = None,
+    course: Course,
+    assignment: str,
+    students: Iterable[str] | None = None,
+    progress: Callable[[float], object] = lambda share: None,
+    workers: int | None = None,
     right_or_wrong: bool = False,
-) -> dict[str, Path]:  # fmt: skip
+) -> dict[str, Path]:
     """Write the personal copies of an assignment for ``students`` (default: the roster), of all its
     notebooks with problems; returns {student: path}. Figures show a student's own numbers, so that
     they are drawn for each, on ``workers`` processes.

@@ -79,9 +79,12 @@ def sheet_numbers(course: Course, assignment: str, student: str) -> SheetValues:
 
 
 def master_notebook(
-    course: Course, assignment: str, student: str, name: str | None = None,
+    course: Course,
+    assignment: str,
+    student: str,
+    name: str | None = None,
     values: SheetValues | None = None,
-) -> Notebook:  # fmt: skip
+) -> Notebook:
     """The trusted notebook of a student, by default that of the assignment's name: the released one
     as it is now, with the student's numbers, and the figures of the copy that was handed out.
     """

@@ -37,9 +37,15 @@ if TYPE_CHECKING:
 )
 @click.option("--seed", type=int, help="Other numbers.")
 def bank(
-    assignment: str, more: tuple[str, ...], only: tuple[str, ...], form: str, variants: int,
-    path: Path | None, course: "Course | None", seed: int | None,
-) -> None:  # fmt: skip
+    assignment: str,
+    more: tuple[str, ...],
+    only: tuple[str, ...],
+    form: str,
+    variants: int,
+    path: Path | None,
+    course: "Course | None",
+    seed: int | None,
+) -> None:
     """Write a bank of questions that a learning platform imports.
 
     Each has variants with numbers and figures of their own, the tolerance of our grading, and each

@@ -57,11 +57,18 @@ SPAN = Span()
 @click.option("--reverse", is_flag=True, help="Sort the other way round.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
 def problems(
-    names: tuple[str, ...], sections: tuple[str, ...], kinds: tuple[str, ...],
-    equations: tuple[str, ...], words: str | None, course: "Course | None",
-    right: tuple[float, float] | None, sort: str | None, reverse: bool, as_json: bool,
+    names: tuple[str, ...],
+    sections: tuple[str, ...],
+    kinds: tuple[str, ...],
+    equations: tuple[str, ...],
+    words: str | None,
+    course: "Course | None",
+    right: tuple[float, float] | None,
+    sort: str | None,
+    reverse: bool,
+    as_json: bool,
     **spans: tuple[float, float] | None,
-) -> None:  # fmt: skip
+) -> None:
     """List the problems to choose from, by what they are about and how hard they are.
 
     Difficulty and minutes are estimates from the steps, equations and operations of the solution;

@@ -114,11 +114,22 @@ and midterm.yaml:
     "you changed in its source notebook stays, and a copy of it is kept in COURSE/backup.",
 )
 def build(
-    assignment: str, more: tuple[str, ...], course_path: Path, students: str | None,
-    id_column: str | None, only: tuple[str, ...], points: tuple[str, ...], due: str | None,
-    exam: bool, opens: str | None, name: str | None, exchange: Path | None, language: str | None,
-    chapters: str | None, update: bool,
-) -> None:  # fmt: skip
+    assignment: str,
+    more: tuple[str, ...],
+    course_path: Path,
+    students: str | None,
+    id_column: str | None,
+    only: tuple[str, ...],
+    points: tuple[str, ...],
+    due: str | None,
+    exam: bool,
+    opens: str | None,
+    name: str | None,
+    exchange: Path | None,
+    language: str | None,
+    chapters: str | None,
+    update: bool,
+) -> None:
     from ..assignment import build_assignment
     from ..assignment.spec import Spec, read_spec, spec_of
     from ..course.due import due_date, set_due

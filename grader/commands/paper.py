@@ -36,10 +36,16 @@ if TYPE_CHECKING:
     "-o", "--to", "folder", type=FOLDER, help="Default: COURSE/paper/NAME, or NAME-paper here."
 )
 def paper(
-    assignment: str, more: tuple[str, ...], students: str | None, id_column: str | None,
-    course: "Course | None", only: tuple[str, ...], points: tuple[str, ...],
-    key_for: tuple[str, ...], folder: Path | None,
-) -> None:  # fmt: skip
+    assignment: str,
+    more: tuple[str, ...],
+    students: str | None,
+    id_column: str | None,
+    course: "Course | None",
+    only: tuple[str, ...],
+    points: tuple[str, ...],
+    key_for: tuple[str, ...],
+    folder: Path | None,
+) -> None:
     """Write PDFs to be printed: a sheet for each student, with own numbers and figures, and keys.
 
     A sheet has room to answer and a code that its key has, too. A key has the student's numbers,

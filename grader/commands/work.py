@@ -39,9 +39,12 @@ GOES_ON = (
     "option again.",
 )
 def personal(
-    assignment: str, course: "Course", students: tuple[str, ...], exchange: bool,
+    assignment: str,
+    course: "Course",
+    students: tuple[str, ...],
+    exchange: bool,
     right_or_wrong: bool,
-) -> None:  # fmt: skip
+) -> None:
     """Write each student's own copy of an assignment.
 
     The assignment must be generated for release; each copy has its student's own numbers and
@@ -87,9 +90,15 @@ def personal(
 )
 @click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
 def grade(
-    assignment: str, course: "Course", students: tuple[str, ...], force: bool, workers: int | None,
-    scheduler: str | None, unsandboxed: bool, verbose: bool,
-) -> None:  # fmt: skip
+    assignment: str,
+    course: "Course",
+    students: tuple[str, ...],
+    force: bool,
+    workers: int | None,
+    scheduler: str | None,
+    unsandboxed: bool,
+    verbose: bool,
+) -> None:
     """Grade the submissions of an assignment.
 
     Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes

@@ -16,9 +16,12 @@ WRITTEN = "source", "built"  # the notebooks as edited, and as built, by which a
 
 
 def next_year(
-    last: Course, path: str | Path, name: str | None = None, exchange: str | Path | None = None,
+    last: Course,
+    path: str | Path,
+    name: str | None = None,
+    exchange: str | Path | None = None,
     later: timedelta | None = None,
-) -> tuple[Course, list[str]]:  # fmt: skip
+) -> tuple[Course, list[str]]:
     """(a new course in the folder ``path``, its assignments): the notebooks, settings and own
     problems of ``last``, another id and secret, and so other numbers for every student; without
     its students, their work and grades.

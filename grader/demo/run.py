@@ -30,10 +30,13 @@ MARK = ".newton_euler_demo"  # a folder with this file may be replaced
 
 
 def run_demo(
-    folder: Path, chapter: str, only: Collection[str], console: Console,
+    folder: Path,
+    chapter: str,
+    only: Collection[str],
+    console: Console,
     bar: Callable[[], contextlib.AbstractContextManager[Progress]],
     counted: Callable[[str, float], contextlib.AbstractContextManager[Callable[..., None]]],
-) -> None:  # fmt: skip
+) -> None:
     """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points
     are not as expected.
 

@@ -53,9 +53,15 @@ class Outcome:
 
 
 def grade_one(
-    course: Course, assignment: str, student: str, name: str, sources: Sources,
-    harvester: Harvester, force: bool = False, remark: str = "",
-) -> Outcome:  # fmt: skip
+    course: Course,
+    assignment: str,
+    student: str,
+    name: str,
+    sources: Sources,
+    harvester: Harvester,
+    force: bool = False,
+    remark: str = "",
+) -> Outcome:
     """Grade one submitted notebook; writes the record and the annotated notebook, with a ``remark``
     in its note.
     """
@@ -82,7 +88,9 @@ def grade_one(
     if ran and as_built:
         work = Work(**entry["work"])
     else:
-        notebook, work = rebuild(sheet.master, parse_notebook(submitted.name, content))
+        notebook, work = rebuild(
+            sheet.master, parse_notebook(submitted.name, content), sheet.places
+        )
     if ran:
         executed = Executed(**entry["executed"])
     else:

@@ -16,11 +16,16 @@ from .student import Result, Run
 
 
 def grade(
-    course: Course, assignment: str, students: Iterable[str] | None = None, force: bool = False,
-    workers: int | None = None, sandbox: bool = True,
-    progress: Callable[[Result], object] = lambda result: None, scheduler: str | None = None,
+    course: Course,
+    assignment: str,
+    students: Iterable[str] | None = None,
+    force: bool = False,
+    workers: int | None = None,
+    sandbox: bool = True,
+    progress: Callable[[Result], object] = lambda result: None,
+    scheduler: str | None = None,
     report: Callable[[str], object] | None = None,
-) -> list[Result]:  # fmt: skip
+) -> list[Result]:
     """Grade the submissions of an assignment; writes gradebook and annotated notebooks.
 
     students : ids to grade; default: all who submitted. force : run unchanged submissions, too.
@@ -56,8 +61,8 @@ def grade(
         late = {s: (Result(s, problem=why), None) for s, why in refused.items()}
         wanted = [s for s in wanted if s not in late]
         if scheduler:
-            grade_all = stack.enter_context(cluster(scheduler, course, run, sandbox, report))
-            graded = grade_all(wanted, progress)
+            on_workers = cluster(scheduler, course, run, wanted, sandbox, report)
+            graded = stack.enter_context(on_workers)(progress)
         else:
             graded = _on_threads(run, harvester, wanted, progress)
         graded |= late

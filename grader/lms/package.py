@@ -27,9 +27,12 @@ def _templates():
 
 
 def packed(
-    name: str, files: Mapping[str, bytes], resources: Iterable[tuple[str, str, list[str]]],
-    schema: str, version: str,
-) -> bytes:  # fmt: skip
+    name: str,
+    files: Mapping[str, bytes],
+    resources: Iterable[tuple[str, str, list[str]]],
+    schema: str,
+    version: str,
+) -> bytes:
     """The archive of these files: {path: content}; resources : [(identifier, type, its files)], the
     first file of each is the one that it is read from.
     """

@@ -39,10 +39,15 @@ class Bank:
 
 
 def write_bank(
-    path: Path, spec: Spec, form: str, variants: int, seed: str,
-    graded: Mapping[str, Sequence[Values]] | None = None, workers: int | None = None,
+    path: Path,
+    spec: Spec,
+    form: str,
+    variants: int,
+    seed: str,
+    graded: Mapping[str, Sequence[Values]] | None = None,
+    workers: int | None = None,
     done: Callable[[], object] = lambda: None,
-) -> Bank:  # fmt: skip
+) -> Bank:
     """Write ``variants`` sets of numbers of each problem of an assignment, drawn by ``seed``, as
     ``form``, one of :data:`FORMATS`. The file holds the right answers: it is readable by its owner
     alone.

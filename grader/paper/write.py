@@ -32,10 +32,14 @@ class Written:
 
 
 def write_papers(
-    folder: Path, spec: Spec, students: Iterable[Mapping[str, str]], course: Course | None = None,
-    key_for: Iterable[str] = (), workers: int | None = None,
+    folder: Path,
+    spec: Spec,
+    students: Iterable[Mapping[str, str]],
+    course: Course | None = None,
+    key_for: Iterable[str] = (),
+    workers: int | None = None,
     done: Callable[[], object] = lambda: None,
-) -> Written:  # fmt: skip
+) -> Written:
     """Write ``folder``/sheets/LOGIN.pdf and ``folder``/keys/LOGIN.pdf for each of the students, and
     keys/overview.pdf; with ``key_for`` the keys of these logins only. All are the instructor's
     alone to read.

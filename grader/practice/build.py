@@ -64,11 +64,16 @@ class LeftOut:
 
 
 def write_practice(
-    path: str | Path, problems: Iterable[Problem], count: int = 10, help: str = "solution",
-    graded: Mapping[str, Sequence[Values]] | None = None, workers: int | None = None,
-    done: Callable[[], object] = lambda: None, rules: Mapping[str, Mapping[str, Any]] | None = None,
+    path: str | Path,
+    problems: Iterable[Problem],
+    count: int = 10,
+    help: str = "solution",
+    graded: Mapping[str, Sequence[Values]] | None = None,
+    workers: int | None = None,
+    done: Callable[[], object] = lambda: None,
+    rules: Mapping[str, Mapping[str, Any]] | None = None,
     draw: Callable[[Problem, Values], tuple[str, bytes] | None] = png,
-) -> list[LeftOut]:  # fmt: skip
+) -> list[LeftOut]:
     """Write the practice file of ``problems``; returns the :class:`LeftOut` ones.
 
     count : how many sets of numbers each has, the book's among them
@@ -124,10 +129,13 @@ def _page_in(language, *given):
 
 
 def page_of(
-    name: str, count: int, help: str, graded: Sequence[Values] | None = None,
+    name: str,
+    count: int,
+    help: str,
+    graded: Sequence[Values] | None = None,
     rules: Mapping[str, Any] | None = None,
     draw: Callable[[Problem, Values], tuple[str, bytes] | None] = png,
-) -> Any:  # fmt: skip
+) -> Any:
     """(page, figures) of the problem of this number, or why it is :class:`LeftOut`.
 
     graded : the numbers that students have of it, None where it is in no course

@@ -17,9 +17,11 @@ SETS = Path(newton_euler.__file__).parent / "classroom" / "practising" / "sets"
 
 
 def write_public(
-    folder: Path = SETS, names: Collection[str] = (), course: Path | None = None,
+    folder: Path = SETS,
+    names: Collection[str] = (),
+    course: Path | None = None,
     done: Callable[[], object] = lambda: None,
-) -> list[LeftOut]:  # fmt: skip
+) -> list[LeftOut]:
     """Write ``ch04.practice`` … into a folder, by default where ``try_problem`` finds them; returns
     the problems that are left out.
 

@@ -66,9 +66,11 @@ def _outcome(part, mistake):
 
 
 def shares_table(
-    found: Mapping[str, Counter[str]], title: str = "Listed mistakes", of: str = "problem",
+    found: Mapping[str, Counter[str]],
+    title: str = "Listed mistakes",
+    of: str = "problem",
     outcomes: Sequence[str] = OUTCOMES,
-) -> Table:  # fmt: skip
+) -> Table:
     """The shares as a table for the terminal, with their sum."""
     table = plain_table(title, of, ">made", *(f">{name} %" for name in outcomes))
     for name, counts in found.items():

@@ -29,9 +29,13 @@ Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, its replacement
 
 
 def of_given(
-    s: Step, given: Mapping[str, Step], read: Mapping[str, Unit], number: Callable[[Step], Any],
-    means: str, one: float,
-) -> Iterator[Slip]:  # fmt: skip
+    s: Step,
+    given: Mapping[str, Step],
+    read: Mapping[str, Unit],
+    number: Callable[[Step], Any],
+    means: str,
+    one: float,
+) -> Iterator[Slip]:
     """One given for another, twice or half of it, its sign, weight for mass; ``means`` are its
     words in the text, ``one`` is its unit in base units.
     """

@@ -57,9 +57,11 @@ def of_quantities(
 
 
 def of_ratios(
-    named: Sequence[Named], answers: Mapping[str, Traced], given: Mapping[str, Step],
+    named: Sequence[Named],
+    answers: Mapping[str, Traced],
+    given: Mapping[str, Step],
     of: DimensionOf,
-) -> Iterator[Edit]:  # fmt: skip
+) -> Iterator[Edit]:
     """Answers that are one quantity times another, or over it, where the dimension allows it."""
     own = [(n, [s]) for n, s in given.items()]
     known = [(words, parts) for words, parts in (*named, *own) if all(map(_has(of), parts))]
