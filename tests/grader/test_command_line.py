@@ -209,5 +209,5 @@ def drawing():
 
 
 def test_a_ctrl_c_that_python_ignores_comes_again():
-    with pytest.raises(shared.Stopped, match=r"drawing: 1 of 2\. The same command begins anew"):
+    with pytest.raises(shared.Stopped, match=r"drawing: 1 of 2\. Running the command again starts over"):
         drawing()
