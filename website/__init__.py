@@ -22,6 +22,7 @@ Imports go down in this list only, and everything below it may import the grader
     notebooks       the chapters, in the order of the book
     rendering       pages from templates/, in the language of the site
     kept            the cache, with names that change with all that a result depends on
+    browser         what the pages call in a reader's browser; imports the engine alone
 
 ``theme/`` is Sphinx's configuration with style sheets and scripts.
 """

@@ -21,6 +21,8 @@ FILES = (
 # notebooks are pages already, practice files are fetched by chapter
 LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi", ".practice"}
 OFFLINE = Path(__file__).with_name("theme") / "offline.js"
+# what pages call, beside the package: it imports nothing else of this one
+ON_PAGES = [ROOT / "website" / "__init__.py", *(ROOT / "website" / "browser").glob("*.py")]
 
 
 def pyodide(cache: Path) -> dict[str, bytes] | None:
@@ -39,7 +41,7 @@ def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
     (folder / python).mkdir(parents=True)
     for name, contents in found.items():
         (folder / python / name).write_bytes(contents)
-    package = _put(ROOT / "newton_euler", folder)
+    package = _put(ROOT / "newton_euler", folder, *ON_PAGES)
     about = {
         "python": f"{python}/",
         "package": package,
@@ -57,20 +59,20 @@ def _later():
     return {"mpmath": [folders["mpmath"]], "sympy": [*folders.values()]}
 
 
-def _put(package, folder):
-    """Write a package as a zip into the folder; returns its name."""
-    contents = packed(package)
+def _put(package, folder, *others):
+    """Put a package as a zip into the folder, with other files of this repository; its name."""
+    contents = packed(package, *others)
     name = f"{package.name}-{hashlib.sha256(contents).hexdigest()[:12]}.zip"
     (folder / name).write_bytes(contents)
     return name
 
 
-def packed(package: Path) -> bytes:
-    """A package as a zip, reproducibly."""
+def packed(package: Path, *others: Path) -> bytes:
+    """A package as a zip, with other files beside it, the same for the same files."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-        # rglob does not follow the link newton_euler/chapters
-        for path in sorted([*package.rglob("*"), *(package / "chapters").rglob("*")]):
+        # newton_euler/chapters is a link, which rglob does not follow
+        for path in sorted([*package.rglob("*"), *(package / "chapters").rglob("*"), *others]):
             if path.suffix not in LEFT_OUT and "tests" not in path.parts and path.is_file():
                 name = zipfile.ZipInfo(str(path.relative_to(package.parent)))
                 name.compress_type = zipfile.ZIP_DEFLATED

@@ -78,7 +78,7 @@ def _of_template(text):
 
 CALLS = {  # {function: number of its arguments that are sentences}
     "_": 1, "Words": 1, "plural": 2,
-    "AnswerError": 1, "OpenAnswer": 1, "TreeError": 1, "form.error": 1,
+    "AnswerError": 1, "OpenAnswer": 1, "TreeError": 1, "form.error": 1, "PracticeFileError": 1,
 }  # fmt: skip
 READ: dict[str, Callable[[str], Iterable[tuple[str, ...]]]] = {
     ".py": _of_python, ".js": _of_script, ".j2": _of_template,

@@ -136,7 +136,12 @@ class _Deriver:
         self.traced, self.asked, self.units = traced, asked, units
         self.components = traced.components
         self.given_by = {x.number: name for name, x in traced.givens.items()}
-        self.terms = {s.key: s.of for s in traced.steps if s.of in asked}
+        self.sum_of = {s.key: s.of for s in traced.steps if s.of}
+        self.sums = {*self.sum_of.values()}
+        # {sum: vectors that are one of its terms, and no other one}
+        self.whole_terms = dict[str, set[str]]()
+        self.of_givens = {s.key for s in traced.steps if s.of_givens}
+        self.terms = {key: of for key, of in self.sum_of.items() if of in asked}
         # {number: (name, sign)} of components
         self.called = dict[int, tuple[str, int]]()
         first = {}  # {number: the quantity that names it}
@@ -196,10 +201,17 @@ class _Deriver:
     def _derived(self, key):
         """The derivation of a quantity, which later ones may use."""
         parts, names, writer = self.components[key], self._names(key), self.writer
+        self._keep_apart(key)
         writer.start(key, parts)
         formulas = tuple(map(writer.formula, range(len(parts)), parts, names))
         formulas = self.known.of_one_body(self._explicit(formulas, names))
         solved = any(getattr(unsigned(x)[0], "number", None) in writer.solved for x in parts)
+        if of := self.sum_of.get(key):
+            shown = {f.name for f in formulas if getattr(f, "is_Symbol", False)}
+            vectors = (k for k, x in self.components.items() if len(x) == 3)
+            self.whole_terms.setdefault(of, set()).update(
+                k for k in vectors if shown and shown <= {*self._names(k)}
+            )
         if key not in self.terms:  # terms of an answer are not used by name
             self._remember(key, parts, names, formulas)
         formulas = tuple(None if f is None else factored(f) for f in formulas)
@@ -208,6 +220,16 @@ class _Deriver:
         varies = any(isinstance(x, Step) for x in parts)
         unknowns = frozenset(writer.wanted)
         return Derivation(formulas, tuple(writer.together), unknowns, solved, varies)
+
+    def _keep_apart(self, key):
+        """Keep out of the formula of a quantity those that equal a part of it by chance: of a term,
+        the components of a sum whose other terms are zero; all, if the problem asks for that.
+        """
+        of = self.sum_of.get(key)
+        apart = self.sums | self.whole_terms.get(of, set()) if of else set()
+        apart = {*self.components} - {key} if key in self.of_givens else apart
+        self.known.apart = {name for other in apart for name in self._names(other)}
+        self.names.apart = apart | self.known.apart
 
     def _explicit(self, formulas, names):
         """The formulas after solving a single linear equation, if there is one: its solution

@@ -8,7 +8,9 @@ from typing import Any
 
 from newton_euler.algebra.late import np, sympy
 from newton_euler.algebra.units import unit
-from newton_euler.answers.notation import number_symbol, unit_symbol
+from newton_euler.answers.notation import number_symbol, symbol, unit_symbol
+
+from .layout import laid_out
 
 Quantity = tuple[Any, str]  # a number and its unit
 _WORD = r"\\text\{[^{}]*\}(?:_(?:\w|\{(?:[^{}]|\{[^{}]*\})*\}))?(?:\^\{[^{}]*\})?"
@@ -23,9 +25,11 @@ def written(
     numbers: bool = False,
     degrees: bool = False,
 ) -> str:
-    """A formula in LaTeX or as text, its symbols replaced by ``names``, which may be ``numbers``;
-    with ``degrees``, multiples of pi in a sum are written in degrees.
+    """A formula in LaTeX or as text, its symbols replaced by ``names`` and in the order of these,
+    which may be ``numbers``; with ``degrees``, right angles in a sum are not written as pi/2.
     """
+    formula, called = laid_out(formula, names)
+    names = {**names, **{placed: names[name] for placed, name in called.items()}}
     printer = _printer(latex)(names, numbers)
     printer.degrees = degrees
     text = printer.doprint(formula)
@@ -69,12 +73,24 @@ def _is_function(text):
 
 
 def _one_root(product):
-    """A product with its square roots combined into one."""
-    roots = [x for x in product.args if x.is_Pow and abs(x.exp) == sympy.Rational(1, 2)]
+    """A product with its square roots combined into one: h sqrt(h/g) for h^(3/2)/sqrt(g), and
+    sqrt(2 g/3) for sqrt(6 g)/3.
+    """
+    half = sympy.Rational(1, 2)
+    roots = [
+        x for x in product.args if x.is_Pow and x.exp.is_Rational and x.exp.q == 2
+        and (abs(x.exp) == half or x.base.is_Symbol)
+    ]  # fmt: skip
     if len(roots) < 2:
         return product
     inside = sympy.Mul(*(x.base ** sympy.sign(x.exp) for x in roots))
     others = [x for x in product.args if x not in roots]
+    others += [x.base ** (x.exp - sympy.sign(x.exp) * half) for x in roots if abs(x.exp) != half]
+    number, square = product.as_coeff_Mul()[0], inside.as_coeff_Mul()[0]
+    if number.is_Rational and abs(number.p) == 1 and square % number.q == 0:
+        others = [sympy.sign(number), *(x for x in others if x != number)]
+        inside = inside / number.q**2
+    others = [x for x in others if x != 1]
     root = sympy.Pow(inside, sympy.Rational(1, 2), evaluate=False)
     return sympy.Mul(*others, root, evaluate=False) if others else root
 
@@ -85,6 +101,7 @@ class _Names:
     names: Mapping[str, str]
     numbers: bool
     degrees = False
+    latex = False
 
     def _as_ordered_terms(self, expr, order=None):
         """Terms in order, positive ones first."""
@@ -101,7 +118,8 @@ class _Names:
         return sympy.sign(turns) * sympy.Symbol(f"{float(abs(turns) * 180):.6g}{mark}")
 
     def _print_Symbol(self, expr, style="plain"):
-        return self.names.get(expr.name, expr.name)
+        is_name = self.latex and expr.name.isidentifier()  # and no number
+        return self.names.get(expr.name) or (symbol(expr.name) if is_name else expr.name)
 
     def _print_Add(self, expr, order=None):
         text = super()._print_Add(expr, order)
@@ -111,10 +129,10 @@ class _Names:
         import sympy
 
         f = -expr
-        if (
-            isinstance(f, (sympy.asin, sympy.atan)) and f.args[0].is_Add
-        ):  # without the sign of an angle
-            return self._print(f.func(-f.args[0], evaluate=False))
+        if isinstance(f, (sympy.asin, sympy.atan)):  # an angle without a sign
+            inside = [-x if x.is_Add else x for x in sympy.Mul.make_args(f.args[0])]
+            if inside != [*sympy.Mul.make_args(f.args[0])]:
+                return self._print(f.func(sympy.Mul(*inside, evaluate=False), evaluate=False))
         joined = _one_root(expr) if expr.is_Mul else expr  # SymPy prints 1/x here, too
         alone = expr.is_Mul and not joined.is_Mul
         text = self._print(joined) if alone else super()._print_Mul(joined)

@@ -7,7 +7,7 @@ from typing import Any
 from exercises.catalogue import Givens
 
 from .names import unsigned
-from .tidy import is_atom, is_forced, is_itself_shorter, readable
+from .tidy import is_atom, is_forced, is_itself_shorter, is_root, readable
 
 SHORT = 1  # operations of a formula as easy to read as the name of a vector's component
 
@@ -25,6 +25,8 @@ class Known:
     constants : {number: name} of quantities that are the same for all givens
     opposite : {component: the component of another vector with the opposite sign}
     entries : {entry of a matrix: its formula}
+    apart : the names that are not used now
+    entry : the end of the name that is written, where it is an entry of a matrix: "_xx"
     """
 
     givens: Collection[str]
@@ -36,6 +38,8 @@ class Known:
     constants: dict[float, Any] = field(default_factory=dict)
     opposite: dict[Any, Any] = field(default_factory=dict)
     entries: dict[Any, Any] = field(default_factory=dict)
+    apart: set[str] = field(default_factory=set)
+    entry: str = ""
     _placed: dict[tuple[int, int, int], Any] = field(default_factory=dict)
 
     def add(self, parts: Sequence[Any], symbols: Sequence[Any], formulas: Sequence[Any]) -> None:
@@ -60,12 +64,13 @@ class Known:
             shared = {f for f, _ in named if len(parts) > 1 and f.as_coeff_Mul()[1].is_Symbol}
             longer = [(f, x) for f, x in named if f not in shared]
             self.shorter += [(f, x) for f, x in longer if not is_atom(f) and not f.is_number]
+            self.shorter += [(f.base, x**2) for f, x in longer if is_root(f) and f.base.is_Add]
         else:
             self.short |= {x: f for f, x in named}
 
     def is_of_givens(self, formula: Any) -> bool:
         """True if a formula contains only givens."""
-        return {x.name for x in formula.free_symbols} <= {*self.givens}
+        return self._names(formula) <= {*self.givens}
 
     def of_one_body(self, formulas: Sequence[Any]) -> Sequence[Any]:
         """The formulas of the entries of a matrix: if it is a sum of matrices, by the latest matrix
@@ -90,8 +95,20 @@ class Known:
         return self._without_doubles(self._written_out(formula))
 
     def named(self, formula: Any) -> Any:
-        """The formula with the formulas of earlier quantities replaced by their names."""
-        for other, name in reversed(self.shorter):
+        """The formula with the formulas of earlier quantities replaced by their names; in an entry
+        of a matrix, those of the same entry first.
+        """
+        pairs = [x for x in reversed(self.shorter) if not self._names(x[1]) & self.apart]
+        pairs.sort(key=lambda x: not (self.entry and str(x[1]).endswith(self.entry)))
+        shorter = self._named_once(formula, pairs)
+        return shorter if shorter == formula else self._named_once(shorter, pairs)
+
+    @staticmethod
+    def _names(formula):
+        return {x.name for x in formula.free_symbols}
+
+    def _named_once(self, formula, pairs):
+        for other, name in pairs:
             shorter = formula.subs(other, name)
             if shorter == formula and not other.is_Add:
                 shorter = formula.subs(1 / other, 1 / name)

@@ -2,7 +2,7 @@
 symbols, with the numbers of a sheet, and the value.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -26,9 +26,11 @@ from newton_euler.answers.tolerance import NOISE
 from .cells import Values
 from .derivations import Derivation, component, derivations
 from .formulas import coherent, numerals, written
+from .layout import in_reading_order
 from .tidy import integrated, is_atom, simplest
 
 LONGEST = 400  # characters of a formula with numbers
+SAME_OPERATIONS = 4  # more than those of a result do not show how it was found
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,8 @@ class _Writer:
                 key = component(s.key, n, len(parts))
                 named = p.notation.get(key) or symbol(key)
                 self._know(key, named, x, s.unit)
+        self.names = {n: self.names[n] for n in in_reading_order(self.units)}
+        self.numbers = {n: self.numbers[n] for n in self.names if n in self.numbers}
 
     def _know(self, name, named, x, stated):
         self.names[name], self.units[name] = named if self.latex else name, stated
@@ -124,6 +128,8 @@ class _Writer:
         formula, numbers = self._formula(found.formulas, s)
         value = self._value(s)
         formula = formula or ("" if s in self.steps else self._count(s))
+        if self._is_same(found.formulas, s):
+            formula = ""
         chain = [x for x in (formula, numbers) if x]
         last = (value, value.removesuffix(self._unit(s)))
         chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
@@ -133,6 +139,17 @@ class _Writer:
         with_numbers = () if formula else with_numbers
         name = self._name(s) or (symbol(s.key) if rows else "")  # as in the equations
         return Line(s, rows, with_numbers, above, name, (*chain, value), reason)
+
+    def _is_same(self, formulas, s):
+        """True if the formulas of a result are the result in a form that says no more."""
+        pairs = [*zip(formulas, map(to_plain, flat(s.value)), strict=False)] if formulas else []
+        return any(not is_numeric(x) and x.free_symbols for _, x in pairs) and all(
+            f is not None
+            and not f.has(sympy.Integral)
+            and {x.name for x in f.free_symbols} <= {*self.p.symbols}
+            and (is_numeric(x) or f.count_ops() <= simplest(x).count_ops() + SAME_OPERATIONS)
+            for f, x in pairs
+        )
 
     def _reason(self, s, found):
         """Why there is no formula."""
@@ -153,7 +170,7 @@ class _Writer:
         """The equations to be solved first, with symbols and with numbers."""
         rows = self._rows(found.together, self._called)
         free = {x.name for pair in found.together for f in pair for x in f.free_symbols}
-        used = {n: self.numbers[n] for n in free - found.unknowns if n in self.numbers}
+        used = {n: x for n, x in self.numbers.items() if n in free - found.unknowns}
         if len(used) < len(free - found.unknowns) or not used:
             return rows, ()
         bare = coherent([self.numbers[n][1] for n in free if n in self.numbers])
@@ -179,7 +196,8 @@ class _Writer:
     def _called(self, formula):
         """The names of the symbols of a formula; unknowns have their names in the code."""
         free = {s.name for s in formula.free_symbols}
-        return {n: self.names.get(n) or (symbol(n) if self.latex else n) for n in free}
+        unknown = {n: symbol(n) if self.latex else n for n in sorted(free - {*self.names})}
+        return {n: text for n, text in self.names.items() if n in free} | unknown
 
     def _formula(self, formulas, s):
         """The formula of a quantity, with symbols and with numbers, each perhaps ""."""
@@ -198,7 +216,7 @@ class _Writer:
         if all(f.is_number or is_atom(f) for f in formulas) and stated == {s.unit}:
             return plain, ""
         bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
-        names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
+        names = numerals({n: self.numbers[n] for n in self.names if n in free}, bare, self.latex)
         formulas = [integrated(sympy.sympify(f.xreplace(self._nothing(f)))) for f in formulas]
         text = self._joined([written(f, names, self.latex, True, degrees) for f in formulas])
         return plain, text if len(text) <= LONGEST else ""
@@ -253,7 +271,7 @@ class _Writer:
             value = value.rounded(self._noise(s.unit))
         elif is_numeric(value) and abs(value) <= self._noise(s.unit):
             value = 0
-        text = latex_of(value, self.p.notation) if self.latex else formatted(value)
+        text = latex_of(value, self.names) if self.latex else formatted(value, self.names)
         return text + self._unit(s)
 
     def _unit(self, s):
@@ -267,7 +285,9 @@ def _without_dots(row):
 
 
 def latex_of(value, notation):
-    """An answer in LaTeX, numbers with six significant digits."""
+    """An answer in LaTeX, numbers with six significant digits, and names in the order of
+    ``notation``, which is {name: LaTeX}.
+    """
     if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
         return matrix_symbol([[latex_of(x, notation) for x in row] for row in value])
     if isinstance(value, (Vector, tuple, list)):
@@ -277,18 +297,21 @@ def latex_of(value, notation):
         return rf"\text{{{value}}}"
     if is_numeric(value) or not value.free_symbols:
         return number_symbol(value if isinstance(value, int) else float(value))
-    names = {x.name: notation.get(x.name) or symbol(x.name) for x in value.free_symbols}
+    others = sorted({x.name for x in value.free_symbols} - {*notation})
+    names = {**notation, **{n: symbol(n) for n in others}}
     return written(simplest(value), names, latex=True)
 
 
-def formatted(value: Any) -> str:
-    """An answer as text, numbers with six significant digits and round-off cleared."""
+def formatted(value: Any, names: Iterable[str] = ()) -> str:
+    """An answer as text, numbers with six significant digits, round-off cleared; a formula with its
+    symbols in the order of ``names``.
+    """
     if isinstance(value, (Vector, tuple, list)):
         size = NOISE * max((abs(float(x)) for x in flat(value) if is_numeric(x)), default=0.0)
         shown = (0 if is_numeric(v) and abs(float(v)) < size else v for v in value)
-        return "[" + ", ".join(map(formatted, shown)) + "]"
+        return "[" + ", ".join(formatted(v, names) for v in shown) + "]"
     if isinstance(value, (int, str)):
         return str(value)
     if is_numeric(value) or not value.free_symbols:
         return f"{float(value) + 0.0:.6g}"
-    return written(simplest(value), {}, latex=False)
+    return written(simplest(value), {n: n for n in names}, latex=False)

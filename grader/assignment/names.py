@@ -7,7 +7,6 @@ from itertools import permutations
 from operator import mul, truediv
 from typing import Any
 
-from exercises.catalogue.tracing import numbers_of
 from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
@@ -26,11 +25,12 @@ class Names:
     sheets : unrelated numbers for the givens, and the traced numbers that follow from them
     by_value : {numbers on the sheets: {name: its place in a matrix}}
     sizes : numbers of components, by quantity
-    uses : how often each quantity occurs in the one being written
-    place, size : index of the component being written, number of components of its quantity
-    whole : the traced numbers of this quantity
-    indices : of its name, as AB of I_AB
-    scalars : the scalar quantities, on the sheets
+    uses : how often each occurs in the quantity that is written
+    place, size : index of the component that is written, number of components of its quantity
+    whole : the numbers of its components on the sheets
+    indices : the indices of its name, as AB of I_AB
+    apart : the quantities that are not used now, and the names of their components
+    scalars : the quantities that are one number, on the sheets
     givens : {numbers on the sheets: given}
     """
 
@@ -42,8 +42,9 @@ class Names:
     uses: Counter[str] = field(default_factory=Counter)
     place: int = 0
     size: int = 1
-    whole: set[int] = field(default_factory=set)
+    whole: set[tuple[str, ...]] = field(default_factory=set)
     indices: set[str] = field(default_factory=set)
+    apart: set[str] = field(default_factory=set)
     scalars: list[tuple[Any, Sequence[float]]] = field(default_factory=list)
     givens: dict[tuple[str, ...], Any] = field(default_factory=dict)
     by_value: dict[tuple[str, ...], dict[Any, int | None]] = field(default_factory=dict)
@@ -72,7 +73,8 @@ class Names:
         """Count how often a quantity's formulas use each earlier one: of partly equal quantities
         the most used is meant, or of equally used ones the one with the same index.
         """
-        self.size, self.uses, self.whole = len(parts), Counter(), numbers_of(parts)
+        self.place, self.size, self.uses = 0, len(parts), Counter()
+        self.whole = {_rounded(self._numbers(x)) for x in parts} - {()}
         self.indices = _indices(key)
         seen, waiting = set(), [*parts]
         while waiting:
@@ -93,13 +95,16 @@ class Names:
             return None
         if self.size == 9 and not (candidates := self._in_place(candidates)):
             return None
+        same = [k for k in candidates if self.indices and _indices(k) == self.indices]
+        if len(candidates) > 1 and len(same) != 1 and x.args and all(map(self._is_plain, x.args)):
+            return None  # as b/2, of two bodies that lie side by side
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
-        same = [k for k in (key, *others) if self.indices and _indices(k) == self.indices]
+        same = [k for k in same if k in (key, *others)] or [
+            k for k in (key, *others) if self.size == 3 and "xyz"[self.place] in k.split("_")[-1]
+        ]
         if others and len(same) == 1:
             key, others = same[0], []
-        if others and x.args and all(self._is_plain(a) for a in x.args):
-            return None  # as b/2, which may belong to either of two bodies
         if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
             return None  # the axis is ambiguous
         return self._at_place(candidates[key], self.sizes[key])
@@ -110,7 +115,7 @@ class Names:
         whole quantities equal others by chance only.
         """
         numbers, here = self._numbers(x), self.place if self.size == 9 else None
-        is_whole = x.number in self.whole
+        is_whole = _rounded(numbers) in self.whole
         given = self.givens.get(_rounded(numbers))
         parts = [a for a in x.args if isinstance(a, Step)]
         is_multiple = len(parts) == 1 and self.of(parts[0]) is not None
@@ -119,7 +124,8 @@ class Names:
         if x.op not in "+-" or is_whole or all(map(self._is_known, x.args)):
             return None
         for sign in (1, -1):
-            names = self.by_value.get(_rounded(numbers, sign), {})
+            found = self.by_value.get(_rounded(numbers, sign), {})
+            names = {name: x for name, x in found.items() if name.name not in self.apart}
             if len(names) == 1 and here in names.values():
                 return sign * next(iter(names))
         return None
@@ -164,7 +170,8 @@ class Names:
         return not isinstance(a, Step) or a.number in self.fixed
 
     def _candidates(self, x):
-        return self.found.get(x.number) or self.opposite.get(x.number, {})
+        found = self.found.get(x.number) or self.opposite.get(x.number, {})
+        return {key: x for key, x in found.items() if key not in self.apart}
 
     def _at_place(self, by_place, size):
         """The component of the same axis; of a matrix in a vector's formula, that of the row."""

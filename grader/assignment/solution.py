@@ -33,7 +33,8 @@ def worked_solution(p: Problem, values: Values, text: bool = True, formulas: boo
             out += _answer(p.answer(key), line, p, found.values())
         elif key not in shown:
             n += 1
-            out += [f"{n}. {_sentence(_means(line.step, p))}{_where(line.step)}: {_chain(line)}"]
+            means = _not_twice(_means(line.step, p), line.equal[0])
+            out += [f"{n}. {_sentence(means)}{_where(line.step)}: {_chain(line)}"]
     return "\n".join(out)
 
 
@@ -60,6 +61,20 @@ def _means(step, p):
     if not step.term:
         return _typeset(step.means, p)
     return f"{_words(*step.term, p)}{_(', in ')}${symbol(step.of, step.is_vector)}$"
+
+
+def _not_twice(means, formula):
+    """A description without the formula that stands behind it, too."""
+    shown = _names_in(formula.partition(r"\ \text")[0])  # without a unit
+    return _BEHIND_COMMA.sub(lambda m: "" if _names_in(m[1]) == shown else m[0], means)
+
+
+def _names_in(formula):
+    return {*re.findall(r"\\[A-Za-z]+|[A-Za-z]+|\d+", formula)} - _LAYOUT
+
+
+_LAYOUT = {r"\frac", r"\left", r"\right", r"\cdot", r"\text", r"\mathbf", r"\hat"}
+_BEHIND_COMMA = re.compile(r", \$([^$=]*)\$(?=$|[,;:])")
 
 
 def _typeset(means, p):

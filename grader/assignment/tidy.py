@@ -22,13 +22,20 @@ def readable(formula: Any) -> Any:
         formula = formula.doit()
     if formula.has(sympy.sin) and formula.has(sympy.cos) and not is_long(formula):
         other = sympy.trigsimp(sympy.expand(formula))
-        return min(formula, other, key=lambda f: f.count_ops())
+        shorter = other.count_ops() < formula.count_ops() and not _doubles_angles(other, formula)
+        return other if shorter else formula
     formula = without_conjugates(formula)
     if not LONGEST / 2 < formula.count_ops() < HOPELESS:
         return formula
     other = sympy.simplify(formula)
     # a readable formula is kept: the order of its terms shows its origin
     return other if is_long(formula) or other.count_ops() < formula.count_ops() / 2 else formula
+
+
+def _doubles_angles(formula, other):
+    """True if a formula has an angle twice, as sin(2 x), that another has not."""
+    angles = [{y.args[0] for y in x.atoms(sympy.sin, sympy.cos)} for x in (formula, other)]
+    return any(x / 2 in angles[1] for x in angles[0] - angles[1])
 
 
 def _is_double(x):
@@ -41,12 +48,9 @@ def _is_double(x):
 
 def integrated(formula: Any) -> Any:
     """The formula with integrals of polynomials evaluated."""
-
-    def value(x):
-        return sympy.factor_terms(sympy.expand(x.doit()))
-
     return formula.replace(
-        lambda x: isinstance(x, sympy.Integral) and x.function.is_polynomial(x.limits[0][0]), value
+        lambda x: isinstance(x, sympy.Integral) and x.function.is_polynomial(x.limits[0][0]),
+        lambda x: sympy.expand(x.doit()),
     )
 
 
@@ -104,7 +108,10 @@ def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
     """The two sides of an equation, with negative terms moved to the other side if both keep one,
     and without common factors that are sums or roots of sums.
     """
-    terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
+    difference = row[0] - row[1]
+    expanded = sympy.expand(difference)
+    shorter = _names_in(expanded) <= _names_in(difference)
+    terms = sympy.Add.make_args(expanded if shorter else difference)
     shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
     terms = [t / sympy.Mul(*shared) for t in terms]
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
@@ -161,6 +168,11 @@ def is_itself_shorter(formula: Any, other: Any) -> bool:
 def is_atom(formula: Any) -> bool:
     """True if a formula is a name, perhaps with a minus sign."""
     return formula.is_Symbol or (-formula).is_Symbol
+
+
+def is_root(formula: Any) -> bool:
+    """True if a formula is a square root."""
+    return formula.is_Pow and formula.exp == sympy.S.Half
 
 
 def is_long(formula: Any) -> bool:

@@ -84,6 +84,7 @@ class Writer:
         one.
         """
         self.names.place, self.met = place, set()
+        self.known.entry = name[-3:] if self.names.size == 9 else ""
         if self.names.vanishes(x):
             return constant(0)
         try:
@@ -145,7 +146,8 @@ class Writer:
             raise Unwritten
         inner, start, end, *outside = whole.args
         root = whole.op == "root"
-        name = self.called.get(x.number, (self._free("u"), 1))[0] if root else self._free("u")
+        name = self._free("u" if root else inner.variable or "u")
+        name = self.called.get(x.number, (name, 1))[0] if root else name
         variable = self.symbol(name)
         own = dict(zip(inner.parameters, [variable, *outside], strict=True))
         formula = sympy.sympify(self._inner(inner.leaves[n], own, memo))
