@@ -8,7 +8,7 @@ run, evaluated as code or simplified here.
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
@@ -54,7 +54,10 @@ class Part:
 
     def as_dict(self) -> dict[str, Any]:
         """The part as a dict that JSON can hold."""
-        return {**vars(self), "causes": [list(astuple(c)) for c in self.causes]}
+        return {
+            **vars(self),
+            "causes": [[c.group, c.name, c.text, c.where, c.subject] for c in self.causes],
+        }
 
 
 @dataclass(frozen=True)
@@ -102,11 +105,16 @@ def _sum(shares):
 
 
 def score_receipt(
-    problem: Problem, values: Mapping[str, Any], receipt: Any, note: str = "",
-    points: float | None = None, weights: Mapping[str, float] | None = None,
-    asked: Mapping[str, str] | None = None, follow_through: float | None = None,
+    problem: Problem,
+    values: Mapping[str, Any],
+    receipt: Any,
+    note: str = "",
+    points: float | None = None,
+    weights: Mapping[str, float] | None = None,
+    asked: Mapping[str, str] | None = None,
+    follow_through: float | None = None,
     earlier_sheets: Sequence[Mapping[str, Any]] = (),
-) -> Score:  # fmt: skip
+) -> Score:
     """The :class:`Score` of a receipt ({"answers", "faults", "error"}, or None) for ``problem``
     with a student's ``values``.
 

@@ -424,9 +424,11 @@ def value_of(x: "Amount | Scalar") -> Any:
 
 
 def summed(
-    terms: Mapping[str, Any] | Iterable[tuple[str, Any]], what: str = "work", number: str = "11.1",
+    terms: Mapping[str, Any] | Iterable[tuple[str, Any]],
+    what: str = "work",
+    number: str = "11.1",
     error: float = 0.0,
-) -> Amount:  # fmt: skip
+) -> Amount:
     """The :class:`Amount` that is the sum of numbers or amounts, by name or in pairs (name, x)."""
     parts = Terms(terms)
     total, values = sum(map(value_of, parts.values()), ZERO), parts.mapped(value_of)

@@ -519,9 +519,11 @@ def _checked(a):
 
 
 def named_sum(
-    kind: str, subject: str, terms: Mapping[str, Vector] | Iterable[tuple[str, Vector]],
+    kind: str,
+    subject: str,
+    terms: Mapping[str, Vector] | Iterable[tuple[str, Vector]],
     frame: Frame,
-) -> Vector:  # fmt: skip
+) -> Vector:
     """The Vector in ``frame`` that is the sum of these terms, which it keeps by name."""
     parts = Terms(terms)
     ledger = Ledger(kind, subject, lambda: parts.mapped(lambda v: v.expressed_in(frame)))

@@ -72,11 +72,15 @@ def _fits(part, x):
 
 
 def diagnose(
-    given: Points, key: Points, wrong: Sequence[Model], kind: Kind = KINDS["vector"],
-    factors: Mapping[str, float] | None = None, elsewhere: Elsewhere | None = None,
+    given: Points,
+    key: Points,
+    wrong: Sequence[Model],
+    kind: Kind = KINDS["vector"],
+    factors: Mapping[str, float] | None = None,
+    elsewhere: Elsewhere | None = None,
     slips: Callable[[Fit, Kind], Sequence[Near]] | None = None,
     singles: Callable[[], Singles] = lambda: NO_SINGLES,
-) -> tuple[Cause, ...]:  # fmt: skip
+) -> tuple[Cause, ...]:
     """What gives the wrong answer ``given``: all causes that give the same numbers; none if nothing
     explains it.
 

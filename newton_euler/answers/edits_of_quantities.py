@@ -57,9 +57,11 @@ def of_quantities(
 
 
 def of_ratios(
-    named: Sequence[Named], answers: Mapping[str, Traced], given: Mapping[str, Step],
+    named: Sequence[Named],
+    answers: Mapping[str, Traced],
+    given: Mapping[str, Step],
     of: DimensionOf,
-) -> Iterator[Edit]:  # fmt: skip
+) -> Iterator[Edit]:
     """Answers that are one quantity times another, or over it, where the dimension allows it."""
     own = [(n, [s]) for n, s in given.items()]
     known = [(words, parts) for words, parts in (*named, *own) if all(map(_has(of), parts))]
@@ -145,18 +147,6 @@ def of_components(
                 )  # fmt: skip
                 cause = computed(f"{f} {angle} of {name}", words)
                 yield Edit(LEAST, cause, {s.number: ("*", s, (f, x))})
-
-
-def of_uncancelled(
-    given: Mapping[str, Step], products: Iterable[Step], needed: Mapping[str, Step], of: DimensionOf
-) -> Iterator[Edit]:
-    """A mass, of which no answer depends, in a product or under it."""
-    masses = {n: s for n, s in given.items() if of(s) == MASS and n not in needed}
-    for (name, m), s in product(masses.items(), products):
-        whole = described(s, "the term")
-        words = Words("has {mass} in {product}: it cancels", mass=name, product=whole)
-        for op in "*/" if whole else "":
-            yield Edit(LEAST, computed(f"{op} {name} in {s.number}", words), {s.number: (op, s, m)})
 
 
 def of_densities(

@@ -27,9 +27,12 @@ CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
 def of_two(
-    fit: Fit, kind: Kind, own: Sequence[tuple[Cause, Points]], slips: Callable[[], Singles],
+    fit: Fit,
+    kind: Kind,
+    own: Sequence[tuple[Cause, Points]],
+    slips: Callable[[], Singles],
     is_contradicted: Callable[[Cause], bool],
-) -> tuple[Cause, ...]:  # fmt: skip
+) -> tuple[Cause, ...]:
     """The two mistakes that give an answer together, as one cause: the simplest two, of numbers
     only if there are no others as simple; () if there are none.
 

@@ -26,9 +26,12 @@ receipts: dict = {}
 
 @checked
 def expect(
-    problem: str, symbols: dict | None = None, notation: dict | None = None,
-    sane: dict | bool | None = None, **forms: str,
-) -> None:  # fmt: skip
+    problem: str,
+    symbols: dict | None = None,
+    notation: dict | None = None,
+    sane: dict | bool | None = None,
+    **forms: str,
+) -> None:
     """Announce what ``problem`` asks for, each answer by its form.
 
     symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where

@@ -18,9 +18,12 @@ POINTS = 8  # places at which formulas are tried
 
 
 def doubts(
-    form: Form, tree: Any, symbols: Mapping[str, str], sane: Any,
+    form: Form,
+    tree: Any,
+    symbols: Mapping[str, str],
+    sane: Any,
     beside: Mapping[str, tuple[Form, Any]] | None = None,
-) -> list[str]:  # fmt: skip
+) -> list[str]:
     """What makes an answer, the ``tree`` as it was read, impossible, in sentences.
 
     symbols : {name: unit} of formulas

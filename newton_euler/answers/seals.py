@@ -28,9 +28,11 @@ FORMULA = 1e-3  # the factor by which cells are finer for formulas, which have a
 
 
 def seal(
-    kind: Kind, numbers: Sequence[float] | str | int, at: Mapping[str, float] | None = None,
+    kind: Kind,
+    numbers: Sequence[float] | str | int,
+    at: Mapping[str, float] | None = None,
     rtol: float = RTOL,
-) -> dict[str, Any]:  # fmt: skip
+) -> dict[str, Any]:
     """The seal of an answer of this kind, its ``numbers`` or the word; ``at`` is {symbol: number}
     where a formula has these values; ``rtol``: as for :meth:`~.kinds.Kind.is_right`. A dict that a
     notebook can hold.

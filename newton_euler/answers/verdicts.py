@@ -101,9 +101,14 @@ class Judged:
 
 
 def judge(
-    asked: Asked, form: Form, tree: Any, fault: str | None, numbers: Numbers, budget: Budget,
+    asked: Asked,
+    form: Form,
+    tree: Any,
+    fault: str | None,
+    numbers: Numbers,
+    budget: Budget,
     factor: float = 1.0,
-) -> Judged:  # fmt: skip
+) -> Judged:
     """What the answer ``tree`` is, read in the ``form`` that the student had, or why it cannot be
     read (``fault``). ``budget``: the operations of formulas that may be read; ``factor``: from the
     unit of the form to that of the key.

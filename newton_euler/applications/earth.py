@@ -64,9 +64,12 @@ def earth_frame(
 
 @checked
 def ground_frame(
-    earth: Frame, latitude: Scalar, longitude: Scalar = 0, radius: Scalar = EARTH_RADIUS,
+    earth: Frame,
+    latitude: Scalar,
+    longitude: Scalar = 0,
+    radius: Scalar = EARTH_RADIUS,
     name: str = "ground",
-) -> Frame:  # fmt: skip
+) -> Frame:
     """The ground axes at a place, with their origin there, in the frame by :func:`earth_frame`;
     longitude positive east. Raises :class:`EarthError` for a latitude beyond the poles (degrees?).
 
@@ -330,9 +333,14 @@ def projectile_velocity(
 
 @checked
 def projectile(
-    t: Scalar, speed: Scalar, azimuth: Scalar, elevation: Scalar, latitude: Scalar, g: Scalar,
+    t: Scalar,
+    speed: Scalar,
+    azimuth: Scalar,
+    elevation: Scalar,
+    latitude: Scalar,
+    g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> tuple:  # fmt: skip
+) -> tuple:
     """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25), to
     first order in the rotation.
 
@@ -346,9 +354,13 @@ def projectile(
 
 @checked
 def flight_time(
-    speed: Scalar, azimuth: Scalar, elevation: Scalar, latitude: Scalar, g: Scalar,
+    speed: Scalar,
+    azimuth: Scalar,
+    elevation: Scalar,
+    latitude: Scalar,
+    g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> Scalar:  # fmt: skip
+) -> Scalar:
     """The time until a shot is back at its level (6.26), to first order in the rotation.
 
     >>> flight_time(50.0, 0.0, 1.5707963267948966, 0.0, 10.0, rate=0.0)
@@ -363,9 +375,13 @@ def flight_time(
 
 @checked
 def shot_range(
-    speed: Scalar, azimuth: Scalar, elevation: Scalar, latitude: Scalar, g: Scalar,
+    speed: Scalar,
+    azimuth: Scalar,
+    elevation: Scalar,
+    latitude: Scalar,
+    g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> Scalar:  # fmt: skip
+) -> Scalar:
     """The distance along the ground to the point of impact (6.27).
 
     >>> round(shot_range(100.0, 0.0, 0.7853981633974483, 0.0, 10.0, rate=0.0), 9)
@@ -428,9 +444,13 @@ def wind_acceleration(
 
 @checked
 def buoyancy(
-    m: Scalar, speed: Scalar, azimuth: Scalar, latitude: Scalar, g: Scalar,
+    m: Scalar,
+    speed: Scalar,
+    azimuth: Scalar,
+    latitude: Scalar,
+    g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> Scalar:  # fmt: skip
+) -> Scalar:
     """The vertical force that keeps air of mass ``m`` on its level (6.32): its weight, less the
     vertical Coriolis force of an eastward wind.
 

@@ -190,9 +190,13 @@ def steady_moment(I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, spin
 
 @checked
 def steady_spin(
-    I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, mgr: Scalar = None,
+    I0: Scalar,
+    I: Scalar,
+    theta: Scalar,
+    precession: Scalar,
+    mgr: Scalar = None,
     moment: Scalar = None,
-) -> Scalar:  # fmt: skip
+) -> Scalar:
     """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it; for
     ``mgr`` or ``moment``, mgr=0 torque-free (10.35). Raises :class:`GyroError` without either.
 
@@ -224,9 +228,14 @@ class SteadyPrecession:
 
 @checked
 def steady_precession(
-    I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar = None, omega_z: Scalar = None,
-    mgr: Scalar = None, moment: Scalar = None,
-) -> SteadyPrecession:  # fmt: skip
+    I0: Scalar,
+    I: Scalar,
+    theta: Scalar,
+    spin: Scalar = None,
+    omega_z: Scalar = None,
+    mgr: Scalar = None,
+    moment: Scalar = None,
+) -> SteadyPrecession:
     """Both rates of steady precession at the angle theta (10.31)-(10.33), for ``spin`` or
     ``omega_z``, and ``mgr`` or ``moment``.
 
@@ -323,9 +332,13 @@ def _quotient(n, d, otherwise):
 
 @checked
 def least_spin(
-    I0: Scalar, I: Scalar, theta: Scalar, mgr: Scalar = None, moment: Scalar = None,
+    I0: Scalar,
+    I: Scalar,
+    theta: Scalar,
+    mgr: Scalar = None,
+    moment: Scalar = None,
     of: str = "spin",
-) -> Scalar:  # fmt: skip
+) -> Scalar:
     """The least spin phi' (of="spin") or whole rate (of="omega_z"), in size, for steady precession
     at theta: 2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I, where the discriminant of
     (10.33) is 0; zero where every spin is enough. An expression is taken to be real.

@@ -52,9 +52,16 @@ class Nutation:
 
 
 def nutation(
-    I0: Scalar, I: Scalar, mgr: Scalar, theta: Scalar, theta_rate: Scalar, precession: Scalar,
-    spin: Scalar = None, omega_z: Scalar = None, tolerance: float = 1e-9,
-) -> Nutation:  # fmt: skip
+    I0: Scalar,
+    I: Scalar,
+    mgr: Scalar,
+    theta: Scalar,
+    theta_rate: Scalar,
+    precession: Scalar,
+    spin: Scalar = None,
+    omega_z: Scalar = None,
+    tolerance: float = 1e-9,
+) -> Nutation:
     """The limits of nutation of a top in this state, to round-off; arguments as in
     :mod:`newton_euler.applications.gyroscopes`, either ``spin`` or ``omega_z``.
 
@@ -99,9 +106,14 @@ def exchanged(condition: Scalar, x: Scalar, y: Scalar) -> tuple[Scalar, Scalar]:
 
 
 def turning_points(
-    S: Scalar, C: Scalar, rate: Scalar, I0: Scalar, mgr: Scalar, momenta: tuple[Scalar, Scalar],
+    S: Scalar,
+    C: Scalar,
+    rate: Scalar,
+    I0: Scalar,
+    mgr: Scalar,
+    momenta: tuple[Scalar, Scalar],
     transverse: tuple[Scalar, Scalar],
-) -> tuple[tuple, tuple, Scalar]:  # fmt: skip
+) -> tuple[tuple, tuple, Scalar]:
     """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits
     from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0. I0 v'^2/2 = F(v), a cubic with the roots v1, v2,
     -zeta/mgr.

@@ -53,9 +53,13 @@ class Reactions:
 
 @checked
 def reactions(
-    body: Body, A: Point, B: Point, ground: Frame, gravity: Vector | None = None,
+    body: Body,
+    A: Point,
+    B: Point,
+    ground: Frame,
+    gravity: Vector | None = None,
     about: Point | None = None,
-) -> Reactions:  # fmt: skip
+) -> Reactions:
     """The forces of the two bearings on a rotor, and the moment that drives it (9.1)-(9.10).
 
     body : its rate, acceleration and angle are those of its frame in ``ground``
@@ -298,9 +302,13 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
 
 @checked
 def balancing_masses(
-    body: Body, A: Point, B: Point, planes: Sequence[Scalar], radius: Scalar | Sequence = None,
+    body: Body,
+    A: Point,
+    B: Point,
+    planes: Sequence[Scalar],
+    radius: Scalar | Sequence = None,
     mass: Scalar | Sequence = None,
-) -> tuple:  # fmt: skip
+) -> tuple:
     """Two small weights, one in each of the ``planes`` of :func:`corrections`, that balance a body:
     the Bodies ``weight 1`` and ``weight 2``.
 

@@ -35,10 +35,14 @@ class Body:
     """
 
     def __init__(
-        self, name: str, mass: Scalar, centre: PointLike,
-        inertia: Inertia | Sequence[Scalar] = (0, 0, 0), frame: Frame | None = None,
+        self,
+        name: str,
+        mass: Scalar,
+        centre: PointLike,
+        inertia: Inertia | Sequence[Scalar] = (0, 0, 0),
+        frame: Frame | None = None,
         parts: Sequence["Body"] = (),
-    ):  # fmt: skip
+    ):
         if not isinstance(name, str):
             raise MassError(f"a body has a name, a text; got {clipped(name)}")
         if frame is not None and not isinstance(frame, Frame):

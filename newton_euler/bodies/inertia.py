@@ -65,10 +65,15 @@ class Inertia(Scaled, NamedTerms):
     __slots__ = ("_terms", "centre", "frame", "mass", "moments", "point", "products")
 
     def __init__(
-        self, point: PointLike, moments: Sequence[Scalar], products: Sequence[Scalar] = (0, 0, 0),
-        mass: Scalar = None, centre: Point | None = None, frame: Frame | None = None,
+        self,
+        point: PointLike,
+        moments: Sequence[Scalar],
+        products: Sequence[Scalar] = (0, 0, 0),
+        mass: Scalar = None,
+        centre: Point | None = None,
+        frame: Frame | None = None,
         tolerance: Tolerance | None = 1e-9,
-    ):  # fmt: skip
+    ):
         self.point = place(point, "an inertia matrix")
         self.frame = axes_at(self.point) if frame is None else frame
         self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")

@@ -47,10 +47,15 @@ class IntegratedBody(Body):
 
 @checked
 def integrated(
-    position: Callable, *limits: tuple, frame: Frame, mass: Scalar = None,
-    density: Scalar | Callable | None = None, exact: bool = False, rtol: Accuracy = 1e-10,
+    position: Callable,
+    *limits: tuple,
+    frame: Frame,
+    mass: Scalar = None,
+    density: Scalar | Callable | None = None,
+    exact: bool = False,
+    rtol: Accuracy = 1e-10,
     name: str = "body",
-) -> IntegratedBody:  # fmt: skip
+) -> IntegratedBody:
     """The body of the points ``position(u)``, ``position(u, v)`` or ``position(u, v, w)``: a wire,
     a shell or plate, or a solid.
 

@@ -54,9 +54,13 @@ def ring(radius: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Ma
 
 @checked
 def arc(
-    radius: Scalar, half_angle: Scalar, middle: PointLike, axis: str = "x",
-    toward: str | None = None, **matter: Unpack[Matter],
-) -> Body:  # fmt: skip
+    radius: Scalar,
+    half_angle: Scalar,
+    middle: PointLike,
+    axis: str = "x",
+    toward: str | None = None,
+    **matter: Unpack[Matter],
+) -> Body:
     """A thin wire along a circular arc of twice ``half_angle`` (rad, up to pi).
 
     middle : the centre of the circle; G lies r sin(a)/a from it
@@ -71,9 +75,12 @@ def arc(
 
 @checked
 def half_ring(
-    radius: Scalar, middle: PointLike, axis: str = "x", toward: str | None = None,
+    radius: Scalar,
+    middle: PointLike,
+    axis: str = "x",
+    toward: str | None = None,
     **matter: Unpack[Matter],
-) -> Body:  # fmt: skip
+) -> Body:
     """A thin wire along half a circle; G lies 2 r/pi from ``middle``. Otherwise as :func:`arc`."""
     matter.setdefault("name", "half ring")
     return arc(radius, pi(radius) / 2, middle, axis, toward, **matter)
@@ -113,9 +120,13 @@ def annulus(
 
 @checked
 def sector(
-    radius: Scalar, half_angle: Scalar, middle: PointLike, axis: str = "x",
-    toward: str | None = None, **matter: Unpack[Matter],
-) -> Body:  # fmt: skip
+    radius: Scalar,
+    half_angle: Scalar,
+    middle: PointLike,
+    axis: str = "x",
+    toward: str | None = None,
+    **matter: Unpack[Matter],
+) -> Body:
     """A thin sector of a disk, of twice ``half_angle`` (rad), with its tip at ``middle``; G lies 2
     r sin(a)/(3 a) from the tip. Directions and small angles as for :func:`arc`.
     """
@@ -128,9 +139,12 @@ def sector(
 
 @checked
 def half_disk(
-    radius: Scalar, middle: PointLike, axis: str = "x", toward: str | None = None,
+    radius: Scalar,
+    middle: PointLike,
+    axis: str = "x",
+    toward: str | None = None,
     **matter: Unpack[Matter],
-) -> Body:  # fmt: skip
+) -> Body:
     """A thin half disk, ``middle`` that of its straight edge; G lies 4 r/(3 pi) from there.
     Directions as for :func:`arc`.
     """
@@ -163,9 +177,13 @@ def cylinder(
 
 @checked
 def tube(
-    inner: Scalar, outer: Scalar, length: Scalar, centre: PointLike, axis: str = "x",
+    inner: Scalar,
+    outer: Scalar,
+    length: Scalar,
+    centre: PointLike,
+    axis: str = "x",
     **matter: Unpack[Matter],
-) -> Body:  # fmt: skip
+) -> Body:
     """A hollow cylinder, open at its ends: m s/2, m (3 s + L^2)/12 twice, with s = r1^2 + r2^2."""
     wall, squares = outer - inner, inner**2 + outer**2
     volume = pi(outer) * (wall * (outer + inner)) * length
@@ -176,9 +194,14 @@ def tube(
 
 @checked
 def wedge(
-    radius: Scalar, half_angle: Scalar, length: Scalar, middle: PointLike, axis: str = "x",
-    toward: str | None = None, **matter: Unpack[Matter],
-) -> Body:  # fmt: skip
+    radius: Scalar,
+    half_angle: Scalar,
+    length: Scalar,
+    middle: PointLike,
+    axis: str = "x",
+    toward: str | None = None,
+    **matter: Unpack[Matter],
+) -> Body:
     """A sector of a solid cylinder, ``middle`` of its edge; directions as for :func:`arc`."""
     volume = half_angle * radius**2 * length
     name, m = _mass("wedge", matter, volume, radius=radius, half_angle=half_angle, length=length)

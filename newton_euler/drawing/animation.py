@@ -131,10 +131,14 @@ class Animation:
 
 @guided
 def animate(
-    draw: Callable, times: Iterable[float], speed: float | None = None,
-    size: tuple[float, float] = (5, 4), dpi: float = 100, alt: str = "",
+    draw: Callable,
+    times: Iterable[float],
+    speed: float | None = None,
+    size: tuple[float, float] = (5, 4),
+    dpi: float = 100,
+    alt: str = "",
     progress: Callable[[int, int], Any] = lambda done, of_all: None,
-) -> Animation:  # fmt: skip
+) -> Animation:
     """An :class:`Animation` of the scene that ``draw(t, ax)`` draws with a Sketch on ``ax``; it is
     called for each of the times. Raises :class:`AnimationError` for too many pixels.
 

@@ -11,9 +11,13 @@ from .page.svg import svg
 
 @checked_but("draw")
 def svg_of(
-    draw: Callable[..., Any], *given: Any, size: tuple[float, float] = (5.2, 4.0),
-    panels: tuple[int, int] = (1, 1), alt: str = "", **values: Any,
-) -> str:  # fmt: skip
+    draw: Callable[..., Any],
+    *given: Any,
+    size: tuple[float, float] = (5.2, 4.0),
+    panels: tuple[int, int] = (1, 1),
+    alt: str = "",
+    **values: Any,
+) -> str:
     """The :func:`svg` of what ``draw(*given, panel, **values)`` draws by sketches.
 
     given : what comes before the panel, as the numbers ``g`` of a problem's ``draw(g, ax)``

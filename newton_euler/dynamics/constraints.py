@@ -65,9 +65,11 @@ class Freedom:
 
 @checked
 def degrees_of_freedom(
-    bodies: dict, constraints: dict | None = None, at: dict | None = None,
+    bodies: dict,
+    constraints: dict | None = None,
+    at: dict | None = None,
     tolerance: Tolerance = 1e-9,
-) -> Freedom:  # fmt: skip
+) -> Freedom:
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
     of coordinates less the rank of the Jacobian. Springs and weights are no constraints.
 

@@ -236,10 +236,15 @@ class Audit:
 
 @checked_but("kinetic")
 def audit(
-    kinetic: Callable, start: Scalar, end: Scalar, potentials: dict | None = None,
-    powers: dict | None = None, rtol: Accuracy = 1e-10, exact: bool = False,
+    kinetic: Callable,
+    start: Scalar,
+    end: Scalar,
+    potentials: dict | None = None,
+    powers: dict | None = None,
+    rtol: Accuracy = 1e-10,
+    exact: bool = False,
     breaks: Sequence[Scalar] = (),
-) -> Audit:  # fmt: skip
+) -> Audit:
     """The energy balance of a motion from the instant ``start`` to ``end``: change of T + V = work
     of the other forces (11.29), (11.48).
 

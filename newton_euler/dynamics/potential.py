@@ -66,9 +66,11 @@ def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
 
 @checked
 def spring_between(
-    stiffness: Scalar, free_length: Scalar, first: Point | Sequence[Scalar],
+    stiffness: Scalar,
+    free_length: Scalar,
+    first: Point | Sequence[Scalar],
     second: Point | Sequence[Scalar],
-) -> Scalar:  # fmt: skip
+) -> Scalar:
     """The potential of a spring between two places (11.35): stretch, distance less free length.
 
     first, second : two Points, and V is that of the instant, without rates; or two triples of
@@ -208,10 +210,12 @@ def _dot(F, line):
 
 @checked
 def find_potential(
-    force: Callable, base: Sequence[Scalar] = (0, 0, 0),
-    box: Sequence[Sequence[Scalar]] = ((-1, 1),) * 3, loops: Sequence[Callable] = (),
+    force: Callable,
+    base: Sequence[Scalar] = (0, 0, 0),
+    box: Sequence[Sequence[Scalar]] = ((-1, 1),) * 3,
+    loops: Sequence[Callable] = (),
     tolerance: Tolerance = 1e-9,
-) -> Potential:  # fmt: skip
+) -> Potential:
     """The potential of a force field (11.16)-(11.18); :class:`NoPotential` if it has none.
 
     force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers

@@ -29,9 +29,13 @@ from ..kinematics.paths import along
 
 @checked
 def work_integral(
-    f: Callable, start: Scalar, end: Scalar, rtol: Accuracy = 1e-10, exact: bool = False,
+    f: Callable,
+    start: Scalar,
+    end: Scalar,
+    rtol: Accuracy = 1e-10,
+    exact: bool = False,
     breaks: Sequence[Scalar] = (),
-) -> Amount:  # fmt: skip
+) -> Amount:
     """The integral of ``f`` with its estimated error: (11.2), (11.3), (11.4) or (11.11).
 
     f : function of one number. Floats: by an adaptive quadrature to ``rtol``, relative to the
@@ -49,9 +53,14 @@ def work_integral(
 
 @checked
 def work_along(
-    force: Callable, path: Callable, start: Scalar, end: Scalar, rtol: Accuracy = 1e-10,
-    exact: bool = False, breaks: Sequence[Scalar] = (),
-) -> Amount:  # fmt: skip
+    force: Callable,
+    path: Callable,
+    start: Scalar,
+    end: Scalar,
+    rtol: Accuracy = 1e-10,
+    exact: bool = False,
+    breaks: Sequence[Scalar] = (),
+) -> Amount:
     """The work of a force whose point of application moves along a curve (11.1), with its
     rectangular ``terms`` x, y, z (11.5).
 
@@ -85,9 +94,14 @@ def work_along(
 
 @checked
 def work_in_time(
-    force: Callable, velocity: Callable, start: Scalar, end: Scalar, rtol: Accuracy = 1e-10,
-    exact: bool = False, breaks: Sequence[Scalar] = (),
-) -> Amount:  # fmt: skip
+    force: Callable,
+    velocity: Callable,
+    start: Scalar,
+    end: Scalar,
+    rtol: Accuracy = 1e-10,
+    exact: bool = False,
+    breaks: Sequence[Scalar] = (),
+) -> Amount:
     """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
     force, velocity : functions of time that return Vectors or triples: the force and the velocity

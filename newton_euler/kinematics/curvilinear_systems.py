@@ -26,9 +26,14 @@ from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
 @checked
 def curvilinear(
-    ground: Frame, name: str, position: Callable, q1: Scalar, q2: Scalar, q3: Scalar,
+    ground: Frame,
+    name: str,
+    position: Callable,
+    q1: Scalar,
+    q2: Scalar,
+    q3: Scalar,
     names: Sequence[str] = ("u", "v", "w"),
-) -> CoordinatePoint:  # fmt: skip
+) -> CoordinatePoint:
     """The point with the coordinates q1, q2, q3 in the system of ``position``.
 
     position : function of three scalars that returns (x, y, z) in ``ground``

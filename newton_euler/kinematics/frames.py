@@ -88,9 +88,13 @@ class Frame:
     hats: tuple[str, str, str] = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")  # unit vectors
 
     def __init__(
-        self, name: str, parent: "Frame | None" = None, axis: Any = None, angle: Any = None,
+        self,
+        name: str,
+        parent: "Frame | None" = None,
+        axis: Any = None,
+        angle: Any = None,
         origin: "Point | None" = None,
-    ):  # fmt: skip
+    ):
         if not isinstance(name, str):
             raise FrameError(f"a frame has a name, as Frame('ground'); got {clipped(name)}")
         if parent is not None and not isinstance(parent, Frame):
@@ -141,9 +145,14 @@ class Frame:
 
     @guided
     def rotate(
-        self, name: str, axis: str | Vector | Sequence[Scalar], angle: Scalar = 0,
-        rate: Scalar = DERIVED, acceleration: Scalar = DERIVED, origin: "Point | None" = None,
-    ) -> "Frame":  # fmt: skip
+        self,
+        name: str,
+        axis: str | Vector | Sequence[Scalar],
+        angle: Scalar = 0,
+        rate: Scalar = DERIVED,
+        acceleration: Scalar = DERIVED,
+        origin: "Point | None" = None,
+    ) -> "Frame":
         """A new frame turned from this one about ``axis``, right-handed.
 
         axis : "x", "y", "z", "-x", "-y", "-z", or three constant components in this frame

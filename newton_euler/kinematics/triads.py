@@ -24,9 +24,13 @@ class Triad(Frame):
     """
 
     def __init__(
-        self, name: str, parent: Frame, axes: Sequence[Sequence[Scalar]],
-        turning: Callable | None = None, origin: Point | None = None,
-    ):  # fmt: skip
+        self,
+        name: str,
+        parent: Frame,
+        axes: Sequence[Sequence[Scalar]],
+        turning: Callable | None = None,
+        origin: Point | None = None,
+    ):
         super().__init__(name, parent, origin=origin)
         try:
             self._axes = tuple(tuple(map(scalar, axis)) for axis in axes)

@@ -103,9 +103,14 @@ class Ladder:
     @classmethod
     @checked
     def of_models(
-        cls, name: str, of: str, t: float, start: tuple[Scalar, ...], names: Sequence[str],
+        cls,
+        name: str,
+        of: str,
+        t: float,
+        start: tuple[Scalar, ...],
+        names: Sequence[str],
         *models: Model,
-    ) -> "Ladder":  # fmt: skip
+    ) -> "Ladder":
         """The ladder of models with the same states: these ``names`` are observed."""
         observed = observed_states(*names)
         return cls(name, of, t, tuple(Rung(model, start, observed) for model in models))

@@ -50,9 +50,13 @@ def time_axis(ax: Any, costs: Sequence[float], unit: str = "s") -> None:
 
 @checked
 def chart(
-    points: Sequence[Measured], ax: Any, floor: float = FLOOR, cost: str = "cost",
-    order: Sequence[str] = (), legend: bool = True,
-) -> list[Measured]:  # fmt: skip
+    points: Sequence[Measured],
+    ax: Any,
+    floor: float = FLOOR,
+    cost: str = "cost",
+    order: Sequence[str] = (),
+    legend: bool = True,
+) -> list[Measured]:
     """The fronts of the points, which are drawn on the Matplotlib axes ``ax``: cost to the right,
     error upwards. Each family has a front, with rings and steps, of points that have a right digit;
     of times, those that are on the front of every repeat.

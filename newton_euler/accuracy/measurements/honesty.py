@@ -82,10 +82,12 @@ class Answer(Measured):
 
 
 def honesty(
-    names: Sequence[str], tolerances: Sequence[float] = TOLERANCES[:-1],
-    methods: Sequence[str] = NAMES, longest: float = PATIENCE,
+    names: Sequence[str],
+    tolerances: Sequence[float] = TOLERANCES[:-1],
+    methods: Sequence[str] = NAMES,
+    longest: float = PATIENCE,
     progress: Callable[[float, str], object] = lambda fraction, words: None,
-) -> list[Answer]:  # fmt: skip
+) -> list[Answer]:
     """The :class:`Answer` of every method at every tolerance, on each of these scenes that it can
     use; errors as in :func:`.work_precision.work_precision`.
 

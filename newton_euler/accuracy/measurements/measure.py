@@ -57,9 +57,11 @@ def repeated(points: Sequence[Measured]) -> Iterator[list[Measured]]:
 
 @checked
 def timed(
-    *calls: Callable[[], object], runs: int = 9, shortest: float = 2e-3,
+    *calls: Callable[[], object],
+    runs: int = 9,
+    shortest: float = 2e-3,
     clock: Callable[[], float] = perf_counter,
-) -> Any:  # fmt: skip
+) -> Any:
     """The seconds that one call ``f()`` takes, a float; of several functions, which take turns, a
     tuple: those of the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest``
     seconds of the ``clock``. A first call, which may import or compile, does not count.
@@ -75,9 +77,11 @@ def timed(
 
 
 def timings(
-    calls: Sequence[Callable[[], object]], runs: int = 5, shortest: float = 1e-3,
+    calls: Sequence[Callable[[], object]],
+    runs: int = 5,
+    shortest: float = 1e-3,
     clock: Callable[[], float] = perf_counter,
-) -> list[tuple[float, ...]]:  # fmt: skip
+) -> list[tuple[float, ...]]:
     """For each function the seconds of a call in each of its runs, as :func:`timed` makes them."""
     timers = [(Timer(f, timer=clock), _enough_calls(f, shortest, clock)) for f in calls]
     rounds = [[timer.timeit(n) / n for timer, n in timers] for _ in range(runs)]

@@ -68,10 +68,12 @@ class WorkPrecision:
 
 
 def work_precision(
-    name: str, tolerances: Sequence[float] = TOLERANCES, methods: Sequence[str] = NAMES,
+    name: str,
+    tolerances: Sequence[float] = TOLERANCES,
+    methods: Sequence[str] = NAMES,
     longest: float = LONGEST,
     progress: Callable[[float, str], object] = lambda fraction, words: None,
-) -> WorkPrecision:  # fmt: skip
+) -> WorkPrecision:
     """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
     is the time of ``integrate`` after its model is prepared and its code compiled, the error that
     of the worst state at the end, as in :class:`~newton_euler.motion.solution.Motion`.

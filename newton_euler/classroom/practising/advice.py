@@ -33,9 +33,11 @@ class _Done:
 
 
 def advise(
-    sections: Mapping[str, str], progress: Progress, now: str = "",
+    sections: Mapping[str, str],
+    progress: Progress,
+    now: str = "",
     may_err: Callable[[str], set[tuple[str, str]]] = lambda problem: set(),
-) -> Advice:  # fmt: skip
+) -> Advice:
     """What to do next of the problems, {number: section} in the order of the book.
 
     now : the problem that has just been worked, which is not proposed again once it is finished

@@ -15,9 +15,13 @@ _asked: dict[str, "Prediction"] = {}  # by their keys, in the order of asking
 
 @checked
 def predict(
-    text: str, choices: Mapping[Any, str] | None = None, answer: Any = None, unit: str = "",
-    within: float | None = None, why: str = "",
-) -> "Prediction":  # fmt: skip
+    text: str,
+    choices: Mapping[Any, str] | None = None,
+    answer: Any = None,
+    unit: str = "",
+    within: float | None = None,
+    why: str = "",
+) -> "Prediction":
     """A question that is answered before its answer is seen. In a notebook it shows buttons or a
     field; elsewhere ``.choose("b")`` answers. The first prediction is kept in predictions.json in
     the folder of the notebook. Formulas are written as in Markdown.

@@ -76,9 +76,13 @@ def with_unit(x: float, unit: str) -> str:
 
 
 def question(
-    text: str, choices: Mapping[object, str] | None, answer: object, unit: str,
-    within: float | None, why: str,
-) -> Question:  # fmt: skip
+    text: str,
+    choices: Mapping[object, str] | None,
+    answer: object,
+    unit: str,
+    within: float | None,
+    why: str,
+) -> Question:
     """The question that :func:`~.asking.predict` asks, in the reader's language."""
     text, why, answer = _translated(text), _translated(why), _translated(answer)
     given = {_translated(c): _translated(means) for c, means in (choices or {}).items()}

@@ -22,10 +22,13 @@ NAMED = Path(__file__).with_name("sliders.js")
 
 @checked_but("alt", "size", "panels", "title")
 def interactive_figure(
-    draw: Callable[..., Any], *sliders: Slider, alt: str | Callable[..., str],
-    size: tuple[float, float] = (7, 4.6), panels: tuple[int, int] = (1, 1),
+    draw: Callable[..., Any],
+    *sliders: Slider,
+    alt: str | Callable[..., str],
+    size: tuple[float, float] = (7, 4.6),
+    panels: tuple[int, int] = (1, 1),
     title: str | Callable[..., str] | None = None,
-) -> None:  # fmt: skip
+) -> None:
     """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments. Without a
     kernel or ipywidgets the first picture stands alone.
 

@@ -39,9 +39,11 @@ class Lines(Recorder):
         self._record(lambda canvas: canvas.curve(places, "wire"))
 
     def path(
-        self, points: Sequence[Place], style: str = "solid",
+        self,
+        points: Sequence[Place],
+        style: str = "solid",
         on: Place | tuple[Place, Place] | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Draw a curve through many places, ``style`` solid, dashed, dotted or centre.
 
         on : of a curve on the surface of a sphere its centre, on that of a cylinder two places of

@@ -78,9 +78,12 @@ class Measures(Recorder):
             self.label(P, label, offset)
 
     def label(
-        self, P: Place, text: str, offset: Direction | tuple[float, float] | None = None,
+        self,
+        P: Place,
+        text: str,
+        offset: Direction | tuple[float, float] | None = None,
         bold: bool = True,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Write the name of a place beside it. ``offset``: a pair, points to the right and up; or a
         direction from the place. ``bold``: as for points and bodies; a quantity or a word is not.
         """

@@ -18,9 +18,14 @@ class Solids(Recorder):
     """The methods of a sketch that draw bodies, which hide each other as they do in space."""
 
     def disk(
-        self, C: Place, normal: Direction, radius: float, spoke: Place | None = None,
-        thickness: float = 0, hole: float = 0,
-    ) -> None:  # fmt: skip
+        self,
+        C: Place,
+        normal: Direction,
+        radius: float,
+        spoke: Place | None = None,
+        thickness: float = 0,
+        hole: float = 0,
+    ) -> None:
         """Draw a disk about C, ``thickness`` metres thick, with a round ``hole`` of this radius.
         ``spoke``: a place on its rim to which a line shows how the disk has turned.
         """
@@ -41,9 +46,12 @@ class Solids(Recorder):
                 canvas.line((front, spoke), "ring", depth=canvas.depth(front) + canvas.pt)
 
     def plate(
-        self, corners: Sequence[Place], holes: Sequence[Sequence[Place]] = (), thickness: float = 0,
+        self,
+        corners: Sequence[Place],
+        holes: Sequence[Sequence[Place]] = (),
+        thickness: float = 0,
         shade: str = "medium",
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Draw a plane plate with these corners, three or more places in order.
 
         holes : their outlines, each a sequence of places as of :meth:`around`

@@ -18,9 +18,13 @@ class Vectors(Recorder):
     """The methods of a sketch that draw arrows."""
 
     def axes(
-        self, P: Place, frame: Frame, length: float | None = None, labels: Sequence[str] = "xyz",
+        self,
+        P: Place,
+        frame: Frame,
+        length: float | None = None,
+        labels: Sequence[str] = "xyz",
         moved: bool | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
         labels : three, as a string or a list, or "" for none; an axis labelled "" is left out

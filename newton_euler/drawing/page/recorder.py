@@ -44,9 +44,15 @@ class Recorder:
 
     @checked_but("ground")
     def __init__(
-        self, ax: Any, ground: Frame, azimuth: float = 35, elevation: float = 20, up: str = "z",
-        plane: str | None = None, arrows: float = 62,
-    ):  # fmt: skip
+        self,
+        ax: Any,
+        ground: Frame,
+        azimuth: float = 35,
+        elevation: float = 20,
+        up: str = "z",
+        plane: str | None = None,
+        arrows: float = 62,
+    ):
         if ax is None:
             ax = Page().panel
         elif not isinstance(ax, Panel) and not hasattr(ax, "add_patch"):

@@ -7,9 +7,14 @@ from .primitives import BLACK
 
 
 def text_at(
-    text: str, x: float, y: float, size: float, colour: str = BLACK, bold: bool = False,
+    text: str,
+    x: float,
+    y: float,
+    size: float,
+    colour: str = BLACK,
+    bold: bool = False,
     more: str = "",
-) -> str:  # fmt: skip
+) -> str:
     """A text with its middle at (x, y) in points, and ``more`` attributes."""
     found = letters(text, bold)
     base = y + size * (found.above - found.below) / 2
