@@ -303,9 +303,7 @@ def test_moving_numbers_against_mpmath_in_composites(name, t):
 @pytest.mark.parametrize("name", FUNCTIONS)
 @pytest.mark.parametrize("t", ["0.05", "0.3", "0.8"])
 def test_moving_numbers_against_mpmath_for_each_function(name, t):
-    def f(t):
-        return function(name, t * t / 3 + t / 2)
-
+    f = lambda t: function(name, t * t / 3 + t / 2)
     assert is_differentiated(f, mpmath.mpf(t), 1e-24)
     assert is_differentiated(f, float(t), 1e-13)
 

@@ -90,8 +90,7 @@ def test_every_large_region_has_its_name_inside_it(name):
     found = chart.measure((20, 20))
     written = regions(chart, found)
     assert all(written.values())
-    large = {choice for choice in chart.choices if (found == choice).mean() > 0.1}
-    assert large <= set(written)
+    assert {choice for choice in chart.choices if (found == choice).mean() > 0.1} <= set(written)
 
 
 def test_a_region_of_few_cells_is_in_the_legend_only():

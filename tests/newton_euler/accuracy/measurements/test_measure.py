@@ -89,8 +89,7 @@ def test_errors_are_measured_in_the_digits_of_the_reference():
         assert relative_error((third + mp.mpf(10) ** -30, 0, 0), (third, 0, 0)) == pytest.approx(
             3e-30
         )
-    ground = Frame("ground")
-    assert relative_error(ground.vector(0.0, 1.5, 0.0), (0.0, 1.0, 0.0)) == 0.5
+    assert relative_error(Frame("ground").vector(0.0, 1.5, 0.0), (0.0, 1.0, 0.0)) == 0.5
 
 
 @pytest.fixture
