@@ -175,12 +175,6 @@ def test_with_stops_there_is_no_grid_that_might_pass_over_them():
     assert one.kept is None
 
 
-def test_no_step_passes_over_a_stop():
-    one = series(stops=(1.0, 2.5))
-    one.step(1000)
-    assert {1.0, 2.5, 5.0} < set(one.step_times)
-
-
 @pytest.mark.parametrize(("t0", "t1"), ROUNDED)
 def test_a_step_to_an_end_ends_there_though_the_time_is_rounded(t0, t1):
     assert t0 + (t1 - t0) != t1
