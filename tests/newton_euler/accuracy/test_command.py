@@ -6,7 +6,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import matplotlib
 import pytest
 
 from newton_euler.accuracy.catalogue import charts
@@ -17,7 +16,6 @@ from newton_euler.accuracy.measurements.honesty import COLUMNS
 from newton_euler.accuracy.measurements.regime_maps import MAPS
 from newton_euler.scenes import LADDERS, SCENES
 
-matplotlib.use("Agg")
 ROOT = Path(__file__).parents[3]
 
 

@@ -1,6 +1,5 @@
 """charts/maps.py, islands.py: regions are named, islands explained or smoothed as noise."""
 
-import matplotlib
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
@@ -9,7 +8,6 @@ from newton_euler.accuracy.charts.islands import explained, islands, settled
 from newton_euler.accuracy.charts.maps import draw_choices, map_caption
 from newton_euler.accuracy.measurements.regime_maps import MAPS, Axis, Map
 
-matplotlib.use("Agg")
 SEA, LAND = "sea", "land"
 
 

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import matplotlib
 import pytest
 from matplotlib.figure import Figure
 
@@ -18,7 +17,6 @@ from newton_euler.accuracy.measurements.work_precision import (
 )
 from newton_euler.scenes.catalogue import Scene
 
-matplotlib.use("Agg")
 FAKE = Scene("fake", "1.1", "nothing", lambda: None)
 
 

@@ -15,17 +15,6 @@ from newton_euler.accuracy.measurements import regime_maps as maps
 from newton_euler.accuracy.measurements.regime_maps import MAPS
 from newton_euler.motion.integration import integrate
 
-matplotlib.use("Agg")
-
-
-@pytest.fixture
-def ax():
-    import matplotlib.pyplot as plt
-
-    figure, ax = plt.subplots()
-    yield ax
-    plt.close(figure)
-
 
 def border(chart, x, below, precision=0.02):
     """The lowest y at which the choice is another one than ``below``, by halving."""
