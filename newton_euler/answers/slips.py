@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
+from itertools import combinations, permutations
 
 from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
@@ -22,9 +22,6 @@ PURE: dict[str, float] = {
     Words("a factor of 2"): 2.0,
     Words("revolutions against radians"): 2 * math.pi,
 }
-WHOLE = {
-    Words("a factor of 3"): 3.0, Words("a factor of 4"): 4.0, Words("a factor of pi"): math.pi,
-}  # fmt: skip
 TENS = {Words("one decimal place"): 10.0, Words("two decimal places"): 100.0}
 ANGLES: dict[str, float] = {
     Words("degrees against radians"): 180 / math.pi,
@@ -65,7 +62,6 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
 def of_last_resort(fit: Fit) -> Models:
     """Factors that say little, and the inverse: named where nothing else explains an answer."""
     if fit.index is not None:
-        yield from _factors(fit, _ratio(fit), WHOLE)
         yield from of_components(fit)
         yield from _of_other_axes(fit) if len(fit.first[1]) == 9 else ()
         yield from of_powers(fit)
@@ -83,11 +79,11 @@ def of_powers(fit: Fit) -> Models:
     if fit.index is None:
         return
     yield from _factors(fit, _ratio(fit), TENS)
-    if len(fit.first[1]) != 1:
+    if len(fit.first[1]) > 2:
         yield from left_out(fit) if len(fit.first[1]) == 3 else ()
         return
     for cause, power in (causes.SQUARED, 2.0), (causes.ROOT, 0.5), (causes.INVERTED, -1.0):
-        yield cause, tuple((_power(x, power),) for (x,) in fit.key)
+        yield cause, tuple(tuple(_power(x, power) for x in point) for point in fit.key)
 
 
 def _power(x, power):
@@ -111,7 +107,7 @@ def of_components(fit: Fit) -> Models:
     off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
     if len(key) != 3 or not 0 < len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
         return
-    for words, factor in (PURE | WHOLE).items():
+    for words, factor in PURE.items():
         for large, f in ((True, factor), (False, 1 / factor)):
             if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
                 scales = [f if m in off else 1.0 for m in range(3)]
@@ -184,6 +180,20 @@ def _signs(fit):
         yield causes.reversed_components(off), _signed(signs, fit.key)
     if len(off) == 1:
         yield from left_out(fit)
+    yield from _moved(fit, near)
+
+
+def _moved(fit, near):
+    """One component added to another one, in its place nothing."""
+    given, key, size = fit.first
+    for n, m in permutations(range(len(key)), 2):
+        rest = all(abs(given[k] - key[k]) <= near for k in {0, 1, 2} - {n, m})
+        for sign in (1, -1) if rest and abs(given[n]) <= NOISE * size < abs(key[n]) else ():
+            if abs(given[m] - key[m] - sign * key[n]) <= near and abs(key[m]) > NOISE * size:
+                moved = [[*point] for point in fit.key]
+                for point in moved:
+                    point[n], point[m] = 0.0, point[m] + sign * point[n]
+                yield causes.moved_component(n, m), tuple(map(tuple, moved))
 
 
 def left_out(fit: Fit) -> Models:
