@@ -30,7 +30,8 @@ def kinetic(g, at_c):
 
 
 def energy(g, at_c):
-    return {"E_total": kinetic(g, at_c) + potential(g, g.b)}
+    v_b = speed_after(0, kinetic(g, at_c), g.m)
+    return {"E_total": g.m * v_b**2 / 2 + potential(g, g.b)}
 
 
 def solve(g):

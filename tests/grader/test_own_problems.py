@@ -179,7 +179,7 @@ def test_the_workflow_passes_good_problems_and_stops_at_a_slip(tmp_path, forge):
     code, out = run("bash", "-c", lines[2], cwd=tmp_path)
     assert code == 1
     assert "{gamma} is not a given" in out
-    assert "is there already" in command("ci", forge, "--to", tmp_path)[1]
+    assert "exists; delete it" in command("ci", forge, "--to", tmp_path)[1]
 
 
 def test_without_names_prove_takes_the_own_problems_alone():

@@ -34,9 +34,7 @@ def test_the_table_fits_80_columns_and_json_has_the_same(monkeypatch):
 def test_a_filter_that_means_nothing_is_refused_in_words(arguments, words):
     code, out = command("problems", *arguments)
     assert (code, words in out) == (2, True)
-    assert (
-        command("problems", "4/16", "--search", "nowhere")[1].strip() == "No problem is like that."
-    )
+    assert command("problems", "4/16", "--search", "nowhere")[1].strip() == "No problem matches."
 
 
 def test_what_a_course_found_hard_stands_beside_the_estimate(course):
