@@ -62,8 +62,7 @@ def test_an_own_problem_is_built_graded_and_taken_into_the_next_year(course, tmp
         out = ran(command("next-year", course, "--course", tmp_path / "m27"))
         assert "The course m27" in out
         assert "hw1" in out
-        notebook = read(tmp_path / "m27/source/hw1/hw1.ipynb")
-        assert notebook["cells"][0]["source"].endswith("Mine.")
+        assert read(tmp_path / "m27/source/hw1/hw1.ipynb")["cells"][0]["source"].endswith("Mine.")
         new = Course(tmp_path / "m27")
         assert new.roster() == []
         assert new.secret != c.secret
