@@ -138,8 +138,7 @@ def test_of_bodies_that_are_partly_equal_each_has_its_own_names():
 def test_a_step_stands_after_the_answer_that_it_is_found_from():
     for name, *order in (("A/16", "y", "known_PR", "x"), ("6/21", "phi", "t_f", "x")):
         p = problem(name)
-        keys = [line.step.key for line in lines(p, p.book_values)]
-        assert sorted(order, key=keys.index) == order
+        assert sorted(order, key=[line.step.key for line in lines(p, p.book_values)].index) == order
 
 
 def test_an_unknown_has_its_sign_in_the_equations():
@@ -159,5 +158,4 @@ def test_a_word_and_another_factor_stand_apart(formula, text):
 
 
 def test_a_result_has_no_factor_1():
-    x = sympy.Symbol("x")
-    assert str(simplest(1.0 * x**2 + 0.5)) == "x**2 + 0.5"
+    assert str(simplest(1.0 * sympy.Symbol("x") ** 2 + 0.5)) == "x**2 + 0.5"
