@@ -1,6 +1,4 @@
-"""Formulas of SymPy as a reader sees them, in LaTeX or as text, with six digits: with symbols, or
-with numbers in the place of the symbols.
-"""
+"""SymPy formulas for readers, in LaTeX or as text, with symbols or with numbers of six digits."""
 
 import math
 import re
@@ -16,7 +14,7 @@ from .layout import laid_out
 
 Quantity = tuple[Any, str]  # a number and its unit
 _WORD = r"\\text\{[^{}]*\}(?:_(?:\w|\{(?:[^{}]|\{[^{}]*\})*\}))?(?:\^\{[^{}]*\})?"
-# the space between a word and another factor, which LaTeX leaves out
+# a space between a word and another factor, which LaTeX omits
 _BESIDE_WORD = re.compile(rf"(?P<word>{_WORD}) (?=[\\\w])|(?<=[\w}}]) (?=\\text)")
 
 
@@ -27,8 +25,8 @@ def written(
     numbers: bool = False,
     degrees: bool = False,
 ) -> str:
-    """A formula in LaTeX or as text, its symbols by ``names`` and in their order, which are
-    ``numbers`` or not; with ``degrees``, right angles in a sum are not written as pi/2.
+    """A formula in LaTeX or as text, its symbols replaced by ``names`` and in the order of these,
+    which may be ``numbers``; with ``degrees``, right angles in a sum are not written as pi/2.
     """
     formula, called = laid_out(formula, names)
     names = {**names, **{placed: names[name] for placed, name in called.items()}}
@@ -39,15 +37,13 @@ def written(
 
 
 def numerals(quantities: Mapping[str, Quantity], bare: bool, latex: bool) -> dict:
-    """{name: number as it is written} of quantities; without their units where all is ``bare``, but
-    for degrees.
-    """
+    """{name: number as text}, ``bare`` without units, except for degrees."""
     return {n: _numeral(*q, bare, latex) for n, q in quantities.items()}
 
 
 def coherent(units: Collection[str]) -> bool:
-    """True if numbers in these units can be put into a formula without a factor, as mm and mm/s^2;
-    an angle in degrees shows its unit.
+    """True if a formula needs no factor for numbers in these units, as mm and mm/s^2; degrees,
+    which are always marked, are ignored.
 
     >>> coherent(["m", "s", "m/s"]), coherent(["mm", "m/s^2", "s"])
     (True, False)
@@ -67,17 +63,17 @@ def _numeral(x, stated_in, bare, latex):
 
 
 def _is_apart(text):
-    """True if what is written for a symbol needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
+    """True if the text of a symbol needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
     return "/" in text or (text[:1] in "-0123456789" and not text.replace(".", "").isdigit())
 
 
 def _is_function(text):
-    r"""True if a power or factor behind what is written for a symbol would go into it: \cos b."""
+    r"""True if a following power or factor would be read as part of the text: \cos b."""
     return text.startswith((r"\sin ", r"\cos ", r"\tan "))
 
 
 def _one_root(product):
-    """A product with its square roots of factors as one: h sqrt(h/g) for h^(3/2)/sqrt(g), and
+    """A product with its square roots combined into one: h sqrt(h/g) for h^(3/2)/sqrt(g), and
     sqrt(2 g/3) for sqrt(6 g)/3.
     """
     half = sympy.Rational(1, 2)
@@ -100,7 +96,7 @@ def _one_root(product):
 
 
 class _Names:
-    """Prints symbols by their names, and floats with six digits."""
+    """Prints symbols by ``names``, and floats with six digits."""
 
     names: Mapping[str, str]
     numbers: bool
@@ -108,7 +104,7 @@ class _Names:
     latex = False
 
     def _as_ordered_terms(self, expr, order=None):
-        """Terms without a minus sign first."""
+        """Terms in order, positive ones first."""
         terms = super()._as_ordered_terms(expr, order)
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
@@ -205,7 +201,7 @@ def _text_printer():
             return f"{float(expr):.6g}"
 
         def stringify(self, args, sep, level=0):
-            """The arguments of a function, which has brackets of its own."""
+            """The arguments of a function, without further brackets."""
             return (
                 super().stringify(args, sep, level) if level else sep.join(map(self._print, args))
             )

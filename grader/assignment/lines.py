@@ -1,5 +1,5 @@
-"""How each step and answer of a problem is found, in LaTeX or as text: the equation with symbols,
-with the numbers of one sheet, and the value.
+"""The lines of a worked solution, in LaTeX or as text: for each step and answer the equation with
+symbols, with the numbers of a sheet, and the value.
 """
 
 from collections.abc import Iterable, Iterator
@@ -35,13 +35,13 @@ SAME_OPERATIONS = 4  # more than those of a result do not show how it was found
 
 @dataclass(frozen=True)
 class Line:
-    """A step or answer of a worked solution; its formulas are LaTeX, or text.
+    """A step or answer of a worked solution, in LaTeX or as text.
 
-    together, with_numbers : the equations that are solved first
-    above : True if it is an unknown of equations that were solved before
-    name : of the quantity, "" where it has none
-    equal : what it is equal to: its formula, that with numbers, its value with the unit
-    reason : why there is no formula, where there is none
+    together, with_numbers : equations to be solved first, with symbols and with numbers
+    above : True if it is an unknown of equations solved before
+    name : of the quantity, or ""
+    equal : right-hand sides: formula, formula with numbers, value with unit
+    reason : why there is no formula, or ""
     """
 
     step: Step
@@ -60,8 +60,8 @@ TOO_LONG = Words("its formula is too long for a page")
 
 def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True) -> Iterator[Line]:
     """The lines of a worked solution: the steps, and then the answers, for ``values`` in the units
-    of the text, with SymPy symbols for quantities without a number; without ``formulas`` their
-    values only.
+    of the text, with SymPy symbols for quantities without a number; without ``formulas``, values
+    only.
     """
     answers = p.solve(values)
     asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
@@ -108,12 +108,12 @@ class _Writer:
             self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
 
     def after(self, key):
-        """The answers that are shown before a step or answer."""
+        """The answers that must be shown before a step or answer."""
         found = self.derivations.get(key, Derivation()).after
         return {*found, *(x for other in found for x in self.after(other))}
 
     def _count(self, s):
-        """A counted answer as the first count of the steps less those after it, "" if it is not."""
+        """A counted answer as a difference of the counts in the steps, or ""."""
         counts = [x.value for x in self.steps if isinstance(x.value, int)]
         for n in range(2, len(counts) + 1):
             if isinstance(s.value, int) and counts[0] - sum(counts[1:n]) == s.value:
@@ -137,7 +137,7 @@ class _Writer:
         reason = "" if chain or above or found.together else self._reason(s, found)
         rows, with_numbers = self._together(found)
         with_numbers = () if formula else with_numbers
-        name = self._name(s) or (symbol(s.key) if rows else "")  # which the equations have
+        name = self._name(s) or (symbol(s.key) if rows else "")  # as in the equations
         return Line(s, rows, with_numbers, above, name, (*chain, value), reason)
 
     def _is_same(self, formulas, s):
@@ -163,11 +163,11 @@ class _Writer:
         return SAME if known or not found.varies else TOO_LONG
 
     def _sum(self, key, n):
-        """A component of a sum, of the symbols of its terms."""
+        """A component of a sum, in terms of those of its terms."""
         return sympy.Add(*(sympy.Symbol(component(k, n, 3)) for k in self.sums[key]))
 
     def _together(self, found):
-        """The equations that are solved together, with symbols and with numbers."""
+        """The equations to be solved first, with symbols and with numbers."""
         rows = self._rows(found.together, self._called)
         free = {x.name for pair in found.together for f in pair for x in f.free_symbols}
         used = {n: x for n, x in self.numbers.items() if n in free - found.unknowns}
@@ -194,13 +194,13 @@ class _Writer:
         return self.p.notation[s.key] if a else symbol(s.key, s.is_vector)
 
     def _called(self, formula):
-        """The names of the symbols of a formula; unknowns have those of the code."""
+        """The names of the symbols of a formula; unknowns have their names in the code."""
         free = {s.name for s in formula.free_symbols}
         unknown = {n: symbol(n) if self.latex else n for n in sorted(free - {*self.names})}
         return {n: text for n, text in self.names.items() if n in free} | unknown
 
     def _formula(self, formulas, s):
-        """A quantity as a formula, and with numbers; "" where there is none to read."""
+        """The formula of a quantity, with symbols and with numbers, each perhaps ""."""
         if not formulas or None in formulas or all(isinstance(f, sympy.Float) for f in formulas):
             return "", ""
         free = {x.name for f in formulas for x in f.free_symbols}
@@ -208,7 +208,7 @@ class _Writer:
         plain = self._whole(formulas, s.key) or self._joined(
             [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas]
         )
-        if s.key in self.sums:  # its terms stand above it
+        if s.key in self.sums:  # the terms are shown above
             plain = ""
         if any(n not in self.numbers for n in free):
             return plain, ""
@@ -222,7 +222,7 @@ class _Writer:
         return plain, text if len(text) <= LONGEST else ""
 
     def _mixes(self, formula):
-        """True if an angle in degrees is added to one that is not."""
+        """True if angles in degrees and in other units are added."""
 
         def in_degrees(x):
             of = x.as_coeff_Mul()[1]
@@ -231,7 +231,7 @@ class _Writer:
         return any(len(set(map(in_degrees, x.args))) == 2 for x in formula.atoms(sympy.Add))
 
     def _nothing(self, formula):
-        """The symbols of a formula of which round-off is left, such as cos(60 deg) - 1/2, as 0."""
+        """{symbol: 0} for symbols that are zero up to round-off, as cos(60 deg) - 1/2."""
         known = {
             x: self.numbers[x.name] for x in formula.free_symbols if x.name not in self.p.units
         }
@@ -241,7 +241,7 @@ class _Writer:
         return 1e-12 * self.sizes.get(stated_in, 0.0)
 
     def _whole(self, formulas, own_key):
-        """The name of another vector that has these components, "" if there is none."""
+        """The name of another vector with these components, or ""."""
         keys = {f.name.rpartition("_")[0] for f in formulas if f.is_Symbol}
         key = keys.pop() if len(keys) == 1 else ""
         own = [component(key, n, len(formulas)) for n in range(len(formulas))]
@@ -303,8 +303,8 @@ def latex_of(value, notation):
 
 
 def formatted(value: Any, names: Iterable[str] = ()) -> str:
-    """An answer as text, numbers with six significant digits, round-off for zero as zero; a formula
-    has its names in the order of ``names``.
+    """An answer as text, numbers with six significant digits, round-off cleared; a formula with its
+    symbols in the order of ``names``.
     """
     if isinstance(value, (Vector, tuple, list)):
         size = NOISE * max((abs(float(x)) for x in flat(value) if is_numeric(x)), default=0.0)
