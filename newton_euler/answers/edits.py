@@ -82,7 +82,6 @@ def _edits(formulas):
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
     yield from givens.of_exchanged(given, read)
-    yield from givens.of_shifted(anything, read, steps)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from givens.of_lengths(given, read)
@@ -100,7 +99,7 @@ def _edits(formulas):
         if s.op in operations.PRODUCT and s in written and (s in leaves or not _is_factor(users))
     }  # fmt: skip
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
-    yield from equations.of_equations(formulas.systems)
+    yield from equations.of_equations(formulas.systems, number, dimensions.get)
     yield from quantities.of_quantities(answers, formulas.stages, steps, dimensions.get)
     named = [(s.means, s.parts) for s in formulas.stages if s.means]
     named += [(key, a.parts) for key, a in answers.items()]
@@ -109,7 +108,6 @@ def _edits(formulas):
     yield from quantities.of_distances(given, products, dimensions.get)
     angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
     yield from quantities.of_components(given, angles, dimensions.get)
-    yield from quantities.of_uncancelled(anything, products, given, dimensions.get)
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_other_entries(answers)

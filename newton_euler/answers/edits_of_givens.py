@@ -178,24 +178,6 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
             yield Edit(LESS, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
 
 
-def of_shifted(
-    given: Mapping[str, Step], read: Mapping[str, Unit], steps: Sequence[Step]
-) -> Iterator[Edit]:
-    """Each of several numbered givens, as m1, m2, m3, in the place of its neighbour."""
-    needed = {s.number for s in steps}
-    for stem in dict.fromkeys(n.rstrip("0123456789") for n in given):
-        names = [n for n in given if n != stem == n.rstrip("0123456789")]
-        around = names[1:] + names[:1]
-        rows = (names, names[1:]), (names[1:], names), (names, around), (around, names)
-        for own, others in rows if 2 < len(names) <= SEVERAL else ():
-            pairs = [(a, b) for a, b in zip(own, others, strict=False) if given[a].number in needed]
-            if len(pairs) > 1:
-                (a, b), *_ = pairs
-                words = Words("takes {b} for {a}, and so on: each has its own place", a=a, b=b)
-                instead = {given[a].number: given[b] for a, b in pairs}
-                yield Edit(LESS, computed(f"shifted {pairs}", words), instead)
-
-
 def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     """The givens that are the components of one vector, with the opposite sign or left out: those
     in the same place in all components of an answer; they themselves, or added to it.
