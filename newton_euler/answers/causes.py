@@ -2,7 +2,6 @@
 them. The words complete "it fits a solution that …" and never contain a number of the key.
 """
 
-import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -303,7 +302,6 @@ def _of_places(places: Sequence[int], one: Words, several: Words, **values: obje
 
 LOST = {
     2.0: Words("look for a half or a double"),
-    **dict.fromkeys((3.0, 4.0, math.pi), Words("look for a factor left out")),
     **dict.fromkeys((10.0, 100.0), Words("look for a misplaced decimal point")),
 }  # all other factors are those between two units
 

@@ -164,10 +164,10 @@ def _simplest(fit, near, elsewhere):
     """
     if not near:
         return []
-    # a number in a wrong unit may be as good as zero, or as good as all there is
-    is_zero = any("not zero here" in cause.text for _, cause, _ in near)
-    near = [hit for hit in near if not (is_zero and hit[1].group == "unit")]
     hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
+    if any(hit.cause.group == "unit" for _, hit in hits):
+        # a number in a wrong unit may be as good as zero, or as good as all there is
+        hits = [(1 if "not zero here" in hit.cause.text else n, hit) for n, hit in hits]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
     found = [(n + elsewhere.contradicts(hit.cause), hit) for n, hit in fitting]

@@ -200,6 +200,8 @@ def _of_factor(s, x, power, factor, of, why):
         of = "" if of == f" of {named}^2" else of
         words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
         yield SIMPLE, "square", words, ("/", s, factor)
+        words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
+        yield LEAST, "half", words, ("*", s, 0.25)
     elif power == -2:
         words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
         yield SIMPLE, "square", words, ("*", s, factor)
