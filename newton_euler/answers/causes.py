@@ -364,6 +364,11 @@ def left_out(cause: Cause) -> str:
     return values[found[1]] if found else ""
 
 
+def is_reversed(cause: Cause) -> bool:
+    """True of a mistake by which a term has the opposite sign."""
+    return getattr(cause.text, "template", "").startswith("has {term} with the opposite sign")
+
+
 def multiple_of(term: str) -> Cause:
     """A remark: a term has another factor."""
     words = Words("all but the factor of {term} is right", term=term)
@@ -374,6 +379,12 @@ CORIOLIS_HALVED = Cause(
     "term",
     "coriolis / 2",
     Words("writes the Coriolis term without the factor 2: two equal effects add up in it"),
+)
+
+CORIOLIS_HALVED_AND_REVERSED = Cause(
+    "term",
+    "coriolis / -2",
+    Words("writes the Coriolis term without the factor 2 and with the opposite sign"),
 )
 
 
