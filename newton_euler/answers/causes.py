@@ -196,6 +196,13 @@ def left_out_components(places: Sequence[int]) -> Cause:
     return slip(f"without {_ordinals(places)}", _of_places(places, one, several))
 
 
+def added_components(places: Sequence[int]) -> Cause:
+    """Components where there are none."""
+    one = Words("has a {which} component, where there is none: look at what points along it")
+    several = Words("has {which} components, where there are none: look at what points along them")
+    return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
+
+
 def is_left_out(cause: Cause) -> bool:
     """True of one that says only that a component is zero."""
     return cause in [left_out_components([n]) for n in range(len(ORDINALS))]
@@ -384,7 +391,10 @@ CORIOLIS_HALVED = Cause(
 CORIOLIS_HALVED_AND_REVERSED = Cause(
     "term",
     "coriolis / -2",
-    Words("writes the Coriolis term without the factor 2 and with the opposite sign"),
+    Words(
+        "writes the Coriolis term with the opposite sign and without the factor 2: the equation "
+        "adds it twice"
+    ),
 )
 
 

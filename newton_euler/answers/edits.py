@@ -29,6 +29,10 @@ from .formulas import (
 )
 from .typed import Product, described, repeats
 
+FUNCTIONS = {
+    "acos": Words("the cosine"), "asin": Words("the sine"),
+    "atan": Words("the tangent"), "atan2": Words("the tangent"),
+}  # fmt: skip
 MANY = 8  # uses of a step, of which no single one is looked at
 ONCE = 4  # by which the rank of a slip in one use is higher than that of the same in all
 
@@ -108,6 +112,8 @@ def _edits(formulas):
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_other_entries(answers)
+    yield from quantities.of_cross_products(answers, formulas.stages, steps)
+    yield from quantities.of_binomials(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
     for s, users in users_in.items():
@@ -122,7 +128,8 @@ def _edits(formulas):
             if name in symbols:
                 found = [*found, *givens.of_symbol(s, formulas.given, formulas.units)]
             # what is alone in a term, as H in D^2 + H^2, is no factor of it
-            slips += [slip for slip in found if slip[1] != givens.ONE or s in factors]
+            is_factor = s in factors or any(user.op in WITHIN for user in users)
+            slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
             # nobody converts the symbols of a formula
             slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
         if s in products:
@@ -280,6 +287,13 @@ def _of_angles(answers):
     for whole, words in others if angles else ():
         cause = computed(f"{whole} - angle", words)
         yield Edit(RARER, cause, {x.number: ("-", whole, x) for x in angles})
+    for a in answers.values():
+        x = a.parts[0]
+        if isinstance(x, Step) and x.op in FUNCTIONS and unit(a.unit).is_of_angle:
+            words = Words("gives {name} of the angle: the angle is asked for", name=FUNCTIONS[x.op])
+            inside: Any = x.args[0] if len(x.args) == 1 else ("/", *x.args)
+            instead = {x.number: ("*", inside, unit(a.unit).to_base(1.0, SI))}
+            yield Edit(RARER, computed(f"inside {x.number}", words), instead)
 
 
 def _of_stages(answers, stages, dimensions):

@@ -49,6 +49,10 @@ def of_given(
             rank = RARER if read[other].text == own.text else LESS
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=is_it)
             yield rank, f"given {other}", words, step
+            if own.is_of_angle:
+                words = Words("takes {name} - {other} for {name}: {why}",
+                              name=name, other=other, why=is_it)  # fmt: skip
+                yield LEAST, f"less {other}", words, ("-", s, step)
     if own.dimension != MASS:
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)

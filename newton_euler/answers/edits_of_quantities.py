@@ -11,13 +11,21 @@ from ..algebra.trace import Step
 from ..algebra.units import Dimension
 from .causes import computed
 from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS
+from .edits_of_groups import LIKE_IT
 from .edits_of_operations import parts_of
-from .formulas import LEAST, LESS, Edit, Stage, Traced, steps_in, users_of
-from .typed import Product, described, terms_of
+from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, steps_in, users_of
+from .typed import Product, described, repeats, terms_of, typed
 
 DimensionOf = Callable[[Step], Dimension | None]
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
+BINOMIALS = {
+    "plus": Words(
+        "leaves the mixed term out of the square of {sum}: (a + b)^2 has 2*a*b as well"
+    ).template,
+    "signs": Words("squares each term of {sum}: the whole is squared").template,
+    "none": Words("does not square {sum}: the formula does").template,
+}
 SCALED = {
     -1.0: Words("takes {quantity} with the opposite sign: its sense is the other one").template,
     2.0: Words("doubles {quantity}: it counts once").template,
@@ -41,7 +49,8 @@ def of_quantities(
             continue
         for factor, text in SCALED.items():
             cause = computed(f"{factor} times {[*own]}", Words(text, quantity=words))
-            yield Edit(LESS, cause, {n: ("*", x, factor) for n, x in own.items()})
+            rank = LESS if factor else RARER
+            yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():
             pairs = [*zip(parts, instead, strict=False)]
             if len(instead) != len(parts) or not all(_are_alike(x, y, of) for x, y in pairs):
@@ -50,6 +59,67 @@ def of_quantities(
             cause = computed(f"{other} for {[*own]}", text)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
             yield Edit(LESS, cause, signed)
+
+
+def of_cross_products(
+    answers: Mapping[str, Traced], stages: Sequence[Stage], steps: Sequence[Step]
+) -> Iterator[Edit]:
+    """The middle component of a cross product with the opposite sign, and sums for its
+    differences.
+    """
+    users = users_of(steps)
+    named = [(key, a.parts) for key, a in answers.items()]
+    for words, parts in [*named, *((s.means, s.parts) for s in stages if s.means)]:
+        if len(parts) == 3 and all(map(_is_of_products, parts)):
+            sums = Words("adds the products in {vector}: a cross product has differences")
+            turned = Words(
+                "has the middle component of {vector} with the opposite sign: the determinant has "
+                "a minus there"
+            )
+            instead = {x.number: ("+", *x.args) for x in parts}
+            yield _of_vector(sums, words, instead)
+            if users.get(middle := parts[1]):
+                yield _of_vector(turned, words, {middle.number: ("neg", middle)})
+
+
+def _of_vector(text, name, instead):
+    words = Words(text.template, vector=name)
+    return Edit(LESS, computed(f"{text.template} {[*instead]}", words), instead)
+
+
+def _is_of_products(x):
+    """True of a*b - c*d."""
+    return getattr(x, "op", "") == "-" and all(getattr(a, "op", "") == "*" for a in x.args)
+
+
+def of_binomials(steps: Iterable[Step]) -> Iterator[Edit]:
+    """The square of a sum term by term, as a^2 - b^2 for (a - b)^2, or no square; one by one and
+    all at once.
+    """
+    squares = {s: terms_of(s.args[0]) for s in steps if s.op == "*" and s.args[0] is s.args[1]}
+    squares = {s: x for s, x in squares.items() if len(x) > 1 and not repeats(s.args[0])}
+    groups = [[s] for s in squares] + [[*squares]] * (len(squares) > 1)
+    for group in groups:
+        if not (named := typed(group[0].args[0])):
+            continue
+        if len(group) > 1:
+            named = Words("{first} and {others}", first=named, others=LIKE_IT)
+        has_minus = any(sign < 0 for s in group for sign, _ in squares[s])
+        kinds = ["plus", *["none"] * (len(group) > 1), *["signs"] * has_minus]
+        for kind in kinds:  # no square of a single one is a slip in the product
+            instead = {s.number: _square(s, squares[s], kind) for s in group}
+            words = Words(BINOMIALS[kind], sum=named)
+            yield Edit(LESS, computed(f"{kind} {[*instead]}", words), instead)
+
+
+def _square(s, terms, kind):
+    if kind == "none":
+        return s.args[0]
+    signed = [(1 if kind == "plus" else sign, ("*", x, x)) for sign, x in terms]
+    whole: Any = 0.0
+    for sign, x in signed:
+        whole = ("+" if sign > 0 else "-", whole, x)
+    return whole
 
 
 def _plain(x):

@@ -13,8 +13,19 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
+from ..algebra.language import spoken
 from ..algebra.late import is_here, np
-from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both, is_reversed, left_out, multiple_of, multiplied
+from .causes import (
+    INVERTED,
+    OPPOSITE_NUMBER,
+    Cause,
+    both,
+    is_reversed,
+    left_out,
+    multiple_of,
+    multiplied,
+)
+from .edits_of_operations import UNNAMED
 from .fit import Fit
 from .formulas import FIRST
 from .kinds import Kind
@@ -105,6 +116,8 @@ class _Pairs:
         usable = np.isfinite(rows).all(axis=1) & rows.any(axis=1) & ~undoes
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
+        # of what is not named a second mistake says nothing
+        usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
         alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
@@ -155,7 +168,8 @@ class _Pairs:
         by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
         if op is _added or by_sign:
             key, rows = self.at(self.fit.index)
-            if _are_of_one_term(*(rows[[i, j]] - key)) or (by_sign and is_reversed(self.causes[i][1])):
+            is_twice = by_sign and is_reversed(self.causes[i][1])
+            if is_twice or _are_of_one_term(*(rows[[i, j]] - key)):
                 return False
         if op is _multiplied and not by_sign:
             key, rows = self.at(self.fit.index)
@@ -229,8 +243,8 @@ def _are_powers(x, y):
 
 
 def _are_of_one_term(x, y):
-    """True of changes of which one is the other, its half or its double, or opposite to that: a term
-    left out is not reversed as well.
+    """True of changes of which one is the other, its half or its double, or opposite to that: what
+    is left out is not reversed as well.
     """
     return any((abs(x - n * y) <= NOISE * abs(x).max()).all() for n in (-2, -1, -0.5, 0.5, 1, 2))
 

@@ -119,6 +119,16 @@ def of_components(fit: Fit) -> Models:
                 yield cause, _signed(scales, fit.key)
 
 
+def of_none(fit: Fit) -> Models:
+    """Components where there are none, of a vector of which all others are right."""
+    if fit.index is not None and len(fit.key[0]) == 3:
+        given, key, size = fit.first
+        near = fit.rtol * size
+        off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
+        if all(abs(key[n]) <= NOISE * size for n in off) and len(off) < 3:
+            yield causes.added_components(off), fit.given
+
+
 def _factors(fit, ratio, found):
     for words, factor in found.items():
         if 0.9 * factor < ratio < 1.1 * factor:
@@ -153,7 +163,12 @@ def _of_one_entry(fit):
             (a1, a2), (b1, b2) = ((3 * i + j, 3 * j + i) for i, j in (one, other))
             order = {a1: b1, a2: b2, b1: a1, b2: a2}
             moved = [order.get(x, x) for x in range(9)]
-            yield causes.exchanged_entries(one, other), _ordered(moved, fit.key)
+            points = _ordered(moved, fit.key)
+            cause = causes.exchanged_entries(one, other)
+            yield cause, points
+            if one != (n, n):
+                signs = [-1 if x in order else 1 for x in range(9)]
+                yield causes.both(cause, causes.OFF_DIAGONAL), _signed(signs, points)
         last = 4 * k
         sums = (tuple(p[a] + p[b] if x == last else p[x] for x in range(9)) for p in fit.key)
         yield causes.sum_on_diagonal(k), tuple(sums)
