@@ -164,10 +164,7 @@ def cubature(f, n, rtol, name, error=WorkError):
     )
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
-        raise error(
-            f"the integrals over {name} are not finite: the formula or the density grows without "
-            "bound within the limits"
-        )
+        raise error(f"the integrals over {name} are not finite: look at the limits")
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "

@@ -210,10 +210,7 @@ class Trace:
         """A key that is equal for equal arguments; those of 0.0, -0.0 and 0 differ."""
         if isinstance(a, Step):
             if a.trace is not self:
-                raise ScalarError(
-                    "a value of one formula is used inside another that is being compiled; pass it "
-                    "as an argument"
-                )
+                raise ScalarError("a value of another formula is used here; pass it as an argument")
             return "#", a.number
         if hasattr(a, "key"):  # a formula inside this one, or a table
             return a.key()
@@ -221,9 +218,8 @@ class Trace:
             raise ScalarError(f"a formula that is compiled takes real numbers, got {a}")
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
-                f"an array {a.shape} meets a traced value, which stands for one number: write the "
-                "entries one by one, as [c*x for c in array], or make the array an argument of the "
-                "compiled formula"
+                f"an array {a.shape} meets a traced value: write its entries one by one, or pass "
+                "it as an argument"
             )
         return type(a), repr(a) if isinstance(a, float) else a
 

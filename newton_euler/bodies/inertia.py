@@ -335,8 +335,7 @@ def together(parts: Iterable, frame: Frame, name: str = "G") -> tuple[Scalar, Po
             first = add3(first, scale3(part.mass, _coordinates(part.centre, frame)))
     if is_numeric(mass) and not is_positive(mass):
         raise MassError(
-            f"the total mass is {short(mass)}; it must be positive: the removed parts weigh "
-            "more than what they are cut from"
+            f"the total mass {short(mass)} must be positive: the removed parts weigh too much"
         )
     return mass, frame.point(name, *(x / mass for x in first))
 

@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 import tomllib
-from collections import Counter, defaultdict
+from collections import defaultdict
 from functools import cache
 from pathlib import Path
 
@@ -220,31 +220,7 @@ def test_public_functions_classes_and_methods_have_docstrings():
 
 def defined(body):
     """The names that the statements of one block define as functions or classes."""
-    return [
-        node.name
-        for node in body
-        if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not overloaded(node)
-    ]
-
-
-def overloaded(node):
-    """True for setters and the like, which share a name on purpose."""
-    return any(
-        isinstance(d, ast.Attribute) and d.attr in ("setter", "deleter", "register")
-        for d in getattr(node, "decorator_list", [])
-    )
-
-
-def twice(module):
-    """The names that a block of a module defines again."""
-    tree = tree_of(module)
-    blocks = [tree, *(n for n in ast.walk(tree) if isinstance(n, ast.ClassDef))]
-    names = [(n, name) for n, block in enumerate(blocks) for name in defined(block.body)]
-    return [name for (_, name), count in Counter(names).items() if count > 1]
-
-
-def test_nothing_is_defined_twice():
-    assert faulty(twice) == {}
+    return [n.name for n in body if isinstance(n, (ast.FunctionDef, ast.ClassDef))]
 
 
 def test_notebooks_released_before_the_rooms_still_find_expect_and_receipt():

@@ -181,16 +181,6 @@ def test_a_relative_error_of_an_integral_is_between_0_and_1(bad):
         work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
 
 
-def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
-    @checked
-    def forgetful(x: Scalar) -> Scalar:
-        return {}["nothing"] if x else undefined  # noqa: F821
-
-    for x, bug in ((1.0, KeyError), (0.0, NameError)):
-        with pytest.raises(bug):
-            forgetful(x)
-
-
 def energy(s, p, t):
     return p.g * s.h + s.v**2 / 2
 

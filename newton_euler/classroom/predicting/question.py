@@ -96,8 +96,7 @@ def question(
     right = _right(choices or {}, answer, unit)
     if right not in words or not all(map(str.strip, words.values())):
         raise ArgumentError(
-            f"the answer is one of the choices, and each has its meaning; got {answer!r} of "
-            f"{', '.join(words) or 'none'}"
+            f"the answer is one of the choices, {', '.join(words) or 'none'}; got {answer!r}"
         )
     return Question(text, why, words, right)
 

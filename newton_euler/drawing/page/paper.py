@@ -48,9 +48,7 @@ class Panel(Plots):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        raise NeedsMatplotlib(
-            f"a panel of a page has no {name}; draw on the axes of matplotlib for that"
-        )
+        raise NeedsMatplotlib(f"a panel of a page has no {name}; take the axes of matplotlib")
 
 
 class Page:

@@ -22,6 +22,9 @@ ERRORS = [
     KeyError("mass"),
     AttributeError("the state has no spin"),
     RuntimeError("no more data"),
+    KeyError("Step"),  # a class of the engine
+    ValueError("invalid literal for int() with base 10: 'ufunc'"),
+    AttributeError("'dict' object has no attribute 'real_part'"),
 ]
 
 # public functions that call a function of the user

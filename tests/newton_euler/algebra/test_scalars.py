@@ -85,7 +85,7 @@ def test_zero_swallows_products_and_quotients(x):
 def test_dividing_by_zero_is_refused_in_words(x):
     with pytest.raises(
         ZeroDivisionError,
-        match="is divided by a quantity that is zero by the structure of the formula",
+        match="is divided by a structural zero",
     ):
         x / ZERO
 
@@ -361,7 +361,7 @@ def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
 
 def test_the_size_of_a_moving_number_has_no_rate_at_zero():
     assert abs(Moving(0.0)).value == 0
-    with pytest.raises(ZeroDivisionError, match=r"rate of abs\(x\) does not exist where x = 0"):
+    with pytest.raises(ZeroDivisionError, match=r"abs\(x\) has no rate where x = 0"):
         abs(Moving(0.0, 1.0))
 
 
@@ -448,9 +448,7 @@ def test_unlike_dimensions_do_not_add():
         lambda: MASS + LENGTH * MASS, lambda: LENGTH + np.zeros(3),
         lambda: scalars.atan2(LENGTH, TIME),
     ):  # fmt: skip
-        with pytest.raises(
-            DimensionError, match=r"cannot add .*: look at the units of the two terms"
-        ):
+        with pytest.raises(DimensionError, match=r"cannot add .*: look at the units"):
             wrong()
 
 
@@ -458,7 +456,7 @@ def test_unlike_dimensions_do_not_add():
 def test_functions_take_pure_numbers_only(name):
     with pytest.raises(
         DimensionError,
-        match=rf"{name} of a quantity in m: its argument must be a pure number",
+        match=rf"{name} of a quantity in m: it must be a pure number",
     ):
         function(name, LENGTH)
     assert function(name, Dimension()) == Dimension()
@@ -510,7 +508,7 @@ def test_a_choice_between_unlike_quantities_is_refused():
 
 
 def test_a_branch_on_dimensions_is_referred_to_where():
-    with pytest.raises(DimensionError, match=r"choose by where\(x < y, a, b\), or in a function"):
+    with pytest.raises(DimensionError, match=r"choose by where\(x < y, a, b\)"):
         max(LENGTH, 2 * LENGTH)
 
 

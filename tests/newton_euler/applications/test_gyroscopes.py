@@ -172,7 +172,7 @@ def test_eqn_10_25_against_lagranges_equations():
 
 def test_a_frame_not_made_of_euler_angles_is_refused():
     ground = Frame("ground")
-    with pytest.raises(FrameError, match="wheel is not spun about the z axis of a frame above it"):
+    with pytest.raises(FrameError, match="make wheel by euler_frame"):
         gyro_moment(ground.rotate("wheel", "x", rate=1.0), ground, 1.0, 1.0)
 
 
@@ -362,23 +362,23 @@ def leaning_rates():
 
 
 @pytest.mark.parametrize(("ask", "words"), [
-    (lambda: instantaneous_axis(*resting_box()), "box does not turn in ground at this instant"),
+    (lambda: instantaneous_axis(*resting_box()), "box does not turn in ground"),
     (lambda: normal_moment(*leaning_rates()), "are not at right angles"),
     (lambda: steady_precession(1.0, 2.1, 1.0, spin=1.0, mgr=0.1), "no body of revolution has I = 2.1"),
     (lambda: steady_precession(0.0, 1.0, 1.0, spin=1.0, mgr=0.1), "I0 must be positive"),
     (lambda: steady_precession(1.0, -0.1, 1.0, spin=1.0, mgr=0.1), "no body of revolution"),
     (lambda: steady_precession(0.6, 0.25, 0.9, spin=np.array([12.0, 0.1]), mgr=1.5), "no steady precession is possible"),
-    (lambda: steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0), "without spin a body at this angle can hold no moment"),
+    (lambda: steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0), "without spin the body can hold no moment"),
     (lambda: steady_precession(1.0, 0, 0.5, spin=100.0, mgr=1.0), "without I no spin helps"),
     (lambda: steady_precession(1.0, 1.0, 1.0, spin=1.0), "give one of mgr"),
     (lambda: steady_precession(1.0, 1.0, 1.0, mgr=1.0), "give either spin"),
-    (lambda: steady_precession(1.0, 1.0, 0.0, spin=1.0, moment=1.0), "there is no line of nodes to have a moment about"),
+    (lambda: steady_precession(1.0, 1.0, 0.0, spin=1.0, moment=1.0), "no line of nodes at theta = .* to have a moment about"),
     (lambda: steady_spin(1.0, 1.0, 1.0, 0.0, mgr=1.0), "the precession is zero"),
     (lambda: least_spin(1.0, 1.0, 1.0, mgr=1.0, of="omega"), "of= is 'spin'"),
     (lambda: fast_spin(0.6, 0.25, 0.9, 0.0, mgr=1.5), "approximations for a fast spin"),
     (lambda: free_precession(1.0, 1.0, 0.4, 10.0), "with I = I0 there is no precession"),
-    (lambda: free_precession(1.0, 0.3, math.pi / 2, 10.0), "is pi/2: H has no component along the axis"),
-    (lambda: nutation(0.6, 0.25, 1.5, sympy.Symbol("theta"), 0.0, 0.0, spin=20.0), "roots of a cubic with expressions"),
+    (lambda: free_precession(1.0, 0.3, math.pi / 2, 10.0), "is pi/2: H has no axial component"),
+    (lambda: nutation(0.6, 0.25, 1.5, sympy.Symbol("theta"), 0.0, 0.0, spin=20.0), "the limits of nutation need numbers"),
     (lambda: nutation(0.6, 0.25, 1.5, 0.9, 0.0, 0.0), "give either spin"),
 ])  # fmt: skip
 def test_what_does_not_exist_or_is_not_given_is_refused_in_words(ask, words):

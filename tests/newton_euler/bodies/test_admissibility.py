@@ -156,7 +156,7 @@ def test_what_must_be_positive_is_positive_and_finite(x):
 @pytest.mark.parametrize("mass", [0.0, -2.0])
 def test_the_mass_of_an_inertia_is_positive_and_its_moments_are_finite(mass):
     body = Frame("body")
-    with pytest.raises(MassError, match=r"the mass is .*; it must be positive"):
+    with pytest.raises(MassError, match=r"the mass must be positive"):
         Inertia(body, (1.0, 1.0, 1.0), mass=mass)
     for place in range(3):
         moments = [1.0, 1.0, 1.0]

@@ -251,5 +251,5 @@ def test_symmetry_in_symbols_is_seen_by_form():
 
 
 def test_symmetry_of_many_matrices_is_refused():
-    with pytest.raises(MassError, match="not one symmetry; ask for each instant"):
+    with pytest.raises(MassError, match="a symmetry at each instant: ask for one"):
         Inertia(Frame("body"), (np.array([8.0, 9.0]), 11.0, 11.0)).symmetry()

@@ -306,7 +306,7 @@ def test_power_asks_for_what_belongs_together():
     ground = Frame("ground")
     with pytest.raises(FrameError, match="two Vectors, two triples"):
         power(ground.i, (1.0, 0, 0))
-    with pytest.raises(FrameError, match="needs the Point at which the force acts or the Frame"):
+    with pytest.raises(FrameError, match="takes a Point, or the Frame of a couple"):
         power(ground.i, (1.0, 0, 0), ground)
     with pytest.raises(FrameError, match="share no frame"):
         power(ground.i, Frame("elsewhere").i)

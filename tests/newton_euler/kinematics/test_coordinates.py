@@ -36,7 +36,7 @@ SYSTEMS = {
 
 every_system = pytest.mark.parametrize("system", SYSTEMS)
 EPS = 2.0**-52
-moderate = st.floats(-3, 3)
+moderate = st.floats(-3, 3).map(lambda x: x if abs(x) > 1e-300 else 0.0)  # below, digits are lost
 small = within(2e-14, 26)
 
 
@@ -162,7 +162,7 @@ def test_on_the_axis_the_way_back_is_refused_in_words(back):
             back(ground.vector(x, 0 * x, 1 + 0 * x), v=ground.vector(1.0, 0, 0))
     with pytest.raises(SingularError):
         back(ground.vector(np.array([1.0, 0.0]), np.array([0.5, 0.0]), 1.0))
-    with pytest.raises(SingularError, match="polar components are for motion in the x, y plane"):
+    with pytest.raises(SingularError, match="polar components are for the x, y plane"):
         polar_coordinates(ground.vector(1.0, 1.0, 0.5))
     with pytest.raises(SingularError):
         polar_coordinates(ground.vector(0.0, 0.0, 0))

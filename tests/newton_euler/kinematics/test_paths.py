@@ -196,7 +196,7 @@ def test_flexure_and_speed_rate_exist_on_a_line_and_not_at_rest():
             refused(ground.vector(0.0, 0.0, 0.0), a)
     with pytest.raises(SingularError, match="at rest"):
         frenet_along(lambda q: (q**2, q**3, 0), 0.0, ground)  # a cusp
-    with pytest.raises(SingularError, match=r"path stands still at q = 0\.0"):
+    with pytest.raises(SingularError, match=r"is zero at q = 0\.0: the path stands still"):
         at_speed(lambda q: (q**2, q**3, 0), 0.0, 1.0)
 
 
@@ -211,9 +211,7 @@ def test_the_contact_point_of_a_rolling_wheel_is_at_rest_not_moving_at_1e_minus_
 
 
 def test_a_path_must_return_three_coordinates():
-    with pytest.raises(
-        FrameError, match=r"three coordinates \(x, y, z\), with 0 for z in the plane"
-    ):
+    with pytest.raises(FrameError, match=r"three coordinates \(x, y, z\), 0 for z in the plane"):
         frenet_along(lambda q: (q, q), 1.0, ground)
 
 

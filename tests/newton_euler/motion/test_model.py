@@ -14,7 +14,7 @@ import pytest
 import sympy
 from scipy import interpolate
 
-from newton_euler import Dimension, Event, cos, exp, integrate, sin, table, where
+from newton_euler import Dimension, cos, exp, integrate, sin, table, where
 from newton_euler.algebra import ZERO
 from newton_euler.algebra.scalars import DivisionError, RangeError
 from newton_euler.motion.model import (
@@ -221,24 +221,6 @@ def test_print_in_the_rates_is_reported(capsys):
     with pytest.warns(UserWarning, match="'q' prints when it is traced, without values"):
         Model("q", {}, ("v",), rates)
     assert "v is <traced v>" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize(
-    ("rate", "kind"),
-    [
-        (lambda s, p, t: s.v + (1, 2, 3)[5], IndexError),
-        (lambda s, p, t: s.v + len(5), TypeError),
-        (lambda s, p, t: s.v + [].mass, AttributeError),
-    ],
-)  # fmt: skip
-def test_what_a_users_own_function_raises_is_raised_as_it_is(rate, kind):
-    with pytest.raises(kind) as raised:
-        Model("q", {}, ("v",), lambda s, p, t: (rate(s, p, t),))
-    assert type(raised.value) is kind
-    fall = Model("fall", {}, ("v",), lambda s, p, t: (-1.0 + 0 * s.v,))
-    with pytest.raises(kind) as raised:
-        integrate(fall, (0.0, 1.0), (1.0,), events=[Event(rate)])
-    assert type(raised.value) is kind
 
 
 PULLED = Model("pulled", {}, ("x",), lambda s, p, t: (-1 / s.x,))

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Model, sin, sqrt
+from newton_euler import Model, sin
 from newton_euler.motion import second_order
 from newton_euler.motion.methods import taylor
 from newton_euler.motion.methods.base import LengthError, StepError
@@ -286,11 +286,6 @@ def test_a_prepared_series_that_does_not_reach_its_end_has_none(model, t, start)
     assert prepared(model)(t, start) is None
 
 
-def test_there_is_no_prepared_series_that_might_not_see_all_of_the_rates():
-    drag = Model("drag", {}, ("v",), lambda s, p, t: (-1.0 - sqrt(s.v * s.v) * s.v,))
-    assert prepared(drag) is None
-
-
 def test_a_prepared_series_that_needs_too_many_steps_is_left_to_integration(monkeypatch):
     monkeypatch.setattr(taylor, "MAX_PREPARED_STEPS", 3)
     assert prepared()(50.0, (1.0, 0.0)) is not None
@@ -321,14 +316,3 @@ def test_the_steps_of_a_long_motion_are_not_kept_for_the_state_at_one_instant(mo
     one.step()
     assert one.states([12.0])[:, 0] == pytest.approx(swing(12.0), abs=1e-12)
     assert "dense" not in vars(one)
-
-
-def test_a_prepared_series_is_compiled_once():
-    system = PreparedModel(second_order("own", {}, ("x",), lambda s, p, t: (-23 * s.x,)))
-    run = Taylor.fast_run(system, 1e-12)
-    kept = []
-    for start in ((1.0, 0.0), (0.0, 1.0)):
-        run(1.0, start)
-        kept.append([*system.traced.integrators.values()])
-    assert [len(free) for free in kept[1]] == [1]
-    assert kept[0][0][0] is kept[1][0][0]
