@@ -113,6 +113,7 @@ TRANSPOSED = slip(
     "transposed", Words("writes the transposed matrix: rows stand in place of columns")
 )
 SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
+ZERO = slip("zero", Words("finds zero: not all that it depends on vanishes"))
 ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
 INVERTED = slip("inverted", Words("is upside down: what divides and what is divided are exchanged"))
 OFF_DIAGONAL = slip(

@@ -116,6 +116,7 @@ def _edits(formulas):
     yield from quantities.of_binomials(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
+    yield from groups.of_inner_derivatives(steps, products, number)
     for s, users in users_in.items():
         if s not in written:
             continue

@@ -202,6 +202,7 @@ def of_vectors(answers: Iterable[Sequence[Any]]) -> Iterator[Edit]:
     for parts in answers:
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             found |= dict.fromkeys(_alike(parts))
+            yield from _of_factors(parts)
     for steps in found:
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
@@ -210,6 +211,20 @@ def of_vectors(answers: Iterable[Sequence[Any]]) -> Iterator[Edit]:
             SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
         )
         yield Edit(SIMPLE, computed(f"no {names}", zero), {s.number: 0.0 for s in steps})
+
+
+def _of_factors(steps):
+    """The same where they are factors: left out of the products in one place of each component."""
+    ops = {s.op for s in steps}
+    for k, own in enumerate(zip(*(s.args for s in steps), strict=False) if len(ops) == 1 else ()):
+        if not all(isinstance(x, Step) for x in own):
+            continue
+        if ops == {"*"} and len(set(own)) == len(own) and {x.op for x in own} == {"argument"}:
+            names = joined(x.args[0] for x in own)
+            words = Words("leaves out the factors {names}: they are one vector", names=names)
+            instead = {s.number: s.args[1 - k] for s in steps}
+            yield Edit(LESS, computed(f"without {names} {[*instead]}", words), instead)
+        yield from _of_factors(own)
 
 
 def _alike(steps):

@@ -93,6 +93,27 @@ def of_factors(products: Iterable[Step], number: Callable[[Step], Any]) -> Itera
             yield Edit(LESS, computed(f"no {x.number}", words), {x.number: ("/", x, number(x))})
 
 
+def of_inner_derivatives(
+    steps: Iterable[Step], products: Iterable[Step], number: Callable[[Step], Any]
+) -> Iterator[Edit]:
+    """The factors of the chain rule left out: a given that stands in the argument of a function and
+    before it.
+    """
+    inside = {s.args[0] for s in steps if s.op in ("sin", "cos", "exp")}
+    found: dict[Step, dict[int, Any]] = {}
+    for s in products:
+        for x, power in Product(s).powers.items():
+            if x.op == "argument" and s not in inside and power > 0:
+                found.setdefault(x, {})[s.number] = ("/", s, ("**", number(x), float(power)))
+    for x, instead in found.items():
+        if any(x in Product(a).powers for a in inside if isinstance(a, Step) and a is not x):
+            words = Words(
+                "leaves out the inner derivative {name}: the chain rule brings it in",
+                name=x.args[0],
+            )  # fmt: skip
+            yield Edit(LESS, computed(f"inner {x.number}", words), instead)
+
+
 def neighbours(c: Fraction) -> list[Fraction]:
     """The factors with the next numbers, as 1/4 and 1/6 for 1/5; none of large numbers."""
     n, d = c.numerator, c.denominator

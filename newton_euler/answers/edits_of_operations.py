@@ -162,6 +162,9 @@ def of_product(
         words = Words("inverts {quotient}: {why}", quotient=quotient, why=why(s))
         yield LESS, "inverse", words, ("/", 1.0, s)
     c = abs(product.coefficient)
+    if s.args[0] is s.args[1] and (turn := _multiple_of_pi(s.args[0])):
+        words = Words("does not square 2*pi{of}: the formula has its square", of=of)
+        yield LESS, "2 pi", words, ("/", s, turn)
     if product.is_exact and c != 1 and c.denominator < 100:
         for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
             rank = LESS if other in (c / 2, 2 * c) else LEAST
@@ -179,6 +182,12 @@ def of_product(
                 "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of
             )
             yield SIMPLE, f"constant {lost}", words, ("/", s, float(lost))
+
+
+def _multiple_of_pi(x):
+    """The number in a product that is 2*pi; 0 of any other."""
+    numbers = [a for a in getattr(x, "args", ()) if isinstance(a, float)]
+    return 2 * pi if x.op == "*" and 2 * pi in numbers else 0.0
 
 
 def _of_ratios(s, product, dimension, of):

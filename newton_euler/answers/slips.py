@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
+from itertools import chain, combinations
 
 from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
@@ -120,13 +120,16 @@ def of_components(fit: Fit) -> Models:
 
 
 def of_none(fit: Fit) -> Models:
-    """Components where there are none, of a vector of which all others are right."""
-    if fit.index is not None and len(fit.key[0]) == 3:
-        given, key, size = fit.first
-        near = fit.rtol * size
-        off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
-        if all(abs(key[n]) <= NOISE * size for n in off) and len(off) < 3:
-            yield causes.added_components(off), fit.given
+    """Components where there are none, of a vector of which all others are right; zero."""
+    if fit.index is None:
+        return
+    given, key, size = fit.first
+    if not any(chain(*fit.given)):
+        yield causes.ZERO, fit.given
+    near = fit.rtol * size
+    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
+    if len(key) == 3 and 0 < len(off) < 3 and all(abs(key[n]) <= NOISE * size for n in off):
+        yield causes.added_components(off), fit.given
 
 
 def _factors(fit, ratio, found):
