@@ -7,7 +7,7 @@ CASES = 1, 2
 
 
 def pin(g, case):
-    """Velocity and acceleration of P along x, y; C moves as P does along x."""
+    """Velocity and acceleration of P along x, y; C moves like P along x."""
     ground = Frame("ground")
     rates = {1: (g.omega, 0 * g.alpha), 2: (0 * g.omega, g.alpha)}[case]
     P = polar(ground, "P", g.d, moving(g.theta, *rates))
@@ -25,7 +25,7 @@ def steps(g):
 
 
 def prove(g):
-    """The place of P by the tangent u of half the angle, without sines and cosines."""
+    """The position of P in terms of u = tan(theta/2)."""
 
     def P(theta):
         u = mp.tan(theta / 2)

@@ -31,7 +31,7 @@ follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
 
 
 def prove(g):
-    """The rims in time, turned by the tape; at this speed P1 has the given acceleration inward."""
+    """The rims over time; the speed gives P1 the given inward acceleration."""
     path = lambda r, v: lambda t: at_angle(r, (v * t + g.a_t2 * t**2 / 2) / r)
     acceleration = lambda r, v: second_rate(path(r, v))
     fast = mp.mpf(100) * mp.sqrt(g.a_n1 * g.r_1 + g.a_t2 * g.r_1)

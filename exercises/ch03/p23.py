@@ -33,7 +33,7 @@ def steps(g):
 
 
 def prove(g):
-    """The matrix from the unit vectors that are drawn at the place of the car."""
+    """The matrix from the unit vectors at the car."""
     P = ride.car_in_time(g)
     here, there, v = cylindrical_axes(P(0)), spherical_axes(P(0)), rate(P)
     answers = {"T_phi": times(there, transposed(here)), "v": times(there, v)}

@@ -7,7 +7,7 @@ SPACE, PLANE = "particle", "particle in plane"
 
 
 def rod(P):
-    """The particle stays at one distance, here the unit of length, from O."""
+    """The particle stays at unit distance from O."""
     return sum(x * x for x in P) - 1
 
 
@@ -24,7 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the one angle that says where P is."""
+    """By the angle that locates P."""
     return {"dof": freedom(lambda q: [mp.sin(q), -mp.cos(q)], mpf("0.4"))}
 
 

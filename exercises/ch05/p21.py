@@ -5,7 +5,7 @@ from newton_euler import Frame, dynamics
 
 
 def sphere(P):
-    """The particle stays at one distance, here the unit of length, from O."""
+    """The particle stays at unit distance from O."""
     return sum(x * x for x in P) - 1
 
 
@@ -23,7 +23,7 @@ def steps(g):
 
 
 def prove(g):
-    """By two angles, as of longitude and latitude, that say where P is."""
+    """By the longitude and latitude of P."""
     place = lambda longitude, lat: at_angle(mp.cos(lat), longitude, mp.sin(lat))
     return {"dof": freedom(place, mpf("0.4"), mpf("-0.7"))}
 

@@ -12,14 +12,14 @@ def count(bodies=BLOCKS, **constraints):
 
 
 def answers(dof, without):
-    """The count with springs and dampers, and the word for the count without."""
+    """The count with springs and dampers, and the choice for the count without."""
     more = without.count - dof.count
     word = "larger" if more > 0 else "smaller" if more else "unchanged"
     return {"dof": dof, "without": word}
 
 
 def solve(g):
-    # springs and dampers are forces, not constraints: the system is the same without them
+    # springs and dampers are forces, not constraints
     return answers(count(), count())
 
 
@@ -28,7 +28,7 @@ def steps(g):
 
 
 def prove(g):
-    """Any distances of the blocks are possible, whatever forces it takes."""
+    """By the positions of the blocks, which are independent."""
     return {"dof": freedom(lambda x, y: [x, y], mpf(1), mpf(2)), "without": "unchanged"}
 
 

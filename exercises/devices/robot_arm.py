@@ -12,7 +12,7 @@ def robot(g):
 
 
 def tip_in_time(g):
-    """Proof, the place of P in time."""
+    """Proof: position of P over time."""
 
     def P(t):
         beta = g.beta_1 + g.b_dot * t + g.b_ddot * t**2 / 2
@@ -23,7 +23,7 @@ def tip_in_time(g):
 
 
 def figure(g, ax, ground, base, P):
-    """The figure, without axes, of these frames and P; returns the sketch."""
+    """The figure without axes; returns the sketch."""
     O, A = ground.point("O", 0, 0, 0), P.frame.point("A", 0, 0, g.l_OA)
     up, foot = (0, 0, 0.8 * g.l_OA), (0, 0, -0.5 * g.l_OA)
     x, _, z = A.position(ground)

@@ -55,11 +55,9 @@ def _terms(right, problem):
         yield causes.term_left_out(name, term).at(where), right.reweighted(**{name: 0})
         yield causes.term_reversed(name, term).at(where), right.reweighted(**{name: -1})
     # spherical components have three of them
-    coriolis = [name for name in right.terms or () if name.startswith("coriolis")]
-    if coriolis:
-        yield causes.CORIOLIS_HALVED.at(where), right.reweighted(**dict.fromkeys(coriolis, 0.5))
-        reversed_ = right.reweighted(**dict.fromkeys(coriolis, -0.5))
-        yield causes.CORIOLIS_HALVED_AND_REVERSED.at(where), reversed_
+    halved = {name: 0.5 for name in right.terms or () if name.startswith("coriolis")}
+    if halved:
+        yield causes.CORIOLIS_HALVED.at(where), right.reweighted(**halved)
 
 
 def _where(right, problem):

@@ -87,11 +87,36 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     if not causes:
         return None
     see = _(" (see {where})", where=causes[0].where) if causes[0].where else ""
-    words, *others = dict.fromkeys(c.what for c in causes)
-    for other in others or [spoken(causes[0].text)]:
-        longer = _("{first}; or one that {other}", first=words, other=other) if others else other
-        words = longer if len((longer + see).split()) <= WORDS else words
-    return words + see
+    texts = _together(dict.fromkeys(c.text for c in causes))
+    first, *others = dict.fromkeys(spoken(text).partition(": ")[0] for text in texts)
+    words = first
+    for other in others:
+        two = _("{first}; or one that {other}", first=words, other=other)
+        words = two if _has_room(two, see) else words
+    in_full = spoken(texts[0])
+    return (in_full if words == first and _has_room(in_full, see) else words) + see
+
+
+def _has_room(words, see):
+    return len((words + see).split()) <= WORDS
+
+
+def _together(texts):
+    """The texts; of two that differ in one value only, one that has both."""
+    found: list[str] = []
+    for text in texts:
+        for n, other in enumerate(found):
+            mine, others = (getattr(x, "values", {}) for x in (text, other))
+            alike = mine and getattr(other, "template", "") == text.template
+            differ = [k for k in mine if alike and mine[k] != others[k]]
+            if len(differ) == 1 and differ[0] in ("term", "quantity", "name", "factor"):
+                (k,) = differ
+                both = Words("{first} or {second}", first=others[k], second=mine[k])
+                found[n] = Words(text.template, **{**mine, k: both})
+                break
+        else:
+            found.append(text)
+    return found
 
 
 def slip(name: str, text: Words) -> Cause:
@@ -220,6 +245,15 @@ def exchanged_components(places: Sequence[int]) -> Cause:
     return slip(f"exchanged {which}", text)
 
 
+def moved_component(of: int, to: int) -> Cause:
+    """What belongs to one component is added to another one."""
+    text = Words(
+        "puts its {one} component along the {other} axis: each belongs to its own axis",
+        one=ORDINALS[of], other=ORDINALS[to],
+    )  # fmt: skip
+    return slip(f"moved {of} to {to}", text)
+
+
 def exchanged_axes(places: Sequence[int]) -> Cause:
     """A matrix whose rows and columns are those of other axes."""
     which = _ordinals(places)
@@ -310,6 +344,9 @@ def both(first: Cause, second: Cause) -> Cause:
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
+    if second == OPPOSITE_NUMBER and " with the opposite sign" in one:
+        what = one.removeprefix("has ").removesuffix(" with the opposite sign")
+        return Cause("both", name, Words("has all but {term} with the opposite sign", term=what))
     if len(f"{one} {other}".split()) > BRIEF:
         short = min(one, other, key=lambda x: len(x.split())).partition(", ")[0]
         words, more = short.split()[: BRIEF - 3], short.split()[BRIEF - 3 :]
@@ -372,11 +409,6 @@ def left_out(cause: Cause) -> str:
     return values[found[1]] if found else ""
 
 
-def is_reversed(cause: Cause) -> bool:
-    """True of a mistake by which a term has the opposite sign."""
-    return getattr(cause.text, "template", "").startswith("has {term} with the opposite sign")
-
-
 def multiple_of(term: str) -> Cause:
     """A remark: a term has another factor."""
     words = Words("all but the factor of {term} is right", term=term)
@@ -387,15 +419,6 @@ CORIOLIS_HALVED = Cause(
     "term",
     "coriolis / 2",
     Words("writes the Coriolis term without the factor 2: two equal effects add up in it"),
-)
-
-CORIOLIS_HALVED_AND_REVERSED = Cause(
-    "term",
-    "coriolis / -2",
-    Words(
-        "writes the Coriolis term with the opposite sign and without the factor 2: the equation "
-        "adds it twice"
-    ),
 )
 
 

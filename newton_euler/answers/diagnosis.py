@@ -107,11 +107,15 @@ def diagnose(
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
     computed: list[Hit] = []
-    if slips and all(_says_little(h.cause, kind) for h in general):  # what is listed costs less
+    doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
+    if slips and all(doubtful):  # what is listed costs less
         computed = _simplest(fit, slips(fit, kind), elsewhere)
+        if any(elsewhere.contradicts(h.cause) for h in general):
+            computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
     if general:  # either may have been done: they give the same numbers
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
+        found = tuple(sorted(found, key=elsewhere.contradicts))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
     # a factor of some components, met within the digits written: one slip goes before two
@@ -169,6 +173,9 @@ def _simplest(fit, near, elsewhere):
     """
     if not near:
         return []
+    # a number in a wrong unit may be as good as zero, or as good as all there is
+    is_zero = any("not zero here" in cause.text for _, cause, _ in near)
+    near = [hit for hit in near if not (is_zero and hit[1].group == "unit")]
     hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]

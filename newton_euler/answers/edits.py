@@ -29,10 +29,6 @@ from .formulas import (
 )
 from .typed import Product, described, repeats
 
-FUNCTIONS = {
-    "acos": Words("the cosine"), "asin": Words("the sine"),
-    "atan": Words("the tangent"), "atan2": Words("the tangent"),
-}  # fmt: skip
 MANY = 8  # uses of a step, of which no single one is looked at
 ONCE = 4  # by which the rank of a slip in one use is higher than that of the same in all
 
@@ -89,7 +85,8 @@ def _edits(formulas):
     yield from givens.of_shifted(anything, read, steps)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
-    yield from givens.of_vectors([a.parts for a in answers.values()])
+    yield from givens.of_lengths(given, read)
+    yield from givens.of_vectors({key: a.parts for key, a in answers.items()})
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
     yield from _of_stages(answers, formulas.stages, dimensions)
@@ -105,6 +102,10 @@ def _edits(formulas):
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
     yield from equations.of_equations(formulas.systems)
     yield from quantities.of_quantities(answers, formulas.stages, steps, dimensions.get)
+    named = [(s.means, s.parts) for s in formulas.stages if s.means]
+    named += [(key, a.parts) for key, a in answers.items()]
+    yield from quantities.of_cross_products(named)
+    yield from quantities.of_ratios(named, answers, given, dimensions.get)
     yield from quantities.of_distances(given, products, dimensions.get)
     angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
     yield from quantities.of_components(given, angles, dimensions.get)
@@ -112,11 +113,9 @@ def _edits(formulas):
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_other_entries(answers)
-    yield from quantities.of_cross_products(answers, formulas.stages, steps)
-    yield from quantities.of_binomials(steps)
+    yield from quantities.of_sums_squared(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
-    yield from groups.of_inner_derivatives(steps, products, number)
     for s, users in users_in.items():
         if s not in written:
             continue
@@ -288,13 +287,6 @@ def _of_angles(answers):
     for whole, words in others if angles else ():
         cause = computed(f"{whole} - angle", words)
         yield Edit(RARER, cause, {x.number: ("-", whole, x) for x in angles})
-    for a in answers.values():
-        x = a.parts[0]
-        if isinstance(x, Step) and x.op in FUNCTIONS and unit(a.unit).is_of_angle:
-            words = Words("gives {name} of the angle: the angle is asked for", name=FUNCTIONS[x.op])
-            inside: Any = x.args[0] if len(x.args) == 1 else ("/", *x.args)
-            instead = {x.number: ("*", inside, unit(a.unit).to_base(1.0, SI))}
-            yield Edit(RARER, computed(f"inside {x.number}", words), instead)
 
 
 def _of_stages(answers, stages, dimensions):

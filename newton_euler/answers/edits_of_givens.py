@@ -2,16 +2,16 @@
 mass.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, permutations
 from math import pi
 from typing import Any
 
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import computed, unconverted
+from .causes import Cause, computed, unconverted
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
@@ -57,9 +57,9 @@ def of_given(
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
-    twice = Words("takes twice {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
+    twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)
     yield rank, TWICE, twice, ("*", s, 2.0)
-    half = Words("takes half of {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
+    half = Words("takes half of {name}, or lacks a factor 2 beside it: {why}", name=name, why=is_it)
     yield rank, HALF, half, ("*", s, 0.5)
     yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
     yield (
@@ -95,18 +95,24 @@ def of_given(
 
 
 def of_symbol(s: Step, given: Mapping[str, Step], units: Mapping[str, str]) -> Iterator[Slip]:
-    """A symbol for one in another unit, and the sum of two for one of them."""
+    """A symbol for one in another unit."""
     name = s.args[0]
     for other, step in given.items():
         if units[other] != units[name]:
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
             yield LEAST, f"symbol {other}", words, step
-        elif other != name:
-            words = Words(
-                "takes {name} + {other} for {name}: {name} counts alone there",
-                name=name, other=other,
-            )  # fmt: skip
-            yield LEAST, f"sum {other}", words, ("+", s, step)
+
+
+def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """A length to another point: more or less by another one, or by half of it."""
+    lengths = [n for n in given if read[n].dimension == LENGTH]
+    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
+        for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
+            for op in ("+", "-"):
+                words = Words("takes {name} {op} {part} for {name}: it leads to another point",
+                              name=name, op=op, part=part)  # fmt: skip
+                cause = computed(f"{name} {op} {part}", words)
+                yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
 def of_integrand(s: Step) -> Iterator[Slip]:
@@ -128,7 +134,7 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             "converts {name} from {unit} the wrong way: its factor is inverted",
             name=name, unit=own.text,
         )  # fmt: skip
-        yield LESS, "wrong way", words, ("*", s, ratio * ratio)
+        yield LESS, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
@@ -194,14 +200,16 @@ def of_shifted(
                 yield Edit(LESS, computed(f"shifted {pairs}", words), instead)
 
 
-def of_vectors(answers: Iterable[Sequence[Any]]) -> Iterator[Edit]:
+def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     """The givens that are the components of one vector, with the opposite sign or left out: those
-    in the same place in all components of an answer.
+    in the same place in all components of an answer; they themselves, or added to it.
     """
     found = dict[tuple[Step, ...], None]()
-    for parts in answers:
+    for key, parts in answers.items():
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
-            found |= dict.fromkeys(_alike(parts))
+            own = dict.fromkeys(_alike(parts))
+            found |= own
+            yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
     for steps in found:
         names = joined(s.args[0] for s in steps)
@@ -225,6 +233,17 @@ def _of_factors(steps):
             instead = {s.number: s.args[1 - k] for s in steps}
             yield Edit(LESS, computed(f"without {names} {[*instead]}", words), instead)
         yield from _of_factors(own)
+
+
+def _of_whole_vectors(key, parts, vectors):
+    for steps in vectors if len(parts) == 3 else ():
+        names = joined(s.args[0] for s in steps)
+        alone = Words("gives {names} unchanged: {key} is asked for", names=names, key=key)
+        more = Words("adds {names} to {key}: it alone is asked for", names=names, key=key)
+        pairs = [*zip(parts, steps, strict=True)]
+        yield Edit(LESS, computed(f"{names} for {key}", alone), {x.number: s for x, s in pairs})
+        added = {x.number: ("+", x, s) for x, s in pairs}
+        yield Edit(LESS, computed(f"{names} and {key}", more), added)
 
 
 def _alike(steps):

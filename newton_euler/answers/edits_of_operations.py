@@ -27,6 +27,7 @@ TANGENT = Words("takes tan({angle}) for 1/cos({angle}): that is another side of 
 DOUBLED = {("sin", 2): TWICE_ITS_ANGLE, ("cos", 2): TWICE_ITS_ANGLE, ("cos", -1): TANGENT.template}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
 INVERSE = ("asin", "acos", "atan", "atan2")
+SINES = {"asin": Words("sine"), "acos": Words("cosine")}
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RATIOS = {
@@ -86,7 +87,7 @@ def _of_sum(s):
             yield turning, "sign", words, turned
         yield rank, "term", Words("leaves out {term}: it is not zero here", term=what), left
         doubles = Words("doubles {term}: it counts once", term=what)
-        halves = Words("halves {term}: it counts once", term=what)
+        halves = Words("halves {term}: it counts in full", term=what)
         kinds = (2.0, "doubles", doubles), (0.5, "halves", halves)
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
@@ -277,18 +278,39 @@ def _of_root(s):
         words = Words("does not square the numbers in {sum}: the whole term is squared", sum=inside)
         sums = [roots.get(getattr(y, "number", -1), y) for y in squares]
         yield SIMPLE, "numbers", words, ("sqrt", reduce(lambda a, b: ("+", a, b), sums))
-    if len(squares) > 1 and all(Product(a).is_square for a in squares):
-        words = Words("adds components as numbers: they are at right angles")
-        bases = [a.args[0] for a in squares if isinstance(a, Step) and a.args[0] is a.args[-1]]
-        for sizes in [[("sqrt", a) for a in squares], *[bases] * (len(bases) == len(squares))]:
-            whole = reduce(lambda a, b: ("+", a, b), sizes)
-            yield SIMPLE, f"components {whole[0]}", words, whole
+    if len(squares) > 1 and all(Product(a).is_square and Product(a).powers for a in squares):
+        yield from _of_components([Product(a) for a in squares])
         return
     sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in ("+", "-")]
     for y in [x] if x.op in ("+", "-") else sums:
         roots: Any = (y.op, *(("sqrt", ("abs", a)) for a in y.args))
         words = Words("takes the root of each term of a sum: it is the root of the whole")
         yield LESS, "roots", words, ("*", s, ("/", roots, ("sqrt", y)))
+
+
+def _of_components(squares):
+    """The size of a vector by its components as numbers, or by no squares, or by squares of sums in
+    which each term is squared by itself.
+    """
+
+    def total(parts):
+        return reduce(lambda a, b: ("+", a, b), parts)
+
+    sides = [
+        reduce(lambda a, b: ("*", a, b), [("**", x, p / 2) for x, p in square.powers.items()])
+        for square in squares
+    ]
+    words = Words("adds components as numbers: they are at right angles")
+    yield SIMPLE, "components", words, total([("abs", side) for side in sides])
+    yield LESS, "signed components", words, ("abs", total(sides))
+    words = Words("does not square the components: the squares are added, and then the root taken")
+    yield LESS, "no squares", words, ("sqrt", ("abs", total(sides)))
+    sums = [next(iter(square.powers)) for square in squares]
+    if all(x.op in ("+", "-") for x in sums):
+        words = Words("squares each term of a sum by itself: twice their product belongs to it")
+        for op in ("+", "-"):
+            each = [(op, *(("*", a, a) for a in x.args)) for x in sums]
+            yield LESS, f"each squared {op}", words, ("sqrt", ("abs", total(each)))
 
 
 def _number_in(x):
@@ -315,6 +337,10 @@ def _of_function(s):
             other=f"{twin}({inside})", own=f"{s.op}({inside})",
         )  # fmt: skip
         yield rank, f"cofunction {twin}", words, (twin, x)
+    if s.op in SINES:
+        words = Words("gives the {f} of the angle: the angle itself is asked for", f=SINES[s.op])
+        yield LESS, "no inverse", words, x
+        yield LESS, "no inverse, degrees", words, ("*", x, pi / 180)
     if s.op in _SUPPLEMENT:
         words, turned = _SUPPLEMENT[s.op]
         if x.op == "argument" and s.op == "cos":  # given, as a latitude: no other angle is meant

@@ -20,7 +20,6 @@ from .causes import (
     OPPOSITE_NUMBER,
     Cause,
     both,
-    is_reversed,
     left_out,
     multiple_of,
     multiplied,
@@ -146,8 +145,19 @@ class _Pairs:
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
                 met = self.of_symbols or not by_chance
                 differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
-                if met and differ and self._is_named(one, two, op):
+                one = self._of_one_term(one, two, rows - key) if op is _added else one
+                if met and differ and one is not None and self._is_named(one, two, op):
                     yield one, two
+
+    def _of_one_term(self, one, two, changes):
+        """The first of two mistakes; of one that leaves out the term of which the other is a half,
+        the one that reverses it; None if there is none.
+        """
+        near = NOISE * abs(changes[one]).max()
+        if (abs(changes[one] - 2 * changes[two]) > near).any():
+            return one
+        reverses = (abs(changes[: self.own] - 2 * changes[one]) <= near).all(axis=1)
+        return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
         """False where no pair gives the largest component of the key, as of most answers."""
@@ -166,10 +176,9 @@ class _Pairs:
     def _is_named(self, i, j, op):
         """True of what is not met by two mere factors, and of a formula at all points."""
         by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
-        if op is _added or by_sign:
+        if op is _added:
             key, rows = self.at(self.fit.index)
-            is_twice = by_sign and is_reversed(self.causes[i][1])
-            if is_twice or _are_of_one_term(*(rows[[i, j]] - key)):
+            if _are_of_one_term(*(rows[[i, j]] - key)):
                 return False
         if op is _multiplied and not by_sign:
             key, rows = self.at(self.fit.index)

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import chain, combinations
+from itertools import chain, combinations, permutations
 
 from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
@@ -83,11 +83,11 @@ def of_powers(fit: Fit) -> Models:
     if fit.index is None:
         return
     yield from _factors(fit, _ratio(fit), TENS)
-    if len(fit.first[1]) != 1:
+    if len(fit.first[1]) > 2:
         yield from left_out(fit) if len(fit.first[1]) == 3 else ()
         return
     for cause, power in (causes.SQUARED, 2.0), (causes.ROOT, 0.5), (causes.INVERTED, -1.0):
-        yield cause, tuple((_power(x, power),) for (x,) in fit.key)
+        yield cause, tuple(tuple(_power(x, power) for x in point) for point in fit.key)
 
 
 def _power(x, power):
@@ -202,6 +202,20 @@ def _signs(fit):
         yield causes.reversed_components(off), _signed(signs, fit.key)
     if len(off) == 1:
         yield from left_out(fit)
+    yield from _moved(fit, near)
+
+
+def _moved(fit, near):
+    """One component added to another one, in its place nothing."""
+    given, key, size = fit.first
+    for n, m in permutations(range(len(key)), 2):
+        rest = all(abs(given[k] - key[k]) <= near for k in {0, 1, 2} - {n, m})
+        for sign in (1, -1) if rest and abs(given[n]) <= NOISE * size < abs(key[n]) else ():
+            if abs(given[m] - key[m] - sign * key[n]) <= near and abs(key[m]) > NOISE * size:
+                moved = [[*point] for point in fit.key]
+                for point in moved:
+                    point[n], point[m] = 0.0, point[m] + sign * point[n]
+                yield causes.moved_component(n, m), tuple(map(tuple, moved))
 
 
 def left_out(fit: Fit) -> Models:

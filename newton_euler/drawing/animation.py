@@ -160,11 +160,10 @@ def animate(
     count = len(instants)
     size, dpi = _checked_size(size, dpi)
     _check_amount(count, size, dpi)
-    kind, blank, drawn = (
-        ("image/png", _figure, _pictures)
-        if is_here("matplotlib")
-        else ("image/svg+xml", _page, _svgs)
-    )
+    kind, blank, drawn = "image/png", _figure, _pictures
+    if not is_here("matplotlib"):
+        kind, blank = "image/svg+xml", lambda size, dpi: Page(size)
+        drawn = lambda pages: (svg(page).encode() for page in pages)  # noqa: E731
     figures, pictures = [], []
     for n, t in enumerate(instants, 1):
         figures.append(blank(size, dpi))
@@ -185,14 +184,6 @@ def _figure(size, dpi):
     figure = Figure(figsize=size, dpi=dpi)
     figure.add_axes((0.06, 0.06, 0.88, 0.88))
     return figure
-
-
-def _page(size, _):
-    return Page(size)
-
-
-def _svgs(pages):
-    return (svg(page).encode() for page in pages)
 
 
 def _draw(draw, t, ax):

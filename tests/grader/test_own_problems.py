@@ -94,7 +94,7 @@ def test_two_chapters_of_one_name_are_refused_and_a_folder_without_problems(tmp_
     shutil.copytree(GOOD / "bead", tmp_path / "bead")
     with place(GOOD), pytest.raises(CatalogueError, match="there are two chapters bead"):
         places.use(tmp_path)
-    with pytest.raises(CatalogueError, match="has no problems: they are in chapters"):
+    with pytest.raises(CatalogueError, match="has no problems: put them in chapters"):
         places.use(tmp_path / "bead")
 
 
@@ -179,7 +179,7 @@ def test_the_workflow_passes_good_problems_and_stops_at_a_slip(tmp_path, forge):
     text.write_text(text.read_text().replace("rate {omega}", "rate {gamma}"))
     code, out = run("bash", "-c", lines[2], cwd=tmp_path)
     assert code == 1
-    assert "{gamma} is no given" in out
+    assert "{gamma} is not a given" in out
     assert "is there already" in command("ci", forge, "--to", tmp_path)[1]
 
 

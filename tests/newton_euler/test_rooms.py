@@ -24,7 +24,6 @@ BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
     "classroom": {"algebra", "answers", "drawing"},
     "scenes": {*MECHANICS, "motion"},
     "accuracy": {*MECHANICS, "motion", "scenes", "classroom"},
-    "browser": {"", "algebra", "answers", "drawing", "classroom"},  # "": where the version stands
 }
 FILES = modules(ENGINE)
 

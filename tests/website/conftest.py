@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.grader.practice.conftest import practice_file  # noqa: F401
 from tests.jupyterlab import chromium
 from tests.once import once
 from tests.website import sample

@@ -133,6 +133,6 @@ class Panels(list):
 
     def __getitem__(self, place):
         if isinstance(place, tuple):
-            row, column = place
-            return list.__getitem__(self, row)[column]
+            row, place = place
+            return list.__getitem__(self, row)[place]
         return list.__getitem__(self, place)

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from newton_euler.browser import cells
+from website.browser import cells
 
 FRAME = "from newton_euler import Frame\nfrom newton_euler.drawing import Sketch"
 MOVING = """
@@ -95,7 +95,7 @@ def test_a_figure_moves_with_what_its_cell_needs_though_nobody_ran_it(page):
 WITHOUT = """
 import sys
 sys.modules["numpy"] = sys.modules["matplotlib"] = None
-from newton_euler.browser import answer, cells, late
+from website.browser import answer, cells, late
 late.find_spec = lambda name: None
 del sys.modules["numpy"], sys.modules["matplotlib"]
 late.install()

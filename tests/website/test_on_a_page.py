@@ -10,8 +10,8 @@ import pytest
 
 from exercises.catalogue import problem
 from grader.practice.build import page_of, svg
-from newton_euler.browser import answer
 from tests.grader.courses import environment
+from website.browser import answer
 
 SECRETS = (
     "__import__('os').system('x')",
@@ -118,7 +118,7 @@ import json, sys
 from base64 import b64encode
 for name in ("numpy", "scipy", "matplotlib", "sympy", "mpmath", "click", "IPython", "ipywidgets"):
     sys.modules[name] = None
-from newton_euler.browser import answer
+from website.browser import answer
 def call(function, **arguments):
     found = json.loads(answer(f"practice.{function}", json.dumps(arguments)))
     assert "error" not in found, (function, arguments, found)
