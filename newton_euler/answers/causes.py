@@ -138,7 +138,6 @@ TRANSPOSED = slip(
     "transposed", Words("writes the transposed matrix: rows stand in place of columns")
 )
 SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
-ZERO = slip("zero", Words("finds zero: not all that it depends on vanishes"))
 ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
 INVERTED = slip("inverted", Words("is upside down: what divides and what is divided are exchanged"))
 OFF_DIAGONAL = slip(
@@ -287,16 +286,6 @@ def exchanged_entries(one: Sequence[int], other: Sequence[int]) -> Cause:
     return slip(
         f"exchanged {a} {b}", Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
     )
-
-
-def sum_on_diagonal(n: int) -> Cause:
-    """A moment of inertia is the sum of the two others."""
-    text = Words(
-        "takes {entry} as the sum of the two others: that is right for a flat body in its plane "
-        "only",
-        entry=_entry(n, n),
-    )
-    return slip(f"sum {n}", text)
 
 
 def _ordinals(places: Sequence[int]) -> str:

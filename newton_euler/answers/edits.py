@@ -82,7 +82,6 @@ def _edits(formulas):
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
     yield from givens.of_exchanged(given, read)
-    yield from givens.of_shifted(anything, read, steps)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from givens.of_lengths(given, read)
@@ -109,7 +108,6 @@ def _edits(formulas):
     yield from quantities.of_distances(given, products, dimensions.get)
     angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
     yield from quantities.of_components(given, angles, dimensions.get)
-    yield from quantities.of_uncancelled(anything, products, given, dimensions.get)
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_other_entries(answers)
@@ -134,8 +132,8 @@ def _edits(formulas):
             slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
         if s in products:
             slips += operations.of_product(s, number, dimensions.get)
-        if s.op == "argument" and any(user.op == "integral" for user in users):
-            slips += givens.of_integrand(s)
+        if s.op == "item" and s.args[0].op == "integral":
+            slips += givens.of_integral(s)
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
 

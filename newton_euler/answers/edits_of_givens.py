@@ -20,7 +20,7 @@ TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
-SEVERAL = 6  # givens of one unit, of which more are not shifted
+SEVERAL = 6  # lengths, of which no sums are tried if there are more
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
@@ -115,14 +115,12 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
-def of_integrand(s: Step) -> Iterator[Slip]:
-    """A given within an integral, with a factor of t^3/3 or t^4/12 lost or confused."""
-    words = Words(
-        "has another factor with {name}: each integral divides by its power", name=s.args[0]
-    )
-    for factor in (3, 4, Fraction(3, 2), Fraction(4, 3)):
-        for f in (factor, 1 / Fraction(factor)):
-            yield LESS, f"integral {f}", words, ("*", s, float(f))
+def of_integral(s: Step) -> Iterator[Slip]:
+    """An integral with a factor of t^3/3 or t^4/12 lost or confused."""
+    words = Words("has another factor in an integral: each power is divided by its own")
+    for f in (3, 4, Fraction(3, 2), Fraction(4, 3)):
+        for factor in (f, 1 / Fraction(f)):
+            yield LESS + 1, f"integral {factor}", words, ("*", s, float(factor))
 
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
@@ -180,24 +178,6 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
         if read[a].text == read[b].text:
             words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
             yield Edit(LESS, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
-
-
-def of_shifted(
-    given: Mapping[str, Step], read: Mapping[str, Unit], steps: Sequence[Step]
-) -> Iterator[Edit]:
-    """Each of several numbered givens, as m1, m2, m3, in the place of its neighbour."""
-    needed = {s.number for s in steps}
-    for stem in dict.fromkeys(n.rstrip("0123456789") for n in given):
-        names = [n for n in given if n != stem == n.rstrip("0123456789")]
-        around = names[1:] + names[:1]
-        rows = (names, names[1:]), (names[1:], names), (names, around), (around, names)
-        for own, others in rows if 2 < len(names) <= SEVERAL else ():
-            pairs = [(a, b) for a, b in zip(own, others, strict=False) if given[a].number in needed]
-            if len(pairs) > 1:
-                (a, b), *_ = pairs
-                words = Words("takes {b} for {a}, and so on: each has its own place", a=a, b=b)
-                instead = {given[a].number: given[b] for a, b in pairs}
-                yield Edit(LESS, computed(f"shifted {pairs}", words), instead)
 
 
 def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:

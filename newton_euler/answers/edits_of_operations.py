@@ -70,9 +70,6 @@ def _of_sum(s):
         else Words("both terms there are added")
     )
     turned_first = ("neg", ("+", a, b)) if minus else ("-", b, a)
-    if (whole := typed(s)) and _is_half(a, b, minus):
-        words = Words("takes half of {sum}: it counts in full", sum=whole)
-        yield SIMPLE, "half", words, ("*", s, 0.5)
     yield from _of_legs(s)
     for term, left, turned in (
         (a, ("neg", b) if minus else b, turned_first),
@@ -111,15 +108,6 @@ def _of_legs(s):
             words = Words("exchanges {a} and {b} in a sum: each has its own term", a=one, b=other)
             power, (a, b) = ("**", ("/", second, first), float(n)), s.args
             yield LESS, "legs", words, (s.op, ("*", a, power), ("/", b, power))
-
-
-def _is_half(a, b, minus):
-    """True of like terms of which one with the opposite sign leaves the half of their sum."""
-    x, y = Product(a), Product(b)
-    if x.powers != y.powers or not (x.powers and x.is_exact and y.is_exact):
-        return False
-    p, q = x.coefficient, -y.coefficient if minus else y.coefficient
-    return 2 * abs(p - q) == abs(p + q)
 
 
 def _term(term, whole):
@@ -163,9 +151,6 @@ def of_product(
         words = Words("inverts {quotient}: {why}", quotient=quotient, why=why(s))
         yield LESS, "inverse", words, ("/", 1.0, s)
     c = abs(product.coefficient)
-    if s.args[0] is s.args[1] and (turn := _multiple_of_pi(s.args[0])):
-        words = Words("does not square 2*pi{of}: the formula has its square", of=of)
-        yield LESS, "2 pi", words, ("/", s, turn)
     if product.is_exact and c != 1 and c.denominator < 100:
         for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
             rank = LESS if other in (c / 2, 2 * c) else LEAST
@@ -174,21 +159,11 @@ def of_product(
                 other=other, own=c, of=of,
             )  # fmt: skip
             yield rank, f"constant for {other}", words, ("*", s, float(other / c))
-        turn = next((x for x, power in product.powers.items() if (x.op, power) == ("pi", 2)), None)
-        if turn is not None and c.numerator % 4 == 0:
-            words = Words("does not square 2*pi{of}: the formula has its square", of=of)
-            yield LESS, "2 pi", words, ("/", s, ("*", turn, 2.0))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
             words = Words(
                 "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of
             )
             yield SIMPLE, f"constant {lost}", words, ("/", s, float(lost))
-
-
-def _multiple_of_pi(x):
-    """The number in a product that is 2*pi; 0 of any other."""
-    numbers = [a for a in getattr(x, "args", ()) if isinstance(a, float)]
-    return 2 * pi if x.op == "*" and 2 * pi in numbers else 0.0
 
 
 def _of_ratios(s, product, dimension, of):
@@ -236,8 +211,6 @@ def _of_factor(s, x, power, factor, of, why):
         of = "" if of == f" of {named}^2" else of
         words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
         yield SIMPLE, "square", words, ("/", s, factor)
-        words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
-        yield LEAST, "half", words, ("*", s, 0.25)
     elif power == -2:
         words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
         yield SIMPLE, "square", words, ("*", s, factor)

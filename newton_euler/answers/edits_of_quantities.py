@@ -164,18 +164,6 @@ def of_components(
                 yield Edit(LEAST, cause, {s.number: ("*", s, (f, x))})
 
 
-def of_uncancelled(
-    given: Mapping[str, Step], products: Iterable[Step], needed: Mapping[str, Step], of: DimensionOf
-) -> Iterator[Edit]:
-    """A mass, of which no answer depends, in a product or under it."""
-    masses = {n: s for n, s in given.items() if of(s) == MASS and n not in needed}
-    for (name, m), s in product(masses.items(), products):
-        whole = described(s, "the term")
-        words = Words("has {mass} in {product}: it cancels", mass=name, product=whole)
-        for op in "*/" if whole else "":
-            yield Edit(LEAST, computed(f"{op} {name} in {s.number}", words), {s.number: (op, s, m)})
-
-
 def of_densities(
     given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
 ) -> Iterator[Edit]:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import chain, combinations, permutations
+from itertools import combinations, permutations
 
 from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
@@ -120,12 +120,10 @@ def of_components(fit: Fit) -> Models:
 
 
 def of_none(fit: Fit) -> Models:
-    """Components where there are none, of a vector of which all others are right; zero."""
+    """Components where there are none, of a vector of which all others are right."""
     if fit.index is None:
         return
     given, key, size = fit.first
-    if not any(chain(*fit.given)):
-        yield causes.ZERO, fit.given
     near = fit.rtol * size
     off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
     if len(key) == 3 and 0 < len(off) < 3 and all(abs(key[n]) <= NOISE * size for n in off):
@@ -150,14 +148,14 @@ def of_matrix(fit: Fit) -> Models:
 
 def _of_one_entry(fit):
     """A matrix with a product of inertia, and its mirror image, left out or of the other sign; two
-    moments or two products exchanged, or one moment the sum of the others.
+    moments or two products exchanged.
     """
     if fit.index is None:
         return
     for n in range(3):
         yield causes.entry_left_out(n, n), _signed([x != 4 * n for x in range(9)], fit.key)
     for n, m in combinations(range(3), 2):
-        pair, (a, b) = (3 * n + m, 3 * m + n), (4 * n, 4 * m)
+        pair = 3 * n + m, 3 * m + n
         for cause, factor in ((causes.entry_left_out(n, m), 0), (causes.entry_reversed(n, m), -1)):
             if fit.first[1][pair[0]]:
                 yield cause, _signed([factor if x in pair else 1 for x in range(9)], fit.key)
@@ -172,9 +170,6 @@ def _of_one_entry(fit):
             if one != (n, n):
                 signs = [-1 if x in order else 1 for x in range(9)]
                 yield causes.both(cause, causes.OFF_DIAGONAL), _signed(signs, points)
-        last = 4 * k
-        sums = (tuple(p[a] + p[b] if x == last else p[x] for x in range(9)) for p in fit.key)
-        yield causes.sum_on_diagonal(k), tuple(sums)
 
 
 def of_interval(fit: Fit) -> Models:
