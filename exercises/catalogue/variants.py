@@ -179,11 +179,14 @@ def at_points(p: Problem, values: Mapping[str, Scalar]) -> tuple[Answers, dict[s
     )
 
 
+_SCALARS = {float, int, str}
+
+
 def as_points(components: Sequence[Any], count: int = 1) -> Points:
     """The components of an answer (floats, words, or arrays of them) as points: ``count``, or as
     many as the arrays hold.
     """
-    if count == 1 and all(type(x) in (float, int, str) for x in components):
+    if count == 1 and _SCALARS.issuperset(map(type, components)):
         return (tuple(components),)
     arrays = np.broadcast_arrays(*components, np.empty(count))[:-1]
     rows = [r if r.dtype.kind in "OU" else r.astype(float) for r in arrays]

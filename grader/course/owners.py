@@ -36,6 +36,7 @@ SILENT = frozenset(WORDS.findall("""
     the upload uploads version week work works zip s v v1 v2 v3 v4 v5
 """))  # fmt: skip
 _BEFORE_DIGITS = re.compile(r"(?<=[^\W\d_])[-_. ]+(?=\d)")
+_SUFFIX = re.compile(r"(?i)\.ipynb$")
 LONGEST_NAME = 6  # words of a name that may be joined in any order
 
 
@@ -160,7 +161,7 @@ def owners(
     of one, is nobody's on the roster, and what lies in it belongs to two students or more.
     """
     candidates = Candidates(people, frozenset(words(assignment)))
-    paths = {n: PurePosixPath(n.removesuffix(".ipynb").replace("\\", "/")).parts for n in names}
+    paths = {n: PurePosixPath(_SUFFIX.sub("", n).replace("\\", "/")).parts for n in names}
     lead = _shared(path[:-1] for path in paths.values())
     inside = _owners({n: path[len(lead) :] for n, path in paths.items()}, candidates)
     whose = {found[0] for found in inside.values() if len(found) == 1}

@@ -110,7 +110,7 @@ def _refusal(entry):
     kind = stat.S_IFMT(entry.external_attr >> 16)
     if kind not in (0, stat.S_IFREG):
         return "a link or a special file"
-    if not entry.filename.endswith(".ipynb"):
+    if not entry.filename.lower().endswith(".ipynb"):
         return "not a notebook"
     path = PurePosixPath(entry.filename.replace("\\", "/"))
     if path.is_absolute() or ".." in path.parts or ":" in path.parts[0]:

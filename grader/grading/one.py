@@ -88,7 +88,9 @@ def grade_one(
     if ran and as_built:
         work = Work(**entry["work"])
     else:
-        notebook, work = rebuild(sheet.master, parse_notebook(submitted.name, content))
+        notebook, work = rebuild(
+            sheet.master, parse_notebook(submitted.name, content), sheet.places
+        )
     if ran:
         executed = Executed(**entry["executed"])
     else:

@@ -61,8 +61,8 @@ def grade(
         late = {s: (Result(s, problem=why), None) for s, why in refused.items()}
         wanted = [s for s in wanted if s not in late]
         if scheduler:
-            grade_all = stack.enter_context(cluster(scheduler, course, run, sandbox, report))
-            graded = grade_all(wanted, progress)
+            on_workers = cluster(scheduler, course, run, wanted, sandbox, report)
+            graded = stack.enter_context(on_workers)(progress)
         else:
             graded = _on_threads(run, harvester, wanted, progress)
         graded |= late

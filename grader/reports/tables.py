@@ -15,6 +15,8 @@ from ..grading import Result
 from ..sandbox import CAGED
 from ..submission.pipeline import MARK
 
+MOST = 600  # characters of a text in a table
+
 
 def plain_table(title: str, *columns: str) -> Table:
     """A table without vertical lines; ``columns`` are names, with a leading ``>`` for numbers."""
@@ -28,8 +30,13 @@ def plain_table(title: str, *columns: str) -> Table:
 
 
 def shown(text: object) -> str:
-    """A text for a cell of a table: without markup and control characters."""
-    return escape("".join(c if c.isprintable() else "\ufffd" for c in str(text)))
+    """A text for a cell of a table: without markup and control characters; of a very long one, as
+    a student may call a file, the two ends.
+    """
+    said = str(text)
+    if len(said) > MOST:
+        said = f"{said[: MOST // 2]} … {said[-MOST // 2 :]}"
+    return escape("".join(c if c.isprintable() else "\ufffd" for c in said))
 
 
 def gradebook_table(results: Sequence[Result]) -> Table:

@@ -99,7 +99,7 @@ def _edits(formulas):
         if s.op in operations.PRODUCT and s in written and (s in leaves or not _is_factor(users))
     }  # fmt: skip
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
-    yield from equations.of_equations(formulas.systems)
+    yield from equations.of_equations(formulas.systems, number, dimensions.get)
     yield from quantities.of_quantities(answers, formulas.stages, steps, dimensions.get)
     named = [(s.means, s.parts) for s in formulas.stages if s.means]
     named += [(key, a.parts) for key, a in answers.items()]

@@ -26,7 +26,6 @@ TWICE_ITS_ANGLE = Words("takes {own}(2*{angle}) for {own}({angle})^2: these diff
 TANGENT = Words("takes tan({angle}) for 1/cos({angle}): that is another side of its triangle")
 DOUBLED = {("sin", 2): TWICE_ITS_ANGLE, ("cos", 2): TWICE_ITS_ANGLE, ("cos", -1): TANGENT.template}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
-INVERSE = ("asin", "acos", "atan", "atan2")
 SINES = {"asin": Words("sine"), "acos": Words("cosine")}
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
@@ -314,22 +313,6 @@ def _of_function(s):
         words = Words("gives the {f} of the angle: the angle itself is asked for", f=SINES[s.op])
         yield LESS, "no inverse", words, x
         yield LESS, "no inverse, degrees", words, ("*", x, pi / 180)
-    if s.op in _SUPPLEMENT:
-        words, turned = _SUPPLEMENT[s.op]
-        if x.op == "argument" and s.op == "cos":  # given, as a latitude: no other angle is meant
-            words = Words("has {cosine} with the opposite sign: look at the sign of its term")
-        words = Words(words.template, cosine=f"{s.op}({inside})")
-        yield LESS, "supplement", words, turned(s)
-
-
-_SUPPLEMENT = {
-    "cos": (Words("has {cosine} with the opposite sign: that is of the supplement"),
-            lambda s: ("neg", s)),
-    "acos": (Words("gives the supplement of {cosine}: a cosine has the opposite sign"),
-             lambda s: ("acos", ("neg", s.args[0]))),
-    "asin": (Words("takes the supplement of {cosine}: it has the same sine, but does not fit here"),
-             lambda s: ("-", pi, s)),
-}  # fmt: skip
 
 
 def _of_tangent(s):
@@ -355,7 +338,7 @@ _OF = {
 
 
 def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
-    """Angles from the other axis, and the other way round."""
+    """Angles from the other axis."""
     sines = {s.args[0]: s for s in steps if s.op == "sin"}
     cosines = {s.args[0]: s for s in steps if s.op == "cos"}
     for x, s in sines.items():
@@ -369,16 +352,6 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
             c = cosines[x]
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
-        if any(inner.op in INVERSE for inner in needed([x])):
-            continue  # computed, and no angle of the text
-        words = Words(
-            "takes {angle} the other way round: its positive sense is the opposite one", angle=named
-        )
-        yield Edit(
-            SIMPLE if typed(x) else LESS,
-            computed(f"turned {s.number}", words),
-            {s.number: ("neg", s)},
-        )
 
 
 def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterator[Slip]:

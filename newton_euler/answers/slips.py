@@ -22,9 +22,6 @@ PURE: dict[str, float] = {
     Words("a factor of 2"): 2.0,
     Words("revolutions against radians"): 2 * math.pi,
 }
-WHOLE = {
-    Words("a factor of 3"): 3.0, Words("a factor of 4"): 4.0, Words("a factor of pi"): math.pi,
-}  # fmt: skip
 TENS = {Words("one decimal place"): 10.0, Words("two decimal places"): 100.0}
 ANGLES: dict[str, float] = {
     Words("degrees against radians"): 180 / math.pi,
@@ -65,7 +62,6 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
 def of_last_resort(fit: Fit) -> Models:
     """Factors that say little, and the inverse: named where nothing else explains an answer."""
     if fit.index is not None:
-        yield from _factors(fit, _ratio(fit), WHOLE)
         yield from of_components(fit)
         yield from _of_other_axes(fit) if len(fit.first[1]) == 9 else ()
         yield from of_powers(fit)
@@ -111,7 +107,7 @@ def of_components(fit: Fit) -> Models:
     off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
     if len(key) != 3 or not 0 < len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
         return
-    for words, factor in (PURE | WHOLE).items():
+    for words, factor in PURE.items():
         for large, f in ((True, factor), (False, 1 / factor)):
             if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
                 scales = [f if m in off else 1.0 for m in range(3)]

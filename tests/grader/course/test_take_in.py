@@ -38,7 +38,7 @@ def archive(path, files):
 WORK = {
     "ada": "submissions/lovelaceada_LATE_4711_98765_ch04-1.ipynb",
     "ben": "Ben Müller-Lüdenscheidt_123_assignsubmission_file_/ch04.ipynb",
-    "dan": "daniel.g@uni.edu/ch04.ipynb",
+    "dan": "daniel.g@uni.edu/CH04.IPYNB",
 }
 
 
@@ -162,6 +162,13 @@ def test_a_bomb_costs_only_itself(named, tmp_path, monkeypatch):
         return  # zipfile itself noticed
     assert set(found.taken) <= {"ben", "ada"}
     assert all(p.stat().st_size <= 1000 for p in named.submissions("ch04").values())
+
+
+def test_a_name_of_thousands_of_letters_is_shown_by_its_ends(named, tmp_path):
+    path = archive(tmp_path / "w.zip", {f"start{'x' * 60_000}end.ipynb": "{}", "ada.ipynb": "{}"})
+    code, out = command("take-in", "ch04", path, "--course", named.path)
+    assert (code, "start" in out, len(out) < 3000) == (1, True, True)
+    assert "end.ipynb" in "".join(out.split())
 
 
 @pytest.mark.parametrize("content", [b"", b"not a zip", b"PK\3\4 damaged"])

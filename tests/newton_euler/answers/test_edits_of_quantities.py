@@ -88,7 +88,6 @@ def named(key, wrong, slips=None):
         ("double", F * math.cos(2 * theta), "takes cos(2*theta) for cos(theta)^2"),
         ("plain", F * L * math.sin(theta), "takes the component F*sin(theta) for F"),
         ("axes", L * COS**2 + d * SIN**2 + L * COS, "exchanges sin(theta) and cos(theta) in a sum"),
-        ("root", theta + math.pi - math.asin(d / L), "takes the supplement of asin(d/L)"),
         ("legs", F * (2 * L - d) / (L + d), "inverts the ratio of L + d to 2*L - d"),
     ],
 )
