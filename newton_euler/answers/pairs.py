@@ -189,13 +189,13 @@ class _Pairs:
         )
 
     def _is_met_everywhere(self, i, j, op):
-        ratios = []
+        ratios, there = [], np.array(self.fit.first[1]) != 0
         for n, given in enumerate(self.fit.given):
             key, rows = self.at(n)
             if np.isfinite(key).all() and np.isfinite(rows[[i, j]]).all():
                 if math.dist(op(rows[i], rows[j], key), given) > self.exactly * math.hypot(*given):
                     return False
-                ratios.append(rows[[i, j]][:, key != 0] / key[key != 0])
+                ratios.append(rows[[i, j]][:, there] / key[there])
         first, second = (np.array(x) for x in zip(*ratios, strict=True))
         factors = [(np.ptp(x, axis=0) < NOISE) & (abs(x[0] - 1) > NOISE) for x in (first, second)]
         if op is _added:  # factors of one component are not added
