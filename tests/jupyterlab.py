@@ -176,9 +176,7 @@ class Page:
         from selenium.common.exceptions import WebDriverException
         from selenium.webdriver import Keys
 
-        def prompt():
-            return self.all(".jp-InputPrompt", n)[0].text.strip("[]: \xa0")
-
+        prompt = lambda: self.all(".jp-InputPrompt", n)[0].text.strip("[]: \xa0")
         end = time.monotonic() + LONG
         while time.monotonic() < end and not prompt():
             with suppress(WebDriverException):  # a dialog of the start lies over it for now

@@ -76,10 +76,8 @@ def _of_template(text):
     return [(json.loads(m),) for m in re.findall(r'\b_\(("(?:[^"\\]|\\.)*")', text)]
 
 
-CALLS = {  # {function: number of its arguments that are sentences}
-    "_": 1, "Words": 1, "plural": 2,
-    "AnswerError": 1, "OpenAnswer": 1, "TreeError": 1, "form.error": 1, "PracticeFileError": 1,
-}  # fmt: skip
+SAID = "_", "Words", "AnswerError", "OpenAnswer", "TreeError", "form.error", "PracticeFileError"
+CALLS = {"plural": 2} | dict.fromkeys(SAID, 1)  # {function: number of its sentences}
 READ: dict[str, Callable[[str], Iterable[tuple[str, ...]]]] = {
     ".py": _of_python, ".js": _of_script, ".j2": _of_template,
 }  # fmt: skip

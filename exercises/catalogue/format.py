@@ -120,8 +120,13 @@ def _answer(a):
 
 
 def _step(key, s):
-    _check_keys(s, f"the step {key}", ("means",), ("unit", "section", "equation", "kind"))
-    return {name: _text(s, name) for name in s} | {"unit": _unit(key, s)}
+    optional = ("unit", "section", "equation", "kind", "of_givens")
+    _check_keys(s, f"the step {key}", ("means",), optional)
+    of_givens = s.get("of_givens", False)
+    fault = f"{key}: of_givens must be true or false, and is {short(of_givens)}"
+    _require(type(of_givens) is bool, fault)
+    texts = {name: _text(s, name) for name in s if name != "of_givens"}
+    return texts | {"unit": _unit(key, s), "of_givens": of_givens}
 
 
 def _mistakes(named):

@@ -49,6 +49,8 @@ class Step:
     section, equation : their numbers in the book, or ""
     term : (name, equation of the engine) of a term of a sum
     of : the key of the sum
+    of_givens : True if the worked solution finds it from the givens alone, since an earlier
+        quantity is equal to it, or to a part of it, by chance
     """
 
     key: str
@@ -60,6 +62,7 @@ class Step:
     term: tuple = ()
     of: str = ""
     kind: Kind = KINDS["number"]
+    of_givens: bool = False
 
     def __post_init__(self) -> None:
         kind = "vector" if isinstance(self.value, Vector) else self.kind

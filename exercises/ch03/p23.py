@@ -23,8 +23,7 @@ def transformed(g, matrix):
 
 
 def solve(g):
-    v, phi, axes = velocity(g)
-    return {"T_phi": T_phi(phi.value), "v": v.expressed_in(axes)}
+    return transformed(g, T_phi(ride.coordinates(g)[3].value))
 
 
 def steps(g):

@@ -22,10 +22,7 @@ def transformed(g, matrix):
 
 
 def solve(g):
-    """By (3.23), which gives shorter formulas than the matrix product in ``follows``."""
-    ground, P, _ = ride.car(g)
-    phi = ride.coordinates(g)[3]
-    return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}
+    return transformed(g, transpose(T_phi(ride.coordinates(g)[3].value)))
 
 
 def steps(g):

@@ -97,7 +97,7 @@ def mistakes(g):
 def draw(g, ax):
     ground, frame, B = line_AB(g)
     A = frame.origin
-    s = Sketch(ax, ground, azimuth=-60, elevation=25)
+    s = Sketch(ax, ground, azimuth=35, elevation=25)
     s.line(A, B, style="solid")
     s.axes(A, frame, length=0.35 * g.L, labels="ijk")
     s.vector(A, A.velocity(ground), "$v_A$")

@@ -34,7 +34,8 @@ def energy(g, at_c):
 
 
 def solve(g):
-    return energy(g, ratio(g))
+    v_b = speed_after(0, kinetic(g, ratio(g)), g.m)
+    return {"E_total": g.m * v_b**2 / 2 + potential(g, g.b)}
 
 
 def steps(g):

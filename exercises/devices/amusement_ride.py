@@ -29,7 +29,7 @@ def steps(g, section, *names):
         "r_ddot": (
             r.acceleration,
             "m/s^2",
-            r"its second rate, $-(\dot{z}^2 + z\,\ddot{z} + \dot{r}^2)/r$",
+            r"its second rate, from $r\,\dot{r} = -z\,\dot{z}$",
         ),
         "sin_phi": (sin(phi.value), "1", "sine of the elevation of the arm, z/R"),
         "cos_phi": (cos(phi.value), "1", "cosine of the elevation, sqrt(1 - sin(phi)^2)"),

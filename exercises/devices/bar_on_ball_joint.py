@@ -51,10 +51,8 @@ def steps(g):
     ground, body, A, D = joint_motion(g)
     omega = body.angular_velocity(ground).expressed_in(ground)
     yield Step("r_A", A.position(body).expressed_in(ground), "in", "position of A from O", "4.4")
-    means = r"{} component of omega, from $v_{{Ay}} = \omega_z {{x_A}} - {{omega_x}} {{z_A}}$"
-    yield Step("omega_z", omega.z, "rad/s", means.format("z"), "4.4", "4.11")
-    means = r"y component of omega, from $v_{Ax} = \omega_y {z_A} - \omega_z {h}$"
-    yield Step("omega_y", omega.y, "rad/s", means, "4.4", "4.11")
+    yield Step("omega_z", omega.z, "rad/s", "z component of omega, from v_Ay", "4.4", "4.11")
+    yield Step("omega_y", omega.y, "rad/s", "y component of omega, from v_Ax", "4.4", "4.11")
     v_A = A.velocity(ground).expressed_in(ground)
     yield Step("v_A", v_A, "in/s", "velocity of A, with the z component", "4.4", "4.11")
     yield Step("r_D", D.position(body).expressed_in(ground), "in", "position of D from O", "4.4")

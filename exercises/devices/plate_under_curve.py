@@ -59,4 +59,6 @@ def steps_to_inertia(end, height, mass):
     yield Step("I_xx", yy, "kg*m^2", "integral of y^2 dm, of each strip y^2/3 dm", "7.2", "7.10")
     yield Step("I_yy", xx, "kg*m^2", "integral of x^2 dm", "7.2", "7.10")
     yield Step("I_xy", xy, "kg*m^2", "integral of x y dm, of each strip x y/2 dm", "7.2", "7.10")
-    yield Step("I_zz", xx + yy, "kg*m^2", "I_xx + I_yy, the plate being flat", "7.2", "7.10")
+    yield Step(
+        "I_zz", xx + yy, "kg*m^2", "moment of inertia about z, the plate being flat", "7.2", "7.10"
+    )

@@ -46,7 +46,7 @@ def units(content, length, mass):
     return f"{length}^{n}".removesuffix("^1"), f"{length}^{n + 1}"
 
 
-def sums(frame, parts, removed=(), *, content, length, mass=""):
+def sums(frame, parts, removed=(), *, content, length, mass="", equal_parts=False):
     """The content of the whole and its first moment, as steps."""
     unit, unit_of_moment = units(content, length, mass)
     first, *others = (*parts, *(-hole for hole in removed))
@@ -56,7 +56,7 @@ def sums(frame, parts, removed=(), *, content, length, mass=""):
     for part in others:
         Q = Q + part.mass * part.centre.position(frame)
     yield Step("Q", Q, unit_of_moment, f"sum of {content} times place of the centre", "5.4",
-               "5.11")  # fmt: skip
+               "5.11", of_givens=equal_parts)  # fmt: skip
 
 
 def proved(content, whole, first):

@@ -72,15 +72,15 @@ def block_steps(A, B, laws):
     pulley.
     """
     for b in (A, B):
-        yield Step(f"m_{b.name}", b.m, "slug", f"mass of {b.name}, W/g")
+        yield Step(f"m_{b.name}", b.m, "slug", f"mass of {b.name}")
     for b in (A, B):
         if b.on_face:
             means = f"part of the weight of {b.name} down its face"
             yield Step(f"W_{b.name}t", b.W_t, "lb", means, "6.1", "6.3")
     F, M = without_tension(A, B)
-    yield Step("F", F, "lb", f"force that is left of the equations of motion {laws} without T",
-               "6.1", "6.4")  # fmt: skip
-    yield Step("M", M, "slug", "mass that it accelerates, F = M*a", "6.1", "6.4")
+    means = f"force that is left when T is eliminated from the equations of motion {laws}"
+    yield Step("F", F, "lb", means, "6.1", "6.4")
+    yield Step("M", M, "slug", "mass that it accelerates: F = M*a", "6.1", "6.4")
 
 
 def by_energy(g, W_A, W_B, places, reach):

@@ -59,15 +59,18 @@ def principal_steps(body, *axes):
                    "7.6")  # fmt: skip
 
 
-def shaft_steps(r, products="xy"):
-    """The moment and the nonzero ``products`` of inertia in H_O."""
+def shaft_steps(r, products="xy", from_principal=False):
+    """The moment and ``products`` of inertia that enter H_O: those that are not zero;
+    ``from_principal`` moments, or integrals.
+    """
+    found = ("7.4", "") if from_principal else ("7.2", "7.10")
     I = r.body.about(r.O, r.shaft)
     yield Step("I_xx", I.moments[0], "kg*m^2", "moment of inertia about the axis of the shaft",
-               "7.2", "7.10")  # fmt: skip
+               *found)  # fmt: skip
     for name in products.split():
         product = {"xy": I.products[0], "xz": I.products[2]}[name]
-        yield Step(f"I_{name}", product, "kg*m^2", f"product of inertia about O, the sum of "
-                   f"{name[0]}*{name[1]}*dm", "7.2", "7.10")  # fmt: skip
+        means = f"product of inertia about O, the integral of {name[0]}*{name[1]}*dm"
+        yield Step(f"I_{name}", product, "kg*m^2", means, *found)
 
 
 def force_steps(r):
@@ -109,7 +112,7 @@ def problem_of(rotor_of, *axes, products="xy", off_axis=False):
     def steps(g):
         r = rotor_of(g)
         yield from principal_steps(r.body.parts[0], *axes)
-        yield from shaft_steps(r, products)
+        yield from shaft_steps(r, products, from_principal=bool(axes))
         if off_axis:
             yield from force_steps(r)
 

@@ -75,7 +75,8 @@ def inertia_steps(inertia, axis, system="SI"):
                "7.14" if parts else "7.10")  # fmt: skip
     for name, value in products(inertia, axis).items():
         u, v = name[2:]
-        yield Step(name, value, unit, f"integral of {u} {v} over the mass", "7.2", "7.10")
+        means = f"integral of {u} {v} over the mass"
+        yield Step(name, value, unit, means, "7.2", "7.10", of_givens=True)
 
 
 def steps_of(g, inertia, axis, system="SI"):

@@ -69,7 +69,7 @@ def acceleration_steps(ground, car, B):
     means = "acceleration of {} in the ground, tangential and normal"
     yield Step("a_A", terms["origin"], "m/s^2", means.format("A"), "2.3", "2.14")
     a_B = B.acceleration(ground).expressed_in(ground)
-    yield Step("a_B", a_B, "m/s^2", means.format("B"), "2.3", "2.14")
+    yield Step("a_B", a_B, "m/s^2", means.format("B"), "2.3", "2.14", of_givens=True)
     for name, means in (
         ("euler", "the term alpha x r"),
         ("coriolis", r"the Coriolis term $2\boldsymbol{\omega}\times\mathbf{v}_\text{rel}$"),

@@ -1,4 +1,4 @@
-"""Spreads the grading of a class over a Dask cluster.
+"""Grading a class on a Dask cluster.
 
 The workers reach the course folder under the same path as the grader, on a shared file system, and
 have the same version of the checkout installed. Whatever else a run needs, and what each submission
@@ -28,10 +28,10 @@ from .gradebook import Entry
 from .records import fingerprint, run_state, score_state
 from .student import Result, Run
 
-AHEAD = 4  # submissions per thread that the scheduler holds at a time
-ANSWER_SECONDS = 10  # for a scheduler to answer
-READY_SECONDS = 60  # for a worker to import the grader and to start its harvester
-WATCH_SECONDS = 1  # between two looks whether workers live
+AHEAD = 4  # submissions per thread held by the scheduler at a time
+ANSWER_SECONDS = 10  # limit for a scheduler to answer
+READY_SECONDS = 60  # limit for a worker to import the grader and start its harvester
+WATCH_SECONDS = 1  # between checks of the workers
 
 PLAN = "plan.json"
 KEPT = "grade again: finished runs are kept and not repeated"
@@ -44,8 +44,8 @@ GradeStudents = Callable[[Callable[[Result], object]], dict[str, tuple[Result, E
 
 @dataclass(frozen=True)
 class Shared:
-    """Where the workers find what is common to all submissions, and what must equal theirs;
-    ``folder``, in that of the course, is also where they write what each came to.
+    """Where workers find the data common to all submissions, and hashes that must equal their own;
+    they write the results into ``folder``, which is in the course folder.
     """
 
     course: str
@@ -65,7 +65,7 @@ def cluster(
     report: Callable[[str], object] | None = None,
 ) -> Iterator[GradeStudents]:
     """A context with a function that grades on the workers of a scheduler; raises
-    :class:`CourseError` if it does not answer or a worker cannot grade. ``report`` gets a line
+    :class:`CourseError` if there is no answer or a worker cannot grade. ``report`` gets a line
     about each worker.
     """
     folder = course.path / "scores" / ".plan"
@@ -83,7 +83,7 @@ def cluster(
                     client, shared, run.roster, students, AHEAD * threads, progress
                 )
             finally:
-                with contextlib.suppress(Exception):  # a worker that dies now has stopped, too
+                with contextlib.suppress(Exception):  # a worker that has died has stopped, too
                     client.run(_stop)
     finally:
         shutil.rmtree(folder)
@@ -107,12 +107,12 @@ def _connected(address):
         raise CourseError(
             f"no scheduler of Dask answers at {address} ({error}); start one with: dask scheduler"
         ) from error
-    with client, client.as_current():  # for what takes no client
+    with client, client.as_current():  # for functions without a client argument
         yield client
 
 
 def _examined(client, address, shared, report):
-    """The number of threads of the workers, all of which must be able to grade; those that die
+    """The number of threads of all workers, each of which must be able to grade; those that die
     meanwhile are left out.
     """
     workers = client.nthreads()
@@ -135,7 +135,7 @@ def _examined(client, address, shared, report):
 
 
 def _living(client):
-    """The workers, none where the scheduler does not answer."""
+    """The workers; none if the scheduler does not answer."""
     try:
         return client.nthreads()
     except OSError:
@@ -143,21 +143,21 @@ def _living(client):
 
 
 def _answer(client, worker, future, until):
-    """What a worker says of itself, as :func:`_examine`; None in place of True if it has died."""
+    """The result of :func:`_examine` on a worker, with None in place of True if it has died."""
     while time.monotonic() < until:
         try:
             return future.result(timeout=WATCH_SECONDS)
         except TimeoutError:
             if worker not in _living(client):
                 return None, "it died in its first check, and the others do its work"
-        except Exception as error:  # its Python has no grader, or the scheduler is gone
+        except Exception as error:  # no grader in its Python, or no scheduler
             return False, f"{type(error).__name__}: {error}"
     return False, f"it has not answered for {READY_SECONDS} s"
 
 
 def _graded(client, shared, roster, students, ahead, progress):
-    """{student: (result, what to write)}; the scheduler never holds more than ``ahead``
-    submissions, so that its memory does not grow with the class.
+    """{student: (result, entry)}; the scheduler holds at most ``ahead`` submissions, so that its
+    memory does not grow with the class.
     """
     found = {s: Run.not_on_roster(s) for s in students if s not in roster}
     waiting, started = [n for n, s in enumerate(students) if s in roster][::-1], {}
@@ -173,7 +173,7 @@ def _graded(client, shared, roster, students, ahead, progress):
 
 
 def _finished(client, futures):
-    """Those that have ended, at least one; raises :class:`CourseError` if the cluster is gone."""
+    """At least one finished future; raises :class:`CourseError` if the cluster is gone."""
     from distributed import CancelledError, wait
 
     alive = time.monotonic()
@@ -206,7 +206,7 @@ _starting = threading.Lock()
 
 
 def _examine(shared):
-    """(True, how this worker isolates students' code), or (False, why it cannot grade)."""
+    """(True, the isolation of students' code on this worker), or (False, why it cannot grade)."""
     try:
         _run_of(shared)
         return True, _harvester(shared).sandbox_state
@@ -256,7 +256,7 @@ def _harvester(shared):
 
 
 def _stop():
-    """Leave nothing running on a worker."""
+    """Stop everything on a worker."""
     with _starting:
         while _harvesters:
             _, harvester = _harvesters.popitem()

@@ -1,6 +1,4 @@
-"""What a problem computes, traced in base units: where the slips are looked for that no problem
-lists.
-"""
+"""The computation of a problem, traced in base units, to find slips that no problem lists."""
 
 import re
 from collections.abc import Callable, Mapping

@@ -1,6 +1,5 @@
-"""How many wrong answers the receipts of a submitted notebook say that they have checked, in copies
-that say what is right. Students hold the notebook: a count may be too low, and is never believed to
-be more than a number.
+"""Counts of the wrong answers that the receipts of a submitted notebook have checked, in copies
+that tell right from wrong. Students can edit the notebook: a count may be too low.
 """
 
 from collections.abc import Iterator, Mapping

@@ -57,8 +57,8 @@ def places_of(
 
 
 def _with_answers(cells, found, master):
-    """And the answers that are still missing: the only cell of code next to the statement, numbers
-    or receipt of the same problem that gives a value to a name that is asked for.
+    """The same with the answers that are still missing: the only code cell next to the statement,
+    numbers or receipt of the same problem that gives a value to a name that is asked for.
     """
     problems = [own_metadata(c).get("problem") for c in master["cells"]]
     missing = {

@@ -3,6 +3,7 @@ is traced cannot branch on a value; it chooses by :func:`newton_euler.algebra.sc
 """
 
 import threading
+from inspect import unwrap
 
 from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
 
@@ -226,11 +227,13 @@ class Trace:
 
 class Inner:
     """The formula that is integrated, or whose root is taken, as a constant of the formula around
-    it. What it reads of the outer steps, computed once, it is handed as arguments.
+    it. What it reads of the outer steps, computed once, it is handed as arguments. ``variable`` is
+    what its code calls the variable, "" where that does not show.
     """
 
-    def __init__(self, parameters, trace, leaves):
+    def __init__(self, parameters, trace, leaves, variable=""):
         self.parameters, self.trace, self.leaves = parameters, trace, leaves
+        self.variable = variable
 
     def key(self):
         """Equal for equal formulas, for a dictionary."""
@@ -265,7 +268,9 @@ def _inner(op, f, limits, sample, names=("x",)):
     names = [*names, *(step.args[0] for step in trace.captured.values())]
     trace.outer = None  # the formula is complete, and is kept without the outer one
     outside = [outer.steps[number] for number in trace.captured]
-    whole = outer.step(op, Inner(names, trace, leaves), *limits, *outside)
+    code = getattr(unwrap(f), "__code__", None)
+    inner = Inner(names, trace, leaves, next(iter(code.co_varnames), "") if code else "")
+    whole = outer.step(op, inner, *limits, *outside)
     return tuple(outer.step("item", whole, n) for n in range(len(leaves)))
 
 

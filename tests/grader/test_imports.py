@@ -73,8 +73,7 @@ def test_imports_go_down_only_and_take_no_private_name(module):
 def test_no_files_import_each_other_in_a_circle():
     # a folder's __init__ imports its modules, and Python runs it before any of them: within a
     # folder modules import modules
-    graph = {m: {t for t, _ in imports(m, FILES)} & set(OURS) - {m} for m in OURS}
-    assert circle(graph) is None
+    assert circle({m: {t for t, _ in imports(m, FILES)} & set(OURS) - {m} for m in OURS}) is None
 
 
 def test_what_is_copied_or_caged_imports_nothing_of_grader_or_exercises():

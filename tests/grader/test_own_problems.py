@@ -62,8 +62,7 @@ def test_an_own_problem_is_built_graded_and_taken_into_the_next_year(course, tmp
         out = ran(command("next-year", course, "--course", tmp_path / "m27"))
         assert "The course m27" in out
         assert "hw1" in out
-        notebook = read(tmp_path / "m27/source/hw1/hw1.ipynb")
-        assert notebook["cells"][0]["source"].endswith("Mine.")
+        assert read(tmp_path / "m27/source/hw1/hw1.ipynb")["cells"][0]["source"].endswith("Mine.")
         new = Course(tmp_path / "m27")
         assert new.roster() == []
         assert new.secret != c.secret
@@ -180,7 +179,7 @@ def test_the_workflow_passes_good_problems_and_stops_at_a_slip(tmp_path, forge):
     code, out = run("bash", "-c", lines[2], cwd=tmp_path)
     assert code == 1
     assert "{gamma} is not a given" in out
-    assert "is there already" in command("ci", forge, "--to", tmp_path)[1]
+    assert "exists; delete it" in command("ci", forge, "--to", tmp_path)[1]
 
 
 def test_without_names_prove_takes_the_own_problems_alone():

@@ -222,6 +222,34 @@ def defined(body):
     return [n.name for n in body if isinstance(n, (ast.FunctionDef, ast.ClassDef))]
 
 
+HEAVY = "sympy scipy matplotlib.pyplot matplotlib heyoka mpmath numpy symengine numba IPython PIL"
+A_FIGURE = """import io
+from matplotlib.figure import Figure; from newton_euler import Frame, drawing
+s = drawing.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, 3)); s.label((0, 0, 0), 'O')
+s.ax.figure.savefig(io.BytesIO())"""
+
+
+@pytest.mark.parametrize(
+    ("program", "needed"),
+    [
+        ("import newton_euler, newton_euler.drawing.animation, newton_euler.drawing.sketch", ""),
+        ("from newton_euler.motion import integrate; from tests.models import oscillator; "
+         "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9", ""),
+        ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
+         "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
+        (A_FIGURE, "matplotlib numpy PIL"),
+    ],
+    ids=["importing the engine", "a motion", "floats, arrays and tracing", "a figure"],
+)  # fmt: skip
+def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
+    """What a student waits for is import time."""
+    program = f"import sys\n{program}\nprint(*(m for m in {HEAVY.split()} if m in sys.modules))"
+    out = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert out.stdout.strip() == needed
+
+
 def test_notebooks_released_before_the_rooms_still_find_expect_and_receipt():
     """Their locked setup cell says: from newton_euler.answers import expect, receipt."""
     today = importlib.import_module("newton_euler.classroom")

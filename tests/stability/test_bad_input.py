@@ -68,7 +68,6 @@ from newton_euler.dynamics import (
     reaction,
     weight,
     weight_potential,
-    work_integral,
 )
 from newton_euler.motion import ModelError, Neglected
 from tests.fuzz.bad import OfAstropy, OfPint
@@ -173,12 +172,6 @@ def test_functions_say_where_they_have_no_value():
         exp(1e6)
     with pytest.raises(ScalarError, match="not known to hold"):
         where(sympy.Symbol("x") > 1, 1.0, 2.0)
-
-
-@pytest.mark.parametrize("bad", [-1.0, 0.0, "fine", float("nan")])
-def test_a_relative_error_of_an_integral_is_between_0_and_1(bad):
-    with pytest.raises(NewtonEulerError):
-        work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
 
 
 def energy(s, p, t):

@@ -53,8 +53,7 @@ def drag():
 
 def tank():
     """It is empty after 2 s; the formula goes on to a parabola that fills it again."""
-    model = Model("tank", {"c": 1.0}, ("h",), lambda s, p, t: (-p.c * sqrt(s.h),))
-    return model, 3.0, (1.0,), 0.0
+    return Model("tank", {"c": 1.0}, ("h",), lambda s, p, t: (-p.c * sqrt(s.h),)), 3.0, (1.0,), 0.0
 
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "scipy DOP853"])

@@ -61,8 +61,7 @@ def test_an_error_is_reported_with_its_line_after_what_was_shown_before(page, so
 def test_where_no_ipython_is_a_cell_is_not_in_a_notebook(page, monkeypatch):
     monkeypatch.setitem(sys.modules, "IPython", None)
     monkeypatch.setitem(sys.modules, "IPython.display", None)
-    source = "import IPython\nIPython.get_ipython()"
-    assert cells.run(page, [source], 0) == {"shown": []}
+    assert cells.run(page, ["import IPython\nIPython.get_ipython()"], 0) == {"shown": []}
 
 
 def test_a_cell_runs_after_what_it_needs_and_keeps_what_the_reader_ran(page):

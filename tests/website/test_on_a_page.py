@@ -30,8 +30,7 @@ def call(function, **arguments):
 @pytest.fixture(scope="module")
 def opened(practice_file):
     """The problems of a file that a page has handed over."""
-    data = b64encode(practice_file.read_bytes()).decode()
-    return call("load", name="some", data=data)["value"]
+    return call("load", name="some", data=b64encode(practice_file.read_bytes()).decode())["value"]
 
 
 def shown(number, **more):
@@ -77,9 +76,7 @@ def test_wrong_answers_are_named_and_progress_is_handed_back(opened):
 
 
 def test_what_is_typed_is_shown_as_it_is_read(opened):
-    def read(*texts):
-        return call("read", problem="4/16", key="a_D", texts=texts)["value"]
-
+    read = lambda *texts: call("read", problem="4/16", key="a_D", texts=texts)["value"]
     number = shown("4/16")["names"]["omega"]
     assert read("-2*omega*b", "0", "1/2")["latex"].startswith(
         r"\left[{-2 \omega b},\ 0,\ \frac{1}{2}\right] = "

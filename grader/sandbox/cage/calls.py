@@ -1,5 +1,5 @@
-"""Forbids system calls that no answer needs, by libseccomp, which systemd brings to most Linux
-machines. Without the library the namespaces stand alone.
+"""Forbids system calls that no answer needs, by libseccomp, which most Linux machines have through
+systemd. Without the library only the namespaces isolate.
 
 It is called through ctypes: its own Python binding is not on PyPI, and the one that is
 (pyseccomp) has had no release since 2021.

@@ -48,8 +48,11 @@ def advise(
     latest = sorted(done, key=lambda d: d.day, reverse=True)
     for d in latest:
         if d.open and d.day == today:
-            return Advice(d.problem, _("{problem} is unfinished: {names} is not right yet.",
-                                       problem=d.problem, names=joined(d.open[:3])))  # fmt: skip
+            names = joined(d.open[:3])
+            unfinished = _(
+                "{problem} is unfinished: {names} is not right yet.", problem=d.problem, names=names
+            )
+            return Advice(d.problem, unfinished)
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:
             return Advice(d.problem, _again(d, today))

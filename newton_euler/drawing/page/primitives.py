@@ -9,15 +9,21 @@ from .projection import View, circle, convex_hull, mean, moved, on_plane, perpen
 
 # colours that colour-blind readers can distinguish (after Okabe and Ito 2008); bodies are grey
 KINDS = {
-    "velocity": "#0072B2", "acceleration": "#D55E00", "rate": "#008060", "force": "#B0408A",
+    "velocity": "#0072B2",
+    "acceleration": "#D55E00",
+    "rate": "#008060",
+    "force": "#B0408A",
     "plain": "#000000",
-}  # fmt: skip
+}
 DARK, SHADED, MIDDLE, LIGHT, PALE = "#454a50", "#aab1b9", "#c9ced4", "#dde1e5", "#eef0f2"
 BLACK, WHITE = "#000000", "#ffffff"
 MOVED = "#8a5a00"  # axes of a frame that moves
 DASHES = {
-    "solid": "-", "dashed": (0, (5, 3)), "dotted": (0, (1, 2)), "centre": (0, (9, 2.5, 2, 2.5)),
-}  # fmt: skip
+    "solid": "-",
+    "dashed": (0, (5, 3)),
+    "dotted": (0, (1, 2)),
+    "centre": (0, (9, 2.5, 2, 2.5)),
+}
 FONT = 11  # points
 SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # its corners
 
@@ -28,9 +34,13 @@ BODY, MARK, ARROW = range(3)
 def _style(edge, width, face="none", dashes="solid", ends="round"):
     """The keyword arguments of a matplotlib patch, in long names: it is slower with short ones."""
     return {
-        "edgecolor": edge, "facecolor": face, "linewidth": width, "linestyle": DASHES[dashes],
-        "capstyle": ends, "joinstyle": "round",
-    }  # fmt: skip
+        "edgecolor": edge,
+        "facecolor": face,
+        "linewidth": width,
+        "linestyle": DASHES[dashes],
+        "capstyle": ends,
+        "joinstyle": "round",
+    }
 
 
 STYLES = {

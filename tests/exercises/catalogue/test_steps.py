@@ -136,8 +136,7 @@ def proving(monkeypatch, **found):
 
 
 def test_a_step_that_the_proof_finds_too_is_compared(monkeypatch):
-    right = proving(monkeypatch, omega_CD=lambda g: [-g.b_dot, 0, g.omega])
-    assert check(right, 2) == []
+    assert check(proving(monkeypatch, omega_CD=lambda g: [-g.b_dot, 0, g.omega]), 2) == []
     wrong = proving(monkeypatch, omega_CD=lambda g: [g.b_dot, 0, g.omega])
     assert "omega_CD: the step in floats and prove differ by 1.2e+00 of its size" in check(wrong)[0]
 

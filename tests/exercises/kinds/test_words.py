@@ -66,9 +66,7 @@ def test_a_count_that_is_no_whole_number_is_caught(made):
 
 
 def test_a_mistake_that_gives_the_right_word_of_the_book_is_caught(made):
-    def same(g):
-        return {**mistakes(g), "no_gravity": {"sense": "rises"}}
-
+    same = lambda g: {**mistakes(g), "no_gravity": {"sense": "rises"}}
     (fault,) = check(ball(made, wrong=same))
     assert fault.startswith("the mistake no_gravity gives nearly the right sense: (rises)")
 

@@ -9,8 +9,7 @@ from tests.grader.submissions import RIGHT
 
 def test_the_demo_on_five_problems_gives_its_six_students_the_expected_points(demo_course):
     assert demo_course["code"] == 0, demo_course["output"]
-    earned = {s: total(c) for s, c in points(demo_course["course"]).items()}
-    assert earned == {**RIGHT, "dan": 0}
+    assert {s: total(c) for s, c in points(demo_course["course"]).items()} == {**RIGHT, "dan": 0}
 
 
 def test_the_demo_says_where_to_look_next(demo_course):

@@ -62,7 +62,7 @@ BROKEN = {
         "nbgrader_config.py of this course did not run to its end (its error is above)",
     ),
     "settings that are no Python": (appended("c.Exchange.root = ("), "'(' was never closed"),
-    "a missing package": (without_a_package, "No module named numpy"),  # our words
+    "a missing package": (without_a_package, "No module named numpy"),
     "another secret": (another_secret, "is not the secret that the course was made with"),
 }
 

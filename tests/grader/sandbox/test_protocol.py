@@ -32,8 +32,7 @@ def test_cells_of_the_student_run_in_their_place(harvester):
 
 def test_a_cell_between_answer_and_harvest_may_change_the_answer(harvester):
     givens, answer, harvest = problem("0/1", "x = 1")
-    cells = [givens, answer, own("x = x + 1"), harvest]
-    assert receipts(harvester, cells) == {"0/1": {"x": 2.0}}
+    assert receipts(harvester, [givens, answer, own("x = x + 1"), harvest]) == {"0/1": {"x": 2.0}}
 
 
 def test_the_givens_remove_the_answers_of_an_earlier_problem(harvester):

@@ -369,9 +369,7 @@ def test_names_of_arguments_do_not_collide_with_names_inside(names):
 
 
 def test_defaults_and_keyword_arguments():
-    def f(x, /, y=2.0, *, z=3.0):
-        return x + 10 * y + 100 * z
-
+    f = lambda x, /, y=2.0, *, z=3.0: x + 10 * y + 100 * z
     g = compiled(f)
     assert g(1.0) == f(1.0)
     assert g(1.0, z=4.0) == f(1.0, z=4.0)
@@ -564,8 +562,7 @@ def test_a_call_leaves_the_globals_of_the_text_as_they_were(kind):
 
 def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
     inner = compiled(lambda x: pi(x) * x)
-    outer = compiled(lambda y: inner(moving(y, 1.0)).value)
-    assert abs(outer(mpmath.mpf(1)) - mpmath.pi) < 1e-28
+    assert abs(compiled(lambda y: inner(moving(y, 1.0)).value)(mpmath.mpf(1)) - mpmath.pi) < 1e-28
 
 
 @pytest.mark.parametrize("f", [lambda x: x.real_part, lambda x: {1: 2}[x], lambda x: x @ x])

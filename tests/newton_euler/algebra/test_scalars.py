@@ -5,8 +5,6 @@ derivatives, dimensions.
 import copy
 import math
 import pickle
-import subprocess
-import sys
 from fractions import Fraction
 
 import mpmath
@@ -303,9 +301,7 @@ def test_moving_numbers_against_mpmath_in_composites(name, t):
 @pytest.mark.parametrize("name", FUNCTIONS)
 @pytest.mark.parametrize("t", ["0.05", "0.3", "0.8"])
 def test_moving_numbers_against_mpmath_for_each_function(name, t):
-    def f(t):
-        return function(name, t * t / 3 + t / 2)
-
+    f = lambda t: function(name, t * t / 3 + t / 2)
     assert is_differentiated(f, mpmath.mpf(t), 1e-24)
     assert is_differentiated(f, float(t), 1e-13)
 
@@ -510,30 +506,6 @@ def test_a_choice_between_unlike_quantities_is_refused():
 def test_a_branch_on_dimensions_is_referred_to_where():
     with pytest.raises(DimensionError, match=r"choose by where\(x < y, a, b\)"):
         max(LENGTH, 2 * LENGTH)
-
-
-# -- weight
-
-
-HEAVY = "sympy scipy matplotlib heyoka mpmath numpy symengine numba IPython"
-
-
-@pytest.mark.parametrize(
-    ("program", "needed"),
-    [
-        ("import newton_euler", ""),
-        ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
-         "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
-    ],
-    ids=["importing the engine", "floats, arrays and tracing"],
-)  # fmt: skip
-def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
-    """What a student waits for is import time."""
-    program = f"import sys; {program}; print(*(m for m in {HEAVY.split()} if m in sys.modules))"
-    out = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=True
-    )
-    assert out.stdout.strip() == needed
 
 
 def test_at_of_an_mpf_keeps_its_digits_where_constants_are_floats():

@@ -229,8 +229,7 @@ def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
 
 def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
     other = Elsewhere(lambda: [part(False, MODEL, [(listed("mirrors", "reworded"), MODEL)])])
-    models = [(TURNS, MODEL), (MIRRORS, MODEL)]
-    assert diagnose(MODEL, KEY, models, elsewhere=other) == (MIRRORS,)
+    assert diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other) == (MIRRORS,)
 
 
 def test_the_distance_that_is_called_near_is_the_one_of_the_rule():

@@ -319,8 +319,7 @@ def test_eqns_6_33_and_6_34_free_air_is_turned_to_the_right_in_the_north(kind):
     assert close((x, y), (turned * sin(theta), -turned * cos(theta)), small(kind))
     assert close(x * cos(theta) + y * sin(theta), 0, small(kind))  # across the motion
     assert close(-x * sin(theta) + y * cos(theta), -turned, small(kind))  # -e_theta: to the right
-    south = e.wind_acceleration(v, theta, -latitude, rate)
-    assert close(south, (-x, -y), small(kind))
+    assert close(e.wind_acceleration(v, theta, -latitude, rate), (-x, -y), small(kind))
 
 
 def test_units():

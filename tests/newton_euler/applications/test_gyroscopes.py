@@ -84,8 +84,7 @@ def test_section_10_1_without_a_point_at_rest_the_axis_is_that_of_the_screw(kind
 def test_eqn_10_1_and_10_2_the_precessing_frame_turns_about_vertical_and_line_of_nodes(kind):
     ground, body, angles, _, _ = top_of(kind)
     (_, dpsi, _), (theta, dtheta, _), nodal = angles["psi"], angles["theta"], body.parent
-    omega = nodal.angular_velocity(ground)
-    assert close(omega, dpsi * ground.k + dtheta * nodal.i, small(kind))
+    assert close(nodal.angular_velocity(ground), dpsi * ground.k + dtheta * nodal.i, small(kind))
     assert close(ground.k.expressed_in(nodal), (0, sin(theta), cos(theta)), small(kind))
 
 
@@ -248,9 +247,7 @@ def test_eqn_10_33_has_the_units_of_a_rate():
 
 
 def test_steady_precession_can_be_compiled():
-    def slow(I0, spin):
-        return steady_precession(I0, 0.25, 0.9, spin=spin, mgr=1.5).slow
-
+    slow = lambda I0, spin: steady_precession(I0, 0.25, 0.9, spin=spin, mgr=1.5).slow
     assert compiled(slow)(0.6, -12.0) == pytest.approx(slow(0.6, -12.0), rel=1e-15)
 
 
@@ -327,8 +324,7 @@ def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is(o
     assert at_rate(1).discriminant >= 0
     for rate in map(mp.mpf, (above.slow, above.fast)):
         spin = (1 + off) * least - (rate * mp.cos(0.9) if of == "omega_z" else 0)
-        moment = steady_moment(*top, rate, spin)
-        assert abs(moment / (1.5 * mp.sin(0.9)) - 1) < 1e-14
+        assert abs(steady_moment(*top, rate, spin) / (1.5 * mp.sin(0.9)) - 1) < 1e-14
     words = rf"negative; {of} must be at least {least:.6g} rad/s in size"
     with pytest.raises(GyroError, match=words):
         at_rate(1 - off)
@@ -459,10 +455,7 @@ def test_the_stiffness_is_the_curvature_of_the_effective_potential(theta, which)
     dpsi = getattr(found, which)
     h = I * wz
     p = I0 * dpsi * mp.sin(theta) ** 2 + h * mp.cos(theta)
-
-    def U(x):
-        return (p - h * mp.cos(x)) ** 2 / (2 * I0 * mp.sin(x) ** 2) + mgr * mp.cos(x)
-
+    U = lambda x: (p - h * mp.cos(x)) ** 2 / (2 * I0 * mp.sin(x) ** 2) + mgr * mp.cos(x)
     with mp.workdps(50):
         curvature = mp.diff(U, theta, 2) / I0
     true = found.stiffness[0 if which == "slow" else 1]

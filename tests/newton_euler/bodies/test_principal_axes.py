@@ -43,8 +43,7 @@ def test_eqn_7_15_to_7_19_about_a_principal_axis_H_is_parallel_to_omega(kind):
         assert close(axis.norm(), 1, small)
     (e, f, g) = p.axes
     assert close(e.cross(f), g, small)  # right-handed and at right angles
-    q = I.expressed_in(I.frame)
-    assert q is I
+    assert I.expressed_in(I.frame) is I
 
 
 @every_kind

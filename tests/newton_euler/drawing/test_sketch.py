@@ -2,8 +2,6 @@
 
 import io
 import math
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -223,21 +221,6 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
     s.dot(place)
     assert png(s)
     assert png(sketch())
-
-
-def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
-    program = (
-        "import sys, newton_euler.drawing.animation, newton_euler.drawing.sketch as d; "
-        "from newton_euler import Frame\n"
-        "assert not {'matplotlib', 'numpy', 'PIL'} & set(sys.modules), sorted(sys.modules)\n"
-        "from matplotlib.figure import Figure; import io\n"
-        "s = d.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, "
-        "3)); s.label((0, 0, 0), 'O')\n"
-        "s.ax.figure.savefig(io.BytesIO())\n"
-        "assert 'matplotlib.pyplot' not in sys.modules\n"
-    )
-    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert run.returncode == 0, run.stderr
 
 
 @pytest.mark.parametrize(

@@ -42,8 +42,7 @@ def test_eqn_5_28_each_independent_constraint_takes_one_away(surfaces):
         "plane": lambda P: P[0] + 2 * P[1] - P[2] / 3,
         "saddle": lambda P: P[2] - P[0] * P[1] - 0.1,
     }
-    chosen = dict(list(f.items())[:surfaces])
-    assert count({"P": "particle"}, chosen) == 3 - surfaces
+    assert count({"P": "particle"}, dict(list(f.items())[:surfaces])) == 3 - surfaces
     assert count({"P": "particle"}, {"z = 0": lambda P: P[2]}) == 2  # plane motion
 
 

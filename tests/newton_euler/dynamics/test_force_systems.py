@@ -83,8 +83,7 @@ def test_the_wrench_is_equivalent_and_its_couple_is_along_its_force(kind):
     for about in (shop.origin, s.parts[2].point):
         assert close(again.moment(about), s.moment(about), 100 * small(kind))
     assert close(w.moment.cross(w.force), (0, 0, 0), 100 * small(kind))
-    nearest = (w.point - bench.point("O", 0, 0, 0)).dot(w.force)
-    assert close(nearest, 0, 100 * small(kind))
+    assert close((w.point - bench.point("O", 0, 0, 0)).dot(w.force), 0, 100 * small(kind))
 
 
 def test_a_single_force_a_couple_and_balance_are_described():

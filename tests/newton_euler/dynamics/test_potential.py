@@ -135,8 +135,7 @@ def test_a_potential_is_found(kind):
 def test_a_potential_found_in_symbols():
     x, y, z, c = sympy.symbols("x y z c", real=True)
     cubic = lambda x, y, z: tuple(c * (x * x + y * y + z * z) * q for q in (x, y, z))
-    V = find_potential(cubic)(x, y, z)
-    assert sympy.expand(V + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
+    assert sympy.expand(find_potential(cubic)(x, y, z) + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
 
 
 def test_a_potential_found_differentiates_to_the_force():

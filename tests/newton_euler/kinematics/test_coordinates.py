@@ -145,8 +145,7 @@ def test_units_follow_and_a_traced_formula_is_short():
 
     def acceleration(R, theta, phi, *rates):
         ground = Frame("ground")
-        P = spherical(ground, "P", *map(moving, (R, theta, phi), rates))
-        return P.acceleration(ground)
+        return spherical(ground, "P", *map(moving, (R, theta, phi), rates)).acceleration(ground)
 
     assert compiled(lambda R, a, b, dR, da, db: acceleration(R, a, b, dR, da, db)).operations <= 20
 

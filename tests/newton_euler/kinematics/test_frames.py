@@ -70,10 +70,7 @@ def chain(seed, count):
 
 def in_engine(tree, kind, faster=1):
     """The frames of a tree, ground first; ``faster``: a factor of all angles."""
-
-    def coordinate(v):
-        return moving(*numbers(kind, *v))
-
+    coordinate = lambda v: moving(*numbers(kind, *v))
     frames = [Frame("f0")]
     for n, s in enumerate(tree, start=1):
         parent = frames[s["parent"]]

@@ -230,8 +230,7 @@ def rolling_cone(h, r, nu):
 
     def placed(line_rate, spin):
         line = ground.rotate("line of contact", "z", rate=line_rate)
-        axis = line.rotate("axis", "-y", atan2(r, h))
-        return axis.rotate("cone", "x", rate=spin)
+        return line.rotate("axis", "-y", atan2(r, h)).rotate("cone", "x", rate=spin)
 
     def conditions(line_rate, spin):
         cone = placed(line_rate, spin)

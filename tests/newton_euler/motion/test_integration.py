@@ -1,8 +1,6 @@
 """Integration of models: orders of convergence, dense output, prepared runs, and refusals."""
 
 import math
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -85,17 +83,6 @@ def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
         MotionError, match="divided by nothing could not be followed beyond t = 0, at x = 1"
     ):
         integrate(model, 1.0, (1.0,), 1e-6, method)
-
-
-def test_nothing_heavy_is_imported():
-    code = (
-        "import sys; from newton_euler.motion import integrate; from tests.models import oscillator;"
-        "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9;"
-        "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') "
-        "if m in sys.modules])"
-    )
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert ran.stdout.strip() == "[]"
 
 
 # -- runs that are prepared

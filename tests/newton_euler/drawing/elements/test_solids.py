@@ -109,8 +109,7 @@ def test_the_equator_of_a_sphere_is_its_front_alone_from_all_sides(azimuth):
     """There is no chord between its ends."""
     s = sketch(azimuth=azimuth, elevation=50)
     s.sphere(O, 1)
-    colours = {colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}
-    assert len(colours) == 1
+    assert len({colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}) == 1
 
 
 def test_one_sees_into_an_open_cone():
