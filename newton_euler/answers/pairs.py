@@ -73,7 +73,7 @@ class _Pairs:
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own) + 2, own, slips
         self.of_symbols = kind.is_formula and slips.of_symbols
         self.exactly = fit.rtol if kind.is_formula and not self.of_symbols else ROUND_OFF
-        few = self.of_symbols and len(slips.causes) <= MANY
+        few = self.of_symbols and len(slips.causes) <= MANY and len({*fit.given}) > 1
         self.firsts = self.own + few * len(slips.causes)
 
     @cached_property
