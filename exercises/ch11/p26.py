@@ -30,12 +30,12 @@ def kinetic(g, at_c):
 
 
 def energy(g, at_c):
-    v_b = speed_after(0, kinetic(g, at_c), g.m)
-    return {"E_total": g.m * v_b**2 / 2 + potential(g, g.b)}
+    return {"E_total": kinetic(g, at_c) + potential(g, g.b)}
 
 
 def solve(g):
-    return energy(g, ratio(g))
+    v_b = speed_after(0, kinetic(g, ratio(g)), g.m)
+    return {"E_total": g.m * v_b**2 / 2 + potential(g, g.b)}
 
 
 def steps(g):

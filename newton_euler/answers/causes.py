@@ -336,7 +336,7 @@ def both(first: Cause, second: Cause) -> Cause:
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
-    if second == OPPOSITE_NUMBER and " with the opposite sign" in one:
+    if second == OPPOSITE_NUMBER and re.fullmatch("has .* with the opposite sign", one):
         what = one.removeprefix("has ").removesuffix(" with the opposite sign")
         return Cause("both", name, Words("has all but {term} with the opposite sign", term=what))
     if len(f"{one} {other}".split()) > BRIEF:

@@ -176,8 +176,11 @@ class _Pairs:
             if np.isfinite(key).all() and np.isfinite(rows[[i, j]]).all():
                 if math.dist(op(rows[i], rows[j], key), given) > self.exactly * math.hypot(*given):
                     return False
-                ratios.append(rows[[i, j]][:, key != 0] / key[key != 0])
-        first, second = (np.array(x) for x in zip(*ratios, strict=True))
+                with np.errstate(all="ignore"):
+                    ratios.append(rows[[i, j]] / key)
+        found = np.array(ratios)
+        there = np.isfinite(found).all(axis=(0, 1))  # a component may be zero at some points
+        first, second = found[:, 0, there], found[:, 1, there]
         factors = [(np.ptp(x, axis=0) < NOISE) & (abs(x[0] - 1) > NOISE) for x in (first, second)]
         if op is _added:  # factors of one component are not added
             changed = [(abs(x - 1) > NOISE).any(axis=0) for x in (first, second)]

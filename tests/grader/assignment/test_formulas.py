@@ -112,10 +112,10 @@ def shown(name, key):
     ("8/19", "I_xy", ["d**2*m_1 - d**2*m_3 + 2*d**2*m_4"]),  # not I_xx of the first, which is equal
     ("6/8", "M", ["m_A + 4*m_B"]),  # the masses themselves, and not W_B/g
     ("2/25", "a_P_centripetal", ["-omega**2*r_P_x", "0", "0"]),  # not a_rel, which is another term
-    ("4/17", "a_D_centripetal", ["0", "omega**2*(L*cos(beta_1) - b)", "0"]),  # not omega*v_D_x
+    ("4/17", "a_D_centripetal", ["0", "-omega**2*(-L*cos(beta_1) + b)", "0"]),  # not omega*v_D_x
     ("8/11", "H_O", ["-I_zx*omega", "-I_yz*omega", "I_zz*omega"]),  # which are equal
     ("3/27", "r_cyl", ["T_theta_xx*x + T_theta_xy*y", "-T_theta_xy*x + T_theta_yy*y", "z"]),
-    ("4/9", "x", ["a*sqrt(b**2 - rho**2)/sqrt(-a**2 + b**2)"]),  # the square of an earlier root
+    ("4/9", "x", ["a*sqrt((b**2 - rho**2)/(-a**2 + b**2))"]),  # the square of an earlier root
     ("6/11", "T", ["-F_x*cos(psi) + F_y*sin(psi)"]),  # without the unknown force of the slot
     ("2/5", "h", ["g*t_near**2/2 - t_near*v_0*cos(phi)", "g*t_far**2/2 - t_far*v_0*cos(phi)"]),
 ])  # fmt: skip

@@ -60,6 +60,18 @@ def test_factors_of_one_component_are_not_added_and_nothing_is_added_to_nothing(
     assert in_symbols(A * B + B, A * B, B, slip=2 * A * B) == ()
 
 
+def test_a_component_may_be_zero_at_some_points():
+    """As one that changes its sign on the way: nothing is divided by it there."""
+    kind, zero = KINDS["vector_expression"], np.where(A < 1.2, 0.0, B)
+    key, given = points(A + B, zero, A * B), points(A, zero, A)
+    own, slip = points(A, zero, A * B), points(A + B, zero, A)
+    singles = Singles([(1, SLIP)], lambda n: [slip[n]], of_symbols=True)
+    found = of_two(
+        Fit(given, key, kind.rtol), kind, [(LISTED, own)], lambda: singles, lambda cause: False
+    )
+    assert found == (both(LISTED, SLIP),)
+
+
 KEY = (3.127, -4.216, 1.871)
 
 
