@@ -268,8 +268,12 @@ class Run:
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
+        trajectory = None
         for _ in range(MAX_REFINEMENTS):
-            trajectory = self.trajectory(method, tolerance, known, scaled)
+            last, trajectory = trajectory, self.trajectory(method, tolerance, known, scaled)
+            if trajectory.failed and last:
+                trajectory = last  # the round-off of the rates stalls the finer one
+                break
             if trajectory.repeated and not before.watched:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
@@ -286,6 +290,9 @@ class Run:
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
                 before = self.compared(method, method.other(finer), finer, known, scaled)
+            elif finer <= 10 * least:  # so that round-off, too, makes a difference
+                self.narrow = True
+                before = self.compared(method, 10 * finer, finer, known, scaled)
         if not error <= self.rtol or trajectory.failed:
             trajectory, error = self.stopping(trajectory, known, max(forced, error), forced)
         self.system.traced.seconds += perf_counter() - begun
