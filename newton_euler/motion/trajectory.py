@@ -10,7 +10,7 @@ from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
-from .methods.base import SMALLEST_SCALE, StepError, Stepper
+from .methods.base import SMALLEST_SCALE, StepError, Stepper, beside
 from .methods.table import METHODS
 from .model import ModelError
 from .narrow import passage, within_reach
@@ -42,6 +42,9 @@ INNER_PART = 0.05
 SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
 STICKING, STICKING_PART = 100, 1e-2
+# steps after which a run for comparison is shifted again, and the part of the shift of its start;
+# with it the round-off that it brings is some times that of its own steps
+SHIFTED, SHIFTED_PART = 8, 0.4
 CRAWLING = 100_000  # steps between two looks whether it sticks
 ACCUMULATION = "events follow each other without end"
 
@@ -86,6 +89,8 @@ class Trajectory:
         # what its steps did not see, relative to the scales
         self.watched, self.missed = watched and not (self.step or method.closed), 0.0
         self.stopping = stopping
+        # where steps end at a border a shift would lead back across it
+        self.shift = run.shift * SHIFTED_PART if method.adaptive and not stopping else 0.0
         self.repeated = False  # True if steps were repeated since they had not seen something
         self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
@@ -181,6 +186,8 @@ class Trajectory:
         locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
         patience = CRAWLING if stepper.system.traced.choices else inf
         limit, done = FIRST_STEPS if events or self.progress else patience, 0
+        if self.shift:
+            limit = SHIFTED
         stopping = self.stopping and stepper.system.traced.choices
         step = Crossings(stepper).step if stopping else stepper.step
         while stepper.t < self.goal:
@@ -202,7 +209,10 @@ class Trajectory:
                     if ending:
                         return t, [events[k] for k in ending], x
             done = len(stepper.step_times) - 1
-            if limit < CRAWLING:
+            if self.shift and stepper.t < self.goal:
+                stepper.x = beside(stepper.x, self.shift, done // SHIFTED)
+                stepper.resume()
+            elif limit < CRAWLING:
                 limit = min(2 * limit, MAX_STEPS)
             if self.progress:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
