@@ -2,6 +2,7 @@
 which the state jumps or the model changes.
 """
 
+from functools import partial
 from math import inf
 from typing import NamedTuple
 
@@ -186,10 +187,9 @@ class Trajectory:
         locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
         patience = CRAWLING if stepper.system.traced.choices else inf
         limit, done = FIRST_STEPS if events or self.progress else patience, 0
-        if self.shift:
-            limit = SHIFTED
         stopping = self.stopping and stepper.system.traced.choices
         step = Crossings(stepper).step if stopping else stepper.step
+        step = partial(self._step_beside, stepper) if self.shift else step
         while stepper.t < self.goal:
             step(limit)
             if len(stepper.step_times) > patience:
@@ -209,14 +209,19 @@ class Trajectory:
                     if ending:
                         return t, [events[k] for k in ending], x
             done = len(stepper.step_times) - 1
-            if self.shift and stepper.t < self.goal:
-                stepper.x = beside(stepper.x, self.shift, done // SHIFTED)
-                stepper.resume()
-            elif limit < CRAWLING:
+            if limit < CRAWLING:
                 limit = min(2 * limit, MAX_STEPS)
             if self.progress:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
+
+    def _step_beside(self, stepper, limit):
+        """At most ``limit`` steps, between some of which the states are shifted."""
+        most = len(stepper.steps) + limit
+        while stepper.t < self.goal and len(stepper.steps) < most:
+            stepper.step(min(most - len(stepper.steps), SHIFTED))
+            stepper.x = beside(stepper.x, self.shift, len(stepper.steps) // SHIFTED)
+            stepper.resume()
 
     def _see(self, stepper, step, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""
