@@ -90,8 +90,7 @@ class Trajectory:
         # what its steps did not see, relative to the scales
         self.watched, self.missed = watched and not (self.step or method.closed), 0.0
         self.stopping = stopping
-        # where steps end at a border a shift would lead back across it
-        self.shift = run.shift * SHIFTED_PART if method.adaptive and not stopping else 0.0
+        self.shift = run.shift * SHIFTED_PART if method.adaptive else 0.0
         self.repeated = False  # True if steps were repeated since they had not seen something
         self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
@@ -189,7 +188,7 @@ class Trajectory:
         limit, done = FIRST_STEPS if events or self.progress else patience, 0
         stopping = self.stopping and stepper.system.traced.choices
         step = Crossings(stepper).step if stopping else stepper.step
-        step = partial(self._step_beside, stepper) if self.shift else step
+        step = partial(self._step_beside, stepper, step) if self.shift else step
         while stepper.t < self.goal:
             step(limit)
             if len(stepper.step_times) > patience:
@@ -215,13 +214,16 @@ class Trajectory:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
 
-    def _step_beside(self, stepper, limit):
-        """At most ``limit`` steps, between some of which the states are shifted."""
+    def _step_beside(self, stepper, step, limit):
+        """At most ``limit`` steps, between some of which the states are shifted; not just behind a
+        border, to which that might lead back.
+        """
         most = len(stepper.steps) + limit
         while stepper.t < self.goal and len(stepper.steps) < most:
-            stepper.step(min(most - len(stepper.steps), SHIFTED))
-            stepper.x = beside(stepper.x, self.shift, len(stepper.steps) // SHIFTED)
-            stepper.resume()
+            step(min(most - len(stepper.steps), SHIFTED))
+            if stepper.t <= stepper.step_end(len(stepper.steps) - 1):
+                stepper.x = beside(stepper.x, self.shift, len(stepper.steps) // SHIFTED)
+                stepper.resume()
 
     def _see(self, stepper, step, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""

@@ -146,7 +146,7 @@ def test_a_state_that_starts_at_zero_is_shifted_on_the_way_unless_it_stays_there
     one, method = run(moving, 30.0, (0.0, 0.0)), METHODS[method]
     x, y = one.compared(method, 1e-9, 1e-12).segments[-1].x1
     apart = abs(x - one.trajectory(method, 1e-9).segments[-1].x1[0])
-    assert 1e-13 < apart < 1e-11 if method.adaptive else apart == 0.0
+    assert 1e-15 < apart < 1e-11 if method.adaptive else apart == 0.0
     assert y == 0.0
 
 
